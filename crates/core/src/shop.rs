@@ -6,10 +6,12 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
+use crate::note::{Because, Figure, Note};
 use crate::part::Part;
-use crate::plan::CuttingMethod;
+use crate::plan::{CuttingMethod, Operation};
 use crate::shelf::Shelf;
 use crate::tables::holes::{HoleConvention, HoleDefault};
+use crate::tables::rules::CoolantFor;
 use crate::units::{Kilowatts, Micrometres, Microns, NewtonMetres, Roughness};
 
 /// The knowledge, the machine at hand and the material.
@@ -62,6 +64,17 @@ impl<'k> Shop<'k> {
     /// The table does not name it.
     pub fn convention(&self, name: HoleDefault) -> Result<Micrometres, KnowledgeError> {
         Ok(Micrometres::from_mm_rounded(self.share(name)?))
+    }
+
+    /// Whether an operation is cooled where its speed does not say, by the rule `coolant`.
+    ///
+    /// # Errors
+    /// The rule does not say it.
+    pub fn coolant(&self, operation: Operation) -> Result<(bool, Because), KnowledgeError> {
+        let asked = self.knowledge.ask(&CoolantFor { operation, material_group: self.material.group })?;
+        let cooled = asked.need(operation.name())?.coolant;
+        let note = Note::new(if cooled { "cooled" } else { "dry" });
+        Ok((cooled, Because::answer(&asked.answer, note.with("operation", Figure::operation(operation.name())))))
     }
 
     /// The same shop as if its machine bore any load and any tool: for what is done on another machine, whose

@@ -4,7 +4,7 @@
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::contract::{Question, TableRow};
 use crate::knowledge::vocabulary::ToolMaterial;
-use crate::knowledge::{Knowledge, QueryError, RowRef};
+use crate::knowledge::{Knowledge, RowRef};
 use crate::material::Material;
 use crate::note::{Because, Figure, Note};
 use crate::plan::Operation;
@@ -147,10 +147,7 @@ pub fn within_reach<'k, Q: Question>(
     question: &Q,
     knowledge: &'k Knowledge,
 ) -> Result<Option<(Q::Row<'k>, RowRef<'k>)>, KnowledgeError> {
-    let asked = match knowledge.table(Q::TABLE)?.ask(question) {
-        Err(QueryError::OutOfDomain { .. }) => return Ok(None),
-        asked => asked?,
-    };
+    let Some(asked) = knowledge.ask_within(question)? else { return Ok(None) };
     match asked.answer.winner() {
         Some(row) => Ok(Some((Q::Row::read(row)?, row))),
         None => Ok(None),

@@ -26,11 +26,10 @@ use technolog_tables as tables;
 
 use crate::error::Tried;
 use crate::knowledge::vocabulary::ToolMaterial;
-use crate::note::{Because, Figure, Note};
+use crate::note::Because;
 use crate::plan::{Conditions, Limit, Operation};
 use crate::reason::{Reason, Uncut};
 use crate::shop::Shop;
-use crate::tables::rules::CoolantFor;
 use crate::units::{
     ItGrade, Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres,
     Newtons, RevsPerMinute, Roughness,
@@ -206,11 +205,8 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
     let coolant = match draft.coolant {
         Some(said) => said,
         None => {
-            let material_group = shop.material.group;
-            let asked = shop.knowledge.ask(&CoolantFor { operation, material_group })?;
-            let cooled = asked.need(operation.name())?.coolant;
-            let note = Note::new(if cooled { "cooled" } else { "dry" });
-            because.push(Because::answer(&asked.answer, note.with("operation", Figure::operation(operation.name()))));
+            let (cooled, reason) = shop.coolant(operation)?;
+            because.push(reason);
             cooled
         }
     };

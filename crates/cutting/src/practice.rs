@@ -4,14 +4,14 @@
 //! which of them is taken; both stand in the reasons of the plan.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::RowRef;
 use crate::knowledge::vocabulary::ToolMaterial;
+use crate::knowledge::{QueryError, RowRef};
 use crate::note::{Because, Note};
 use crate::plan::{Conditions, Operation};
 use crate::shop::Shop;
 use crate::tables::practice::{
     CarbideSpeedFor, CarbideWork, Coating, DrillForceFactor, DrillForceFormula, ForceConstant, HssSpeedFor, HssWork,
-    PracticeGroupFor, RoughOrFinish, SpeedShareFor, TapSpeedFor,
+    PracticeGroup, PracticeGroupFor, RoughOrFinish, SharedWork, SpeedShareFor, TapSpeedFor,
 };
 use crate::tables::rules::{SecondOpinionFor, Taken};
 use crate::units::{Brinell, MetresPerMinute, round_to};
@@ -44,22 +44,16 @@ impl<'k> Practice<'k> {
 
     /// What shops drive for a cut; nothing where the tables have no figure for it.
     fn of(cut: &Cut, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
-        let question = PracticeGroupFor { material: shop.material.id, hardness: Brinell(shop.material.hardness) };
-        // A hardness or a grade of somebody's own tables, which the pages have not.
-        let Ok(asked) = shop.knowledge.ask(&question) else { return Ok(None) };
-        let Some(group) = asked.winner()?.map(|row| row.group) else { return Ok(None) };
+        let Some(group) = group(shop)?.map(|row| row.group) else { return Ok(None) };
         let steel = cut.tool_material == ToolMaterial::HighSpeedSteel;
         match cut.operation {
             Operation::Drill if steel => Self::hss(HssWork::Drill, group, shop),
-            Operation::CentreDrill
-            | Operation::DrillOut
-            | Operation::CoreDrill
-            | Operation::Counterbore
-            | Operation::Countersink
-            | Operation::Chamfer
-                if steel =>
-            {
-                Self::share(cut.operation, Self::hss(HssWork::Drill, group, shop)?, shop)
+            Operation::CentreDrill if steel => Self::of_drill(SharedWork::CentreDrill, group, shop),
+            Operation::DrillOut if steel => Self::of_drill(SharedWork::DrillOut, group, shop),
+            Operation::CoreDrill if steel => Self::of_drill(SharedWork::CoreDrill, group, shop),
+            Operation::Counterbore if steel => Self::of_drill(SharedWork::Counterbore, group, shop),
+            Operation::Countersink | Operation::Chamfer if steel => {
+                Self::of_drill(SharedWork::Countersink, group, shop)
             }
             Operation::RoughReam | Operation::FinishReam if steel => Self::hss(HssWork::Ream, group, shop),
             Operation::RoughReam | Operation::FinishReam => {
@@ -72,7 +66,7 @@ impl<'k> Practice<'k> {
                     true => Self::hss(HssWork::Turn, group, shop)?,
                     false => Self::carbide(CarbideWork::Turn, pass, group, shop)?,
                 };
-                Self::share(Operation::FinishBore, turned, shop)
+                Self::share(SharedWork::Bore, turned, shop)
             }
             Operation::Mill if steel => Self::hss(HssWork::Mill, group, shop),
             Operation::Tap if steel => {
@@ -88,6 +82,10 @@ impl<'k> Practice<'k> {
         Ok(row.map(|row| Self { low: row.speed_low, typical: row.speed, high: row.speed_high, row: row.row }))
     }
 
+    fn of_drill(operation: SharedWork, group: &str, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
+        Self::share(operation, Self::hss(HssWork::Drill, group, shop)?, shop)
+    }
+
     /// The bars and reamers of the catalogs are not coated.
     fn carbide(
         operation: CarbideWork,
@@ -101,14 +99,18 @@ impl<'k> Practice<'k> {
     }
 
     /// Of operations that have no rows of their own: a share of drilling or turning.
-    fn share(operation: Operation, of: Option<Self>, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
-        let work = match operation {
-            Operation::Chamfer => "countersink",
-            Operation::FinishBore => "bore",
-            operation => operation.name(),
-        };
-        let Some(row) = shop.knowledge.ask(&SpeedShareFor { operation: work })?.winner()? else { return Ok(None) };
+    fn share(operation: SharedWork, of: Option<Self>, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
+        let Some(row) = shop.knowledge.ask(&SpeedShareFor { operation })?.winner()? else { return Ok(None) };
         Ok(of.map(|of| of.times(row.share_low, row.share, row.share_high)))
+    }
+}
+
+/// The rows of the pages for the material; nothing for a hardness or a grade of somebody's own tables, which they lack.
+fn group<'k>(shop: &Shop<'k>) -> Result<Option<PracticeGroup<'k>>, KnowledgeError> {
+    let question = PracticeGroupFor { material: shop.material.id, hardness: Brinell(shop.material.hardness) };
+    match shop.knowledge.ask(&question) {
+        Err(KnowledgeError::Query(QueryError::OutOfDomain { .. } | QueryError::IllTyped { .. })) => Ok(None),
+        asked => Ok(asked?.winner()?),
     }
 }
 
@@ -158,9 +160,7 @@ pub(super) fn forces(cut: &Cut, found: &Conditions, shop: &Shop<'_>) -> Result<O
     if cut.operation != Operation::Drill || thrust.0 <= 0.0 || torque.0 <= 0.0 {
         return Ok(None);
     }
-    let question = PracticeGroupFor { material: shop.material.id, hardness: Brinell(shop.material.hardness) };
-    let Ok(asked) = shop.knowledge.ask(&question) else { return Ok(None) };
-    let Some(id) = asked.winner()?.and_then(|row| row.drill_force) else { return Ok(None) };
+    let Some(id) = group(shop)?.and_then(|row| row.drill_force) else { return Ok(None) };
     let material = shop.knowledge.need(id, |row: &DrillForceFactor<'_>| row.id == id)?;
     let constant = |name: ForceConstant| -> Result<f64, KnowledgeError> {
         Ok(shop.knowledge.need(name.name(), |row: &DrillForceFormula<'_>| row.name.is(name))?.value)

@@ -33,16 +33,13 @@ pub fn clamping(
             (clamping, faults.into_iter().map(|note| Finding::of_part(Severity::Error, note)).collect())
         }));
     }
-    let mut first = None;
+    let mut best = None;
     for clamps in proposals(part, inset) {
         let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { return Ok(None) };
-        if faults.is_empty() {
-            return Ok(Some((clamping, Vec::new())));
-        }
-        first.get_or_insert((clamping, faults));
+        let Some(why) = faults.into_iter().next() else { return Ok(Some((clamping, Vec::new()))) };
+        best.get_or_insert((clamping, why));
     }
-    Ok(first.map(|(clamping, faults)| {
-        let why = faults.into_iter().next().unwrap_or_else(|| Note::new("clamp-near-hole"));
+    Ok(best.map(|(clamping, why)| {
         let note = Note::new("no-place-for-clamps").with("why", why);
         (clamping, vec![Finding::of_part(Severity::Doubtful, note)])
     }))
@@ -156,18 +153,17 @@ fn proposals(part: &Part, inset: Micrometres) -> Vec<Vec<Point>> {
         let holes = part.holes.iter().flat_map(|hole| hole.at.iter().map(|at| (*at, hole.diameter.nominal.half())));
         holes.flat_map(|(at, radius)| clamps.iter().map(move |clamp| clamp.distance(at) - radius)).min()
     };
-    let with_room = |clamps: Vec<Point>| (room(&clamps).unwrap_or(inset), clamps);
-    let mut pairs: Vec<(Micrometres, Vec<Point>)> = sides.map(with_room).collect();
-    pairs.sort_by_key(|(room, _)| std::cmp::Reverse(*room));
+    let mut pairs: Vec<Vec<Point>> = sides.collect();
+    pairs.sort_by_cached_key(|clamps| std::cmp::Reverse(room(clamps)));
     // The corners last: a strap stands worst there.
-    pairs.extend([1, -1].map(|side| with_room(pair(along, across.ratio(side, 1)))));
-    let best = pairs.first().map(|(_, clamps)| clamps.clone());
+    pairs.extend([1, -1].map(|side| pair(along, across.ratio(side, 1))));
     // Where a hole is in the way of a pair, it is in the way of every four with it.
-    pairs.retain(|(room, _)| *room >= inset);
-    let mut found: Vec<Vec<Point>> = pairs.into_iter().map(|(_, clamps)| clamps).collect();
-    let fours: Vec<Vec<Point>> = (0..found.len())
-        .flat_map(|at| found[at + 1..].iter().map(|two| [&found[at][..], two].concat()).collect::<Vec<_>>())
-        .collect();
-    found.extend(fours);
-    if found.is_empty() { best.into_iter().collect() } else { found }
+    let free: Vec<&Vec<Point>> = pairs.iter().filter(|clamps| blocked(part, clamps, inset).is_none()).collect();
+    if free.is_empty() {
+        pairs.truncate(1);
+        return pairs;
+    }
+    let fours = free.iter().enumerate().flat_map(|(at, one)| free[at + 1..].iter().map(|two| [&one[..], two].concat()));
+    let fours: Vec<Vec<Point>> = fours.collect();
+    free.into_iter().cloned().chain(fours).collect()
 }

@@ -4,11 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::motion::Position;
-use crate::note::{Because, Figure, Note};
 use crate::part::{Face, Part, Point};
 use crate::plan::{Plan, ToolPlan, ToolVisit, Transition};
 use crate::shop::Shop;
-use crate::tables::rules::CoolantFor;
 use crate::units::Micrometres;
 
 use super::clearance::{change_over_part, ways_over_clamps};
@@ -123,9 +121,17 @@ fn rounds(
                     let hole = plan.part.holes.iter().find(|hole| hole.name == stop.hole);
                     let pitch = hole.and_then(|hole| hole.thread_at(transition.step)).map(|thread| thread.pitch);
                     let made = cycle(&Feeding::of(transition, pitch), plan.part.datum.top, shop)?;
-                    let (cooled, reason) = coolant(transition, shop)?;
+                    let cooled = match transition.conditions.coolant {
+                        Some(said) => said,
+                        None => {
+                            let (cooled, reason) = shop.coolant(transition.operation)?;
+                            if !work.because.contains(&reason) {
+                                work.because.push(reason);
+                            }
+                            cooled
+                        }
+                    };
                     work.coolant |= cooled;
-                    work.because.extend(reason.filter(|reason| !work.because.contains(reason)));
                     let at = work.cycles.iter().position(|known| known.same(&made)).unwrap_or_else(|| {
                         work.cycles.push(made);
                         work.cycles.len() - 1
@@ -144,19 +150,6 @@ fn rounds(
 
 fn transition_of<'p>(plan: &'p Plan, hole: &str, transition: usize) -> Option<&'p Transition> {
     plan.holes.iter().find(|plan| plan.name == hole)?.transitions.get(transition)
-}
-
-/// Whether a transition is cooled: as its cutting speed is meant, else by the rule `coolant`.
-fn coolant(transition: &Transition, shop: &Shop<'_>) -> Result<(bool, Option<Because>), KnowledgeError> {
-    if let Some(said) = transition.conditions.coolant {
-        // The row of the speed stands with the conditions.
-        return Ok((said, None));
-    }
-    let operation = transition.operation;
-    let asked = shop.knowledge.ask(&CoolantFor { operation, material_group: shop.material.group })?;
-    let cooled = asked.need(operation.name())?.coolant;
-    let note = Note::new(if cooled { "cooled" } else { "dry" }).with("operation", Figure::operation(operation.name()));
-    Ok((cooled, Some(Because::answer(&asked.answer, note))))
 }
 
 /// What the bar of a boring tool is set to for a pass: the stock is taken in equal passes.

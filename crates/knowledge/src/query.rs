@@ -515,6 +515,20 @@ impl Knowledge {
         Ok(self.table(Q::TABLE)?.ask(question)?)
     }
 
+    /// As [`Self::ask`]; nothing where a figure is beyond the table's reach, which is one that the table does not have.
+    ///
+    /// # Errors
+    /// As [`Self::ask`], but for that.
+    pub fn ask_within<'k, Q: Question>(
+        &'k self,
+        question: &Q,
+    ) -> Result<Option<TypedAnswer<'k, Q::Row<'k>>>, KnowledgeError> {
+        match self.table(Q::TABLE)?.ask(question) {
+            Err(QueryError::OutOfDomain { .. }) => Ok(None),
+            asked => Ok(Some(asked?)),
+        }
+    }
+
     /// The one table of a row type.
     ///
     /// # Errors

@@ -159,12 +159,9 @@ impl Walk<'_, '_> {
             transition.operation,
             Operation::Drill | Operation::DrillOut | Operation::CoreDrill | Operation::Counterbore | Operation::Mill
         );
-        // A core drill or reamer is ground to size; a step drill makes its opening with its wide part.
-        let tool = match transition.operation {
-            Operation::CoreDrill => transition.diameter_mm,
-            _ => transition.tool.diameter_mm.min(transition.also_diameter_mm.unwrap_or(transition.tool.diameter_mm)),
-        };
-        let tool = if transition.also_diameter_mm.is_some() { transition.diameter_mm } else { tool };
+        // A core drill is ground to size; a step drill makes its opening with its wide part.
+        let to_size = transition.operation == Operation::CoreDrill || transition.also_diameter_mm.is_some();
+        let tool = if to_size { transition.diameter_mm } else { transition.tool.diameter_mm };
         if own && tool > limit && asked.thread.is_none_or(|thread| thread.kind == ThreadKind::Cylindrical) {
             self.faults.push(Fault::Enters { operation: transition.operation, tool, limit });
         }
@@ -288,10 +285,7 @@ impl Walk<'_, '_> {
     /// on. That the hole is wider than its drill is left out: the drills of ГОСТ 19257 leave room for it.
     fn tap_hole(&mut self, transition: &Transition, size: Micrometres, pitch: Micrometres) {
         let p = pitch.to_mm();
-        let tolerance = match p < 1.0 {
-            true => 433.0 * p - 190.0 * libm::pow(p, 1.22),
-            false => 230.0 * libm::pow(p, 0.7),
-        };
+        let tolerance = if p < 1.0 { 433.0 * p - 190.0 * libm::pow(p, 1.22) } else { 230.0 * libm::pow(p, 0.7) };
         let smallest = Micrometres::from_mm_rounded(size.to_mm() - 1.082_532 * p);
         let largest = smallest + Micrometres::from_mm_rounded(tolerance / 1000.0);
         let diameter = transition.diameter_mm;

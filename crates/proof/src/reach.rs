@@ -71,6 +71,8 @@ impl Reach {
 
 /// How far the axis of a drilled hole runs off by its end; nothing for diameters that the table has not.
 pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
-    let row = shop.knowledge.ask(&DrillDriftFor { diameter }).ok().map(|answer| answer.winner()).transpose()?.flatten();
-    Ok(row.map_or(Micrometres::ZERO, |row| Micrometres::from_mm_rounded(row.drift * depth.to_mm() / 1000.0)))
+    let Some(asked) = shop.knowledge.ask_within(&DrillDriftFor { diameter })? else { return Ok(Micrometres::ZERO) };
+    Ok(asked
+        .winner()?
+        .map_or(Micrometres::ZERO, |row| Micrometres::from_mm_rounded(row.drift * depth.to_mm() / 1000.0)))
 }

@@ -82,8 +82,8 @@ rows! {
     } shown { clarkson_low, clarkson_high, sutton_low, sutton_high, pages }
 
     /// Share of the speed of drilling or turning.
-    pub struct SpeedShare of One("practice-speed-share") asked by SpeedShareFor<'t> {
-        operation: &'t str,
+    pub struct SpeedShare of One("practice-speed-share") asked by SpeedShareFor {
+        operation: SharedWork,
     } {
         share_low: f64,
         share: f64,
@@ -144,6 +144,17 @@ vocabulary! {
         Mill = "mill",
         Drill = "drill",
         Ream = "ream",
+    }
+
+    /// What is driven at a share of the speed of drilling or turning.
+    pub enum SharedWork {
+        CentreDrill = "centre-drill",
+        DrillOut = "drill-out",
+        CoreDrill = "core-drill",
+        Counterbore = "counterbore",
+        Countersink = "countersink",
+        Ream = "ream",
+        Bore = "bore",
     }
 
     /// What tables of carbide tell apart.

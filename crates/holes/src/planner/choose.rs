@@ -1,9 +1,9 @@
 //! Which route every group takes, all groups together: the stated order of routes.
 //!
 //! A route that holds grade, roughness and position goes before one that does not, and one that holds them ordinarily
-//! before one that does only at best; then the total time decides, with the tool changes it adds to those of the other groups; then the places of the magazine it
-//! adds; then the way (tables, complexes, search) and the names, so that the order is total and no file's
-//! order matters. Cost is time at the machine's rate, so it never decides alone.
+//! before one that does only at best; then the total time decides, with the tool changes it adds to those of the other
+//! groups; then the places of the magazine it adds; then the way (tables, complexes, search) and the names, so that the
+//! order is total and no file's order matters. Cost is time at the machine's rate, so it never decides alone.
 //!
 //! Groups are chosen one beside the others until no single move helps; then, tool by tool, every group that
 //! can use the tool takes it, or every group that uses it goes without, and what makes the whole part better
@@ -47,8 +47,8 @@ struct Rank {
     name: usize,
 }
 
-/// What the whole part comes to, best first: groups that do not take the tables although they are preferred, groups without a route or with one that misses something, what is reached
-/// only at best, time.
+/// What the whole part comes to, best first: groups that do not take the tables although they are preferred, groups
+/// without a route or with one that misses something, what is reached only at best, time.
 type Total = (usize, usize, usize, i64);
 
 /// The groups' options with what is chosen of each.
@@ -394,6 +394,7 @@ fn tool_keys(steps: &[Fitted]) -> BTreeSet<ToolKey> {
         })
         .collect()
 }
+
 /// A difference of times as it is told: to half a second, and small ones so that they are not nought.
 fn minutes(more: f64) -> Figure {
     Figure::fixed(more, if more < 0.05 { 3 } else { 2 })

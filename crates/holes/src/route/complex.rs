@@ -1,12 +1,11 @@
 //! The second way to a route: the complexes of transitions of tables A.4 and A.5.
 
 use crate::error::{Refusal, Tried};
-use crate::knowledge::QueryError;
 use crate::note::{Because, Figure, Note};
 use crate::plan::{Operation, RouteSource};
 use crate::reason::Reason;
 use crate::shop::Shop;
-use crate::tables::holes::{Complex, ComplexGroup, ComplexesOfHole, ComplexesOfHoleFor};
+use crate::tables::holes::{Complex, ComplexGroup, ComplexesOfHoleFor};
 use crate::units::Micrometres;
 
 use super::Candidate;
@@ -45,16 +44,13 @@ fn kind(question: &SchemeQuestion<'_>, openings: Openings) -> Option<(ComplexGro
 /// # Errors
 /// The knowledge cannot answer, or A.4 has no complex for it.
 pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
-    let table = shop.knowledge.table_of::<ComplexesOfHole<'_>>()?;
     let (it, nominal, centre) = (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
     let Some((kind, diameter)) = kind(question, openings) else {
         return Err(Refusal::Not(Reason::NoComplexGroup { it, diameter: nominal, centre }));
     };
     let no_complex = || Refusal::Not(Reason::NoComplex { it, diameter: nominal, centre });
-    let answer = match table.ask(&ComplexesOfHoleFor { hole: kind, diameter, centre_tolerance: centre }) {
-        Err(QueryError::OutOfDomain { .. }) => return Err(no_complex()),
-        answer => answer?,
-    };
+    let asked = ComplexesOfHoleFor { hole: kind, diameter, centre_tolerance: centre };
+    let answer = shop.knowledge.ask_within(&asked)?.ok_or_else(no_complex)?;
     let Some(row) = answer.winner()? else { return Err(no_complex()) };
     let (centred, centring) = centre_first(question.bore, shop)?;
     let mut found = Vec::new();
