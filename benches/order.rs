@@ -21,12 +21,12 @@ fn main() {
     if let Some(at) = arguments.iter().position(|argument| argument == "csv") {
         return write(&arguments[at + 1]);
     }
-    // Cargo tells a bench `--bench`; `-- mixed` measures the patterns of that name alone.
     if arguments.iter().any(|argument| argument == "growth") {
         return growth();
     }
     let rapid = Metric::Rapid(Rapid { rate: MillimetresPerMinute(7000.0), acceleration: None });
     println!("pattern      metric  points  effort  length mm   nearest mm   bound mm  over bound  time s  (bound s)");
+    // Cargo tells a bench `--bench`; `-- mixed` measures the patterns of that name alone.
     let asked = arguments.iter().skip(1).find(|argument| !argument.starts_with('-'));
     for (name, points) in patterns::all() {
         if asked.is_some_and(|asked| !name.contains(asked.as_str())) {

@@ -37,8 +37,8 @@ pub struct Args {
     closed: bool,
     #[arg(long, value_name = "N", value_parser = whole::<0, 100_000>, conflicts_with_all = ["tries", "time"])]
     effort: Option<u32>,
-    #[arg(long, value_name = "N", conflicts_with = "time")]
-    tries: Option<u64>,
+    #[arg(long, value_name = "N", value_parser = whole::<0, { u32::MAX }>, conflicts_with = "time")]
+    tries: Option<u32>,
     #[arg(long, value_name = "TIME", value_parser = duration)]
     time: Option<Duration>,
     #[arg(long, value_name = "ID")]
@@ -220,7 +220,7 @@ fn search(args: &Args, space: &Space<'_>) -> Path {
         }
         None => {
             let of_effort = args.effort.map(|effort| Effort(effort).tries(points));
-            let most = args.tries.or(of_effort).unwrap_or_else(|| usual_tries(points));
+            let most = args.tries.map(u64::from).or(of_effort).unwrap_or_else(|| usual_tries(points));
             path_while(space, &mut |tries| tries < most)
         }
     }

@@ -8,7 +8,7 @@ use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::motion::MotionStep;
 use crate::motion::time::Clock;
-use crate::plan::CuttingMethod;
+use crate::plan::{CuttingMethod, Preference};
 use crate::planner;
 use crate::program::proof::PlannedJob;
 use crate::turning::passes;
@@ -30,7 +30,7 @@ pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, Knowledge
         Question::Table(asked) => table::json(&asked.rows(knowledge.table(&asked.table)?)),
         Question::Part { part, method } => {
             let plan = planner::plan(part, *method, knowledge)?;
-            planned::json(&plan, &planner::plan_by_tables(part, *method, knowledge)?)
+            planned::json(&plan, &planner::plan_by(part, *method, Preference::Tables, knowledge)?)
         }
         Question::Turned { part, operation, objective } => match part.as_ref() {
             Turned::Stepped(shaft) if !operation => sequences(shaft, *objective, knowledge)?,

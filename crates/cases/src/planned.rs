@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::input::seen;
 use crate::knowledge::yaml::{Key, Problems};
-use crate::plan::{AlternativeStep, HolePlan, Operation, Plan, RouteSource, Transition};
+use crate::plan::{AlternativeStep, HolePlan, Plan, RouteSource, Transition};
 
 use super::called::Pattern;
 use super::expected::{Expected, What};
@@ -47,8 +47,7 @@ impl Short {
             diameter_mm: step.diameter_mm,
             elsewhere: step.elsewhere,
         };
-        // What finishes the hole on another machine is no transition of the scheme.
-        let here = |step: &&Transition| !step.elsewhere || step.operation == Operation::Tap;
+        let here = |step: &&Transition| step.operation.is_of_scheme(step.elsewhere);
         let of_tables = by_tables.route.as_ref().filter(|route| route.way == RouteSource::Tables);
         let taken = |scheme: &str| {
             let own = hole.route.as_ref();

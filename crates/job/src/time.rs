@@ -158,7 +158,7 @@ impl Ways {
     }
 }
 
-/// Where the time of a job goes. The rapids of each visit of the plan, until now those across the part alone, become all
+/// Where the time of a job goes besides machine time, which is the plan's; to be rounded with it. The rapids of each visit of the plan, until now those across the part alone, become all
 /// it has, and with them those by the book's rule and the bound, from which no order of the points takes the rest away.
 pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [ToolVisit]) -> Times {
     let ways = Ways { rapid: machine.rapids(), change_at: job.change_at };
@@ -176,7 +176,6 @@ pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [Tool
             for stop in &work.stops {
                 let Some(cycle) = work.cycles.get(stop.cycle) else { continue };
                 let took = cycle.duration(ways.rapid);
-                sum.machine_min = sum.machine_min + took.feed;
                 sum.feed_out_min = sum.feed_out_min + took.feed_out;
                 sum.dwell_min = sum.dwell_min + took.dwell;
                 rapid = rapid + took.rapid;
@@ -202,5 +201,5 @@ pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [Tool
         let bound = visit.bound_min.filter(|_| rounds == 1);
         visit.bound_min = bound.map(|bound| Minutes(bound.0 + more).rounded(3));
     }
-    sum.rounded()
+    sum
 }

@@ -155,6 +155,16 @@ impl Operation {
         matches!(self, Self::RoughBore | Self::SemiFinishBore | Self::FinishBore)
     }
 
+    /// Whether its bar is set by hand between so many passes.
+    pub const fn is_set_by_hand(self, passes: u32) -> bool {
+        self.is_boring() && passes > 1
+    }
+
+    /// Whether it is a transition of a scheme: what finishes the hole on another machine is none, tapping is one anywhere.
+    pub const fn is_of_scheme(self, elsewhere: bool) -> bool {
+        !elsewhere || matches!(self, Self::Tap)
+    }
+
     /// Whether it is done with a reamer.
     pub const fn is_reaming(self) -> bool {
         matches!(self, Self::RoughReam | Self::FinishReam)

@@ -83,7 +83,7 @@ pub fn routes(plan: &Plan) -> Vec<RouteSummary> {
         return plan.findings.iter().filter_map(named).collect();
     };
     // What finishes a hole on another machine is no operation of the scheme.
-    let here = |step: &&technolog::plan::Transition| !step.elsewhere || step.operation == Operation::Tap;
+    let here = |step: &&technolog::plan::Transition| step.operation.is_of_scheme(step.elsewhere);
     let taken = RouteSummary {
         way: Some(route.way),
         scheme: route.scheme.clone(),
@@ -96,7 +96,7 @@ pub fn routes(plan: &Plan) -> Vec<RouteSummary> {
         way: Some(other.way),
         scheme: other.scheme.clone(),
         operations: (other.operations.iter())
-            .filter(|made| !made.elsewhere || made.operation == Operation::Tap)
+            .filter(|made| made.operation.is_of_scheme(made.elsewhere))
             .map(|made| (made.operation, made.diameter_mm))
             .collect(),
         carried_out: other.time_min.is_some(),

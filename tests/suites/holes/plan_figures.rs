@@ -230,3 +230,15 @@ fn the_limit_is_what_a_pass_may_take_and_each_work_is_reckoned_where_it_begins()
         assert_eq!(stand.passes, (stand.stock.to_mm() / 7.8).ceil() as i64, "{stand:?}");
     }
 }
+
+/// What the tables' route costs is told of the routes that are quicker, and never as less than nothing.
+#[test]
+fn a_route_that_is_slower_too_is_not_said_to_be_quicker() {
+    let part = read(&std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/plate.yaml")).unwrap());
+    let plan = technolog::planner::plan_by_tables(&part, CuttingMethod::Formula, &KNOWLEDGE).unwrap();
+    let others = plan.holes.iter().filter_map(|hole| hole.route.as_ref()).flat_map(|route| &route.alternatives);
+    let codes: Vec<&str> = others.map(|other| other.why.code()).collect();
+    assert!(codes.contains(&"lost-by-time"), "{codes:?}");
+    let told = serde_json::to_string(&plan).unwrap();
+    assert!(!told.contains("\"quicker\":\"-"), "{told}");
+}

@@ -188,14 +188,18 @@ fn grid(every: usize) -> (usize, usize) {
                 format!("diameter: {size}H{it}, {way}, roughness: Ra {ra}, centre_tolerance: 0.2{state}, at: [[0, 0]]");
             asked += 1;
             let plan = plan_of_hole(material, "gf2171", &thickness.to_string(), &keys);
-            if plan.has_errors() {
+            // Whatever else is told of the plan: a route that was taken is one that holds.
+            if plan.holes[0].route.is_none() {
                 continue;
             }
-            planned += 1;
             let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
             let found = prove(&plan, &shop).unwrap();
             let grave = |finding: &technolog::note::Finding| finding.severity <= technolog::note::Severity::Wrong;
             assert!(!found.iter().any(grave), "{material} {keys}: {found:?}");
+            if plan.has_errors() {
+                continue;
+            }
+            planned += 1;
             holds_by_hand(&plan, &keys);
         }
     }

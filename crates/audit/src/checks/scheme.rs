@@ -26,7 +26,7 @@ pub(super) fn check<'a>(
         let rows: Vec<(usize, &Row)> = context.stated.rows_of_hole(&hole.name).collect();
         let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { continue };
         let (Some((_, first)), Some(route)) = (rows.first(), &plan.route) else { continue };
-        let here = |made: &&Transition| !made.elsewhere || made.operation == Operation::Tap;
+        let here = |made: &&Transition| made.operation.is_of_scheme(made.elsewhere);
         let ours = plan.transitions.iter().filter(here).map(|transition| transition.operation).collect();
         let asked = table_answer::asked(hole, &context.stated.part, &context.shop)?;
         let group = Group { context, graph, hole, route, rows: &rows, first, ours, asked };
@@ -156,7 +156,7 @@ impl Group<'_, '_> {
     /// The stated transitions, with the thread that another machine cuts where this one cannot.
     fn stated(&self) -> Vec<Operation> {
         // What finishes the hole on another machine is no transition of the scheme.
-        let here = |row: &&(usize, &Row)| !row.1.elsewhere || row.1.operation.value == Operation::Tap;
+        let here = |row: &&(usize, &Row)| row.1.operation.value.is_of_scheme(row.1.elsewhere);
         let mut stated: Vec<Operation> = self.rows.iter().filter(here).map(|(_, row)| row.operation.value).collect();
         if self.hole.thread.is_some() && !self.context.shop.machine.can_tap && !stated.contains(&Operation::Tap) {
             stated.push(Operation::Tap);
@@ -190,7 +190,7 @@ impl Group<'_, '_> {
             .beside(&names, &ours)
         };
         let alike = |other: &Alternative| {
-            let here = other.operations.iter().filter(|made| !made.elsewhere || made.operation == Operation::Tap);
+            let here = other.operations.iter().filter(|made| made.operation.is_of_scheme(made.elsewhere));
             main(&here.map(|made| made.operation).collect::<Vec<_>>()) == main(&stated)
         };
         let others = || self.route.alternatives.iter().enumerate();

@@ -231,6 +231,9 @@ fn loads<'a>(
     Ok(())
 }
 
+/// A stated figure that lies no farther from another, as a share of it, is that figure rounded.
+const AS_ROUNDED: f64 = 0.01;
+
 /// Takes on a formula that is judged by `audit-formula`, with the rows behind it; `compute` is its own, and a value beside
 /// it is as good.
 fn add<'a, 'b>(
@@ -245,7 +248,7 @@ fn add<'a, 'b>(
     own.because.push(Because::table(table, Note::new("audit-limit")));
     let quantity = own.output.quantity;
     own.judge = Some(Box::new(move |value, inputs| match also {
-        Some(also) if (value / also - 1.0).abs() < 0.01 => None,
+        Some(also) if (value / also - 1.0).abs() < AS_ROUNDED => None,
         _ => judged(context, quantity, value, compute(inputs)?),
     }));
     graph.add(own);

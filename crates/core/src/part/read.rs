@@ -15,6 +15,11 @@ use super::file::{self, PartFile, StatedMaterial};
 use super::limits::Counted;
 use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
 
+/// The hardness that the cutting tables know, HB.
+const STATE_HARDNESS_HB: (f64, f64) = (40.0, 450.0);
+/// The strength that the cutting tables know, MPa.
+const STATE_STRENGTH_MPA: (f64, f64) = (100.0, 2000.0);
+
 /// Reads a part file.
 ///
 /// # Errors
@@ -175,14 +180,14 @@ impl Reader<'_> {
             return self.problems.error("bad-value", note!("part-hardness-or-strength"), &node.place);
         }
         let state = MaterialState {
-            hardness: hardness.and_then(|node| self.figure_of_state(node, 40.0, 450.0)),
-            strength: strength.and_then(|node| self.figure_of_state(node, 100.0, 2000.0)),
+            hardness: hardness.and_then(|node| self.figure_of_state(node, STATE_HARDNESS_HB)),
+            strength: strength.and_then(|node| self.figure_of_state(node, STATE_STRENGTH_MPA)),
         };
         Some((grade?, Some(state)))
     }
 
     /// A hardness or a strength within what the cutting tables know.
-    fn figure_of_state(&mut self, node: &Node, low: f64, high: f64) -> Option<f64> {
+    fn figure_of_state(&mut self, node: &Node, (low, high): (f64, f64)) -> Option<f64> {
         let figure: Decimal = self.problems.scalar(node)?;
         let value = figure.to_f64();
         if !(low..=high).contains(&value) {

@@ -243,7 +243,6 @@ impl Reason {
     }
 }
 
-/// The next size that there is, as sentences show it.
 /// On which sides of a size there is another.
 const fn sides(below: Option<Micrometres>, above: Option<Micrometres>) -> &'static str {
     match (below, above) {
@@ -254,6 +253,7 @@ const fn sides(below: Option<Micrometres>, above: Option<Micrometres>) -> &'stat
     }
 }
 
+/// The next size that there is, as sentences show it.
 fn size(size: Option<Micrometres>) -> String {
     size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"))
 }

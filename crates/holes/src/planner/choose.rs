@@ -30,6 +30,9 @@ enum ToolKey {
     Cutter { designation: String, table: String, size: Micrometres, holder: String },
 }
 
+/// Times that differ less are the same as they are printed, min.
+const SAME: f64 = 5e-4;
+
 /// By what the routes of a group are ranked, best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Rank {
@@ -313,13 +316,15 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let total = self.time(group, index, other);
             let more = total.0 - time.0;
             let why = match (winner.meets(), other.meets()) {
-                _ if self.other_way(group, other) => Note::new("lost-by-preference").with("quicker", minutes(-more)),
+                _ if self.other_way(group, other) && more < -SAME => {
+                    Note::new("lost-by-preference").with("quicker", minutes(-more))
+                }
                 (true, false) => other.misses.first().cloned().unwrap_or_else(|| Note::new("misses-unknown")),
                 _ if other.at_best.len() > winner.at_best.len() => {
                     other.at_best.first().cloned().unwrap_or_else(|| Note::new("misses-unknown"))
                 }
-                _ if more > 5e-4 => Note::new("lost-by-time").with("slower", minutes(more)),
-                _ if more < -5e-4 => Note::new("lost-by-places").with("quicker", minutes(-more)),
+                _ if more > SAME => Note::new("lost-by-time").with("slower", minutes(more)),
+                _ if more < -SAME => Note::new("lost-by-places").with("quicker", minutes(-more)),
                 _ => Note::new("lost-by-order"),
             };
             alternatives.push(Alternative {

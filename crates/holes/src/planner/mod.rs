@@ -65,7 +65,11 @@ pub fn plan_by_tables(part: &Part, method: CuttingMethod, knowledge: &Knowledge)
     Ok(own)
 }
 
-fn plan_by(
+/// Plans a part by that preference alone.
+///
+/// # Errors
+/// As of [`plan`].
+pub fn plan_by(
     part: &Part,
     method: CuttingMethod,
     preference: Preference,
@@ -183,7 +187,7 @@ fn draft(
     for missed in &choice.misses {
         report(Severity::Wrong, missed.clone().with("scheme", Figure::scheme(&choice.candidate.scheme)));
     }
-    if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
+    if steps.iter().any(|fitted| fitted.step.operation.is_set_by_hand(fitted.step.passes)) {
         report(Severity::Note, Note::new("bar-set-by-hand"));
     }
     for remark in steps.iter().flat_map(|fitted| &fitted.step.remarks) {

@@ -75,7 +75,7 @@ impl Finder<'_, '_> {
             return 0.0;
         }
         let passes = f64::from(step.passes.max(1));
-        let set = if step.operation.is_boring() && step.passes > 1 { passes * self.hands.set_bar.0 } else { 0.0 };
+        let set = if step.operation.is_set_by_hand(step.passes) { passes * self.hands.set_bar.0 } else { 0.0 };
         took.total().0 * passes * self.hole.at.len() as f64 + set
     }
 

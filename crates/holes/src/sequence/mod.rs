@@ -135,17 +135,17 @@ pub fn visit_bound(visit: &ToolVisit, plan: &Plan, machine: &Machine<'_>) -> Opt
         let hole = plan.holes.iter().find(|hole| hole.name == stop.hole)?;
         hole.transitions.get(stop.transition)
     };
-    let in_rounds = |stop| transition(stop).is_some_and(|step| step.passes > 1 && step.operation.is_boring());
+    let in_rounds = |stop| transition(stop).is_some_and(|step| step.operation.is_set_by_hand(step.passes));
     if visit.stops.iter().any(in_rounds) {
         return None;
+    }
+    if visit.bound_min.is_some() {
+        return visit.bound_min;
     }
     let mut points = vec![tool_change_point(&plan.part, machine)];
     points.extend(visit.stops.iter().map(|stop| stop.at));
     // Transitions at one place follow each other.
     points.dedup();
-    if visit.bound_min.is_some() {
-        return visit.bound_min;
-    }
     let metric = Metric::Rapid(machine.rapids());
     let space = Space::closed(&points, metric);
     let order: Vec<usize> = (0..points.len()).collect();

@@ -76,7 +76,7 @@ impl Fitting<'_, '_> {
         if flat {
             for step in steps.iter_mut().filter(|step| reams(step)) {
                 step.place.depth = (step.place.depth - room).max(Micrometres::new(1));
-                step.remarks = vec![Remark::ReamedShort(room)];
+                step.remarks.push(Remark::ReamedShort(room));
             }
             return;
         }
