@@ -16,7 +16,8 @@ use crate::units::{Micrometres, NewtonMetres, Newtons};
 /// is no thinner than `least-screw`.
 ///
 /// Clamps of the file that do not suffice are given with the inequality that fails. Where the file has none, places are
-/// tried until they hold; where none does, the finding says that another fixture is needed, which is no fault of the plan.
+/// tried until they hold; where none does, no clamps are given, for a tool would run into them, and the finding says that
+/// another fixture is needed, which is no fault of the plan.
 ///
 /// # Errors
 /// The knowledge cannot answer.
@@ -24,25 +25,27 @@ pub fn clamping(
     part: &Part,
     holes: &[HolePlan],
     shop: &Shop<'_>,
-) -> Result<Option<(Clamping, Vec<Finding>)>, KnowledgeError> {
+) -> Result<(Option<Clamping>, Vec<Finding>), KnowledgeError> {
     let inset = shop.convention(HoleDefault::ClampInset)?;
     if !part.fixture.clamps.is_empty() {
         let clamps = part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
-        let found = clamped(part, holes, clamps, false, shop)?;
-        return Ok(found.map(|(clamping, faults)| {
-            (clamping, faults.into_iter().map(|note| Finding::of_part(Severity::Error, note)).collect())
-        }));
+        let Some((clamping, faults)) = clamped(part, holes, clamps, false, shop)? else {
+            return Ok((None, Vec::new()));
+        };
+        let faults = faults.into_iter().map(|note| Finding::of_part(Severity::Error, note)).collect();
+        return Ok((Some(clamping), faults));
     }
     let mut best = None;
     for clamps in proposals(part, inset) {
-        let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { return Ok(None) };
-        let Some(why) = faults.into_iter().next() else { return Ok(Some((clamping, Vec::new()))) };
-        best.get_or_insert((clamping, why));
+        let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { break };
+        let Some(why) = faults.into_iter().next() else { return Ok((Some(clamping), Vec::new())) };
+        best.get_or_insert((clamping.torque_n_m, why));
     }
-    Ok(best.map(|(clamping, why)| {
-        let note = Note::new("no-place-for-clamps").with("why", why);
-        (clamping, vec![Finding::of_part(Severity::Doubtful, note)])
-    }))
+    let told = best.map(|(torque, why)| {
+        let note = Note::new("no-place-for-clamps").with("torque", torque.rounded(1).0).with("why", why);
+        Finding::of_part(Severity::Doubtful, note)
+    });
+    Ok((None, told.into_iter().collect()))
 }
 
 /// The clamping with clamps at those places, and what of it does not hold.

@@ -35,10 +35,11 @@ pub fn page(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> Document {
     if plan.holes.iter().any(|hole| !hole.transitions.is_empty()) {
         page.heading(2, say!(lang, "plan-conditions"));
         conditions::section(&mut page, plan, lang);
-    }
-    if let Some(clamping) = &plan.clamping {
         page.heading(2, say!(lang, "plan-clamping"));
-        clamps(&mut page, clamping, lang);
+        match &plan.clamping {
+            Some(clamping) => clamps(&mut page, clamping, lang),
+            None => page.paragraph(say!(lang, "plan-no-clamping")),
+        }
     }
     if !plan.tools.is_empty() {
         page.heading(2, say!(lang, "plan-corrections"));

@@ -104,6 +104,7 @@ fn clamps_of_our_own_are_moved_until_they_hold_and_never_fail_the_plan() {
 
     let full = planned(&holes(", [34, 34], [-34, 34], [34, -34], [-34, -34]"), CuttingMethod::Formula);
     assert_eq!(of_clamps(&full), [("no-place-for-clamps".to_owned(), Severity::Doubtful)]);
+    assert_eq!(full.clamping, None, "whoever followed it would run the tool into a strap");
 }
 
 /// A rough reamer is the stock one of the finished size ground down, and the plan has both sizes (explain has the rest).

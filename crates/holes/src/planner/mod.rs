@@ -107,14 +107,9 @@ pub fn plan_by(
     }
     let (holes, tools) = magazine::number_tools(part, drafts, &shop, &mut findings);
 
-    let clamping = match setup::clamping(part, &holes, &shop)? {
-        None => None,
-        Some((clamping, faults)) => {
-            findings.extend(start_point(part, &clamping, &shop));
-            findings.extend(faults);
-            Some(clamping)
-        }
-    };
+    let (clamping, of_clamping) = setup::clamping(part, &holes, &shop)?;
+    findings.extend(clamping.iter().flat_map(|clamping| start_point(part, clamping, &shop)));
+    findings.extend(of_clamping);
     let visits = sequence::sequence(part, &holes, &shop.machine, None);
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
     let off_table = zone::off_table(part, &shop.machine);

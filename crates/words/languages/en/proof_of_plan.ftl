@@ -21,4 +21,4 @@ not-proven = the plan is not proven: { $why }
 reamed-short = over the flat floor the reamer leaves { $lead } mm of the depth unreamed: its lead
 lost-by-preference = the tables are preferred; it would be quicker by { $quicker } min
 tables-preferred = the tables are preferred: { $own } min; the best plan takes { $best } min and saves { $saves } min
-no-place-for-clamps = two or four straps find no place on the face that holds: { $why }; a vice, or a fixture of its own, is needed
+no-place-for-clamps = two or four straps find no place on the face that holds: { $why }; a vice, or a fixture of its own, is needed, against M = { $torque } N·m

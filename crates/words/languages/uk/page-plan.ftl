@@ -9,6 +9,7 @@ plan-route = 1. Технологічний маршрут
 plan-tools = 2. Різальний і допоміжний інструмент
 plan-conditions = 3. Режими різання
 plan-clamping = 4. Закріплення
+plan-no-clamping = Притискачів план не призначає.
 plan-corrections = 5. Корекція на довжину інструмента
 plan-time = 6. Час
 plan-findings = 7. Зауваження
