@@ -20,7 +20,7 @@ mod settle;
 mod tapping;
 
 // The rooms below, under one name each in the whole program.
-use technolog_core::{error, material, note, plan, reason, shop};
+use technolog_core::{error, material, note, plan, practice_speed, reason, shop};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_tables as tables;
 

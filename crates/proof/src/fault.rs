@@ -2,7 +2,7 @@
 
 use crate::note::{Figure, Note, Severity};
 use crate::plan::Operation;
-use crate::units::{ItGrade, Micrometres, Roughness, round_to};
+use crate::units::{ItGrade, MetresPerMinute, Micrometres, NewtonMetres, Roughness, round_to};
 
 pub use crate::tables::rules::Load;
 
@@ -43,6 +43,14 @@ pub enum Fault {
     TapHole { diameter: Micrometres, smallest: Micrometres, largest: Micrometres },
     /// A load takes more of the machine's limit than it may.
     Overload { operation: Operation, load: Load, value: f64, limit: f64, share: f64 },
+    /// The tool is driven faster than shops drive such a tool, by more than two honest tables part.
+    TooFast { operation: Operation, value: MetresPerMinute, usual: MetresPerMinute, share: f64 },
+    /// The torque is beyond what a thin drill bears.
+    Twists { operation: Operation, drill: Micrometres, value: NewtonMetres, limit: NewtonMetres },
+    /// A boring bar stands out further than so many of its diameters.
+    BarSlender { operation: Operation, reach: Micrometres, bar: Micrometres, ratio: f64 },
+    /// A boring bar gives way to uneven stock by more than the tolerance of the hole.
+    BarSprings { operation: Operation, spring: Micrometres, tolerance: Micrometres },
 }
 
 impl Fault {
@@ -93,6 +101,21 @@ impl Fault {
                 .with("value", round_to(*value, 1))
                 .with("limit", round_to(*limit, 1))
                 .with("percent", round_to(share * 100.0, 0)),
+            Self::TooFast { operation, value, usual, share } => of("proof-too-fast", operation)
+                .with("value", round_to(value.0, 1))
+                .with("percent", round_to(share * 100.0, 0))
+                .with("usual", round_to(usual.0, 1)),
+            Self::Twists { operation, drill, value, limit } => of("proof-twists", operation)
+                .with("drill", drill)
+                .with("value", round_to(value.0, 2))
+                .with("limit", round_to(limit.0, 2)),
+            Self::BarSlender { operation, reach, bar, ratio } => of("proof-bar-slender", operation)
+                .with("reach", reach)
+                .with("bar", bar)
+                .with("ratio", round_to(*ratio, 1)),
+            Self::BarSprings { operation, spring, tolerance } => {
+                of("proof-bar-springs", operation).with("spring", spring).with("tolerance", tolerance)
+            }
         }
     }
 }

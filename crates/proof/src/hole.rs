@@ -7,11 +7,12 @@ use crate::part::{CentreTolerance, Hole, Part, ThreadKind, tolerance_width};
 use crate::plan::{Feature, Operation, Transition};
 use crate::shop::Shop;
 use crate::tables::rules::MadeBy;
+use crate::tables::standards::{MinorDiameterConstant, ThreadMinorDiameter};
 use crate::units::Micrometres;
 
 use super::cylinder::{Asked, Place};
 use super::reach::{Both, Reach, Way, drift};
-use super::{Fault, Wanting, loads};
+use super::{Fault, Wanting, loads, tool};
 
 /// A cylinder as far as it is made.
 #[derive(Clone, Copy, Debug)]
@@ -73,6 +74,7 @@ impl Walk<'_, '_> {
     fn step(&mut self, at: usize, transition: &Transition) -> Result<(), KnowledgeError> {
         if !transition.elsewhere {
             self.faults.extend(loads::faults(transition, self.shop)?);
+            self.faults.extend(tool::faults(transition, self.shop)?);
         }
         if transition.operation == Operation::CentreDrill {
             self.centred = true;
@@ -111,7 +113,8 @@ impl Walk<'_, '_> {
         let width = reach.width(transition.diameter_mm, self.shop).unwrap_or_default();
         let state = self.left(transition, before, reach, width)?;
         if last && !transition.elsewhere {
-            self.finished(transition, &asked, reach, state, width);
+            self.finished(transition, &asked, reach, state, width)?;
+            self.springs(transition, &asked, before)?;
         }
         self.states.insert(place, state);
         Ok(())
@@ -240,23 +243,47 @@ impl Walk<'_, '_> {
         })
     }
 
+    /// A boring bar copies into the hole what it gives way to: stock that differs from hole to hole and around it.
+    fn springs(
+        &mut self,
+        transition: &Transition,
+        asked: &Asked<'_>,
+        before: Option<State>,
+    ) -> Result<(), KnowledgeError> {
+        let Some(before) = before else { return Ok(()) };
+        let aside = before.axis.filter(|_| !before.led).map_or(Micrometres::ZERO, |axis| axis.ordinary + before.drift);
+        let spread = (before.largest - transition.from_diameter_mm).max(Micrometres::ZERO) + aside + aside;
+        let tolerance = asked.diameter.largest() - asked.diameter.smallest();
+        if let Some(spring) = tool::spring(transition, spread, self.shop)?.filter(|spring| *spring > tolerance) {
+            self.faults.push(Fault::BarSprings { operation: transition.operation, spring, tolerance });
+        }
+        Ok(())
+    }
+
     /// What the last transition leaves, against the drawing.
-    fn finished(&mut self, transition: &Transition, asked: &Asked<'_>, reach: Reach, state: State, width: Micrometres) {
+    fn finished(
+        &mut self,
+        transition: &Transition,
+        asked: &Asked<'_>,
+        reach: Reach,
+        state: State,
+        width: Micrometres,
+    ) -> Result<(), KnowledgeError> {
         let operation = transition.operation;
         if transition.depth_mm < asked.depth && !asked.flat {
             self.faults.push(Fault::TooShallow { operation, depth: transition.depth_mm, asked: asked.depth });
         }
         if let Some(thread) = asked.thread {
             if thread.kind == ThreadKind::Cylindrical && transition.feature != Feature::Thread {
-                self.tap_hole(transition, thread.size, thread.pitch);
+                self.tap_hole(transition, thread.size, thread.pitch)?;
             }
-            return;
+            return Ok(());
         }
         let (smallest, largest) = (asked.diameter.smallest(), asked.diameter.largest());
         let left = transition.diameter_mm;
         if !(smallest..=largest).contains(&left) {
             self.faults.push(Fault::NotFinished { left, smallest, largest });
-            return;
+            return Ok(());
         }
         let mut wanting = Vec::new();
         let mut grade = true;
@@ -277,20 +304,39 @@ impl Walk<'_, '_> {
         if fixed && grade && may_be > largest {
             self.faults.push(Fault::TooWide { operation, diameter: left, may_be, limit: largest });
         }
+        Ok(())
     }
 
     /// The hole under a thread: inside the limits of the minor diameter of an internal thread 6H.
     ///
-    /// ISO 965-1: D1 = d − 1.0825 P at least; TD1(6) = 433 P − 190 P^1.22 µm below a pitch of 1 mm and 230 P^0.7 µm from it
-    /// on. That the hole is wider than its drill is left out: the drills of ГОСТ 19257 leave room for it.
-    fn tap_hole(&mut self, transition: &Transition, size: Micrometres, pitch: Micrometres) {
+    /// D1 = d − a·P at least; tolerance b·P − c·P^e µm below a pitch of 1 mm, f·P^g µm from it on (ISO 965-1, table
+    /// `thread-minor-diameter`). That the hole is wider than its drill is left out: the drills of ГОСТ 19257 leave room
+    /// for it.
+    fn tap_hole(
+        &mut self,
+        transition: &Transition,
+        size: Micrometres,
+        pitch: Micrometres,
+    ) -> Result<(), KnowledgeError> {
+        let constant = |name: MinorDiameterConstant| -> Result<f64, KnowledgeError> {
+            Ok(self.shop.knowledge.need(name.name(), |row: &ThreadMinorDiameter<'_>| row.name.is(name))?.value)
+        };
         let p = pitch.to_mm();
-        let tolerance = if p < 1.0 { 433.0 * p - 190.0 * libm::pow(p, 1.22) } else { 230.0 * libm::pow(p, 0.7) };
-        let smallest = Micrometres::from_mm_rounded(size.to_mm() - 1.082_532 * p);
+        let tolerance = if p < constant(MinorDiameterConstant::CoarseFrom)? {
+            constant(MinorDiameterConstant::FineLinear)? * p
+                - constant(MinorDiameterConstant::FinePower)?
+                    * libm::pow(p, constant(MinorDiameterConstant::FineExponent)?)
+        } else {
+            constant(MinorDiameterConstant::CoarseFactor)?
+                * libm::pow(p, constant(MinorDiameterConstant::CoarseExponent)?)
+        };
+        let height = constant(MinorDiameterConstant::MinorHeight)?;
+        let smallest = Micrometres::from_mm_rounded(size.to_mm() - height * p);
         let largest = smallest + Micrometres::from_mm_rounded(tolerance / 1000.0);
         let diameter = transition.diameter_mm;
         if diameter < smallest || diameter > largest {
             self.faults.push(Fault::TapHole { diameter, smallest, largest });
         }
+        Ok(())
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! - `hole` walks through the transitions of a hole: sizes, positions and depths at worst;
 //! - `cylinder` what the drawing asks of the surface at hand; `reach` what the tables say of a transition;
-//! - `loads` forces and power with their margin; `fault` everything that can fail, as types.
+//! - `loads` forces and power with their margin; `tool` what the tool itself bears; `fault` everything that can fail, as types.
 //!
 //! Architecture invariant: the proof knows no planner, chooses nothing and mends nothing.
 
@@ -15,9 +15,10 @@ mod fault;
 mod hole;
 mod loads;
 mod reach;
+mod tool;
 
 // The rooms below, under one name each in the whole program.
-use technolog_core::{error, note, part, plan, shop};
+use technolog_core::{error, note, part, plan, practice_speed, shop};
 use technolog_knowledge::units;
 use technolog_tables as tables;
 

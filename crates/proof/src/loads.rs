@@ -8,7 +8,7 @@ use crate::tables::rules::{Load, LoadMarginFor};
 use super::Fault;
 
 /// A load that is at its limit counts as held: limits are turned into feeds and back.
-const SLACK: f64 = 1.001;
+pub(crate) const SLACK: f64 = 1.001;
 
 /// What of the loads of a transition takes too much of the machine.
 pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fault>, KnowledgeError> {

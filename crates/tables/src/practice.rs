@@ -1,7 +1,7 @@
 //! Row types: what shops reach, whatever a drawing asks.
 
 use technolog_knowledge::contract::Named;
-use technolog_knowledge::units::{Brinell, ItGrade, MetresPerMinute, Micrometres, Microns};
+use technolog_knowledge::units::{Brinell, ItGrade, Megapascals, MetresPerMinute, Micrometres, Microns};
 use technolog_knowledge::{rows, vocabulary};
 
 use crate::rules::ReamingCase;
@@ -49,8 +49,9 @@ rows! {
         hardness: Brinell,
     } {
         group: &'t str,
+        vdi: i64,
         drill_force: Option<&'t str>,
-    } shown { vdi }
+    }
 
     /// Speeds of high-speed steel tools in practice.
     pub struct HssSpeed of One("practice-speed-hss") asked by HssSpeedFor<'t> {
@@ -108,9 +109,18 @@ rows! {
     }
 
     /// Specific cutting forces.
-    pub struct SpecificCuttingForce of One("specific-cutting-force") {} shown {
-        vdi, strength, hardness, kc1, mc, what_uk, what_en,
-    }
+    pub struct SpecificCuttingForce of One("specific-cutting-force") asked by SpecificCuttingForceFor {
+        vdi: i64,
+    } {
+        kc1: Megapascals,
+        mc: f64,
+    } shown { strength, hardness, what_uk, what_en }
+
+    /// Limits of the proof of plans.
+    pub struct ProofLimits of One("proof-limits") complete name {
+        name: Named<'t, ProofLimit>,
+        value: f64,
+    } shown { used }
 
     /// Feeds in practice.
     pub struct PracticeFeed of One("practice-feed") {} shown {
@@ -136,6 +146,14 @@ vocabulary! {
         ThrustFeedExponent = "thrust-feed-exponent",
         Torque = "torque-constant",
         TorqueFeedSlope = "torque-feed-slope",
+    }
+
+    /// A limit of the proof of plans.
+    pub enum ProofLimit {
+        BarOverhangRatio = "bar-overhang-ratio",
+        BarElasticModulus = "bar-elastic-modulus",
+        BarRadialShare = "bar-radial-share",
+        SpeedOverPractice = "speed-over-practice",
     }
 
     /// What tables of high-speed steel tell apart.

@@ -1,7 +1,8 @@
 //! Row types: standards.
 
-use technolog_knowledge::rows;
+use technolog_knowledge::contract::Named;
 use technolog_knowledge::units::{ItGrade, Micrometres};
+use technolog_knowledge::{rows, vocabulary};
 
 rows! {
     /// Clearance holes for fasteners.
@@ -79,5 +80,23 @@ rows! {
         pitch: Micrometres,
         width: Micrometres,
         depth: Micrometres,
+    }
+    /// Constants of the minor diameter of internal metric threads.
+    pub struct ThreadMinorDiameter of One("thread-minor-diameter") complete name {
+        name: Named<'t, MinorDiameterConstant>,
+        value: f64,
+    } shown { used }
+}
+
+vocabulary! {
+    /// A constant of the minor diameter of internal metric threads.
+    pub enum MinorDiameterConstant {
+        MinorHeight = "minor-height",
+        FineLinear = "fine-linear",
+        FinePower = "fine-power",
+        FineExponent = "fine-exponent",
+        CoarseFactor = "coarse-factor",
+        CoarseExponent = "coarse-exponent",
+        CoarseFrom = "coarse-from",
     }
 }

@@ -23,7 +23,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use technolog::audit::Auditor;
-use technolog::knowledge::{Knowledge, RowRef, Value};
+use technolog::knowledge::{Knowledge, RowRef, SourceFile, Value};
 use technolog::part::{Part, read_part};
 use technolog::plan::{CuttingMethod, Operation, Plan, RouteSource};
 use technolog::units::Micrometres;
@@ -33,6 +33,19 @@ pub static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge(
 
 /// Audits of many plans: our own plan of a part is made once for all of them.
 pub static AUDITOR: LazyLock<Auditor<'static>> = LazyLock::new(|| Auditor::new(&KNOWLEDGE).unwrap());
+
+/// The shipped knowledge with one text of a file, which stands there once, put in place of another.
+pub fn changed_knowledge(path: &str, old: &str, new: &str) -> Knowledge {
+    let text = shipped::SOURCES.iter().find(|file| file.path == path).unwrap().text;
+    assert_eq!(text.matches(old).count(), 1, "{path}: {old}");
+    let changed = text.replace(old, new);
+    let file = |file: &SourceFile<'static>| {
+        let text = if file.path == path { changed.as_str() } else { file.text };
+        SourceFile { path: file.path, text }
+    };
+    let files: Vec<SourceFile<'_>> = shipped::SOURCES.iter().map(file).collect();
+    Knowledge::read_sources(&files).0
+}
 
 pub fn read(text: &str) -> Part {
     read_part("part.yaml", text, &KNOWLEDGE).unwrap_or_else(|problems| panic!("{problems:?}\n{text}"))

@@ -1,24 +1,16 @@
 //! What a technologist decides about a turning operation stands in `rules/`: a row that is changed changes the operation,
 //! and the operation says on which row it rests.
 
-use technolog::knowledge::{Knowledge, SourceFile};
+use technolog::knowledge::Knowledge;
 use technolog::shipped;
 use technolog::turning::operation::work::ZoneWork;
 use technolog::turning::operation::{Operation, plan};
 use technolog::turning::workpiece::read_workpiece;
+use technolog_testing::changed_knowledge;
 
 /// The shipped knowledge with one text of a rule put in place of another.
 fn with(rule: &str, old: &str, new: &str) -> Knowledge {
-    let path = format!("rules/{rule}.yaml");
-    let text = shipped::SOURCES.iter().find(|file| file.path == path).unwrap().text;
-    assert_eq!(text.matches(old).count(), 1, "{path}: {old}");
-    let changed = text.replace(old, new);
-    let file = |file: &SourceFile<'static>| {
-        let text = if file.path == path { changed.as_str() } else { file.text };
-        SourceFile { path: file.path, text }
-    };
-    let files: Vec<SourceFile<'_>> = shipped::SOURCES.iter().map(file).collect();
-    Knowledge::read_sources(&files).0
+    changed_knowledge(&format!("rules/{rule}.yaml"), old, new)
 }
 
 fn shipped_knowledge() -> Knowledge {

@@ -27,9 +27,14 @@ pub(super) fn check<'a>(
         let faults = technolog_proof::prove_hole(hole, &planned.transitions, &context.stated.part, &context.shop)?;
         for fault in faults {
             let severity = match &fault {
-                Fault::NoStock { .. } | Fault::TooWide { .. } | Fault::Wanting { .. } | Fault::Overload { .. } => {
-                    Severity::Doubtful
-                }
+                Fault::NoStock { .. }
+                | Fault::TooWide { .. }
+                | Fault::Wanting { .. }
+                | Fault::Overload { .. }
+                | Fault::TooFast { .. }
+                | Fault::Twists { .. }
+                | Fault::BarSlender { .. }
+                | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Enters { .. } | Fault::TapHole { .. } => Severity::Wrong,
                 Fault::NotFinished { .. }
                 | Fault::SpotStays { .. }

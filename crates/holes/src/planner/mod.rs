@@ -22,7 +22,7 @@ use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Preference, Route, Times};
+use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference, Route, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::units::round_to;
@@ -174,7 +174,13 @@ fn draft(
     };
     let steps = choice.steps.clone();
     if choice.candidate.finish_elsewhere {
-        report(Severity::Note, Note::new("finish-elsewhere").with("scheme", Figure::scheme(&choice.candidate.scheme)));
+        let here = steps.iter().map(|fitted| &fitted.step).filter(|step| !step.elsewhere);
+        let opened = here.filter(|step| step.place.feature == Feature::Bore).map(|step| step.diameter).max();
+        let note = Note::new("finish-elsewhere").with("scheme", Figure::scheme(&choice.candidate.scheme));
+        report(
+            Severity::Note,
+            note.with("stock", hole.diameter.target() - opened.or(hole.state.diameter()).unwrap_or_default()),
+        );
     }
     if options.not_bored {
         report(Severity::Doubtful, Note::new("not-bored"));

@@ -108,7 +108,8 @@ pub fn write(
             state = row.leaves;
             reached = told_of_row(row, shop)?;
         }
-        if step.operation == Operation::CentreDrill {
+        // What another machine reaches is not known here.
+        if step.operation == Operation::CentreDrill || step.elsewhere && step.operation != Operation::Tap {
             continue;
         }
         if reached.is_none() {

@@ -64,25 +64,8 @@ fn rows(plan: &Plan, lang: Lang) -> Vec<Vec<Inlines>> {
     rows.push(vec![say!(lang, "plan-take-off").into()]);
     for hole in &plan.holes {
         rows.extend(hole.transitions.iter().filter(|own| own.elsewhere).map(|own| step(plan, hole, own, lang)));
-        rows.extend(finish_elsewhere(plan, hole, lang));
     }
     rows
-}
-
-/// What the tables finish on another machine, with the stock left for it.
-fn finish_elsewhere(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Vec<Inlines>> {
-    let route = own.route.as_ref().filter(|route| route.finish_elsewhere)?;
-    let last = own.transitions.iter().rev().find(|transition| transition.feature == Feature::Bore)?;
-    let hole = hole(plan, &own.name)?;
-    let text = say!(
-        lang,
-        "plan-finish-elsewhere",
-        count = hole.at.len(),
-        size = &hole.diameter,
-        hole = own.name.as_str(),
-        stock = hole.diameter.target() - last.diameter_mm
-    );
-    Some(vec![text.into(), of_route(route, lang).into(), NONE.into()])
 }
 
 /// The points of a tool in the order of its path; a hole and its point stay on one line.

@@ -42,9 +42,6 @@ plan-step-passes = { $count } { $count ->
 plan-step-depth = depth { $depth } mm
 plan-step-back = from the back
 plan-step-elsewhere = on another machine
-plan-finish-elsewhere = Finish on another machine { $count } { $count ->
-    [one] hole
-   *[other] holes
 } { $size } ({ $hole }), stock on diameter { $stock } mm
 plan-by-table = { $table } { $scheme }
 plan-by-complex = { $table } complex { $scheme }

@@ -34,7 +34,6 @@ plan-step-passes = { $count } { $count ->
 plan-step-depth = глибина { $depth } мм
 plan-step-back = зі зворотного боку
 plan-step-elsewhere = на іншому верстаті
-plan-finish-elsewhere = Остаточно обробити на іншому верстаті { $count } отв. { $size } ({ $hole }), припуск на діаметр { $stock } мм
 plan-by-table = { $table } { $scheme }
 plan-by-complex = { $table } комплекс { $scheme }
 plan-by-search = пошук

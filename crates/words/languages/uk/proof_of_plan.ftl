@@ -22,3 +22,7 @@ reamed-short = над плоским дном розвертка лишає { $l
 lost-by-preference = перевагу надано таблицям; цей маршрут швидший на { $quicker } хв
 tables-preferred = перевагу надано таблицям: { $own } хв; найкращий план – { $best } хв, заощаджує { $saves } хв
 no-place-for-clamps = двом чи чотирьом прихватам немає місця на площині, де вони втримали б деталь: { $why }; потрібні лещата або спеціальне пристосування, що витримають M = { $torque } Н·м
+proof-too-fast = { $operation }: швидкість { $value } м/хв > { $percent } % верхньої межі практики, { $usual } м/хв
+proof-twists = { $operation }: крутний момент { $value } Н·м > { $limit } Н·м, які витримує свердло Ø{ $drill }
+proof-bar-slender = { $operation }: виліт оправки { $reach } мм > { $ratio } її діаметра, { $bar } мм
+proof-bar-springs = { $operation }: оправка відтискається на { $spring } мм діаметра через нерівний припуск > { $tolerance } мм допуску

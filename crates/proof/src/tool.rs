@@ -1,0 +1,104 @@
+//! What a transition asks of its tool: its speed, the strength of a thin drill, the stiffness of a boring bar.
+//!
+//! A tool of tables that are not at hand, which a written plan may name, is not held against anything.
+
+use crate::error::KnowledgeError;
+use crate::plan::{Operation, Transition};
+use crate::practice_speed::{PracticeSpeed, practice_group};
+use crate::shop::Shop;
+use crate::tables::cutting::DrillStrength;
+use crate::tables::practice::{ProofLimit, ProofLimits, SpecificCuttingForceFor};
+use crate::tables::tools::CutterRow;
+use crate::units::{Micrometres, NewtonMetres};
+
+use super::Fault;
+use super::loads::SLACK;
+
+/// What of speed and strength does not hold.
+pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fault>, KnowledgeError> {
+    Ok([too_fast(transition, shop)?, twists(transition, shop)?, slender(transition, shop)?]
+        .into_iter()
+        .flatten()
+        .collect())
+}
+
+/// How much, on the diameter, a boring bar gives way to what its stock differs by; nothing of other tools.
+///
+/// Spring = L³ / (3·E·I) · share · kc1·s^(1-mc) · spread, mm, with I = π·d⁴/64; the bar's reach L and diameter d in mm, E in
+/// MPa, s in mm/rev (tables `proof-limits`, `specific-cutting-force`).
+pub(crate) fn spring(
+    transition: &Transition,
+    spread: Micrometres,
+    shop: &Shop<'_>,
+) -> Result<Option<Micrometres>, KnowledgeError> {
+    let Some((reach, bar)) = bar(transition, shop)? else { return Ok(None) };
+    let Some(group) = practice_group(shop)? else { return Ok(None) };
+    let Some(force) = shop.knowledge.ask(&SpecificCuttingForceFor { vdi: group.vdi })?.winner()? else {
+        return Ok(None);
+    };
+    let (length, diameter) = (reach.to_mm(), bar.to_mm());
+    let modulus = limit(ProofLimit::BarElasticModulus, shop)? * 1000.0;
+    let inertia = core::f64::consts::PI * diameter * diameter * diameter * diameter / 64.0;
+    let compliance = length * length * length / (3.0 * modulus * inertia);
+    let feed = transition.conditions.feed_mm_per_rev.0;
+    // N of radial force to a mm of depth of cut.
+    let radial = limit(ProofLimit::BarRadialShare, shop)? * force.kc1.0.to_f64() * libm::pow(feed, 1.0 - force.mc);
+    Ok(Some(Micrometres::from_mm_rounded(compliance * radial * spread.to_mm())))
+}
+
+fn limit(name: ProofLimit, shop: &Shop<'_>) -> Result<f64, KnowledgeError> {
+    Ok(shop.knowledge.need(name.name(), |row: &ProofLimits<'_>| row.name.is(name))?.value)
+}
+
+/// Faster than shops drive such a tool.
+fn too_fast(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
+    let Some(table) = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table) else {
+        return Ok(None);
+    };
+    let operation = transition.operation;
+    let Some(practice) = PracticeSpeed::of(operation, table.head.material, shop)? else { return Ok(None) };
+    let (value, usual) = (transition.conditions.speed_m_per_min, practice.high);
+    let share = limit(ProofLimit::SpeedOverPractice, shop)?;
+    Ok((value.0 > usual.0 * share * SLACK).then_some(Fault::TooFast { operation, value, usual, share }))
+}
+
+/// The torque is beyond what a thin drill bears.
+///
+/// Permissible torque = k·d³·τ / 1000, N·m, with the polar section modulus k·d³, mm³, and the shear stress τ, MPa (table
+/// `drill-strength`).
+fn twists(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
+    let operation = transition.operation;
+    let drilled = matches!(operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut);
+    let Some(value) = transition.conditions.torque_n_m.filter(|_| drilled) else { return Ok(None) };
+    let material = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table);
+    let Some(material) = material.map(|table| table.head.material) else { return Ok(None) };
+    let of_tool = |row: &DrillStrength<'_>| row.tool_material == material;
+    let Some(strength) = shop.knowledge.find(of_tool)? else { return Ok(None) };
+    let drill = transition.tool.diameter_mm;
+    if drill >= strength.below_diameter {
+        return Ok(None);
+    }
+    let d = drill.to_mm();
+    let limit = NewtonMetres(strength.modulus_factor * d * d * d * strength.shear_stress.0.to_f64() / 1000.0);
+    Ok((value.0 > limit.0 * SLACK).then_some(Fault::Twists { operation, drill, value, limit }))
+}
+
+/// A boring bar that stands out further than steel bears.
+fn slender(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
+    let Some((reach, bar)) = bar(transition, shop)? else { return Ok(None) };
+    let ratio = limit(ProofLimit::BarOverhangRatio, shop)?;
+    let operation = transition.operation;
+    Ok((reach.to_mm() > bar.to_mm() * ratio).then_some(Fault::BarSlender { operation, reach, bar, ratio }))
+}
+
+/// The reach and the diameter of the boring bar of a transition.
+fn bar(transition: &Transition, shop: &Shop<'_>) -> Result<Option<(Micrometres, Micrometres)>, KnowledgeError> {
+    if !transition.operation.is_boring() {
+        return Ok(None);
+    }
+    let Some(table) = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table) else {
+        return Ok(None);
+    };
+    let named = |row: &&CutterRow<'_>| row.designations().any(|name| name == transition.tool.designation);
+    Ok(table.rows()?.iter().find(named).and_then(|row| row.reach.zip(row.bar_diameter)))
+}
