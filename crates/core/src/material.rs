@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::{Knowledge, RowRef};
-use crate::tables::materials::{Governs, HardnessStrength, MaterialAlias, MaterialGrade};
+use crate::tables::materials::{
+    DeliveryState, DeliveryStates, Governs, HardnessStrength, MaterialAlias, MaterialGrade,
+};
 use crate::units::Decimal;
 
 /// A material grade.
@@ -53,6 +55,15 @@ pub fn named(knowledge: &Knowledge, text: &str) -> Result<String, Option<String>
         Some((_, id)) => Ok((*id).to_owned()),
         None => Err(nearest(text, known.iter().map(|(name, _)| *name)).map(str::to_owned)),
     }
+}
+
+/// The figures of a steel in a delivery state; nothing where no standard at hand has that state of it.
+pub fn delivered(knowledge: &Knowledge, material: &str, state: DeliveryState) -> Option<MaterialState> {
+    let is = |row: &DeliveryStates<'_>| row.material == material && row.state == state;
+    let row = knowledge.find(is).ok().flatten()?;
+    let hardness = row.hardness.map(|hardness| hardness.0.to_f64());
+    let strength = row.strength.map(|strength| strength.0.to_f64());
+    Some(MaterialState { hardness, strength })
 }
 
 impl<'k> Material<'k> {

@@ -99,7 +99,23 @@ fn mark(because: &[Because]) -> &'static str {
 fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
     let part = &plan.part;
     let material = Material::find(knowledge, &part.material);
-    let material = material.map_or(part.material.as_str(), |material| material.designation());
+    let material = material.map(|material| match part.material_state {
+        Some(state) => material.in_state(state, knowledge),
+        None => Ok(material),
+    });
+    let material = material.and_then(|material| material).map_or_else(
+        |_| part.material.clone(),
+        |material| {
+            let (hardness, strength) = (material.hardness, material.strength);
+            let key = if strength.millionths() > 0 { "plan-material-of-strength" } else { "plan-material-of-hardness" };
+            lang.say(
+                &Note::new(key)
+                    .with("material", material.designation().to_owned())
+                    .with("hardness", hardness)
+                    .with("strength", strength),
+            )
+        },
+    );
     let machine = Machine::find(knowledge, &part.machine).map(|machine| &machine.table.title);
     // The title of a table stands in the table, in both languages.
     let machine = machine.map_or(part.machine.as_str(), |title| title.of(lang.tag()));

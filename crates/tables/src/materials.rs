@@ -57,6 +57,14 @@ rows! {
         governs: Governs,
     } shown { standard, delivery_state, hardness_min, hardness_max, name_uk, name_en }
 
+    /// Delivery states of steels.
+    pub struct DeliveryStates of One("material-states") {
+        material: &'t str,
+        state: DeliveryState,
+        hardness: Option<Brinell>,
+        strength: Option<Megapascals>,
+    } shown { standard }
+
     /// Strength of steel by its hardness.
     pub struct HardnessStrength of One("hardness-strength") {
         material_group: &'t str,
@@ -65,6 +73,13 @@ rows! {
 }
 
 vocabulary! {
+    /// How a steel is delivered.
+    pub enum DeliveryState {
+        HotRolled = "hot-rolled",
+        Annealed = "annealed",
+        ColdDrawn = "cold-drawn",
+    }
+
     /// Which figure of a grade is the state of the blank.
     pub enum Governs {
         Strength = "strength",

@@ -375,3 +375,24 @@ fn where_power_holds_the_feed_the_speed_is_not_raised_and_the_life_is_told() {
     assert!((found.tool_life_min.0 / 16860.0 - 1.0).abs() < 0.02, "{}", found.tool_life_min.0);
     assert!(codes(&found).contains(&"life-for-feed"), "{:?}", codes(&found));
 }
+
+/// ГОСТ 1050-88: steel 45 annealed has 540 MPa, cold-drawn 640; HB is a 3.4th of it (hardness-strength), and the torque of
+/// drilling goes by (σB / 750)^0.75.
+#[test]
+fn the_state_of_delivery_is_in_every_figure() {
+    let torque = |state: &str| {
+        let part = technolog_testing::read(&format!(
+            "part: P\nmaterial: {{grade: Сталь 45, state: {state}}}\nmachine: gf2171\n\
+             blank: {{kind: plate, length: 400, width: 200, thickness: 20}}\nholes:\n  - {{name: A, diameter: 10H12, \
+             through: true, roughness: Ra 12.5, centre_tolerance: 0.2, at: [[0, 0]]}}\n"
+        ));
+        let plan = technolog_testing::planned(&part, CuttingMethod::Formula);
+        let drill = plan.holes[0].transitions.iter().find(|step| step.operation == Operation::Drill).unwrap();
+        let (feed, torque) = (drill.conditions.feed_mm_per_rev.0, drill.conditions.torque_n_m.unwrap().0);
+        (part.material_state.unwrap().strength.unwrap(), torque / feed.powf(0.8))
+    };
+    let (soft, hard) = (torque("annealed"), torque("cold-drawn"));
+    assert_eq!((soft.0, hard.0), (540.0, 640.0));
+    let ratio = hard.1 / soft.1;
+    assert!((ratio - (640.0f64 / 540.0).powf(0.75)).abs() < 0.01, "{ratio}");
+}

@@ -46,10 +46,13 @@ forms! {
         pub holes: Vec<Hole>,
     }
 
-    /// A material in a state: hardness, strength or both.
+    /// A material in a state: how it is delivered, or its hardness, its strength or both.
     pub struct StatedMaterial {
         /// The grade, as `material` by itself.
         pub grade: Name,
+        /// How it is delivered, of the states in `technolog table material-states`.
+        #[schemars(extend("enum" = ["hot-rolled", "annealed", "cold-drawn"]))]
+        pub state: Option<String>,
         /// Brinell hardness, HB.
         pub hardness: Option<Size>,
         /// Tensile strength, MPa.

@@ -6,7 +6,7 @@ use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, NodeKind, Problems, parse};
 use crate::machine::Machine;
 use crate::material::{self, MaterialState};
-use crate::tables::materials::ClampScrew;
+use crate::tables::materials::{ClampScrew, DeliveryState};
 use crate::units::{Decimal, Micrometres};
 use technolog_note::note;
 
@@ -172,12 +172,27 @@ impl Reader<'_> {
         }
         let mut fields = self.problems.map::<StatedMaterial>(node)?;
         let grade = fields.need(StatedMaterial::grade, self.problems);
+        let stated = fields.take(StatedMaterial::state);
         let hardness = fields.take(StatedMaterial::hardness);
         let strength = fields.take(StatedMaterial::strength);
         fields.finish(self.problems);
         let grade = grade.and_then(|node| self.material(node));
-        if hardness.or(strength).is_none() {
+        if stated.is_some() == hardness.or(strength).is_some() {
             return self.problems.error("bad-value", note!("part-hardness-or-strength"), &node.place);
+        }
+        if let Some(stated) = stated {
+            let word = self.choice(stated, DeliveryState::NAMES)?;
+            let (grade, place) = (grade?, &stated.place);
+            let state = material::delivered(self.knowledge, &grade, word);
+            return match state {
+                Some(state) => Some((grade, Some(state))),
+                None => self.problems.error_help(
+                    "bad-value",
+                    note!("part-state-unknown", material = grade, state = word.name()),
+                    place,
+                    note!("part-state-by-hardness"),
+                ),
+            };
         }
         let state = MaterialState {
             hardness: hardness.and_then(|node| self.figure_of_state(node, STATE_HARDNESS_HB)),

@@ -1,6 +1,8 @@
 # The page of a plan.
 plan-title = Machining plan: { $part }
 plan-material = Material
+plan-material-of-strength = { $material } (HB { $hardness }, σB { $strength } MPa)
+plan-material-of-hardness = { $material } (HB { $hardness })
 plan-blank = Blank
 plan-plate = plate { $length } × { $width } × { $thickness } mm
 plan-machine = Equipment

@@ -1,6 +1,8 @@
 # The page of a plan.
 plan-title = План оброблення: { $part }
 plan-material = Матеріал
+plan-material-of-strength = { $material } (HB { $hardness }, σв { $strength } МПа)
+plan-material-of-hardness = { $material } (HB { $hardness })
 plan-blank = Заготовка
 plan-plate = плита { $length } × { $width } × { $thickness } мм
 plan-machine = Обладнання
