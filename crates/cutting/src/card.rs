@@ -6,6 +6,7 @@
 //! one point only; the formula's are kept there, being the safe side, and the plan says so.
 
 use crate::error::KnowledgeError;
+use crate::material::Material;
 use crate::note::{Because, Figure, Note};
 use crate::plan::{CardPoint, Operation};
 use crate::shop::Shop;
@@ -23,6 +24,8 @@ pub enum CardDoubt {
     ForcesDiffer { speed: f64, thrust: f64, power: f64 },
     /// The card's own factors of depth are not at hand; the handbook's would be this one, at so many diameters.
     WithoutDepth { table: String, ratio: f64, factor: f64 },
+    /// The card's factors are those of the worked example's grade.
+    OtherGrade { material: String, example: String },
 }
 
 impl CardDoubt {
@@ -34,6 +37,9 @@ impl CardDoubt {
                 .with("table", table)
                 .with("ratio", round_to(*ratio, 2))
                 .with("factor", factor),
+            Self::OtherGrade { material, example } => {
+                Note::new("card-other-grade").with("material", material).with("example", example)
+            }
         }
     }
 }
@@ -79,6 +85,12 @@ pub(super) fn draft(
         doubts.extend(differs.then_some(doubt));
     }
     let (product, material) = corrections(shop, &mut because)?;
+    let of_group = |row: &CardCorrections<'_>| row.material_group == shop.material.group;
+    if let Some(row) = shop.knowledge.find(of_group)?.filter(|row| row.grade != shop.material.id) {
+        let example = Material::find(shop.knowledge, row.grade)?.designation().to_owned();
+        let material = shop.material.designation().to_owned();
+        doubts.push(CardDoubt::OtherGrade { material, example });
+    }
     let force = thrust.map(|law| Newtons(law.at(feed, speed)));
     let card = CardPoint {
         feed_mm_per_rev: feed.rounded(3),

@@ -213,6 +213,7 @@ rows! {
     pub struct CardCorrections of One("card-corrections") complete name {
         name: CardFactor,
         material_group: &'t str,
+        grade: &'t str,
         factor: f64,
     } shown { symbol }
 

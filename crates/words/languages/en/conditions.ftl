@@ -54,6 +54,7 @@ card-point = the card prints V = { $speed } m/min, P = { $thrust } N, N = { $pow
 card-point-forces-differ = the card prints V = { $speed } m/min, P = { $thrust } N, N = { $power } kW here; the formula does not reproduce force and power; the loads are the formula's
 card-corrections = the example's factors: speed × { $product }, material { $material }
 card-without-depth = { $ratio } diameters deep: the factor { $factor } of { $table } is left out, the cards' own for depth are not known
+card-other-grade = the factors of the cards are those of { $example }, the worked example's grade; for { $material } they are not known
 card-other-material = the cards' factors for { $material } are not known
 stock-of-practice = in practice a reamer finds { $low } to { $high } mm on diameter
 force-opinion = a maker's formulas give { $thrust } N and { $torque } N·m; ours are { $thrust_percent } % and { $torque_percent } % of them

@@ -54,6 +54,7 @@ card-point = карта друкує тут V = { $speed } м/хв, P = { $thrus
 card-point-forces-differ = карта друкує тут V = { $speed } м/хв, P = { $thrust } Н, N = { $power } кВт; силу й потужність формула не відтворює; навантаження взято за формулою
 card-corrections = поправки прикладу: швидкість × { $product }, матеріал { $material }
 card-without-depth = глибина { $ratio } D: коефіцієнт { $factor } ({ $table }) не враховано, поправки карт на глибину невідомі
+card-other-grade = поправки карт відомі лише для { $example }, марки з прикладу; для { $material } їх немає
 card-other-material = поправки карт для матеріалу { $material } невідомі
 stock-of-practice = на практиці розвертка знаходить від { $low } до { $high } мм на діаметр
 force-opinion = за формулами виробника { $thrust } Н і { $torque } Н·м; наші становлять { $thrust_percent } % і { $torque_percent } % від них
