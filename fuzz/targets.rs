@@ -167,7 +167,7 @@ fn whole(text: &str) {
         Err(problems) => return told(&problems, text),
     };
     let plan = planner::plan(&part, CuttingMethod::Formula, &KNOWLEDGE).expect("the shipped tables answer");
-    LANGS.iter().for_each(|lang| shown(&report::sheet::page(&plan, &KNOWLEDGE, *lang)));
+    LANGS.iter().for_each(|lang| shown(&report::sheet::page(&plan, &KNOWLEDGE, report::Doubts::EachRow, *lang)));
 }
 
 const LANGS: [Lang; 2] = [Lang::UK, Lang::EN];

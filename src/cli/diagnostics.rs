@@ -13,6 +13,8 @@ use technolog::note::Note;
 use technolog::words::say;
 use unicode_width::UnicodeWidthStr;
 
+use technolog::report::Doubts;
+
 use self::lines::{Lines, Stretch};
 use super::words::Lang;
 
@@ -33,6 +35,14 @@ pub enum Amount {
 }
 
 impl Amount {
+    /// How a page tells the rows that nothing confirms.
+    pub const fn doubts(self) -> Doubts {
+        match self {
+            Self::Some => Doubts::Counted,
+            Self::All => Doubts::EachRow,
+        }
+    }
+
     /// Those that are shown, in their order, and how many are not. Of equally grave ones the first are.
     pub fn of<T, G: Ord>(self, all: Vec<T>, grave: impl Fn(&T) -> G) -> (Vec<T>, usize) {
         if self == Self::All || all.len() <= MOST_SHOWN {

@@ -58,7 +58,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Format::Json => context.emit_json(&*plan)?,
         Format::Yaml => context.emit_yaml(&*plan)?,
         Format::Hand => context.emit_cleaned(&audit::by_hand(&plan, &context.beside_answer(&args.part)))?,
-        _ => context.emit_document(&report::sheet::page(&plan, knowledge, context.lang), format)?,
+        _ => context
+            .emit_document(&report::sheet::page(&plan, knowledge, context.amount.doubts(), context.lang), format)?,
     }
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
 }

@@ -157,7 +157,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         Format::Svg => context.emit_cleaned(&report::turning::drawing(&found, &schemes, context.lang))?,
         _ => {
-            let page = report::turning::page(&found, &schemes, knowledge, context.lang);
+            let page = report::turning::page(&found, &schemes, knowledge, context.amount.doubts(), context.lang);
             drawn(page, format, context, "turn-figure", |lang| report::turning::drawing(&found, &schemes, lang))?;
         }
     }

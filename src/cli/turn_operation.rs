@@ -51,7 +51,7 @@ pub fn page(
             context.emit_cleaned(&report::turning::operation_drawing(&operation, all_schemes, context.lang))?
         }
         _ => {
-            let page = report::turning::operation_page(&operation, knowledge, context.lang);
+            let page = report::turning::operation_page(&operation, knowledge, context.amount.doubts(), context.lang);
             drawn(page, format, context, "turn-figure", |lang| {
                 report::turning::operation_drawing(&operation, all_schemes, lang)
             })?;

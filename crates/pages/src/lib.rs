@@ -4,6 +4,7 @@ pub mod audit;
 pub mod backplot;
 mod canvas;
 pub mod cycles;
+mod doubts;
 pub mod encoding;
 pub mod order;
 pub mod order_drawing;
@@ -14,6 +15,7 @@ mod why;
 
 pub mod sheet;
 
+pub use doubts::Doubts;
 pub use technolog_core::lang::Lang;
 pub use technolog_core::words::{operation_named, operation_noun, operation_verb, unit, with_unit};
 pub use why::explain;

@@ -8,8 +8,8 @@ use crate::note::{Because, Figure, Note, Severity, Told};
 use crate::plan::{Clamping, Plan};
 use crate::units::{Micrometres, round_to};
 
-use super::Lang;
 use super::words::say;
+use super::{Doubts, Lang};
 
 mod conditions;
 pub(crate) mod route;
@@ -21,7 +21,7 @@ const MARK: &str = "*";
 pub(crate) const NONE: &str = "–";
 
 /// The whole page.
-pub fn page(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> Document {
+pub fn page(plan: &Plan, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "plan-title", part = plan.part.part.as_str()));
     head(&mut page, plan, knowledge, lang);
     if !plan.sequence.is_empty() {
@@ -49,7 +49,7 @@ pub fn page(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> Document {
     }
     if !plan.findings.is_empty() {
         page.heading(2, say!(lang, "plan-findings"));
-        findings(&mut page, plan, lang);
+        findings(&mut page, plan, doubts, lang);
     }
     page
 }
@@ -167,8 +167,12 @@ fn time(plan: &Plan, lang: Lang) -> String {
     say!(lang, "plan-times", parts = parts, total = exactly(time.total_min.0, 2))
 }
 
-fn findings(page: &mut Document, plan: &Plan, lang: Lang) {
-    for finding in &plan.findings {
+fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
+    let (listed, counted) = doubts.split(plan.findings.iter());
+    if let Some(counted) = counted {
+        page.push(Finding::new(Shown::Doubtful, MARK, Inlines::sentence(&lang.say(&counted))));
+    }
+    for finding in listed {
         let (severity, word) = match finding.severity {
             Severity::Error => (Shown::Error, say!(lang, "plan-impossible")),
             Severity::Wrong => (Shown::Wrong, say!(lang, "plan-wrong")),

@@ -21,7 +21,7 @@ use technolog_turning::schemes::Schemes;
 use technolog_turning::shaft::{Division, Moves};
 use technolog_words::say;
 
-use super::Lang;
+use super::{Doubts, Lang};
 use cells::{Cell, arrow, figure, span, table};
 use phrases::{finding, material, rests_on, said, word};
 
@@ -32,7 +32,7 @@ pub use operation::{operation_page, programs_list};
 pub use operation_drawing::operation_drawing;
 
 /// The whole page of a shaft.
-pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, lang: Lang) -> Document {
+pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), found.shaft.shaft.as_str());
     head(&mut page, found, knowledge, lang);
     section(&mut page, say!(lang, "turn-variants"));
@@ -54,7 +54,7 @@ pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, lang: L
     let why = say!(lang, "turn-take", variant = word(taken), why = &because.note);
     page.paragraph(rests_on(&why, because, lang));
     schemes::sections(&mut page, schemes, lang);
-    findings(&mut page, found.findings.iter().chain(&schemes.findings), lang);
+    findings(&mut page, found.findings.iter().chain(&schemes.findings), doubts, lang);
     page
 }
 
@@ -71,12 +71,15 @@ fn section(page: &mut Document, title: &str) {
 }
 
 /// The section of findings; nothing where there are none.
-fn findings<'f>(page: &mut Document, all: impl Iterator<Item = &'f note::Finding>, lang: Lang) {
-    let mut all = all.peekable();
-    if all.peek().is_some() {
+fn findings<'f>(page: &mut Document, all: impl Iterator<Item = &'f note::Finding>, doubts: Doubts, lang: Lang) {
+    let (listed, counted) = doubts.split(all);
+    if counted.is_some() || !listed.is_empty() {
         section(page, say!(lang, "turn-findings"));
     }
-    for one in all {
+    if let Some(counted) = counted {
+        page.push(finding(&note::Finding::of_part(note::Severity::Doubtful, counted), lang));
+    }
+    for one in listed {
         page.push(finding(one, lang));
     }
 }

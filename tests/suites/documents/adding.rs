@@ -19,7 +19,7 @@ use technolog::knowledge::lint::lint;
 use technolog::knowledge::{Knowledge, Source, Table, TableRow};
 use technolog::part::read_part;
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::report::{Lang, explain, sheet};
+use technolog::report::{Doubts, Lang, explain, sheet};
 use technolog::{planner, shipped};
 
 use technolog_testing::pages::shown;
@@ -112,7 +112,7 @@ fn plate(knowledge: &Knowledge) -> Plan {
 }
 
 fn sheet_of(plan: &Plan, knowledge: &Knowledge) -> String {
-    shown(&sheet::page(plan, knowledge, Lang::EN))
+    shown(&sheet::page(plan, knowledge, Doubts::EachRow, Lang::EN))
 }
 
 static SHIPPED: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());

@@ -5,6 +5,7 @@ use technolog::machine::Machine;
 use technolog::material::Material;
 use technolog::note::Severity;
 use technolog::plan::{Conditions, CuttingMethod, Operation, Plan};
+use technolog::report::{Doubts, Lang, sheet};
 use technolog::shop::Shop;
 use technolog::turning::operation::plan as turned;
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
@@ -70,7 +71,7 @@ fn clamps_that_are_too_weak_are_shown_with_what_they_bear() {
     let weak: Vec<_> = plan.findings.iter().filter(|finding| finding.note.code() == "screw-too-weak").collect();
     assert_eq!(weak.len(), 1);
     assert_eq!(weak[0].severity, Severity::Error);
-    let page = technolog::report::sheet::page(&plan, &KNOWLEDGE, technolog::report::Lang::EN);
+    let page = sheet::page(&plan, &KNOWLEDGE, Doubts::Counted, Lang::EN);
     let page = technolog_testing::pages::shown(&page);
     assert!(
         page.contains("4. Clamping") && page.contains("too weak: it bears 1469 N, and 1605 N are needed"),

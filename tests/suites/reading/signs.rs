@@ -6,7 +6,7 @@ use technolog::document::cleaned;
 use technolog::knowledge::input::unseen;
 use technolog::part::read_part;
 use technolog::plan::CuttingMethod;
-use technolog::report::sheet;
+use technolog::report::{Doubts, sheet};
 use technolog::words::Lang;
 use technolog_testing::pages::shown_at;
 use technolog_testing::{KNOWLEDGE, planned, read, root};
@@ -193,7 +193,7 @@ fn names_that_look_alike_are_told() {
                 in one alphabet";
     assert_eq!(told(&plan), [said]);
     assert!(!plan.has_errors(), "it is planned all the same");
-    let page = shown_at(200, &sheet::page(&plan, &KNOWLEDGE, Lang::EN));
+    let page = shown_at(200, &sheet::page(&plan, &KNOWLEDGE, Doubts::Counted, Lang::EN));
     assert!(page.contains("2 groups are named Ax1"), "{page}");
     assert_eq!(told(&of("A1", "A2")), [""; 0]);
     assert!(read_part("p", &part("P", "А"), &KNOWLEDGE).is_ok());

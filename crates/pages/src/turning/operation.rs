@@ -15,10 +15,10 @@ use technolog_words::say;
 
 use super::cells::{Cell, fixed, table};
 use super::phrases::{material, rests_on, word};
-use super::{Lang, fields, findings, section};
+use super::{Doubts, Lang, fields, findings, section};
 
 /// The whole page.
-pub fn operation_page(operation: &Operation, knowledge: &Knowledge, lang: Lang) -> Document {
+pub fn operation_page(operation: &Operation, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), operation.workpiece.name.as_str());
     head(&mut page, operation, knowledge, lang);
     if !operation.blank_advice.is_empty() {
@@ -46,7 +46,7 @@ pub fn operation_page(operation: &Operation, knowledge: &Knowledge, lang: Lang) 
     }
     page.heading(3, say!(lang, "turn-total"));
     page.paragraph(total(operation, lang));
-    findings(&mut page, operation.findings.iter(), lang);
+    findings(&mut page, operation.findings.iter(), doubts, lang);
     page
 }
 

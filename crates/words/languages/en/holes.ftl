@@ -50,5 +50,12 @@ spot-by-depth = spot Ø{ $spot }, not { $share } of the drill Ø{ $drill }: no d
 spot-by-chamfer = spot Ø{ $spot } makes the chamfer too
 travel = approach { $approach } mm, overrun { $overrun } mm
 # Of any row.
+unconfirmed-counted = figures rest on { $count ->
+    [one] one row
+   *[other] { $count } rows
+} that nothing confirms, of { $tables }: --all-problems lists { $count ->
+    [one] it
+   *[other] them
+}
 unconfirmed = unconfirmed: { $table }, row { $row }: { $why }
 names-look-alike = { $count } groups are named { $name }: their letters look the same, but some are Latin and some Cyrillic; write all names in one alphabet

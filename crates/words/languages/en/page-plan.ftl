@@ -44,7 +44,6 @@ plan-step-passes = { $count } { $count ->
 plan-step-depth = depth { $depth } mm
 plan-step-back = from the back
 plan-step-elsewhere = on another machine
-} { $size } ({ $hole }), stock on diameter { $stock } mm
 plan-by-table = { $table } { $scheme }
 plan-by-complex = { $table } complex { $scheme }
 plan-by-search = search

@@ -50,6 +50,12 @@ spot-by-depth = центрувальне заглиблення Ø{ $spot }, н�
 spot-by-chamfer = центрувальне заглиблення Ø{ $spot } утворює і фаску
 travel = недобіг { $approach } мм, перебіг { $overrun } мм
 # Of any row.
+unconfirmed-counted = числа спираються на { $count ->
+    [one] { $count } непідтверджений рядок
+    [few] { $count } непідтверджені рядки
+    [many] { $count } непідтверджених рядків
+   *[other] { $count } непідтвердженого рядка
+} таблиць { $tables }: перелік із причинами дає --all-problems
 unconfirmed = не підтверджено: { $table }, рядок { $row }: { $why }
 names-look-alike = { $count } { $count ->
         [one] групу

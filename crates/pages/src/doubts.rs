@@ -1,0 +1,34 @@
+//! Rows that nothing confirms: a page counts them in one line, and lists them for who asks.
+
+use std::collections::BTreeSet;
+
+use crate::note::{Figure, Finding, Note};
+
+/// How the rows are told that nothing confirms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Doubts {
+    /// In one line, with how many they are.
+    Counted,
+    /// Each with its reason.
+    EachRow,
+}
+
+impl Doubts {
+    /// The findings that a page lists, and the line that counts the others.
+    #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
+    pub(crate) fn split<'f>(self, findings: impl Iterator<Item = &'f Finding>) -> (Vec<&'f Finding>, Option<Note>) {
+        let counted = |finding: &&Finding| self == Self::Counted && finding.note.code() == "unconfirmed";
+        let (counted, listed): (Vec<_>, Vec<_>) = findings.partition(counted);
+        let mut rows = BTreeSet::new();
+        for finding in counted {
+            let table = finding.note.figure_text("table").unwrap_or_default();
+            let written = finding.note.figure_text("row").unwrap_or_default();
+            rows.extend(written.split(", ").map(|row| (table.clone(), row.to_owned())));
+        }
+        let tables: BTreeSet<&str> = rows.iter().map(|(table, _)| table.as_str()).collect();
+        let line = Note::new("unconfirmed-counted")
+            .with("count", rows.len())
+            .with("tables", Figure::list(tables.into_iter().map(|table| Figure::Text(table.to_owned().into()))));
+        (listed, (!rows.is_empty()).then_some(line))
+    }
+}
