@@ -28,9 +28,9 @@ pub fn whole(table: &Table, lang: Lang) -> Document {
     let numbered = rows(&mut page, table, &all, lang);
     columns(&mut page, table, numbered, lang);
     said(&mut page, &all, lang);
-    let gaps = table.uncovered.iter().map(|gap| gap.reason.clone());
+    let gaps = table.uncovered.iter().map(|gap| lang.remark(&gap.reason).to_owned());
     section(&mut page, lang.word("cli-gaps"), gaps);
-    section(&mut page, lang.word("cli-notes"), table.notes.iter().cloned());
+    section(&mut page, lang.word("cli-notes"), table.notes.iter().map(|note| lang.remark(note).to_owned()));
     page
 }
 
@@ -44,10 +44,7 @@ pub fn titled(table: &Table, lang: Lang) -> Document {
 pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang) -> bool {
     let first = rows.first().map(|row| row.row().source);
     let one_source = rows.iter().all(|row| Some(row.row().source) == first);
-    let mut heads: Vec<Head> = table
-        .columns
-        .iter()
-        .enumerate()
+    let mut heads: Vec<Head> = columns_of(table, lang)
         .map(|(index, column)| {
             let head = shown::head(lang, column, keep(table, index));
             match column.role {
@@ -59,9 +56,9 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang)
     let cells: Vec<Vec<Inlines>> = rows
         .iter()
         .map(|row| {
-            let cells = table.columns.iter().zip(&row.row().cells).zip(&heads);
-            let cell = |((column, cell), head): ((&Column, _), &Head)| {
-                let text = shown::cell(lang, column, cell);
+            let cells = columns_of(table, lang).zip(&heads);
+            let cell = |((index, column), head): ((usize, &Column), &Head)| {
+                let text = shown::cell(lang, column, &row.row().cells[index]);
                 if shown::is_right(head) { Inlines::number(text) } else { text.into() }
             };
             cells.map(cell).collect()
@@ -86,6 +83,12 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang)
     }
     page.push(grid);
     numbered
+}
+
+/// The columns of a page, with their places in the table: those in another language are left out.
+fn columns_of(table: &Table, lang: Lang) -> impl Iterator<Item = (usize, &Column)> {
+    let columns = table.columns.iter().enumerate();
+    columns.filter(move |(_, column)| !shown::is_of_other_language(lang, table, column))
 }
 
 /// What a row is found by, and what it answers, is never left out.
@@ -130,14 +133,14 @@ pub fn columns(page: &mut Document, table: &Table, numbered: bool, lang: Lang) {
     let number = Head::number(lang.word("cli-row-number"), "");
     let heads =
         vec![number, text("table-key"), text("table-what"), text("table-symbol"), text("table-expected").least(24)];
-    let row = |(index, column): (usize, &Column)| {
-        let number = if numbered { (index + 1).to_string() } else { String::new() };
+    let row = |(number, (_, column)): (usize, (usize, &Column))| {
+        let number = if numbered { number.to_string() } else { String::new() };
         let key = Inlines::default().code(&column.name);
         let label = shown::label(lang, column).unwrap_or_default();
         let about = about(column, lang).join("; ");
         vec![Inlines::number(number), key, label.into(), symbol(column, lang).into(), about.into()]
     };
-    page.push(filled(heads, table.columns.iter().enumerate().map(row).collect()));
+    page.push(filled(heads, (1..).zip(columns_of(table, lang)).map(row).collect()));
 }
 
 /// A table without the columns in which nothing stands.
@@ -185,7 +188,7 @@ fn about(column: &Column, lang: Lang) -> Vec<String> {
 pub fn said(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     let corrections = |row: &Row| -> Vec<String> {
         let said = row.corrections.iter().map(|it| {
-            let (column, printed, reason) = (&it.column, &it.printed, &it.reason);
+            let (column, printed, reason) = (&it.column, &it.printed, lang.remark(&it.reason));
             say!(lang, "cli-printed-otherwise", column = column, printed = printed, reason = reason)
         });
         said.collect()

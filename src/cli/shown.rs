@@ -9,7 +9,7 @@ use technolog::knowledge::{Column, ColumnRole, ColumnType, RowRef, Source, Table
 use technolog::note::Figure;
 use technolog::plan::Operation;
 use technolog::report::{operation_noun, unit, with_unit};
-use technolog::words::say;
+use technolog::words::{LANGUAGES, say};
 
 use super::Lang;
 use super::record::{bare, results};
@@ -79,20 +79,35 @@ fn figure(lang: Lang, column: &Column, written: &str) -> String {
             let id = written.replace(['*', '/'], "-");
             lang.find(&format!("unit-{id}")).unwrap_or(written).to_owned()
         }
-        ColumnType::Text => written.to_owned(),
+        ColumnType::Text => lang.remark(written).to_owned(),
         ColumnType::Bool => lang.find(&format!("table-value-{written}")).unwrap_or(written).to_owned(),
         ColumnType::Enum => word(lang, column, written).to_owned(),
         _ => lang.figure(&Figure::number(written.to_owned())),
     }
 }
 
-/// A word of an enum, in this column or in any; its id where it has no other name.
-fn word<'v>(lang: Lang, column: &Column, id: &'v str) -> &'v str {
-    if column.values.iter().all(|value| Operation::from_name(value).is_some()) {
-        return operation_noun(id, lang);
-    }
-    let in_column = lang.find(&format!("table-value-{}-{id}", column.name));
-    in_column.or_else(|| lang.find(&format!("table-value-{id}"))).unwrap_or(id)
+/// The name of a word: its vocabulary's, this column's, that of a transition, or any column's; the word where it has none,
+/// as designations and ids of tables have not.
+fn word<'v>(lang: Lang, column: &'v Column, id: &'v str) -> &'v str {
+    let of_column = || lang.find(&format!("table-value-{}-{id}", column.name));
+    let of_quantity = || if column.name == "quantity" { lang.find(&format!("quantity-{id}")) } else { None };
+    let of_transition = || Operation::from_name(id).map(|_| operation_noun(id, lang));
+    column
+        .name_of(id, lang.tag())
+        .or_else(of_column)
+        .or_else(of_quantity)
+        .or_else(of_transition)
+        .or_else(|| lang.find(&format!("table-value-{id}")))
+        .unwrap_or(id)
+}
+
+/// Whether a column says in another language what one beside it says in this one, as `name_en` beside `name_uk`.
+pub fn is_of_other_language(lang: Lang, table: &Table, column: &Column) -> bool {
+    let Some((name, tag)) = column.name.rsplit_once('_') else { return false };
+    let has = |tag: &str| table.column_index(&format!("{name}_{tag}")).is_some();
+    // Tables name things in English for languages that they do not speak.
+    let own = if has(lang.tag()) { lang.tag() } else { Lang::EN.tag() };
+    LANGUAGES.iter().any(|known| known.tag() == tag) && tag != own && has(own)
 }
 
 /// A test of a decision table: `(10..15]` is `понад 10 до 15`.
@@ -102,11 +117,15 @@ pub fn test(lang: Lang, column: &Column, written: &str) -> String {
     if written == "-" {
         return "–".to_owned();
     }
+    let each = |tests: &str, said: &dyn Fn(String) -> String, between: &str| {
+        let tests: Vec<String> = tests.split('|').map(|one| said(test(lang, column, one))).collect();
+        tests.join(&format!(" {} ", lang.word(between)))
+    };
     if let Some(inner) = written.strip_prefix("not(").and_then(|rest| rest.strip_suffix(')')) {
-        return say!(lang, "table-test-not", test = test(lang, column, inner));
+        return each(inner, &|test| say!(lang, "table-test-not", test = test), "table-test-and");
     }
     if written.contains('|') {
-        return written.split('|').map(|one| test(lang, column, one)).collect::<Vec<_>>().join(" | ");
+        return each(written, &|test| test, "table-test-or");
     }
     for (sign, shown) in [("<=", "≤"), (">=", "≥"), ("<", "<"), (">", ">")] {
         if let Some(bound) = written.strip_prefix(sign) {
@@ -192,7 +211,7 @@ pub fn rows_named(lang: Lang, numbers: &[usize]) -> String {
 pub fn expected(lang: Lang, column: &Column) -> String {
     let what = match column.ty {
         ColumnType::Text => "lint-a-text",
-        ColumnType::Enum => return say!(lang, "cli-one-of", values = column.values.join(", ")),
+        ColumnType::Enum => return one_of(lang, column),
         ColumnType::Bool => "lint-true-false",
         ColumnType::Int => "lint-whole-number",
         ColumnType::Number => "cli-expected-number",
@@ -205,6 +224,20 @@ pub fn expected(lang: Lang, column: &Column) -> String {
         "" => lang.word(what).to_owned(),
         unit => say!(lang, "cli-expected-in-unit", what = lang.word(what), unit = unit),
     }
+}
+
+/// The words that an enum may have, as a query writes them, each with what it means; those of a long vocabulary stand in
+/// its own table.
+fn one_of(lang: Lang, column: &Column) -> String {
+    const MANY: usize = 20;
+    if let Some(table) = column.vocabulary.as_deref().filter(|_| column.names.len() > MANY) {
+        return say!(lang, "cli-word-of", table = table);
+    }
+    let value = |id: &String| match word(lang, column, id) {
+        name if name.replace(' ', "-") == *id => id.clone(),
+        name => format!("{id} ({name})"),
+    };
+    say!(lang, "cli-one-of", values = column.values.iter().map(value).collect::<Vec<_>>().join(", "))
 }
 
 #[cfg(test)]
@@ -241,7 +274,8 @@ mod tests {
             ("centre_tolerance", "(0.05..0.3]", "понад 0,05 до 0,3", "over 0.05 to 0.3"),
             ("it", "[9..10]", "9…10", "9–10"),
             ("diameter", "<= 6", "≤ 6", "≤ 6"),
-            ("roughness", "Ra 2.5 | Ra 1.25", "Ra 2,5 | Ra 1,25", "Ra 2.5 | Ra 1.25"),
+            ("roughness", "Ra 2.5 | Ra 1.25", "Ra 2,5 або Ra 1,25", "Ra 2.5 or Ra 1.25"),
+            ("roughness", "not(Ra 2.5 | Ra 1.25)", "не Ra 2,5 і не Ra 1,25", "not Ra 2.5 and not Ra 1.25"),
             ("state", "solid", "суцільний метал", "solid"),
             ("outer_wall", "-", "–", "–"),
         ] {

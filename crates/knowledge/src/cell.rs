@@ -157,6 +157,7 @@ mod tests {
             domain_text: None,
             default: None,
             refers: None,
+            names: Vec::new(),
             vocabulary: None,
             place: None,
         }

@@ -125,6 +125,8 @@ pub struct Column {
     pub optional: bool,
     /// The values of an enum, in order; those of its vocabulary first.
     pub values: Vec<String>,
+    /// The names of the first values for people, where they are of a vocabulary that names its words.
+    pub names: Vec<Label>,
     /// The vocabulary its values are of, where the column names one.
     pub vocabulary: Option<String>,
     /// What a cell or an input may be.
@@ -149,6 +151,12 @@ impl Column {
             ColumnType::It => Set::interval(1, 18),
             _ => Set::all(),
         }
+    }
+
+    /// The name of one of its values in the language of that tag, where a vocabulary names it.
+    pub fn name_of(&self, value: &str, tag: &str) -> Option<&str> {
+        let mut named = self.values.iter().zip(&self.names);
+        named.find(|(word, _)| *word == value).map(|(_, name)| name.of(tag))
     }
 
     /// What inputs are allowed: the declared domain, or the universe.

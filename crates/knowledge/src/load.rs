@@ -9,7 +9,7 @@ use crate::set::Set;
 use crate::table::{Cell, Correction, HitPolicy, Law, Row, Source, Table, TableKind, ToolHead, Uncovered};
 use crate::units::Unit;
 use crate::value::Value;
-use crate::vocabulary::{Operation, Shank, ToolMaterial, Vocabularies};
+use crate::vocabulary::{Operation, Shank, ToolMaterial, Vocabularies, Words};
 use crate::yaml::{Fields, Node, NodeKind, Problems, parse};
 use technolog_note::note;
 
@@ -251,9 +251,9 @@ impl Loader<'_> {
         let optional = fields.take("optional").and_then(|node| self.problems.boolean(node)).unwrap_or(false);
         let vocabulary_node = fields.take("of");
         let vocabulary = vocabulary_node.and_then(|node| self.owned(node));
-        let mut values = match (vocabulary_node, &vocabulary) {
+        let Words { words: mut values, names } = match (vocabulary_node, &vocabulary) {
             (Some(node), Some(name)) => self.vocabulary(node, name)?,
-            _ => Vec::new(),
+            _ => Words::default(),
         };
         values.extend(fields.take("values").map(|node| self.texts(node)).unwrap_or_default());
         let domain_node = fields.take("domain");
@@ -282,6 +282,7 @@ impl Loader<'_> {
             list,
             optional,
             values,
+            names,
             vocabulary,
             domain: None,
             domain_text: None,
@@ -305,9 +306,9 @@ impl Loader<'_> {
     }
 
     /// The words of a vocabulary.
-    fn vocabulary(&mut self, node: &Node, name: &str) -> Option<Vec<String>> {
+    fn vocabulary(&mut self, node: &Node, name: &str) -> Option<Words> {
         if let Some(words) = self.vocabularies.words(name) {
-            return Some(words.to_vec());
+            return Some(words.clone());
         }
         let known: Vec<&str> = self.vocabularies.names().collect();
         self.problems.error_help(

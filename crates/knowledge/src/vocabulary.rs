@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::column::Label;
 use crate::contract::Word;
 use crate::table::Table;
 
@@ -178,12 +179,24 @@ impl Operation {
 
 /// Vocabularies by name: those of code, and those of `catalogs/vocabularies`.
 #[derive(Clone, Debug)]
-pub struct Vocabularies(BTreeMap<String, Vec<String>>);
+pub struct Vocabularies(BTreeMap<String, Words>);
+
+/// The words of a vocabulary, and their names for people, in the same order, where a table gives them.
+#[derive(Clone, Debug, Default)]
+pub struct Words {
+    /// The words, as tables have them.
+    pub words: Vec<String>,
+    /// The names of the words; none for those of code, which the catalogue of messages names.
+    pub names: Vec<Label>,
+}
 
 impl Vocabularies {
     /// The vocabularies that are enums.
     pub fn of_code() -> Self {
-        let of = |name: &str, words: &[&str]| (name.to_owned(), words.iter().map(ToString::to_string).collect());
+        let of = |name: &str, words: &[&str]| {
+            let words = words.iter().map(ToString::to_string).collect();
+            (name.to_owned(), Words { words, names: Vec::new() })
+        };
         Self(BTreeMap::from([
             of("operations", Operation::WORDS),
             of("shanks", Shank::WORDS),
@@ -196,19 +209,22 @@ impl Vocabularies {
         ]))
     }
 
-    /// With the words of a table: the texts of its column `word`.
+    /// With the words of a table: the texts of its column `word`, named by `name_uk` and `name_en`.
     pub fn add(&mut self, table: &Table) {
-        let column = table.column_index("word");
-        let words = table.rows.iter().filter_map(|row| match &row.cells[column?] {
-            crate::table::Cell::Value(value) => value.as_text().map(str::to_owned),
-            _ => None,
-        });
-        self.0.insert(table.id.clone(), words.collect());
+        let texts = |column: &str| {
+            let column = table.column_index(column);
+            table.rows.iter().filter_map(move |row| match &row.cells[column?] {
+                crate::table::Cell::Value(value) => value.as_text().map(str::to_owned),
+                _ => None,
+            })
+        };
+        let names = texts("name_uk").zip(texts("name_en")).map(|(uk, en)| Label { uk, en });
+        self.0.insert(table.id.clone(), Words { words: texts("word").collect(), names: names.collect() });
     }
 
     /// The words of a vocabulary.
-    pub fn words(&self, name: &str) -> Option<&[String]> {
-        self.0.get(name).map(Vec::as_slice)
+    pub fn words(&self, name: &str) -> Option<&Words> {
+        self.0.get(name)
     }
 
     /// Every name.

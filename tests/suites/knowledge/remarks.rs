@@ -1,15 +1,47 @@
-//! What rows say of themselves, `reason` and `unconfirmed`, is there in every language.
+//! What tables say in sentences is there in every language, and so is every word of their enums.
 
 use std::collections::BTreeSet;
 
+use technolog::knowledge::table::Cell;
+use technolog::knowledge::{Column, ColumnType, Table};
 use technolog::words::{LANGUAGES, Lang};
 use technolog_testing::KNOWLEDGE;
 
-fn of_rows() -> BTreeSet<&'static str> {
+/// Everything that tables say in sentences: of their rows, of what no row answers, of themselves, and in cells.
+fn of_tables() -> BTreeSet<&'static str> {
     // What planning says of a cutter that no row has (crates/holes/src/tooling/cutter.rs).
     let ours = "the catalogs have no cutter of this size; it must be ground to order";
-    let rows = KNOWLEDGE.tables().flat_map(|table| &table.rows);
-    rows.flat_map(|row| [&row.reason, &row.unconfirmed]).flatten().map(String::as_str).chain([ours]).collect()
+    let rows = KNOWLEDGE.tables().flat_map(|table| table.all_rows());
+    let of_rows = rows.flat_map(|row| {
+        let row = row.row();
+        let corrections = row.corrections.iter().map(|correction| correction.reason.as_str());
+        [&row.reason, &row.unconfirmed, &row.note].into_iter().flatten().map(String::as_str).chain(corrections)
+    });
+    let gaps = KNOWLEDGE.tables().flat_map(|table| table.uncovered.iter().map(|gap| gap.reason.as_str()));
+    let notes = KNOWLEDGE.tables().flat_map(|table| table.notes.iter().map(String::as_str));
+    of_rows.chain(gaps).chain(notes).chain(cells()).chain([ours]).collect()
+}
+
+/// The sentences in cells: texts of two English words or more, in columns that are of no one language. Pages and files,
+/// which have names, are none.
+fn cells() -> impl Iterator<Item = &'static str> {
+    let of_table = |table: &'static Table| {
+        let sentences = |column: &Column| {
+            let is_named = column.name == "page" || column.name.ends_with("_uk") || column.name.ends_with("_en");
+            column.ty == ColumnType::Text && !is_named
+        };
+        let columns: Vec<usize> = (0..table.columns.len()).filter(|&at| sentences(&table.columns[at])).collect();
+        let cells = table.rows.iter().flat_map(move |row| columns.clone().into_iter().map(move |at| &row.cells[at]));
+        cells.filter_map(|cell| match cell {
+            Cell::Value(value) => value.as_text(),
+            _ => None,
+        })
+    };
+    let is_english = |word: &str| word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_lowercase());
+    KNOWLEDGE.tables().flat_map(of_table).filter(move |text| {
+        let words: Vec<&str> = text.split_whitespace().collect();
+        words.windows(2).any(|pair| pair[0].len() > 2 && pair.iter().all(|word| is_english(word)))
+    })
 }
 
 /// Names of sources, of people, of standards and of figures, which no language translates.
@@ -104,14 +136,45 @@ fn every_place_of_a_row_is_told_in_ukrainian() {
 }
 
 #[test]
-fn every_remark_of_a_row_is_translated_and_no_translation_is_left_over() {
-    let said = of_rows();
-    assert!(said.len() > 600, "only {} remarks were found", said.len());
+fn everything_that_tables_say_is_translated_and_no_translation_is_left_over() {
+    let said = of_tables();
+    assert!(said.len() > 1_500, "only {} remarks were found", said.len());
     for language in LANGUAGES.iter().filter(|language| !language.remarks().is_empty()) {
         let known: BTreeSet<&str> = language.remarks().keys().copied().collect();
         let lacks: Vec<_> = said.difference(&known).collect();
         assert!(lacks.is_empty(), "put into remarks.tsv of {}: {lacks:#?}", language.tag());
         let left: Vec<_> = known.difference(&said).collect();
         assert!(left.is_empty(), "no row says so any more, in remarks.tsv of {}: {left:#?}", language.tag());
+    }
+}
+
+/// Every word of an enum has a name in every language, but for designations, figures and ids, which have one name everywhere.
+#[test]
+fn every_word_of_an_enum_has_a_name() {
+    let ids: BTreeSet<&str> = KNOWLEDGE.tables().map(|table| table.id.as_str()).collect();
+    let materials = KNOWLEDGE.tables().find(|table| table.id == "materials").unwrap();
+    let grades: BTreeSet<&str> = materials.rows.iter().filter_map(|row| text(&row.cells[0])).collect();
+    let mut lacks = BTreeSet::new();
+    for (table, column) in KNOWLEDGE.tables().flat_map(|table| table.columns.iter().map(move |column| (table, column))) {
+        for word in column.values.iter().filter(|_| column.ty == ColumnType::Enum) {
+            let is_designation = !word.bytes().all(|byte| byte.is_ascii_lowercase() || b"-_".contains(&byte));
+            let named = |key: String| Lang::UK.find(&key).is_some() && Lang::EN.find(&key).is_some();
+            let is_named = column.name_of(word, "uk").is_some()
+                || named(format!("table-value-{}-{word}", column.name))
+                || named(format!("table-value-{word}"))
+                || named(format!("quantity-{word}"))
+                || named(format!("operation-{word}"));
+            if !is_designation && !is_named && !ids.contains(word.as_str()) && !grades.contains(word.as_str()) {
+                lacks.insert(format!("{}: {} = {word}", table.id, column.name));
+            }
+        }
+    }
+    assert!(lacks.is_empty(), "name them in page-values.ftl: {lacks:#?}");
+}
+
+fn text(cell: &Cell) -> Option<&str> {
+    match cell {
+        Cell::Value(value) => value.as_text(),
+        _ => None,
     }
 }

@@ -98,6 +98,7 @@ cli-all-rows-of-one-source = Origin of every row: { $source }
 cli-default-is = { $value } unless given
 cli-refers-to = see { $table }, { $column }
 cli-one-of = one of { $values }
+cli-word-of = a word of table { $table }
 cli-and-more = and { $count } more
 # Counts.
 cli-rows-counted = { $count } { $count ->

@@ -23,6 +23,8 @@ table-source-standard = standard
 table-source-reconstructed = reconstructed
 # Tests of decision tables.
 table-test-not = not { $test }
+table-test-or = or
+table-test-and = and
 table-test-within = { $low }–{ $high }
 table-test-over = over { $low } to { $high }
 table-test-below = { $low } to below { $high }

@@ -98,6 +98,7 @@ cli-all-rows-of-one-source = Походження всіх рядків: { $sour
 cli-default-is = якщо не задано, { $value }
 cli-refers-to = див. { $table }, { $column }
 cli-one-of = одне з: { $values }
+cli-word-of = слово таблиці { $table }
 cli-and-more = і ще { $count }
 # Counts.
 cli-rows-counted = { $count } { $count ->

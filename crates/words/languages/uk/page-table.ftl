@@ -23,6 +23,8 @@ table-source-standard = за стандартом
 table-source-reconstructed = відновлено
 # Tests of decision tables.
 table-test-not = не { $test }
+table-test-or = або
+table-test-and = і
 table-test-within = { $low }…{ $high }
 table-test-over = понад { $low } до { $high }
 table-test-below = від { $low } до { $high } (не включно)
