@@ -194,17 +194,9 @@ fn page(
     page
 }
 
-/// A line of the trace with its words in the language of the page; the columns stay where they are.
+/// A line of the trace with its words in the language of the page.
 fn motion(step: &MotionStep, lang: Lang) -> String {
-    let line = trace::line(step);
-    let word = |id: &str| lang.find(&format!("trace-{id}")).map(str::to_owned);
-    // In front of the motion stand numbers and the letter of the block.
-    let Some(begin) = line.find(|sign: char| sign.is_ascii_lowercase()) else { return line };
-    let (head, told) = line.split_at(begin);
-    let (kind, details) = told.split_once(' ').unwrap_or((told, ""));
-    let details = details.trim_start().split(' ').map(|part| word(part).unwrap_or_else(|| part.to_owned()));
-    let kind = word(kind).unwrap_or_else(|| kind.to_owned());
-    format!("{head}{kind:<7} {}", details.collect::<Vec<_>>().join(" ")).trim_end().to_owned()
+    trace::line_in(step, &|word| lang.find(&format!("trace-{word}")).unwrap_or(word))
 }
 
 /// How many findings there are of each severity.

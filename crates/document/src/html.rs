@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::{Align, Block, Document, Figure, Finding, Inline, Inlines, Item, Table, Words, clean};
+use crate::{Align, Block, Column, Document, Figure, Finding, Inline, Inlines, Item, Table, Words, clean};
 
 /// Colours for both lights of a screen, and for paper; tables scroll by themselves where a screen is narrow.
 const STYLE: &str = include_str!("html/style.css");
@@ -91,7 +91,7 @@ fn table(page: &mut String, table: &Table) {
     page.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n");
     if table.has_head() {
         let heads = table.columns().iter().enumerate();
-        let heads = heads.map(|(at, column)| format!("<th scope=\"col\"{}>{}</th>", class(at), line(&column.head())));
+        let heads = heads.map(|(at, column)| format!("<th scope=\"col\"{}>{}</th>", class(at), head(column)));
         page.push_str(&format!("<thead><tr>{}</tr></thead>\n", heads.collect::<String>()));
     }
     page.push_str("<tbody>\n");
@@ -102,6 +102,15 @@ fn table(page: &mut String, table: &Table) {
     page.push_str("</tbody>\n</table></div>\n");
     for note in &table.notes {
         page.push_str(&format!("<p class=\"under\">{}</p>\n", line(note)));
+    }
+}
+
+/// Heading and unit, which is not broken at its stroke.
+fn head(column: &Column) -> String {
+    match (line(&column.heading), column.unit.as_str()) {
+        (heading, "") => heading,
+        (heading, unit) if heading.is_empty() => escaped(unit),
+        (heading, unit) => format!("{heading}, <span>{}</span>", escaped(unit)),
     }
 }
 

@@ -155,7 +155,8 @@ fn every_word_of_an_enum_has_a_name() {
     let materials = KNOWLEDGE.tables().find(|table| table.id == "materials").unwrap();
     let grades: BTreeSet<&str> = materials.rows.iter().filter_map(|row| text(&row.cells[0])).collect();
     let mut lacks = BTreeSet::new();
-    for (table, column) in KNOWLEDGE.tables().flat_map(|table| table.columns.iter().map(move |column| (table, column))) {
+    for (table, column) in KNOWLEDGE.tables().flat_map(|table| table.columns.iter().map(move |column| (table, column)))
+    {
         for word in column.values.iter().filter(|_| column.ty == ColumnType::Enum) {
             let is_designation = !word.bytes().all(|byte| byte.is_ascii_lowercase() || b"-_".contains(&byte));
             let named = |key: String| Lang::UK.find(&key).is_some() && Lang::EN.find(&key).is_some();

@@ -8,6 +8,9 @@ use std::fmt::Write;
 use super::{Motion, MotionStep, Position, Sense, Side, Sink, Turning};
 use crate::units::{Decimal, MillimetresPerMinute};
 
+/// How wide the column of motions is: the longest of them and a space.
+const KIND_WIDTH: usize = 8;
+
 /// A sink that writes lines.
 #[derive(Clone, Debug, Default)]
 pub struct Trace {
@@ -23,7 +26,7 @@ impl Trace {
 
 impl Sink for Trace {
     fn take(&mut self, step: &MotionStep) {
-        put(&mut self.text, step);
+        put(&mut self.text, step, &|word| word);
         self.text.push('\n');
     }
 }
@@ -35,14 +38,19 @@ pub fn position(at: Position) -> String {
 
 /// A step as a line without its end.
 pub fn line(step: &MotionStep) -> String {
+    line_in(step, &|word| word)
+}
+
+/// The line of a step with its words, `rapid` and `centre`, in another language.
+pub fn line_in(step: &MotionStep, word: &dyn Fn(&'static str) -> &'static str) -> String {
     let mut text = String::new();
-    put(&mut text, step);
+    put(&mut text, step, word);
     text
 }
 
 /// Puts the line of a step behind a text. A full memory of the control makes thousands of them, so nothing is made
 /// beside that text; writing into a String cannot fail.
-fn put(text: &mut String, step: &MotionStep) {
+fn put(text: &mut String, step: &MotionStep, word: &dyn Fn(&'static str) -> &'static str) {
     let line = step.block.line;
     text.push_str(match line {
         0..10 => "   ",
@@ -63,56 +71,69 @@ fn put(text: &mut String, step: &MotionStep) {
     for _ in text.len()..(begin + 6) {
         text.push(' ');
     }
+    // A stop, which names no figures, is told as one phrase: `stop optional`.
+    let width = if matches!(step.motion, Motion::Stop { .. }) { 0 } else { KIND_WIDTH };
+    let name = word(name(&step.motion));
+    text.push_str(name);
+    text.extend(std::iter::repeat_n(' ', width.saturating_sub(name.chars().count()).max(1)));
     let _ = match &step.motion {
-        Motion::Rapid => {
-            text.push_str("rapid   ");
+        Motion::Rapid | Motion::End => {
             axes(text, step.at);
             Ok(())
         }
         Motion::Feed { feed_mm_per_min } => {
-            text.push_str("feed    ");
             axes(text, step.at);
             feed(text, *feed_mm_per_min);
             Ok(())
         }
-        Motion::Arc { plane, sense, centre, turns, feed_mm_per_min } => {
-            text.push_str(match sense {
-                Sense::Clockwise => "arc-cw  ",
-                Sense::Counterclockwise => "arc-ccw ",
-            });
+        Motion::Arc { plane, centre, turns, feed_mm_per_min, .. } => {
             let [a, b, _] = plane.axes();
             axes(text, step.at);
-            let _ = write!(text, " centre {}{} {}{}", a.letter(), centre[0], b.letter(), centre[1]);
+            let _ = write!(text, " {} {}{} {}{}", word("centre"), a.letter(), centre[0], b.letter(), centre[1]);
             if *turns > 0 {
-                let _ = write!(text, " turns +{turns}");
+                let _ = write!(text, " {} +{turns}", word("turns"));
             }
             feed(text, *feed_mm_per_min);
             Ok(())
         }
-        Motion::Dwell { seconds } => write!(text, "dwell   {seconds} s"),
-        Motion::Spindle { turning, speed_rpm } => match turning {
-            Turning::Stopped => write!(text, "spindle stopped"),
-            Turning::Clockwise => write!(text, "spindle clockwise S{}", speed_rpm.rounded(1).0),
-            Turning::Counterclockwise => write!(text, "spindle counterclockwise S{}", speed_rpm.rounded(1).0),
-        },
-        Motion::Coolant { on } => write!(text, "coolant {}", if *on { "on" } else { "off" }),
-        Motion::ToolChange { tool } => write!(text, "tool    T{tool} ").map(|()| axes(text, step.at)),
-        Motion::LengthCorrection { axis, corrector, value } => {
-            write!(text, "length  H{corrector} {}{value}", axis.letter())
+        Motion::Dwell { seconds } => write!(text, "{seconds} {}", word("s")),
+        Motion::Spindle { turning: Turning::Stopped, .. } => write!(text, "{}", word("stopped")),
+        Motion::Spindle { turning, speed_rpm } => {
+            let sense = if *turning == Turning::Clockwise { "clockwise" } else { "counterclockwise" };
+            write!(text, "{} S{}", word(sense), speed_rpm.rounded(1).0)
         }
-        Motion::RadiusCorrection { side, corrector, value } => match side {
-            Side::Off => write!(text, "radius  off"),
-            Side::Left => write!(text, "radius  left D{corrector} {value}"),
-            Side::Right => write!(text, "radius  right D{corrector} {value}"),
-        },
-        Motion::Auxiliary { word } => write!(text, "machine {word}"),
-        Motion::Stop { optional } => write!(text, "stop{}", if *optional { " optional" } else { "" }),
-        Motion::End => {
-            text.push_str("end     ");
-            axes(text, step.at);
-            Ok(())
+        Motion::Coolant { on } => write!(text, "{}", word(if *on { "on" } else { "off" })),
+        Motion::ToolChange { tool } => write!(text, "T{tool} ").map(|()| axes(text, step.at)),
+        Motion::LengthCorrection { axis, corrector, value } => write!(text, "H{corrector} {}{value}", axis.letter()),
+        Motion::RadiusCorrection { side: Side::Off, .. } => write!(text, "{}", word("off")),
+        Motion::RadiusCorrection { side, corrector, value } => {
+            let side = if *side == Side::Left { "left" } else { "right" };
+            write!(text, "{} D{corrector} {value}", word(side))
         }
+        Motion::Auxiliary { word } => write!(text, "{word}"),
+        Motion::Stop { optional: true } => write!(text, "{}", word("optional")),
+        Motion::Stop { optional: false } => Ok(()),
     };
+    text.truncate(text.trim_end().len());
+}
+
+/// The word of a motion.
+const fn name(motion: &Motion) -> &'static str {
+    match motion {
+        Motion::Rapid => "rapid",
+        Motion::Feed { .. } => "feed",
+        Motion::Arc { sense: Sense::Clockwise, .. } => "arc-cw",
+        Motion::Arc { sense: Sense::Counterclockwise, .. } => "arc-ccw",
+        Motion::Dwell { .. } => "dwell",
+        Motion::Spindle { .. } => "spindle",
+        Motion::Coolant { .. } => "coolant",
+        Motion::ToolChange { .. } => "tool",
+        Motion::LengthCorrection { .. } => "length",
+        Motion::RadiusCorrection { .. } => "radius",
+        Motion::Auxiliary { .. } => "machine",
+        Motion::Stop { .. } => "stop",
+        Motion::End => "end",
+    }
 }
 
 fn axes(text: &mut String, at: Position) {
