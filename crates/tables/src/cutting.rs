@@ -148,6 +148,8 @@ vocabulary! {
         AsTabulated = "as-tabulated",
         /// The last pass to a grade of 9 to 11.
         FinalPass = "final-pass-9-11",
+        /// The finish pass to grade 7 and finer with Ra 0.8 and finer.
+        FinishGrade7 = "finish-grade-7",
         /// Polishing follows.
         BeforePolishing = "before-polishing",
         /// A reamer of carbide.

@@ -10,7 +10,7 @@ mod tools;
 pub use cutting::Uncut;
 pub use tools::{CutterFault, HolderFault, NoSize, OfOther, Unfit};
 
-use crate::note::{Figure, Note};
+use crate::note::{Figure, Note, Told};
 use crate::plan::Operation;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
@@ -143,7 +143,8 @@ impl Reason {
                 new("grade-outside-table").with("it", it).with("distance", distance).with("why", why)
             }
             Self::NoScheme { it, roughness, centre, columns } => {
-                let columns = columns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+                // Ukrainian numbers have commas of their own.
+                let columns = Figure::List(columns.iter().map(Told::told).collect(), "; ");
                 new("no-scheme")
                     .with("it", it)
                     .with("roughness", roughness)

@@ -150,6 +150,7 @@ table-value-mill-plain = plain
 table-value-mill-face = face
 table-value-as-tabulated = as in the table
 table-value-final-pass-9-11 = final pass, grades 9–11
+table-value-finish-grade-7 = finish, grade 7
 table-value-before-polishing = before polishing
 table-value-condition-carbide = carbide
 table-value-rough-turning = rough turning

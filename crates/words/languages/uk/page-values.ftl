@@ -150,6 +150,7 @@ table-value-mill-plain = циліндрична
 table-value-mill-face = торцева
 table-value-as-tabulated = як у таблиці
 table-value-final-pass-9-11 = остаточне, квалітети 9–11
+table-value-finish-grade-7 = чистове, квалітет 7
 table-value-before-polishing = перед поліруванням
 table-value-condition-carbide = твердосплавна
 table-value-rough-turning = чорнове точіння
