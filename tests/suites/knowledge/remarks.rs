@@ -37,7 +37,10 @@ fn cells() -> impl Iterator<Item = &'static str> {
             _ => None,
         })
     };
-    let is_english = |word: &str| word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_lowercase());
+    let is_english = |word: &str| {
+        let word = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
+        word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'\'')
+    };
     KNOWLEDGE.tables().flat_map(of_table).filter(move |text| {
         let words: Vec<&str> = text.split_whitespace().collect();
         words.windows(2).any(|pair| pair[0].len() > 2 && pair.iter().all(|word| is_english(word)))
