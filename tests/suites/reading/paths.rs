@@ -251,8 +251,11 @@ fn what_is_outside_is_not_told_to_exist() {
     ] {
         for key in ["part", "program"] {
             let said = [there, nowhere].map(|name| {
-                let part = if key == "part" { "" } else { "part: own.yaml\n" };
-                fs::write(plans.join("plan.yaml"), format!("{part}{key}: {name}\nroute: []\n")).unwrap();
+                let text = match key {
+                    "part" => format!("part: {name}\n"),
+                    _ => format!("part: own.yaml\nprogram: {{file: {name}, control: 2c42-65}}\n"),
+                };
+                fs::write(plans.join("plan.yaml"), text).unwrap();
                 let answer = run(&plans, &["audit", "plan.yaml"]);
                 assert_eq!(answer.status.code(), Some(2), "{key} {name}");
                 let said = complaint(&answer).replace(name, "NAME");
