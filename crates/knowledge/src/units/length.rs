@@ -8,7 +8,7 @@ use std::str::FromStr;
 use technolog_note::note;
 
 use schemars::JsonSchema;
-use serde::de::{Error as _, Unexpected};
+use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Decimal, ParseError};
@@ -152,8 +152,8 @@ impl<'de> Deserialize<'de> for Micrometres {
         if deserializer.is_human_readable() {
             let millimetres = f64::deserialize(deserializer)?;
             if millimetres.abs() > MOST_MM as f64 {
-                let expected = "a length of at most a thousand kilometres";
-                return Err(D::Error::invalid_value(Unexpected::Float(millimetres), &expected));
+                let text = millimetres.to_string();
+                return Err(D::Error::custom(ParseError(note!("unit-length-beyond", text = text, most = MOST_MM))));
             }
             Ok(Self::from_mm_rounded(millimetres))
         } else {
