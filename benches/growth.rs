@@ -54,7 +54,7 @@ const ALL: &[Growth] = &[
     },
     Growth {
         name: "program-faults",
-        command: &["check", "FILE"],
+        command: &["check", "FILE", "--control", "linuxcnc"],
         ending: "nc",
         sizes: [12_500, 25_000, 50_000, 100_000],
         text: program,
@@ -159,11 +159,11 @@ fn keys(count: usize) -> String {
     format!("{HEAD}{}", "blank: 1\n".repeat(count))
 }
 
-/// A program with a fault in every block.
+/// A program with three faults in every block, for a control whose memory holds them all.
 fn program(count: usize) -> String {
-    let mut text = "%:01\n".to_owned();
-    (1..=count).for_each(|block| writeln!(text, "N{} G77 X1.", block % 9_999).unwrap());
-    text
+    let mut text = "%\nO1\n".to_owned();
+    (1..=count).for_each(|block| writeln!(text, "N{} X1 Q9 Ж3", block % 9_999).unwrap());
+    text + "M30\n%\n"
 }
 
 /// Points without an order: a multiplier walks over a square.

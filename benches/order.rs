@@ -1,8 +1,9 @@
 //! How short the paths are and how long finding them takes, with what no path can be shorter than.
 //!
 //! `cargo bench --bench order` prints one line per pattern, metric and effort; the clock is read here, never by the
-//! search. `-- growth` measures four sizes of scattered points. `cargo bench --bench order -- csv FOLDER` writes the patterns as lists of points instead, so that
-//! other programs can be measured on them (`tests/oracles/fast_tsp.py`).
+//! search. `-- growth` measures four sizes of scattered points, `-- tours` what one, three and ten seconds find on drilling
+//! problems and on many points. `cargo bench --bench order -- csv FOLDER` writes the patterns as lists of points instead, so
+//! that other programs can be measured on them (`tests/oracles/fast_tsp.py`).
 
 #![allow(clippy::unwrap_used, reason = "a bench that cannot begin has nothing to measure")]
 
@@ -11,6 +12,7 @@ use std::time::Instant;
 use technolog::machine::Rapid;
 use technolog::part::Point;
 use technolog::sequence::bound::{lower_bound, rounds};
+use technolog::sequence::list::read_list;
 use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path, path_while, usual_tries};
 use technolog::units::MillimetresPerMinute;
@@ -23,6 +25,9 @@ fn main() {
     }
     if arguments.iter().any(|argument| argument == "growth") {
         return growth();
+    }
+    if arguments.iter().any(|argument| argument == "tours") {
+        return tours();
     }
     let rapid = Metric::Rapid(Rapid { rate: MillimetresPerMinute(7000.0), acceleration: None });
     println!("pattern      metric  points  effort  length mm   nearest mm   bound mm  over bound  time s  (bound s)");
@@ -75,6 +80,40 @@ fn growth() {
             let spent = start.elapsed().as_secs_f64() - search;
             let over = (found.cost as f64 / bound as f64 - 1.0) * 100.0;
             println!("{count:>6} {:>6} {word:>5} {search:>8.3} {spent:>8.3} {over:>8.2} %", found.tries);
+        }
+    }
+}
+
+/// The drilling problems of TSPLIB whose shortest tours are known, and scattered points of the same and of larger sizes.
+fn tours() {
+    println!("points             open  length mm  over shortest  over bound  time s  tries");
+    let drilled = |name: &str| {
+        let file = format!("{}/tests/tours/{name}.tsp", env!("CARGO_MANIFEST_DIR"));
+        read_list(name, &std::fs::read_to_string(file).unwrap()).unwrap().points
+    };
+    for (name, points, metric, shortest, all_seconds) in [
+        ("d198", drilled("d198"), Metric::EuclidWhole, Some(15_780), &[1.0][..]),
+        ("657 scattered", patterns::random(657), Metric::Euclid, None, &[1.0, 10.0]),
+        ("d1291", drilled("d1291"), Metric::EuclidWhole, Some(50_801), &[1.0, 3.0]),
+        ("1300 scattered", patterns::random(1_300), Metric::Euclid, None, &[1.0, 3.0]),
+        ("20000 scattered", patterns::random(20_000), Metric::Euclid, None, &[1.0, 10.0]),
+    ] {
+        for (word, space) in [("no", Space::closed(&points, metric)), ("yes", Space::open(&points, metric))] {
+            for seconds in all_seconds {
+                let start = Instant::now();
+                let found = path_while(&space, &mut |_| start.elapsed().as_secs_f64() < *seconds);
+                let spent = start.elapsed().as_secs_f64();
+                let bound = lower_bound(&space, found.cost, rounds(points.len()));
+                let over = |least: i64| format!("{:.3} %", (found.cost as f64 / least as f64 - 1.0) * 100.0);
+                // Of open paths nobody has published the shortest.
+                let known = shortest.filter(|_| word == "no").map_or_else(String::new, |known| over(known * 1000));
+                println!(
+                    "{name:<18} {word:>4} {:>10.3} {known:>14} {:>11} {spent:>7.2} {:>6}",
+                    found.cost as f64 / 1000.0,
+                    over(bound),
+                    found.tries
+                );
+            }
         }
     }
 }

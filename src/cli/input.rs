@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use technolog::knowledge::Diagnostic;
@@ -81,8 +81,7 @@ impl Places<'_> {
         let own = by.parent().unwrap_or(Path::new(""));
         let path = own.join(name);
         let allowed = [Some(own), self.folder, Some(Path::new(""))];
-        let inside = || allowed.into_iter().flatten().any(|folder| is_below(&path, folder));
-        if !self.anywhere && path.exists() && !inside() {
+        if !self.anywhere && !allowed.into_iter().flatten().any(|folder| would_be_below(&path, folder)) {
             return Err(context.word("file-outside").to_owned());
         }
         named(&path, context)
@@ -118,6 +117,26 @@ fn is_opened(path: &Path) -> bool {
 fn irregular(path: &Path, context: &Context) -> CliError {
     let error = io::Error::other(context.word("input-not-regular"));
     unreadable(path.display(), &error, context.lang)
+}
+
+/// Whether a file lies in a folder or in one below it, or would if it were there: what is said of a file elsewhere must not
+/// tell whether there is one.
+fn would_be_below(file: &Path, folder: &Path) -> bool {
+    let mut place = file;
+    loop {
+        if place.as_os_str().is_empty() {
+            place = Path::new(".");
+        }
+        if place.canonicalize().is_ok() {
+            return is_below(place, folder);
+        }
+        // A link that leads nowhere, and `..` behind a folder that is not there, may mean any place.
+        let leads_away = place.is_symlink() || !matches!(place.components().next_back(), Some(Component::Normal(_)));
+        match place.parent() {
+            Some(parent) if !leads_away => place = parent,
+            _ => return false,
+        }
+    }
 }
 
 /// Whether a file lies in a folder or in one below it, by its true place.

@@ -87,9 +87,12 @@ pub fn program(
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let all = programs(&operation, wanted.control.name(), wanted.form, wanted.spindle, knowledge).map_err(lacking)?;
     let Some(written) = wanted.number.checked_sub(1).and_then(|index| all.get(index)) else {
-        let list = report::turning::programs_list(&all, context.lang);
-        let message = say!(context.lang, "turn-no-such-program");
-        return Err(Diagnostic::error("no-such-program", message, None).help(list).into());
+        let (message, help) = if all.is_empty() {
+            (say!(context.lang, "turn-no-programs"), context.word("turn-see-operation").to_owned())
+        } else {
+            (say!(context.lang, "turn-no-such-program"), report::turning::programs_list(&all, context.lang))
+        };
+        return Err(Diagnostic::error("no-such-program", message, None).help(help).into());
     };
     match &written.files {
         Ok(files) => {

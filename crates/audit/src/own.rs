@@ -6,14 +6,14 @@ use technolog_note::note;
 use serde::Deserialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Knowledge;
 use crate::knowledge::yaml::{Node, NodeKind, Problems};
+use crate::knowledge::{Knowledge, Place};
 use crate::part::{Part, Point};
 use crate::plan::{CuttingMethod, Feature, Limit, Operation};
 
 use super::limits;
 use super::quantity::Quantity;
-use super::read::number;
+use super::read::{MOST, number};
 use super::stated::{Clamping, Conditions, Figure, Figures, Row, Stated, StatedValue, Text, Tool};
 use super::tolerance::Tolerances;
 
@@ -74,16 +74,23 @@ pub(super) fn read(
 ) -> Option<Stated> {
     // JSON is YAML, but its enumerations are written otherwise.
     let json = text.trim_start().starts_with('{');
-    let head: Result<Head, String> = if json {
-        serde_json::from_str(text).map_err(|error| error.to_string())
+    let head: Result<Head, (String, Option<(usize, usize)>)> = if json {
+        serde_json::from_str(text).map_err(|error| (error.to_string(), Some((error.line(), error.column()))))
     } else {
-        serde_yaml::from_str(text).map_err(|error| error.to_string())
+        serde_yaml::from_str(text).map_err(|error: serde_yaml::Error| {
+            (error.to_string(), error.location().map(|at| (at.line(), at.column())))
+        })
     };
     let head = match head {
         Ok(head) => head,
-        Err(error) => {
+        Err((error, at)) => {
             let help = note!("planfile-write-anew-with-technolog-plan");
-            return problems.error_help("bad-plan", note!("planfile-no-plan-ours", error = error), &root.place, help);
+            let number = |at: usize| u32::try_from(at).unwrap_or(u32::MAX).max(1);
+            let place = at.map_or_else(
+                || root.place.clone(),
+                |(line, column)| Place { line: number(line), column: number(column), width: 1, ..root.place.clone() },
+            );
+            return problems.error_help("bad-plan", note!("planfile-no-plan-ours", error = error), &place, help);
         }
     };
     if let Some((message, help)) = head.part.beyond_bounds().or_else(|| head.part.outside_tables(knowledge)) {
@@ -154,9 +161,9 @@ impl Own<'_> {
         if node.is_null() {
             return None;
         }
-        let value =
-            number(text).map(|(value, _)| value).or_else(|| text.parse().ok().filter(|value: &f64| value.is_finite()));
-        let Some(value) = value else {
+        let value = number(text).map(|(value, _)| value).or_else(|| text.parse().ok());
+        // `1e400` is infinite, and beyond all that is written by hand either.
+        let Some(value) = value.filter(|value: &f64| value.abs() <= MOST) else {
             return self.problems.error("bad-value", note!("case-number", text = text), &node.place);
         };
         let places = i32::try_from(self.tolerances.own_places(quantity)).unwrap_or(0);

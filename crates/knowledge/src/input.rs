@@ -54,13 +54,29 @@ pub fn unseen(text: &str) -> Option<char> {
 
 /// A text with its signs of no width as their numbers: nobody else would see why `a` is not `a`.
 pub fn seen(text: &str) -> String {
-    let wide = |sign: char| match sign {
-        '\u{ad}' | '\u{34f}' | '\u{180e}' | '\u{200b}'..='\u{200d}' | '\u{2060}'..='\u{2064}' | '\u{feff}' => {
-            sign.escape_unicode().to_string()
-        }
-        sign => sign.to_string(),
-    };
+    let wide = |sign: char| if has_no_width(sign) { sign.escape_unicode().to_string() } else { sign.to_string() };
     text.chars().map(wide).collect()
+}
+
+/// Whether a sign shows nothing where it stands: joiners, soft hyphens, fillers, choices of a form, tags.
+pub fn has_no_width(sign: char) -> bool {
+    matches!(
+        sign,
+        '\u{ad}'
+            | '\u{34f}'
+            | '\u{115f}'..='\u{1160}'
+            | '\u{17b4}'..='\u{17b5}'
+            | '\u{180b}'..='\u{180f}'
+            | '\u{200b}'..='\u{200d}'
+            | '\u{2060}'..='\u{2065}'
+            | '\u{206a}'..='\u{206f}'
+            | '\u{3164}'
+            | '\u{fe00}'..='\u{fe0f}'
+            | '\u{feff}'
+            | '\u{ffa0}'
+            | '\u{fff9}'..='\u{fffb}'
+            | '\u{e0000}'..='\u{e0fff}'
+    )
 }
 
 /// A file that is larger than [`MOST_BYTES`].

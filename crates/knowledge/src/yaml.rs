@@ -7,6 +7,7 @@ use technolog_note::{Note, note};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::form::{AnyKeys, Form};
+use crate::input::has_no_width;
 
 pub use crate::form::{Fields, missing_key};
 pub use tree::{MOST_DEPTH, MOST_VALUES, parse};
@@ -126,9 +127,14 @@ impl Problems {
         Some(text)
     }
 
-    /// The text of a scalar that names something: without spaces around it, and short enough for the cell of a table.
+    /// The text of a scalar that names something: without spaces around it, short enough for the cell of a table, and
+    /// without signs of no width, by which two names would differ for nobody who reads them.
     pub fn name<'n>(&mut self, node: &'n Node) -> Option<&'n str> {
         let text = self.text(node)?.trim();
+        if let Some(sign) = text.chars().find(|sign| has_no_width(*sign)) {
+            self.0.push(tree::unseen_sign(sign, &node.place));
+            return None;
+        }
         let count = text.chars().count();
         if count > LONGEST_NAME {
             let message = note!("yaml-name-too-long", count = count, most = LONGEST_NAME);

@@ -59,11 +59,9 @@ fn on(piece: &Piece, z: f64) -> f64 {
             let side = if turn == Turn::Left { 1.0 } else { -1.0 };
             let (cx, cy) = ((x0 + x1) / 2.0 - side * dy / chord * height, (y0 + y1) / 2.0 + side * dx / chord * height);
             let half = (radius * radius - (z - cx) * (z - cx)).max(0.0).sqrt();
-            // Of the two points of the circle the one nearer to the chord on the bulging side: for at most half a circle
-            // that is the one beyond the chord, seen from the centre.
-            let line = y0 + (y1 - y0) * (z - x0) / dx;
-            let (low, high) = (cy - half, cy + half);
-            if (low - line).abs() <= (high - line).abs() { low } else { high }
+            // For at most half a circle the chord lies between the two points of the circle, and the centre on the other
+            // side of it: above where the way turns left and does not run back.
+            if (turn == Turn::Left) == (dx > 0.0) { cy - half } else { cy + half }
         }
     }
 }

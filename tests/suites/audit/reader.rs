@@ -90,10 +90,17 @@ fn a_part_that_cannot_be_planned_is_a_mistake_of_the_stored_plan() {
         ("/part/holes/0/depth", (-1).into()),
         ("/part/holes/0/centre_tolerance", 0.into()),
         ("/part/holes/0/centre_tolerance", 1000.into()),
-    ] as [(&str, serde_json::Value); 10]
+        // None stands there.
+        ("/part/holes/0", serde_json::json!({"counterbore": {"diameter": 600, "depth": 5}})),
+        // A way over points so far away overflowed.
+        ("/part/holes/0/at/0/0", 9_007_199_254_740_993_i64.into()),
+    ] as [(&str, serde_json::Value); 12]
     {
         let mut plan = plan.clone();
-        *plan.pointer_mut(field).unwrap() = value.clone();
+        match (plan.pointer_mut(field).unwrap(), value.clone()) {
+            (serde_json::Value::Object(hole), serde_json::Value::Object(more)) => hole.extend(more),
+            (old, new) => *old = new,
+        }
         let text = serde_json::to_string_pretty(&plan).unwrap();
         let none = |_: &str| Err("no files here".to_owned());
         let problem = match read_plan("plan.json", &text, &KNOWLEDGE, &none) {

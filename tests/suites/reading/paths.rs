@@ -229,6 +229,45 @@ fn a_plan_names_files_of_its_folder_only() {
     }
 }
 
+/// Whether there is a file elsewhere is no business of whoever sent the plan.
+#[cfg(unix)]
+#[test]
+fn what_is_outside_is_not_told_to_exist() {
+    let folder = scratch("existence");
+    let plans = folder.join("plans");
+    fs::create_dir_all(&plans).unwrap();
+    for (link, to) in [("there.yaml", "../part.yaml"), ("nowhere.yaml", "../nothing.yaml"), ("up", "..")] {
+        std::os::unix::fs::symlink(to, plans.join(link)).unwrap();
+    }
+    fs::copy(folder.join("part.yaml"), plans.join("own.yaml")).unwrap();
+    let absolute = |name: &str| folder.join(name).display().to_string();
+    for (there, nowhere) in [
+        ("../part.yaml", "../nothing.yaml"),
+        ("there.yaml", "nowhere.yaml"),
+        ("up/part.yaml", "up/nothing.yaml"),
+        ("../part.yaml", "../nothing/part.yaml"),
+        ("../plans/../part.yaml", "nothing/../../part.yaml"),
+        (&absolute("part.yaml"), &absolute("nothing.yaml")),
+    ] {
+        for key in ["part", "program"] {
+            let said = [there, nowhere].map(|name| {
+                let text = match key {
+                    "part" => format!("part: {name}\n"),
+                    _ => format!("part: own.yaml\nprogram: {{file: {name}, control: 2c42-65}}\n"),
+                };
+                fs::write(plans.join("plan.yaml"), text).unwrap();
+                let answer = run(&plans, &["audit", "plan.yaml"]);
+                assert_eq!(answer.status.code(), Some(2), "{key} {name}");
+                let said = complaint(&answer).replace(name, "NAME");
+                assert!(said.contains("outside the folder"), "{key} {name}: {said}");
+                // What is marked is as long as the name.
+                said.replace('^', "")
+            });
+            assert_eq!(said[0], said[1], "{key} {there} {nowhere}");
+        }
+    }
+}
+
 #[test]
 fn cases_name_files_of_their_folder_only() {
     let folder = scratch("outside-cases");

@@ -154,6 +154,20 @@ fn a_sign_of_no_width_in_a_key_is_shown() {
     assert!(said.contains("did you mean `material`?"), "{said}");
 }
 
+/// Else two groups would have the same name for all who read the plan.
+#[test]
+fn a_sign_of_no_width_in_a_name_is_refused() {
+    for sign in [r"\u200B", r"\u00AD", r"\u2060", r"\uFEFF", r"\u115F", r"\u3164", r"\U000E0041"] {
+        for (text, place) in [(part(&format!("\"P{sign}\""), "A"), "1:7"), (part("P", &format!("\"A{sign}\"")), "6:12")]
+        {
+            let problems = read_part("p", &text, &KNOWLEDGE).unwrap_err();
+            let [problem] = &problems[..] else { panic!("{sign}: {problems:?}") };
+            let at = problem.place.as_ref().unwrap();
+            assert_eq!((problem.code, format!("{}:{}", at.line, at.column).as_str()), ("control-character", place));
+        }
+    }
+}
+
 #[test]
 fn marks_of_markdown_html_and_xml_in_a_name_are_only_read() {
     let folder = folder("marks");

@@ -10,7 +10,7 @@ use crate::audit::stated::{Figure, Figures};
 use crate::audit::tolerance::Range;
 
 /// The most that a figure of a plan can be, in its unit: beyond it no sum is exact.
-const MOST: f64 = 1e9;
+pub(crate) const MOST: f64 = 1e9;
 
 impl Reader<'_> {
     /// The fields not yet taken that are figures.

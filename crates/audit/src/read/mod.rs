@@ -5,7 +5,7 @@ mod figures;
 mod rows;
 mod tools;
 
-pub(super) use figures::number;
+pub(super) use figures::{MOST, number};
 
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Severity};

@@ -4,14 +4,18 @@ use crate::knowledge::yaml::Node;
 use crate::knowledge::{Column, Knowledge, Value};
 use crate::tables::cutting::{MillingFinishFeed, MillingFinishFeedFor};
 use crate::tables::rules::{ReamingFeedCondition, ReamingFeedConditionFor};
-use crate::units::Roughness;
+use crate::units::{Micrometres, Roughness};
 use technolog_note::{Note, note};
 
-use super::Part;
 use super::read::Reader;
+use super::{Part, ToleratedDiameter};
 
 fn roughness_help() -> Note {
     note!("part-roughness-micrometres-ra-rz")
+}
+
+fn free_size_help() -> Note {
+    note!("part-free-size-within-grades")
 }
 
 impl Reader<'_> {
@@ -23,6 +27,15 @@ impl Reader<'_> {
             None => Some(roughness),
         }
     }
+
+    /// A diameter without a tolerance, which the table of grades knows.
+    pub(super) fn free_size(&mut self, node: &Node) -> Option<Micrometres> {
+        let diameter = self.positive(node, "diameter")?;
+        match ToleratedDiameter::free(diameter, self.knowledge) {
+            Ok(_) => Some(diameter),
+            Err(message) => self.problems.error_help("bad-diameter", message, &node.place, free_size_help()),
+        }
+    }
 }
 
 impl Part {
@@ -31,7 +44,12 @@ impl Part {
     pub fn outside_tables(&self, knowledge: &Knowledge) -> Option<(Note, Note)> {
         let of_steps = self.holes.iter().flat_map(|hole| &hole.steps).map(|step| step.roughness);
         let mut all = self.holes.iter().map(|hole| hole.roughness).chain(of_steps);
-        all.find_map(|roughness| outside(roughness, knowledge)).map(|message| (message, roughness_help()))
+        let rough = all.find_map(|roughness| outside(roughness, knowledge)).map(|message| (message, roughness_help()));
+        rough.or_else(|| {
+            let mut free = self.holes.iter().filter_map(|hole| hole.counterbore);
+            let message = free.find_map(|bore| ToleratedDiameter::free(bore.diameter, knowledge).err())?;
+            Some((message, free_size_help()))
+        })
     }
 }
 

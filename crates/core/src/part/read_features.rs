@@ -98,10 +98,8 @@ impl Reader<'_> {
 
     fn counterbore(&mut self, node: &Node) -> Option<Counterbore> {
         let mut fields = self.problems.map(node)?;
-        let (diameter, depth) = (
-            self.need_size(&mut fields, form::Counterbore::diameter),
-            self.need_size(&mut fields, form::Counterbore::depth),
-        );
+        let diameter = fields.need(form::Counterbore::diameter, self.problems).and_then(|node| self.free_size(node));
+        let depth = self.need_size(&mut fields, form::Counterbore::depth);
         fields.finish(self.problems);
         Some(Counterbore { diameter: diameter?, depth: depth? })
     }

@@ -244,7 +244,10 @@ mod tests {
 
     #[test]
     fn a_pattern_far_off_is_no_overflow() {
-        let far = "line: {start: [9000000000000, 0], count: 9999, step: 9000000000000, angle: 180}";
+        // As far as a length is read.
+        let far = "line: {start: [1000000000, 0], count: 9999, step: 1000000000, angle: 180}";
         assert_eq!(points(far).0.len(), 9999);
+        let farther = points("line: {start: [9000000000000, 0], count: 9999, step: 9000000000000, angle: 180}");
+        assert!(farther.0.is_empty() && farther.1.iter().all(|one| one.contains("is beyond")), "{:?}", farther.1);
     }
 }

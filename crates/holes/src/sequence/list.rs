@@ -162,11 +162,11 @@ impl Reader {
         let quoted = ("word", word.to_owned());
         match value(word) {
             Some(value) if value.is_finite() && value.abs() <= LARGEST => Some(Micrometres::from_mm_rounded(value)),
-            Some(_) => {
+            Some(value) if !value.is_nan() => {
                 self.wrong("coordinate-too-large", &[quoted, ("most", LARGEST.to_string())], (number, word, line));
                 None
             }
-            None => {
+            _ => {
                 self.wrong("not-a-number", &[quoted], (number, word, line));
                 None
             }

@@ -8,6 +8,7 @@ use std::str::FromStr;
 use technolog_note::note;
 
 use schemars::JsonSchema;
+use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Decimal, ParseError};
@@ -16,6 +17,9 @@ use super::{Decimal, ParseError};
 /// point and at most three places; serialises as a number of millimetres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Micrometres(i64);
+
+/// The most millimetres that are read, in either direction: a way over all points of a part is still a length then.
+const MOST_MM: i64 = 1_000_000_000;
 
 impl Micrometres {
     /// No length.
@@ -123,7 +127,11 @@ impl FromStr for Micrometres {
         if exact.millionths() % 1000 != 0 {
             return Err(ParseError(note!("unit-finer-than-micrometre-at-most", text = text)));
         }
-        Ok(Self(exact.millionths() / 1000))
+        let length = Self(exact.millionths() / 1000);
+        if length.abs() > Self::from_mm(MOST_MM) {
+            return Err(ParseError(note!("unit-length-beyond", text = text, most = MOST_MM)));
+        }
+        Ok(length)
     }
 }
 
@@ -142,7 +150,12 @@ impl Serialize for Micrometres {
 impl<'de> Deserialize<'de> for Micrometres {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         if deserializer.is_human_readable() {
-            f64::deserialize(deserializer).map(Self::from_mm_rounded)
+            let millimetres = f64::deserialize(deserializer)?;
+            if millimetres.abs() > MOST_MM as f64 {
+                let text = millimetres.to_string();
+                return Err(D::Error::custom(ParseError(note!("unit-length-beyond", text = text, most = MOST_MM))));
+            }
+            Ok(Self::from_mm_rounded(millimetres))
         } else {
             i64::deserialize(deserializer).map(Self)
         }

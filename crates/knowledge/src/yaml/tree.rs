@@ -93,7 +93,8 @@ pub(super) fn several_lines(place: &Place) -> Diagnostic {
         .help(note!("yaml-write-in-one-line"))
 }
 
-fn unseen_sign(sign: char, place: &Place) -> Diagnostic {
+/// A text with a sign that must not stand in it.
+pub(super) fn unseen_sign(sign: char, place: &Place) -> Diagnostic {
     let message = note!("yaml-sign-nobody-sees", sign = format!("U+{:04X}", u32::from(sign)));
     Diagnostic::error("control-character", message, place.clone()).help(note!("yaml-remove-the-sign"))
 }

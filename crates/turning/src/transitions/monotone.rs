@@ -278,7 +278,8 @@ fn share(size: Half, part: Half, whole: Half) -> Half {
     Half::new(i64::try_from((doubled + doubled.signum()) / 2).unwrap_or(0))
 }
 
-/// A piece divided where it is horizontal or vertical, so that each part only rises or only falls along both axes.
+/// A piece divided where it is horizontal or vertical, so that each part only rises or only falls along both axes. What is
+/// left upright by rounding is a face, as for all who walk along the contour.
 fn quarters(piece: Piece) -> Vec<Piece> {
     let far = |point: &Point| piece.from.to(*point).length() > NEAR_END && point.to(piece.to).length() > NEAR_END;
     let mut cuts: Vec<Point> = match piece.curve {
@@ -291,7 +292,7 @@ fn quarters(piece: Piece) -> Vec<Piece> {
     let mut here = piece.from;
     let mut quarters = Vec::new();
     for cut in cuts {
-        quarters.push(piece.between(here, cut));
+        quarters.push(within(&piece, here, cut));
         here = cut;
     }
     quarters

@@ -122,6 +122,7 @@ part-deviations-small-beside-they-mm = the deviations { $upper } and { $lower } 
 part-tolerance-mm-tighter-than-grade = a tolerance of { $given } mm is tighter than grade 6 at Ø{ $nominal }, the finest of the tables
 part-outside-which-drills-catalogs-begin = Ø{ $nominal } is outside Ø{ $smallest } to Ø{ $largest }, the range of the drills in the catalogs
 part-no-at-mm-table-grades = no IT { $it } at { $size } mm in the table it-grades
+part-free-size-within-grades = without a tolerance of its own it has one of that table; give a diameter within it
 part-hole-runs-into-hole = hole { $label } at [{ $x }, { $y }] runs into hole { $other } at line { $line }
 part-there-no-such-table-cutters = there is no such table of cutters
 part-there-no-such-table-holders = there is no such table of holders

@@ -122,6 +122,7 @@ part-deviations-small-beside-they-mm = відхилення { $upper } і { $low
 part-tolerance-mm-tighter-than-grade = допуск { $given } мм жорсткіший за квалітет 6 для Ø{ $nominal }, найточніший у таблицях
 part-outside-which-drills-catalogs-begin = діаметр { $nominal } мм: має бути від { $smallest } до { $largest } мм, бо такі свердла є в каталогах
 part-no-at-mm-table-grades = у таблиці it-grades немає IT { $it } для { $size } мм
+part-free-size-within-grades = без власного допуску він береться з цієї таблиці; дайте діаметр у її межах
 part-hole-runs-into-hole = отвір { $label } у точці [{ $x }, { $y }] перетинається з отвором { $other } у рядку { $line }
 part-there-no-such-table-cutters = такої таблиці різальних інструментів немає
 part-there-no-such-table-holders = такої таблиці допоміжного інструмента немає

@@ -136,6 +136,8 @@ turn-program = { $number }: установ { $set_up }, { $side }, { $count ->
     } { $zones }, { $tool }
 turn-program-not-written = { $program }: { $why }
 turn-no-such-program = немає програми з таким номером
+turn-no-programs = програм немає, бо жодної зони деталі не спроєктовано
+turn-see-operation = чому – каже `technolog turn ФАЙЛ --show operation`
 turn-tool-not-written = { $tool }: { $why }
 # Drawings.
 turn-panel = { $variant }: шлях різання { $path } мм, { $count } { $count ->

@@ -67,7 +67,7 @@ pub(super) fn check<'a>(
             let told = proven(context, &plan, &job, &set, &run)?;
             // What the program does as the plan should be follows from what is wrong with the plan.
             let slips = graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine));
-            let by_right = if slips && !told.is_empty() { right(context, graph, &setting, &run)? } else { None };
+            let by_right = if slips && !told.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
             for said in told {
                 let own = by_right.as_ref().is_none_or(|known| known.contains(&key(&said)));
                 judged::deviation(context, graph, &plan, said, own, &file, &mut seen)?;
@@ -139,10 +139,13 @@ fn key(said: &proof::Finding) -> Key {
 fn right(
     context: &Context<'_>,
     graph: &Graph<'_>,
+    as_stated: &Plan,
     setting: &Setting,
     run: &SimulatedProgram,
 ) -> Result<Option<BTreeSet<Key>>, KnowledgeError> {
-    let Ok(plan) = held(context, graph, setting, Reading::Right)? else { return Ok(None) };
+    let Ok(mut plan) = unordered(context, graph, setting, Reading::Right)? else { return Ok(None) };
+    // Other figures, but the same rows and tools: nothing to look for a path over the points once more.
+    plan.sequence.clone_from(&as_stated.sequence);
     let job = job::make(&plan, &context.shop)?;
     let set = set(context, setting.clone(), Some((&plan, &job)));
     Ok(Some(proven(context, &plan, &job, &set, run)?.iter().map(key).collect()))
