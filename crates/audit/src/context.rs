@@ -7,6 +7,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::units::Percent;
 use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Question, TypedAnswer};
+use crate::note::Note;
 use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
@@ -155,6 +156,14 @@ impl<'a> Context<'a> {
         let mut changes: Vec<u32> = rows.filter_map(|row| Some(row.tool.as_ref()?.value)).collect();
         changes.dedup();
         changes
+    }
+
+    /// What is wrong with a speed that the machine cannot turn at all.
+    pub fn beyond_series(&self, speed: f64) -> Option<Note> {
+        let steps = &self.shop.machine.spindle_steps;
+        let (least, most) = (steps.first()?.0, steps.last()?.0);
+        let beyond = speed > most * 1.001 || speed < least / 1.001;
+        beyond.then(|| Note::new("audit-outside-series").with("least", least).with("most", most))
     }
 
     /// The steps of the machine below and above a spindle speed, 1/min, `-` where there is none; nothing where the speed is

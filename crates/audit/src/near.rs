@@ -69,6 +69,14 @@ impl<'n, T: Clone> Names<'n, T> {
         {
             return Near::Found(value.clone());
         }
+        // The source prints some numbers with a zero too many, and the regular one is right too.
+        let regular = |(value, _, other): &&(T, &str, Vec<char>)| may_be(value) && has_surplus_zero(other, &wanted);
+        let mut regular = self.all.iter().filter(regular);
+        if let Some((value, _, first)) = regular.next()
+            && regular.all(|(_, _, other)| other == first)
+        {
+            return Near::Found(value.clone());
+        }
         let mut lost: Vec<(&T, &str)> = Vec::new();
         let mut best: Option<(usize, &str)> = None;
         for (value, known, other) in self.all.iter().filter(|(value, ..)| may_be(value)) {
@@ -105,6 +113,16 @@ pub fn same_scheme(a: &str, b: &str) -> bool {
 
 fn without_dashes(name: &[char]) -> Vec<char> {
     name.iter().copied().filter(|letter| *letter != '-').collect()
+}
+
+/// Whether a printed name is the regular one with a zero too many in its last number, which has four digits: `00015` for
+/// `0015`, `01010` for `0110`.
+fn has_surplus_zero(printed: &[char], regular: &[char]) -> bool {
+    const DIGITS: usize = 4;
+    let last = printed.iter().rposition(|letter| *letter == '-').map_or(0, |dash| dash + 1);
+    let is_number = printed[last..].iter().all(char::is_ascii_digit);
+    let without = |at: usize| printed[..at].iter().chain(&printed[at + 1..]).eq(regular);
+    is_number && printed.len() == last + DIGITS + 1 && (last..printed.len()).any(|at| printed[at] == '0' && without(at))
 }
 
 /// Whether a standard is the one meant: as written, or with a sign or two misread.
@@ -190,6 +208,16 @@ mod tests {
         assert_eq!(look("2317-0103"), Near::Meant((), "035-2317-0103".to_owned()));
         assert_eq!(look("035-2317-0109"), Near::Unknown(Some("035-2317-0103".to_owned())));
         assert_eq!(look("191113040"), Near::Unknown(None));
+    }
+
+    #[test]
+    fn a_number_without_the_surplus_zero_of_the_print_is_right() {
+        let names = ["035-2320-0005", "035-2320-00015", "035-2350-01010"];
+        let names = Names::new(names.iter().map(|name| (*name, *name)));
+        let look = |name: &str| names.find(Some(name), |_| true);
+        assert_eq!(look("035-2320-0015"), Near::Found("035-2320-00015"));
+        assert_eq!(look("035-2350-0110"), Near::Found("035-2350-01010"));
+        assert_eq!(look("035-2320-005"), Near::Unknown(Some("035-2320-0005".to_owned())));
     }
 
     #[test]

@@ -17,7 +17,7 @@ impl Doubts {
     /// The findings that a page lists, and the line that counts the others.
     #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
     pub(crate) fn split<'f>(self, findings: impl Iterator<Item = &'f Finding>) -> (Vec<&'f Finding>, Option<Note>) {
-        let counted = |finding: &&Finding| self == Self::Counted && finding.note.code() == "unconfirmed";
+        let counted = |finding: &&Finding| self == Self::Counted && is_of_row(&finding.note);
         let (counted, listed): (Vec<_>, Vec<_>) = findings.partition(counted);
         let mut rows = BTreeSet::new();
         for finding in counted {
@@ -31,4 +31,10 @@ impl Doubts {
             .with("tables", Figure::list(tables.into_iter().map(|table| Figure::Text(table.to_owned().into()))));
         (listed, (!rows.is_empty()).then_some(line))
     }
+}
+
+/// Whether a finding says that nothing confirms a row.
+#[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
+pub fn is_of_row(note: &Note) -> bool {
+    note.code() == "unconfirmed"
 }

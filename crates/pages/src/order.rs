@@ -153,6 +153,9 @@ pub fn of_list(tour: &Tour, lang: Lang) -> Document {
     fields.extend(tour.bound_min.map(|bound| Field::new(say!(lang, "order-bound"), time(bound))));
     fields.push(Field::new(say!(lang, "order-tries"), tour.tries.to_string()));
     page.push(Block::Fields(fields));
+    if tour.metric == "rapid" {
+        page.paragraph(say!(lang, "order-of-slower-axis"));
+    }
     page.heading(2, say!(lang, "order-points-in-order"));
     page.paragraph(tour.order.iter().map(u64::to_string).collect::<Vec<_>>().join(" "));
     page

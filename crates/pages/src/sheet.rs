@@ -8,6 +8,7 @@ use crate::note::{Because, Figure, Note, Severity, Told};
 use crate::plan::{Clamping, Plan};
 use crate::units::{Micrometres, round_to};
 
+use super::doubts::is_of_row;
 use super::words::say;
 use super::{Doubts, Lang};
 
@@ -176,7 +177,9 @@ fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
         let (severity, word) = match finding.severity {
             Severity::Error => (Shown::Error, say!(lang, "plan-impossible")),
             Severity::Wrong => (Shown::Wrong, say!(lang, "plan-wrong")),
-            Severity::Doubtful => (Shown::Doubtful, MARK),
+            // The mark of the tables belongs to rows that nothing confirms; other doubts are told in a word.
+            Severity::Doubtful if is_of_row(&finding.note) => (Shown::Doubtful, MARK),
+            Severity::Doubtful => (Shown::Doubtful, say!(lang, "plan-doubtful")),
             Severity::Note => (Shown::Note, say!(lang, "plan-note")),
         };
         let said = match &finding.hole {

@@ -63,8 +63,11 @@ fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
         let id = Id::new(Scope::Conditions(at), Q::Rpm);
         let Some(figure) = own.figures.get(&Q::Rpm).filter(|_| graph.formula(id).is_none()) else { continue };
         let Some((below, above)) = context.steps_around(figure.value) else { continue };
-        let note = Note::new("audit-not-in-series").with("below", below).with("above", above);
-        let finding = Finding::new(Severity::Wrong, Section::Conditions, context.field(id), note).at(&figure.place);
+        let (severity, note) = match context.beyond_series(figure.value) {
+            Some(beyond) => (Severity::Error, beyond),
+            None => (Severity::Wrong, Note::new("audit-not-in-series").with("below", below).with("above", above)),
+        };
+        let finding = Finding::new(severity, Section::Conditions, context.field(id), note).at(&figure.place);
         let because = Because::row(machine.row(Bound::SpindleSpeeds)?, Note::new("audit-series"));
         let mut finding = finding.about(context.subject(Scope::Conditions(at))).resting_on([because]);
         finding.stated = Some(figure.text.clone());

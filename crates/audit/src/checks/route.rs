@@ -29,12 +29,12 @@ pub(super) fn check<'a>(
         let rows: Vec<(usize, &Row)> = stated.rows_of_hole(&hole.name).collect();
         let plan = context.plan.holes.iter().find(|plan| plan.name == hole.name);
         if rows.is_empty() {
-            // A hole that nothing makes in our plan either is told there.
-            if plan.is_some_and(|plan| !plan.transitions.is_empty()) {
-                let field = format!("route.{}", hole.name);
-                let note = Note::new("audit-hole-not-made").with("hole", &hole.name).with("count", hole.at.len());
-                findings.push(Finding::new(Severity::Error, Section::Route, field, note).about(of_hole(hole)));
-            }
+            // A hole that we have no route for is unfinished all the same.
+            let known = plan.is_some_and(|plan| !plan.transitions.is_empty());
+            let code = if known { "audit-hole-not-made" } else { "audit-hole-not-made-either" };
+            let note = Note::new(code).with("hole", &hole.name).with("count", hole.at.len());
+            let field = format!("route.{}", hole.name);
+            findings.push(Finding::new(Severity::Error, Section::Route, field, note).about(of_hole(hole)));
             continue;
         }
         order(context, &rows, findings)?;

@@ -201,6 +201,9 @@ fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
         let excess = round_to((value / computed - 1.0) * 100.0, 1);
         Note::new(code).with("excess", excess).with("computed", round_to(computed, 1)).with("step", right.0)
     };
+    if let Some(beyond) = context.beyond_series(value) {
+        return Some((Severity::Error, beyond));
+    }
     if let Some((below, above)) = context.steps_around(value) {
         return Some((Severity::Wrong, note("audit-no-step").with("below", below).with("above", above)));
     }

@@ -112,9 +112,11 @@ pub(super) fn number_tools(
     let places = shop.machine.magazine.max(1);
     if tools.len() > places {
         // What is used last is loaded by hand, when the tools before it are done with.
+        let by_hand = tools.len() - places;
         let note = Note::new("magazine-reloaded")
             .with("tools", tools.len())
             .with("places", places)
+            .with("count", by_hand)
             .with("first", places + 1)
             .with("last", tools.len())
             .with("loads", tools.len().div_ceil(places));

@@ -14,6 +14,7 @@ audit-no-step = no step of the machine (its neighbours are { $below } and { $abo
 audit-step-fast = { $excess } % above the computed { $computed }: tool life falls; the rule gives { $step }
 audit-step-slow = { $excess } % from the computed { $computed }: safe but slower; the rule gives { $step }
 audit-not-in-series = no step of the machine: its neighbours are { $below } and { $above }
+audit-outside-series = the spindle of the machine turns at { $least } to { $most } rpm
 audit-series = the machine's series of speeds
 audit-step-rule = how a step of the series is chosen
 audit-limit = a limit of the machine
@@ -40,6 +41,7 @@ tool-of-other-size = { $tool } is Ø{ $own }, but the transition needs Ø{ $need
 holder-of-other-shank = { $holder } does not hold { $tool }: its shank is { $shank }
 # The route.
 audit-hole-not-made = no transition makes the group { $hole } ({ $count } holes)
+audit-hole-not-made-either = no transition makes the group { $hole } ({ $count } holes); the program finds no route for it either
 audit-order = { $operation } stands after row { $row } ({ $instead }), but by section 1.1.2 it comes before
 audit-not-opened = the transition leaves Ø{ $diameter }, but the hole is Ø{ $before } already
 audit-last-diameter = the last transition leaves Ø{ $diameter }, but the drawing requires { $hole }

@@ -53,7 +53,7 @@ audit-tool = T{ $number }
 # What it rests on.
 audit-by-stated = by the stated figures: { $value }
 audit-is-slip = later calculations use the right value: a slip of the pen
-audit-supplied = not in the plan, taken: { $taken }
+audit-supplied = not stated beside it, taken: { $taken }
 audit-supplied-one = { $what } = { $value }
 audit-rests-on = rests on: { $reasons }
 audit-row = table { $table }, row { $row }

@@ -22,6 +22,7 @@ order-mixture-not-quicker = { $tools ->
 order-list-title = Path over a list of points
 order-points = Points
 order-nearest-path = Path by the textbook's rule
+order-of-slower-axis = Lengths are summed by the axis that moves farther in each move, as the time of rapids goes by it.
 order-bound-path = Lower bound of the path
 order-tries = Tries
 order-points-in-order = Points in order

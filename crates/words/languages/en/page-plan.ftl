@@ -95,6 +95,7 @@ plan-time-hand = by hand at stops of the program { $time }
 # Findings: how grave they are.
 plan-impossible = impossible
 plan-wrong = wrong
+plan-doubtful = doubtful
 plan-note = note
 plan-of-hole = hole { $hole }: { $finding }
 # Why a hole is made as it is.

@@ -91,4 +91,7 @@ no-cone-of-angle = no countersink of { $angle }° (to Ø{ $diameter }); { $table
 no-cone-so-wide = no countersink of { $angle }° to Ø{ $diameter } for a hole Ø{ $hole }: the widest of { $tables } is Ø{ $widest }
 overhang-tap = a tap stands out { $free } mm
 thread-outside-chuck = thread { $thread } is outside the chuck's { $low }–{ $high }
-magazine-reloaded = { $tools } tools for { $places } places: from T{ $first } to T{ $last } they are loaded by hand after the earlier ones have finished ({ $loads } loads of the magazine; the time of changing by hand is not counted)
+magazine-reloaded = { $tools } tools for { $places } places: { $count ->
+        [1] T{ $last } is
+       *[other] T{ $first } to T{ $last } are
+    } loaded by hand after the earlier ones have finished ({ $loads } loads of the magazine)

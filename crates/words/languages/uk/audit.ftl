@@ -14,6 +14,7 @@ audit-no-step = верстат такого ступеня не має (сусі
 audit-step-fast = на { $excess } % вище за розрахункові { $computed }: період стійкості зменшується; правило дає { $step }
 audit-step-slow = на { $excess } % від розрахункових { $computed }: безпечно, але довше; правило дає { $step }
 audit-not-in-series = верстат такого ступеня не має: сусідні { $below } і { $above }
+audit-outside-series = шпиндель верстата обертається від { $least } до { $most } об/хв
 audit-series = ряд частот верстата
 audit-step-rule = як із ряду вибирають ступінь
 audit-limit = межа верстата
@@ -40,6 +41,7 @@ tool-of-other-size = { $tool }: Ø{ $own }, а перехід вимагає Ø{
 holder-of-other-shank = { $holder } не тримає { $tool }: хвостовик { $shank }
 # The route.
 audit-hole-not-made = групу { $hole } (отворів { $count }) не обробляє жоден перехід
+audit-hole-not-made-either = групу { $hole } (отворів { $count }) не обробляє жоден перехід; маршруту для неї програма теж не знайшла
 audit-order = { $operation } стоїть після переходу { $row } ({ $instead }), а за 1.1.2 має бути до нього
 audit-not-opened = перехід лишає Ø{ $diameter }, а перед ним уже Ø{ $before }
 audit-last-diameter = останній перехід лишає Ø{ $diameter }, а креслення вимагає { $hole }

@@ -47,7 +47,7 @@ audit-tool = T{ $number }
 # What it rests on.
 audit-by-stated = за написаними числами: { $value }
 audit-is-slip = далі рахували з правильним значенням: описка
-audit-supplied = у плані немає, взято: { $taken }
+audit-supplied = поруч не вказано, взято: { $taken }
 audit-supplied-one = { $what } = { $value }
 audit-rests-on = підстава: { $reasons }
 audit-row = таблиця { $table }, рядок { $row }

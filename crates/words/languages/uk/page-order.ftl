@@ -24,6 +24,7 @@ order-mixture-not-quicker = { $tools ->
 order-list-title = Обхід точок
 order-points = Кількість точок
 order-nearest-path = Довжина за правилом посібника
+order-of-slower-axis = Довжини складено за віссю, що в кожному русі проходить більше: за нею йде час прискореного ходу.
 order-bound-path = Нижня межа довжини
 order-tries = Кількість спроб
 order-points-in-order = Порядок точок

@@ -87,6 +87,7 @@ plan-time-hand = ручні прийоми під час зупинок прог
 # Findings: how grave they are.
 plan-impossible = неможливо
 plan-wrong = хибно
+plan-doubtful = сумнівно
 plan-note = до відома
 plan-of-hole = отвір { $hole }: { $finding }
 # Why a hole is made as it is.

@@ -91,4 +91,7 @@ no-cone-of-angle = немає конічної зенківки { $angle }° (д
 no-cone-so-wide = немає зенківки { $angle }° до Ø{ $diameter } для отвору Ø{ $hole }: найбільша в { $tables } Ø{ $widest }
 overhang-tap = виліт мітчика { $free } мм
 thread-outside-chuck = різь { $thread } поза патроном { $low }–{ $high }
-magazine-reloaded = { $tools } інструментів на { $places } місць: з T{ $first } по T{ $last } ставлять вручну, коли попередні відпрацювали (завантажень магазину: { $loads }; час ручної заміни не враховано)
+magazine-reloaded = інструментів { $tools } на місць { $places }: { $count ->
+        [1] T{ $last }
+       *[other] з T{ $first } по T{ $last }
+    } ставлять вручну, коли попередні відпрацювали (завантажень магазину: { $loads })
