@@ -144,7 +144,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 
 /// What of the plan and the job keeps the program from making the part.
 fn serious<'a>(plan: &'a Plan, job: &'a Job) -> Vec<&'a Finding> {
-    plan.findings.iter().filter(|finding| finding.severity <= Severity::Wrong).chain(&job.findings).collect()
+    let of_plan = |finding: &&Finding| finding.severity <= Severity::Wrong && !job.findings.contains(finding);
+    plan.findings.iter().filter(of_plan).chain(&job.findings).collect()
 }
 
 fn told<'a>(finding: &'a Finding, context: &Context) -> FindingMessage<'a> {

@@ -167,7 +167,18 @@ fn own(part: &technolog::part::Part, method: CuttingMethod) -> Vec<String> {
     let none = |_: &str| Err("no files here".to_owned());
     let stated = read_plan("plan.json", &text, &KNOWLEDGE, &none).unwrap_or_else(|why| panic!("{why:?}"));
     let audit = AUDITOR.audit_beside(&stated, &ours).unwrap();
-    audit.findings.iter().filter(|one| one.is_wrong()).map(|one| format!("{} {:?}", said(one), one.note)).collect()
+    let told = audit.findings.iter().filter(|one| one.rule == UNMADE).count();
+    assert_eq!(told, ours.holes.iter().filter(|hole| hole.transitions.is_empty()).count());
+    wrong(&audit)
+}
+
+/// A group that we have no route for is unfinished, whoever wrote the plan.
+const UNMADE: &str = "audit-hole-not-made-either";
+
+/// What an audit finds wrong, but for groups that we have no route for either.
+fn wrong(audit: &Audit) -> Vec<String> {
+    let wrong = audit.findings.iter().filter(|one| one.is_wrong() && one.rule != UNMADE);
+    wrong.map(|one| format!("{} {:?}", said(one), one.note)).collect()
 }
 
 #[test]
@@ -190,7 +201,7 @@ fn by_hand(text: &str, method: CuttingMethod) -> Vec<String> {
     let written = technolog::audit::by_hand(&ours, "part.yaml");
     let stated = read_plan("plan.yaml", &written, &KNOWLEDGE, &part).unwrap_or_else(|why| panic!("{why:?}\n{written}"));
     let audit = AUDITOR.audit_beside(&stated, &ours).unwrap();
-    audit.findings.iter().filter(|one| one.is_wrong()).map(|one| format!("{} {:?}", said(one), one.note)).collect()
+    wrong(&audit)
 }
 
 #[test]

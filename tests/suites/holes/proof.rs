@@ -1,11 +1,12 @@
 //! The proof of plans: every check finds the error that is planted for it, and no plan that passes breaks what is
 //! reckoned here by hand, without the program's tables.
 
-use technolog::plan::{Operation, Plan, Transition};
+use technolog::note::Severity;
+use technolog::plan::{CuttingMethod, Operation, Plan, Transition};
 use technolog::proof::{Fault, Wanting, prove, prove_hole};
 use technolog::shop::Shop;
 use technolog::units::{MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons};
-use technolog_testing::{KNOWLEDGE, changed_knowledge, plan_of_hole, plan_of_hole_by_tables};
+use technolog_testing::{KNOWLEDGE, changed_knowledge, plan_of_hole, plan_of_hole_by_tables, planned, read};
 
 fn mm(length: f64) -> Micrometres {
     Micrometres::from_mm_rounded(length)
@@ -247,4 +248,19 @@ fn no_plan_of_the_whole_grid_is_rejected_by_the_proof() {
     // A share of it where fewer cases are asked for.
     let (asked, planned) = grid(technolog_laws::every(1));
     assert!(planned > asked / 3, "{planned} of {asked}");
+}
+
+/// What the machine cannot carry out is no plan, although every row of it is right: the program of it would say so.
+#[test]
+fn a_plan_tells_what_the_machine_has_no_room_for() {
+    let text = "part: P\nmaterial: steel-45\nmachine: gf2171\nfixture: {height: 600}\n\
+                blank: {kind: plate, length: 300, width: 200, thickness: 60}\nholes:\n  \
+                - {name: A, diameter: 10H9, through: true, roughness: Ra 2.5, centre_tolerance: 0.2, at: [[0, 0]]}\n";
+    let told = |text: &str| -> Vec<Severity> {
+        let plan = planned(&read(text), CuttingMethod::Formula);
+        let room = plan.findings.iter().filter(|finding| finding.note.code() == "no-room-over-part");
+        room.map(|finding| finding.severity).collect()
+    };
+    assert_eq!(told(text), [Severity::Error]);
+    assert_eq!(told(&text.replace("600", "80")), []);
 }

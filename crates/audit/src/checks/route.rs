@@ -22,7 +22,8 @@ pub(super) fn check<'a>(
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
-    if stated.rows.is_empty() {
+    // A plan by hand may leave its route out; one of ours without rows has no route for anything.
+    if stated.rows.is_empty() && !stated.own {
         return Ok(());
     }
     for hole in &stated.part.holes {

@@ -18,6 +18,7 @@ pub mod visiting;
 use crate::error::KnowledgeError;
 use crate::job;
 use crate::machine::{Machine, Rapid};
+use crate::note::{Finding, Severity};
 use crate::part::{Face, Part, Point};
 use crate::plan::{HolePlan, Plan, Stop, ToolVisit};
 use crate::shop::Shop;
@@ -64,7 +65,8 @@ pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: 
     visits
 }
 
-/// Writes into a plan where its time goes: what the programs of its job take on the machine.
+/// Writes into a plan where its time goes, what the programs of its job take on the machine, and what keeps them from being
+/// carried out on it.
 ///
 /// # Errors
 /// The knowledge cannot answer.
@@ -79,6 +81,9 @@ pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     };
     time.machine_min = Minutes(plan.holes.iter().map(of_hole).sum());
     plan.time = time.rounded();
+    let hinders = |finding: &Finding| finding.severity == Severity::Error && !plan.findings.contains(finding);
+    let hindered: Vec<Finding> = job.findings.into_iter().filter(hinders).collect();
+    plan.findings.extend(hindered);
     Ok(())
 }
 
