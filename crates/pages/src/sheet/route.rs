@@ -120,6 +120,8 @@ fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> 
     let Some(hole) = hole(plan, &own.name) else { return String::new() };
     let key = match transition.operation {
         Operation::CentreDrill => "plan-step-spot",
+        // A mill that widens nothing levels the floor.
+        Operation::Mill if transition.from_diameter_mm == transition.diameter_mm => "plan-step-floor",
         _ if finishes(hole, transition) => "plan-step",
         _ => "plan-step-to",
     };

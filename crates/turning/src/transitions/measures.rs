@@ -109,10 +109,11 @@ pub struct Best {
     pub note: Note,
 }
 
-/// The toolpath with the least time, the first among equals; none if there are fewer than two. Where an even allowance
+/// The toolpath with the least time, the first among equals; none if there are fewer than two. What cuts nothing, for the
+/// stock is thinner than a pass is deep, is quick at nothing and is not compared. Where an even allowance
 /// is needed, only those that are [`Transition::uniform`] must be passed.
 pub fn best<'t>(transitions: impl IntoIterator<Item = &'t Transition>) -> Option<Best> {
-    let mut order: Vec<&Transition> = transitions.into_iter().collect();
+    let mut order: Vec<&Transition> = transitions.into_iter().filter(|one| one.measures.passes > 0).collect();
     let time = |one: &Transition| one.measures.time_min.0;
     order.sort_by(|a, b| time(a).total_cmp(&time(b)));
     let [best, next, ..] = order.as_slice() else { return None };

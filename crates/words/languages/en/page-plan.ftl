@@ -36,6 +36,10 @@ plan-step-spot = { $verb } { $count } { $count ->
     [one] hole
    *[other] holes
 } { $size } ({ $hole }), spot Ø{ $diameter }
+plan-step-floor = { $verb } the floor of { $count } { $count ->
+    [one] hole
+   *[other] holes
+} { $size } ({ $hole }), Ø{ $diameter }
 plan-step-also = together with Ø{ $diameter }
 plan-step-passes = { $count } { $count ->
     [one] pass

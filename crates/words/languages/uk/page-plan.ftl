@@ -27,6 +27,7 @@ plan-take-off = Зняти деталь
 plan-step = { $verb } { $count } отв. { $size } ({ $hole })
 plan-step-to = { $verb } { $count } отв. { $size } ({ $hole }) до Ø{ $diameter }
 plan-step-spot = { $verb } { $count } отв. { $size } ({ $hole }), витримуючи Ø{ $diameter }
+plan-step-floor = { $verb } дно { $count } отв. { $size } ({ $hole }), Ø{ $diameter }
 plan-step-also = одночасно Ø{ $diameter }
 plan-step-passes = { $count } { $count ->
     [one] робочий хід
