@@ -24,7 +24,7 @@ encoding-tape = %: початок або кінець програми
 encoding-statement = { $text }: оператор мови керування
 # What the operator sets before a program runs.
 setting-title = Налагодження верстата: { $part }
-setting-stand = установ { $setup }: деталь на опорах { $supports } мм; від столу до торця шпинделя за верхнього положення повзуна { $nose } мм
+setting-stand = установ { $setup }: деталь на опорах { $supports } мм; від стола до торця шпинделя за верхнього положення повзуна { $nose } мм
 setting-tool = T{ $place } H{ $corrector }: { $designation }, Ø{ $diameter }, довжина { $length } мм
 setting-length = Довжина комплекту
 setting-file = Нулі й корекції
