@@ -7,17 +7,17 @@ use technolog::knowledge::{Column, ColumnRole, Row, RowRef, Table, TableKind};
 use technolog::report::unit;
 use technolog::words::say;
 
-use super::Lang;
 use super::record::results;
 use super::shown;
+use super::{Format, Lang};
 
-/// Wider than the first, in columns of a terminal, a table has numbers for heads, as those of the source have; wider than
-/// the second these do not help either.
+/// Wider than the first, in columns of a terminal, a table has numbers for heads there, as those of the source have; wider
+/// than the second these do not help either. Pages of other formats have all the width they need.
 const NARROW: usize = 80;
 const WIDE: usize = 120;
 
 /// One table: title, source, rows, then everything the rows cannot say in their cells.
-pub fn whole(table: &Table, lang: Lang) -> Document {
+pub fn whole(table: &Table, lang: Lang, format: Format) -> Document {
     let all: Vec<RowRef<'_>> = table.all_rows().collect();
     let mut page = titled(table, lang);
     let mut source = Inlines::from(lang.place(&table.place).as_str());
@@ -25,7 +25,7 @@ pub fn whole(table: &Table, lang: Lang) -> Document {
         source = source.text("; ").text(standard);
     }
     page.push(Block::Fields(vec![Field::new(lang.word("cli-source"), source)]));
-    let numbered = rows(&mut page, table, &all, lang);
+    let numbered = rows(&mut page, table, &all, lang, format);
     columns(&mut page, table, numbered, lang);
     said(&mut page, &all, lang);
     let gaps = table.uncovered.iter().map(|gap| lang.remark(&gap.reason).to_owned());
@@ -41,7 +41,7 @@ pub fn titled(table: &Table, lang: Lang) -> Document {
 
 /// The rows under the names of the columns, or where those are too wide together under their numbers. Says whether the
 /// columns have numbers.
-pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang) -> bool {
+pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang, format: Format) -> bool {
     let first = rows.first().map(|row| row.row().source);
     let one_source = rows.iter().all(|row| Some(row.row().source) == first);
     let mut heads: Vec<Head> = columns_of(table, lang)
@@ -65,7 +65,8 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang)
         })
         .collect();
     let numbers: Vec<Head> = (1..).zip(&heads).map(|(number, head)| numbered_head(number, head)).collect();
-    let numbered = width(&heads, &cells) > NARROW && width(&numbers, &cells) <= WIDE;
+    let is_wide = format == Format::Text && width(&heads, &cells) > NARROW;
+    let numbered = is_wide && width(&numbers, &cells) <= WIDE;
     if numbered {
         heads = numbers;
     }

@@ -34,7 +34,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     match format {
         Format::Json => context.emit_json(&table_json(table, context))?,
         Format::Csv => context.emit_cleaned(&table_csv(table))?,
-        _ => context.emit_document(&sheet::whole(table, context.lang), format)?,
+        _ => context.emit_document(&sheet::whole(table, context.lang, format), format)?,
     }
     Ok(Outcome::Done)
 }

@@ -22,6 +22,10 @@ fn of_tables() -> BTreeSet<&'static str> {
     of_rows.chain(gaps).chain(notes).chain(cells()).chain([ours]).collect()
 }
 
+/// Columns of words that people read and no table lists: single words count there too.
+const SPOKEN: &[(&str, &str)] =
+    &[("materials", "delivery_state"), ("machine-ir500pmf4", "text"), ("drill-force-formula", "used")];
+
 /// The sentences in cells: texts of two English words or more, in columns that are of no one language. Pages and files,
 /// which have names, are none.
 fn cells() -> impl Iterator<Item = &'static str> {
@@ -31,9 +35,10 @@ fn cells() -> impl Iterator<Item = &'static str> {
             column.ty == ColumnType::Text && !is_named
         };
         let columns: Vec<usize> = (0..table.columns.len()).filter(|&at| sentences(&table.columns[at])).collect();
-        let cells = table.rows.iter().flat_map(move |row| columns.clone().into_iter().map(move |at| &row.cells[at]));
-        cells.filter_map(|cell| match cell {
-            Cell::Value(value) => value.as_text(),
+        let cells =
+            table.rows.iter().flat_map(move |row| columns.clone().into_iter().map(move |at| (at, &row.cells[at])));
+        cells.filter_map(|(at, cell)| match cell {
+            Cell::Value(value) => Some((SPOKEN.contains(&(&table.id, &table.columns[at].name)), value.as_text()?)),
             _ => None,
         })
     };
@@ -41,10 +46,12 @@ fn cells() -> impl Iterator<Item = &'static str> {
         let word = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
         word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'\'')
     };
-    KNOWLEDGE.tables().flat_map(of_table).filter(move |text| {
+    let is_sentence = move |text: &str| {
         let words: Vec<&str> = text.split_whitespace().collect();
         words.windows(2).any(|pair| pair[0].len() > 2 && pair.iter().all(|word| is_english(word)))
-    })
+    };
+    let of_all = KNOWLEDGE.tables().flat_map(of_table);
+    of_all.filter(move |(is_spoken, text)| *is_spoken || is_sentence(text)).map(|(_, text)| text)
 }
 
 /// Names of sources, of people, of standards and of figures, which no language translates.

@@ -38,7 +38,7 @@ audit-shank = хвостовик не { $shank }: за каталогом це {
 audit-no-catalog = { $designation }: каталогу немає, не перевірено
 tool-of-other-operation = { $tool } не для переходу «{ $operation }», а для: { $transitions }
 tool-of-other-size = { $tool }: Ø{ $own }, а перехід вимагає Ø{ $needed }
-holder-of-other-shank = { $holder } не тримає { $tool }: хвостовик { $shank }
+holder-of-other-shank = { $holder } не тримає { $tool }: його хвостовик – { $shank }
 # The route.
 audit-hole-not-made = групу { $hole } (отворів { $count }) не обробляє жоден перехід
 audit-hole-not-made-either = групу { $hole } (отворів { $count }) не обробляє жоден перехід; маршруту для неї програма теж не знайшла

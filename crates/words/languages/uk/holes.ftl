@@ -51,11 +51,11 @@ spot-by-chamfer = центрувальне заглиблення Ø{ $spot } у
 travel = недобіг { $approach } мм, перебіг { $overrun } мм
 # Of any row.
 unconfirmed-counted = числа спираються на { $count ->
-    [one] { $count } непідтверджений рядок
-    [few] { $count } непідтверджені рядки
-    [many] { $count } непідтверджених рядків
-   *[other] { $count } непідтвердженого рядка
-} таблиць { $tables }: перелік із причинами дає --all-problems
+    [one] { $count } непідтверджений рядок таблиці
+    [few] { $count } непідтверджені рядки таблиць
+    [many] { $count } непідтверджених рядків таблиць
+   *[other] { $count } непідтвердженого рядка таблиць
+} { $tables }: перелік із причинами дає --all-problems
 unconfirmed = не підтверджено: { $table }, рядок { $row }: { $why }
 names-look-alike = { $count } { $count ->
         [one] групу
