@@ -14,7 +14,7 @@ use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
 use technolog::note::{Figure, Note};
 use technolog::program::proof::PlannedJob;
-use technolog::program::{Fault, Language, Setting};
+use technolog::program::{Fault, Language, Setting, is_run};
 use technolog::report;
 use technolog::units::Minutes;
 use technolog::words::say;
@@ -97,7 +97,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
     let faults = language.check(&text, &machine, &setting, &mut sink);
     let (steps, clock) = sink;
-    let proof = held.as_ref().map(|held| held.prove(&steps, &setting));
+    // Of a program that is not run nothing is known: that it makes no hole follows from its mistakes.
+    let is_run = is_run(&faults, &steps);
+    let proof = held.as_ref().filter(|_| is_run).map(|held| held.prove(&steps, &setting));
     let serious = held.as_ref().map(PlannedJob::serious).unwrap_or_default();
     match format {
         Format::Json => {
@@ -135,6 +137,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             if let (Some(held), Some(proof)) = (&held, &proof) {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
                 made = Some(proof::table(held, proof, context.lang));
+            }
+            if held.is_some() && !is_run {
+                let message = context.word("check-not-compared");
+                let severity = Severity::Note;
+                let help = Some(context.word("check-mend-first").into());
+                problems.push(Diagnostic { severity, help, ..Diagnostic::error("not-compared", message, None) });
             }
             let hidden = faults.iter().map(|fault| proof::shown(fault.severity));
             let own = problems.get(told.len()..).unwrap_or_default().iter().map(|problem| problem.severity);
