@@ -20,8 +20,11 @@ not-loaded = the plan's tool { $tool } is not put into place { $place }: there i
     .help = put M00 before this tool
 no-correction = T{ $tool } cuts without length correction; its H{ $own } is { $needed } (H{ $corrector } = { $value } acts)
     .help = turn it on: G43 H
-wrong-correction = T{ $tool } cuts with H{ $corrector } = { $value }, and its correction is H{ $own } = { $needed }
-    .help = check T and H of this tool
+wrong-correction = T{ $tool } cuts with H{ $corrector } = { $value }{ $whose ->
+        [none] {""}
+       *[tool] {""}, the offset of T{ $other }
+    }; its own is H{ $own } = { $needed }
+    .help = write H{ $own } where T{ $tool } takes its length, or the T that H{ $corrector } belongs to
 other-corrector = T{ $tool } cuts with H{ $corrector }, but its offset register is H{ $own }; the value is the same, { $value } of { $needed }
     .help = check T and H of this tool
 wrong-sign = T{ $tool }: H{ $corrector } = { $value }, and { $needed } by the plan: the sign is the opposite
