@@ -121,5 +121,7 @@ cli-expected-angle = an angle
 cli-expected-it = a tolerance grade, 1 to 18
 cli-expected-roughness = a roughness such as "Ra 2.5"
 cli-expected-in-unit = { $what } in { $unit }
+cli-alien-ending = `{ $command }` writes no { $ending } files
+cli-known-endings = it writes { $known }; an ending of programs, such as .nc, or none does too
 cli-format-contradiction = { $file }: its ending means { $meant }, and --format asks for { $asked }
 cli-format-contradiction-help = leave out --format, or give the file another ending

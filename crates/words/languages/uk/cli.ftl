@@ -124,5 +124,7 @@ cli-expected-angle = кут
 cli-expected-it = квалітет, від 1 до 18
 cli-expected-roughness = шорсткість, наприклад "Ra 2.5"
 cli-expected-in-unit = { $what }, { $unit }
+cli-alien-ending = «{ $command }» не пише файлів { $ending }
+cli-known-endings = вона пише { $known }; годиться й закінчення програм, як-от .nc, або ніякого
 cli-format-contradiction = { $file }: за закінченням це { $meant }, а --format вимагає { $asked }
 cli-format-contradiction-help = приберіть --format або дайте файлові інше закінчення
