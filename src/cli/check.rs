@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde::Serialize;
+use technolog::cases::FileKind;
 use technolog::document::{Block, Document, Table};
 use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
 use technolog::machine::Machine;
@@ -20,7 +21,7 @@ use technolog::units::Minutes;
 use technolog::words::say;
 
 use super::diagnostics::Texts;
-use super::{CliError, Context, Format, Lang, Outcome, control, knowledge, problems, proof};
+use super::{CliError, Context, Format, Lang, Outcome, control, kind, knowledge, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
 #[derive(Debug, clap::Args)]
@@ -86,7 +87,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Some(path) => {
             let (shown, text) = (path.display().to_string(), context.text(path)?);
             language.setting(&shown, &text).map_err(|problems| CliError::Unusable {
-                problems,
+                problems: kind::or_other(&shown, &text, FileKind::Setting, problems, context),
                 texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
             })?
         }
@@ -97,6 +98,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
     let faults = language.check(&text, &machine, &setting, &mut sink);
     let (steps, clock) = sink;
+    if faults.iter().any(Fault::is_error) {
+        kind::refuse_other(&shown, &text, FileKind::Program, context)?;
+    }
     // Of a program that is not run nothing is known: that it makes no hole follows from its mistakes.
     let is_run = is_run(&faults, &steps);
     let proof = held.as_ref().filter(|_| is_run).map(|held| held.prove(&steps, &setting));

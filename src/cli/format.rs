@@ -28,17 +28,8 @@ pub enum Format {
 }
 
 impl Format {
-    const ALL: [Self; 9] = [
-        Self::Text,
-        Self::Json,
-        Self::Yaml,
-        Self::Csv,
-        Self::Svg,
-        Self::Markdown,
-        Self::Html,
-        Self::Hand,
-        Self::Junit,
-    ];
+    const ALL: [Self; 9] =
+        [Self::Text, Self::Json, Self::Yaml, Self::Csv, Self::Svg, Self::Markdown, Self::Html, Self::Hand, Self::Junit];
 
     /// The endings of its files, the usual first.
     pub const fn endings(self) -> &'static [&'static str] {

@@ -15,6 +15,7 @@ mod diagnostics;
 mod format;
 mod help;
 mod input;
+mod kind;
 mod knowledge;
 mod lint;
 mod lookup;

@@ -23,8 +23,11 @@ no-correction = T{ $tool } cuts without length correction; its H{ $own } is { $n
 wrong-correction = T{ $tool } cuts with H{ $corrector } = { $value }{ $whose ->
         [none] {""}
        *[tool] {""}, the offset of T{ $other }
-    }; its own is H{ $own } = { $needed }
-    .help = write H{ $own } where T{ $tool } takes its length, or the T that H{ $corrector } belongs to
+    }, and its correction is H{ $own } = { $needed }
+    .help = { $whose ->
+        [none] check T and H of this tool
+       *[tool] write H{ $own } where T{ $tool } takes its length, or T{ $other } where the tool is changed
+    }
 other-corrector = T{ $tool } cuts with H{ $corrector }, but its offset register is H{ $own }; the value is the same, { $value } of { $needed }
     .help = check T and H of this tool
 wrong-sign = T{ $tool }: H{ $corrector } = { $value }, and { $needed } by the plan: the sign is the opposite

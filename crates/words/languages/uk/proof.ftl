@@ -23,8 +23,11 @@ no-correction = T{ $tool } ріже без корекції довжини; йо
 wrong-correction = T{ $tool } ріже з H{ $corrector } = { $value }{ $whose ->
         [none] {""}
        *[tool] {""}, коректором T{ $other }
-    }; його власний – H{ $own } = { $needed }
-    .help = напишіть H{ $own } там, де T{ $tool } бере корекцію довжини, або T, якому належить H{ $corrector }
+    }, а його корекція H{ $own } = { $needed }
+    .help = { $whose ->
+        [none] перевірте T і H цього інструмента
+       *[tool] напишіть H{ $own } там, де T{ $tool } бере корекцію довжини, або T{ $other } там, де змінюють інструмент
+    }
 other-corrector = T{ $tool } ріже з H{ $corrector }, а його коректор H{ $own }; величина та сама, { $value } з { $needed }
     .help = перевірте T і H цього інструмента
 wrong-sign = T{ $tool }: H{ $corrector } = { $value }, а за планом { $needed }: знак протилежний
