@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde::Serialize;
+use technolog::cases::FileKind;
 use technolog::document::{Block, Document, Table};
 use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
 use technolog::machine::Machine;
@@ -14,13 +15,13 @@ use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
 use technolog::note::{Figure, Note};
 use technolog::program::proof::PlannedJob;
-use technolog::program::{Fault, Language, Setting};
+use technolog::program::{Fault, Language, Setting, is_run};
 use technolog::report;
 use technolog::units::Minutes;
 use technolog::words::say;
 
 use super::diagnostics::Texts;
-use super::{CliError, Context, Format, Lang, Outcome, control, knowledge, problems, proof};
+use super::{CliError, Context, Format, Lang, Outcome, control, kind, knowledge, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
 #[derive(Debug, clap::Args)]
@@ -86,7 +87,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Some(path) => {
             let (shown, text) = (path.display().to_string(), context.text(path)?);
             language.setting(&shown, &text).map_err(|problems| CliError::Unusable {
-                problems,
+                problems: kind::or_other(&shown, &text, FileKind::Setting, problems, context),
                 texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
             })?
         }
@@ -97,7 +98,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
     let faults = language.check(&text, &machine, &setting, &mut sink);
     let (steps, clock) = sink;
-    let proof = held.as_ref().map(|held| held.prove(&steps, &setting));
+    if faults.iter().any(Fault::is_error) {
+        kind::refuse_other(&shown, &text, FileKind::Program, context)?;
+    }
+    // Of a program that is not run nothing is known: that it makes no hole follows from its mistakes.
+    let is_run = is_run(&faults, &steps);
+    let proof = held.as_ref().filter(|_| is_run).map(|held| held.prove(&steps, &setting));
     let serious = held.as_ref().map(PlannedJob::serious).unwrap_or_default();
     match format {
         Format::Json => {
@@ -135,6 +141,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             if let (Some(held), Some(proof)) = (&held, &proof) {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
                 made = Some(proof::table(held, proof, context.lang));
+            }
+            if held.is_some() && !is_run {
+                let message = context.word("check-not-compared");
+                let severity = Severity::Note;
+                let help = Some(context.word("check-mend-first").into());
+                problems.push(Diagnostic { severity, help, ..Diagnostic::error("not-compared", message, None) });
             }
             let hidden = faults.iter().map(|fault| proof::shown(fault.severity));
             let own = problems.get(told.len()..).unwrap_or_default().iter().map(|problem| problem.severity);

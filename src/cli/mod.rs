@@ -12,8 +12,10 @@ mod audit;
 mod check;
 mod control;
 mod diagnostics;
+mod format;
 mod help;
 mod input;
+mod kind;
 mod knowledge;
 mod lint;
 mod lookup;
@@ -37,13 +39,15 @@ mod words;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{ArgAction, FromArgMatches, Parser, Subcommand, ValueEnum};
+use clap::{ArgAction, FromArgMatches, Parser, Subcommand};
 use serde::Serialize;
 use technolog::document::{self, Document};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
+use technolog::words::say;
 
 use diagnostics::{Amount, Texts};
+pub use format::Format;
 use words::Lang;
 
 // Knowledge base and rule engine for planning the machining of holes and shafts
@@ -114,62 +118,6 @@ impl Command {
     }
 }
 
-/// The form of an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    /// For people.
-    Text,
-    /// For programs.
-    Json,
-    /// For programs and people.
-    Yaml,
-    /// For spreadsheets.
-    Csv,
-    /// For the eye.
-    Svg,
-    /// For documents.
-    Markdown,
-    /// For the browser.
-    Html,
-    /// A plan as somebody writes it by hand.
-    Hand,
-    /// For continuous integration.
-    Junit,
-}
-
-impl Format {
-    /// What the ending of a file can mean, the usual first; nothing for an ending that says nothing, such as `.nc`.
-    fn of_ending(file: &Path) -> &'static [Self] {
-        let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
-        match ending.as_str() {
-            "txt" => &[Self::Text],
-            "json" => &[Self::Json],
-            "yaml" | "yml" => &[Self::Yaml, Self::Hand],
-            "csv" => &[Self::Csv],
-            "svg" => &[Self::Svg],
-            "md" | "markdown" => &[Self::Markdown],
-            "html" | "htm" => &[Self::Html],
-            "xml" => &[Self::Junit],
-            _ => &[],
-        }
-    }
-
-    /// Its name on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Text => "text",
-            Self::Json => "json",
-            Self::Yaml => "yaml",
-            Self::Csv => "csv",
-            Self::Svg => "svg",
-            Self::Markdown => "markdown",
-            Self::Html => "html",
-            Self::Hand => "hand",
-            Self::Junit => "junit",
-        }
-    }
-}
-
 /// What the global options ask for.
 #[derive(Debug)]
 pub struct Context {
@@ -194,14 +142,22 @@ impl Context {
     /// # Errors
     /// The command does not have it, or name and ending contradict each other.
     pub fn format(&self, command: &str, known: &[Format]) -> Result<Format, CliError> {
-        let meant = self.output.as_deref().map_or(&[][..], Format::of_ending);
+        let meant = self.output.as_deref().map(Format::of_ending).unwrap_or_default();
+        if let Some(ending) = self.output.as_deref().and_then(format::of_others) {
+            let message = say!(self.lang, "cli-alien-ending", command = command, ending = ending.as_str());
+            // A plan by hand has the ending of any YAML.
+            let known = known.iter().filter(|format| **format != Format::Hand || !known.contains(&Format::Yaml));
+            let endings: Vec<&str> = known.flat_map(|format| format.endings()).copied().collect();
+            let help = say!(self.lang, "cli-known-endings", known = endings.join(", "));
+            return Err(Diagnostic::error("alien-ending", message, None).help(help).into());
+        }
         let lacks = |format: Format| {
             let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
             let message = words::no_format(self.lang, command, format.name());
             let help = words::formats(self.lang, names.join(", "));
             Err(Diagnostic::error("no-format", message, None).help(help).into())
         };
-        match (self.format, meant) {
+        match (self.format, meant.as_slice()) {
             (None, []) => Ok(known.first().copied().unwrap_or(Format::Text)),
             (None, [usual, ..]) => {
                 meant.iter().find(|format| known.contains(format)).copied().map_or_else(|| lacks(*usual), Ok)

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
 use serde::Serialize;
+use technolog::cases::FileKind;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::Machine;
 use technolog::note::Finding;
@@ -24,7 +25,7 @@ use technolog::units::{Micrometres, Minutes};
 
 use super::diagnostics::Texts;
 use super::usage::whole;
-use super::{CliError, Context, Format, Outcome, knowledge, plan, words};
+use super::{CliError, Context, Format, Outcome, kind, knowledge, plan, words};
 
 // The order of tools and the path over the holes, with its length, time and a lower bound; also of a list of points
 #[derive(Debug, clap::Args)]
@@ -230,7 +231,10 @@ fn read(args: &Args, context: &Context) -> Result<List, CliError> {
     let shown = args.file.display().to_string();
     let text = context.text(&args.file)?;
     read_list(&shown, &text).map_err(|slips| CliError::Unusable {
-        problems: slips.into_iter().map(|slip| problem(slip, context)).collect(),
+        problems: {
+            let problems = slips.into_iter().map(|slip| problem(slip, context)).collect();
+            kind::or_other(&shown, &text, FileKind::List, problems, context)
+        },
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
     })
 }

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::mem::ManuallyDrop;
 use std::path::{Path, PathBuf};
 
+use technolog::cases::FileKind;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::{Diagnostic, Knowledge};
@@ -12,7 +13,7 @@ use technolog::plan::{CuttingMethod, Plan};
 use technolog::{audit, planner, report};
 
 use super::diagnostics::Texts;
-use super::{CliError, Context, Format, Outcome, knowledge, words};
+use super::{CliError, Context, Format, Outcome, kind, knowledge, words};
 
 // The whole plan of a part: route, tools, conditions, clamping, corrections, times
 #[derive(Debug, clap::Args)]
@@ -116,7 +117,7 @@ fn made(
     let shown = path.display().to_string();
     let text = context.text(path)?;
     let part = read_part(&shown, &text, knowledge).map_err(|problems| CliError::Unusable {
-        problems,
+        problems: kind::or_other(&shown, &text, FileKind::Part, problems, context),
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
     })?;
     planned(&part).map_err(|error| CliError::of_knowledge(&error, context.lang))

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use serde::Serialize;
+use technolog::cases::FileKind;
 use technolog::document::Document;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
@@ -23,7 +24,7 @@ use technolog::words::say;
 use super::diagnostics::Texts;
 use super::turn_operation::{self, Control, Wanted};
 use super::usage::whole;
-use super::{CliError, Context, Format, Outcome, help, knowledge};
+use super::{CliError, Context, Format, Outcome, help, kind, knowledge};
 
 // The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
 #[derive(Debug, clap::Args)]
@@ -231,7 +232,10 @@ fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Turned,
     let shown = path.display().to_string();
     let text = context.text(path)?;
     read_turned(&shown, &text, knowledge).map_err(|mistakes| CliError::Unusable {
-        problems: mistakes.into_iter().map(|mistake| problem(mistake, context)).collect(),
+        problems: {
+            let problems = mistakes.into_iter().map(|mistake| problem(mistake, context)).collect();
+            kind::or_other(&shown, &text, FileKind::Turned, problems, context)
+        },
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
     })
 }

@@ -10,6 +10,7 @@ use crate::motion::MotionStep;
 use crate::motion::time::Clock;
 use crate::plan::{CuttingMethod, Preference};
 use crate::planner;
+use crate::program::is_run;
 use crate::program::proof::PlannedJob;
 use crate::turning::passes;
 use crate::turning::schemes;
@@ -87,7 +88,9 @@ fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeE
     });
     if let (Some(held), Some(answer)) = (&held, answer.as_object_mut()) {
         answer.insert("part".to_owned(), value(&held.serious()));
-        answer.insert("proof".to_owned(), value(&held.prove(&trace, &setting)));
+        if is_run(&faults, &trace) {
+            answer.insert("proof".to_owned(), value(&held.prove(&trace, &setting)));
+        }
     }
     Ok(answer)
 }

@@ -19,6 +19,7 @@ mod digest;
 pub mod expected;
 pub mod file;
 pub mod hold;
+mod kind;
 pub mod limits;
 mod merge;
 mod planned;
@@ -51,6 +52,7 @@ pub use called::{brief, name as called};
 pub use expected::Expected;
 pub use file::schema;
 pub use hold::{Came, Failure};
+pub use kind::{FileKind, other_kind};
 pub use read::{Around, read_cases};
 pub use reasons::Why;
 

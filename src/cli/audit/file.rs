@@ -7,12 +7,13 @@ use technolog::audit::marks::{Scheme, read_scheme};
 use technolog::audit::rules;
 use technolog::audit::stated::Stated;
 use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
+use technolog::cases::FileKind;
 use technolog::error::KnowledgeError;
 use technolog::report::Lang;
 
 use super::super::diagnostics::Texts;
 use super::super::input::{self, Places};
-use super::super::{CliError, Context};
+use super::super::{CliError, Context, kind};
 
 /// A plan.
 ///
@@ -22,7 +23,7 @@ pub fn read(path: &Path, auditor: &Auditor<'_>, places: Places<'_>, context: &Co
     let shown = path.display().to_string();
     let text = context.text(path)?;
     let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| places.text(path, name, context));
-    stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
+    stated.map_err(|unreadable| unusable(path, shown, text, unreadable, context))
 }
 
 /// A file of a folder: nothing where it is no plan.
@@ -38,7 +39,7 @@ pub fn read_any(
     let shown = path.display().to_string();
     let text = input::text_in_folder(path, context)?;
     let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| places.text(path, name, context));
-    stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
+    stated.map_err(|unreadable| unusable(path, shown, text, unreadable, context))
 }
 
 /// What stopped an audit: the part inside a plan of ours, at its place, or the tables.
@@ -67,6 +68,7 @@ pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
     let codes = Lang::codes();
     let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes.iter().map(String::as_str)).collect();
     read_scheme(&shown, &text, &known).map_err(|problems| {
+        let problems = kind::or_other(&shown, &text, FileKind::Marks, problems, context);
         let texts = Texts::default().with(&shown.clone(), shown, Cow::Owned(text));
         CliError::Unusable { problems, texts }
     })
@@ -76,8 +78,9 @@ fn beside(plan: &Path) -> &Path {
     plan.parent().unwrap_or(Path::new(""))
 }
 
-fn unusable(path: &Path, shown: String, text: String, unreadable: Unreadable) -> CliError {
+fn unusable(path: &Path, shown: String, text: String, unreadable: Unreadable, context: &Context) -> CliError {
     let Unreadable { problems, texts } = unreadable;
+    let problems = kind::or_other(&shown, &text, FileKind::Plan, problems, context);
     let mut known = Texts::default().with(&shown.clone(), shown, Cow::Owned(text));
     for (name, text) in texts {
         let path = beside(path).join(&name).display().to_string();

@@ -4,14 +4,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use technolog::audit::Files;
-use technolog::cases::{Around, CaseFile, read_cases};
+use technolog::cases::{Around, CaseFile, FileKind, read_cases};
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::Lang;
+use technolog::turning::shaft::Mistake;
 use technolog::words::say;
 
 use super::super::input::{self, Places};
 use super::super::problems::unreadable;
-use super::super::{CliError, Context};
+use super::super::{CliError, Context, kind};
 
 /// What a file of cases in a folder is called.
 const ENDING: &str = ".test.yaml";
@@ -106,7 +107,13 @@ pub fn read(found: &SourceFile, anywhere: bool, knowledge: &Knowledge, context: 
         return CaseFile { file: found.shown.clone(), cases, mistakes, texts };
     }
     let (files, codes) = (beside(found, anywhere, context), codes());
-    read_cases(&found.shown, &found.text, around(knowledge, &codes, &files))
+    let mut read = read_cases(&found.shown, &found.text, around(knowledge, &codes, &files));
+    if !read.mistakes.is_empty()
+        && let Some(other) = kind::told(&found.shown, &found.text, FileKind::Cases, context)
+    {
+        read.mistakes = vec![Mistake::Form(other)];
+    }
+    read
 }
 
 /// What reading cases needs.

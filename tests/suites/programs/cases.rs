@@ -162,6 +162,33 @@ fn the_command_tells_line_caret_and_rule_and_its_exit_code() {
     }
 }
 
+/// Without its comma the number would be ten times as large: no control is told to leave it out. And what a program that
+/// is not run does not make is no mistake of it.
+#[test]
+fn a_decimal_comma_is_told_as_a_point_and_nothing_follows_from_it() {
+    let folder = root().join("target/tmp/comma-for-point");
+    fs::create_dir_all(&folder).unwrap();
+    let program = folder.join("program.nc").display().to_string();
+    for (control, text) in [
+        ("2c42-65", ":01\nN5 G0 X80,5 Y1\nN10 М02\n"),
+        ("linuxcnc", "G21 G90\ng0 x80,5 y1\nМ2\n"),
+        ("fanuc", "O1001\nG21 G90\nG0 X80,5 Y1.\nМ30\n"),
+    ] {
+        fs::write(&program, text).unwrap();
+        let part = ["check", &program, "--control", control, "--part", "examples/plate.yaml"];
+        let (code, said) = technolog(&[part.as_slice(), &["--lang", "en"]].concat());
+        assert_eq!(code, Some(1), "{said}");
+        for told in ["`X80,5` has a comma", "help: write X80.5 (", "2 errors", "not-compared"] {
+            assert!(said.contains(told), "{control}: {told}: {said}");
+        }
+        assert!(!said.contains("remove") && !said.contains("missing"), "{control}: {said}");
+        let (_, said) = technolog(&[part.as_slice(), &["--lang", "uk"]].concat());
+        assert!(said.contains("підказка: напишіть X80.5 ("), "{control}: {said}");
+        let (_, said) = technolog(&[part.as_slice(), &["--format", "json"]].concat());
+        assert!(!said.contains("\"proof\""), "{control}: {said}");
+    }
+}
+
 #[test]
 fn a_bad_setting_tells_all_its_mistakes() {
     let text = fs::read_to_string(root().join("tests/programs/setting-bad.yaml")).unwrap();

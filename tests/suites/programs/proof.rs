@@ -11,6 +11,7 @@ use std::sync::LazyLock;
 use technolog::job::Pause;
 use technolog::program::Language;
 use technolog::units::Micrometres;
+use technolog::words::Lang;
 use technolog_testing::KNOWLEDGE;
 use technolog_testing::mutants::{Score, score};
 use technolog_testing::proof_bench::ProofBench;
@@ -190,6 +191,19 @@ fn what_deviates_is_called_by_its_name() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A length of another tool is told with that tool: one of the two numbers was mistaken for the other.
+#[test]
+fn a_wrong_correction_names_the_tool_whose_it_is() {
+    let programs = right();
+    let (_, text, held) = programs.iter().find(|(known, ..)| known == "plate").unwrap();
+    let (_, proof, _) = held.run(&CONTROL, &text.replacen(" H2", " H1", 1));
+    let said = proof.findings.iter().find(|finding| finding.code.name() == "wrong-correction").unwrap();
+    let told = Lang::EN.say(&said.note);
+    assert!(told.starts_with("T2 cuts with H1 = ") && told.contains(", the offset of T1, and its correction is H2 = "), "{told}");
+    let told = Lang::UK.say(&said.note);
+    assert!(told.starts_with("T2 ріже з H1 = ") && told.contains(", коректором T1, а його корекція H2 = "), "{told}");
 }
 
 /// Every deviation of docs/proof.md is shown by some altered program, here or in the tests below.

@@ -10,6 +10,7 @@
 
 mod files;
 mod fuzz;
+mod kinds;
 mod limits;
 mod paths;
 mod problems;

@@ -355,6 +355,31 @@ fn a_form_that_a_command_does_not_have_is_refused() {
     }
 }
 
+/// Whoever opens a picture or a document would find plain text in it.
+#[test]
+fn an_ending_that_promises_another_form_is_refused() {
+    let folder = scratch("endings");
+    fs::copy(root().join("examples/plate.yaml"), folder.join("part.yaml")).unwrap();
+    for (command, file, known) in [
+        ("plan part.yaml", "p.pdf", "writes .txt"),
+        ("plan part.yaml", "p.DOCX", ".html"),
+        ("plan part.yaml --format text", "p.png", ".yaml, .yml;"),
+        ("program part.yaml", "p.dxf", ".txt, .json;"),
+        ("table A.8", "t.xlsx", ".csv"),
+    ] {
+        let args: Vec<&str> = command.split(' ').chain(["-o", file, "--lang", "en"]).collect();
+        let answer = run(&folder, &args);
+        let said = complaint(&answer);
+        assert_eq!(answer.status.code(), Some(2), "{args:?}");
+        assert!(said.contains("alien-ending") && said.contains(known), "{said}");
+        assert!(!folder.join(file).exists());
+    }
+    for file in ["p.nc", "p.tap", "p.ngc", "p", "p.txt", "p.2"] {
+        let answer = run(&folder, &["program", "part.yaml", "-o", file]);
+        assert!(answer.status.code() == Some(0) && folder.join(file).exists(), "{file}: {}", complaint(&answer));
+    }
+}
+
 #[test]
 fn names_and_arguments_do_not_steer_the_terminal() {
     let folder = scratch("signs");

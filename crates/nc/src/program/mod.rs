@@ -25,7 +25,7 @@ use crate::job::Job;
 use crate::knowledge::diagnostic::Diagnostic;
 use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
-use crate::motion::{BlockRef, Sink};
+use crate::motion::{BlockRef, MotionStep, Sink};
 use crate::note::{Note, Severity, Told};
 use crate::tables::controls::Letter;
 use written::{Form, WrittenProgram};
@@ -81,6 +81,11 @@ impl Language {
             Self::Iso(control) => iso::check(text, control, machine, setting, sink),
         }
     }
+}
+
+/// Whether a program came to be run: one with an error in its text is not, and what a part lacks by it is no finding.
+pub fn is_run(faults: &[Fault], steps: &[MotionStep]) -> bool {
+    !steps.is_empty() || !faults.iter().any(Fault::is_error)
 }
 
 /// A stretch of one line of a program. Line and column count from one, in characters.

@@ -1,9 +1,11 @@
 unknown-character = the language has no character `{ $letter }`
-    .help = remove it: addresses are Latin capitals, numbers have `.` and `-`, lines end with LF or CR LF
+    .help = write the block without it: addresses are Latin capitals, numbers have `.` and `-`, lines end with LF or CR LF
 cyrillic-letter = `{ $letter }` is a Cyrillic letter, not the Latin { $latin }
     .help = type it in Latin
 unknown-address = there is no address { $letter }
     .help = `technolog table 2c42-65-addresses` lists them
+comma-for-point = `{ $written }` has a comma where the decimal point belongs
+    .help = write { $meant }
 number-missing = no number follows the address { $address }
     .help = write the number or remove the address
 number-too-fine = the number of { $address } is finer than 0.001

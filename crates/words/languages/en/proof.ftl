@@ -20,8 +20,14 @@ not-loaded = the plan's tool { $tool } is not put into place { $place }: there i
     .help = put M00 before this tool
 no-correction = T{ $tool } cuts without length correction; its H{ $own } is { $needed } (H{ $corrector } = { $value } acts)
     .help = turn it on: G43 H
-wrong-correction = T{ $tool } cuts with H{ $corrector } = { $value }, and its correction is H{ $own } = { $needed }
-    .help = check T and H of this tool
+wrong-correction = T{ $tool } cuts with H{ $corrector } = { $value }{ $whose ->
+        [none] {""}
+       *[tool] {""}, the offset of T{ $other }
+    }, and its correction is H{ $own } = { $needed }
+    .help = { $whose ->
+        [none] check T and H of this tool
+       *[tool] write H{ $own } where T{ $tool } takes its length, or T{ $other } where the tool is changed
+    }
 other-corrector = T{ $tool } cuts with H{ $corrector }, but its offset register is H{ $own }; the value is the same, { $value } of { $needed }
     .help = check T and H of this tool
 wrong-sign = T{ $tool }: H{ $corrector } = { $value }, and { $needed } by the plan: the sign is the opposite

@@ -1,4 +1,5 @@
 # Why a program is not held against its plan.
+audit-program-not-run = програму не порівняно з планом: програма з помилкою в тексті не виконується; спершу виправте її
 audit-program-no-route = програму не порівняно з планом: у плані немає маршруту (`route`)
 audit-program-row-hole = програму не порівняно з планом: рядок { $row } не називає групи отворів (`hole`)
 audit-program-row-tool = програму не порівняно з планом: рядок { $row } ({ $operation }) не називає інструмента (`tool`); якщо перехід на іншому верстаті, напишіть `elsewhere: true`

@@ -20,8 +20,14 @@ not-loaded = інструмент { $tool } плану не поставлено
     .help = поставте M00 перед цим інструментом
 no-correction = T{ $tool } ріже без корекції довжини; його H{ $own } дорівнює { $needed } (діє H{ $corrector } = { $value })
     .help = введіть корекцію: G43 H
-wrong-correction = T{ $tool } ріже з H{ $corrector } = { $value }, а його корекція H{ $own } = { $needed }
-    .help = перевірте T і H цього інструмента
+wrong-correction = T{ $tool } ріже з H{ $corrector } = { $value }{ $whose ->
+        [none] {""}
+       *[tool] {""}, коректором T{ $other }
+    }, а його корекція H{ $own } = { $needed }
+    .help = { $whose ->
+        [none] перевірте T і H цього інструмента
+       *[tool] напишіть H{ $own } там, де T{ $tool } бере корекцію довжини, або T{ $other } там, де змінюють інструмент
+    }
 other-corrector = T{ $tool } ріже з H{ $corrector }, а його коректор H{ $own }; величина та сама, { $value } з { $needed }
     .help = перевірте T і H цього інструмента
 wrong-sign = T{ $tool }: H{ $corrector } = { $value }, а за планом { $needed }: знак протилежний

@@ -15,10 +15,10 @@ use crate::error::KnowledgeError;
 use crate::job;
 use crate::knowledge::diagnostic::Place;
 use crate::motion::{Axis, Motion, MotionStep, Position};
-use crate::note::Severity;
+use crate::note::{Note, Severity};
 use crate::plan::{HolePlan, Operation, Plan};
 use crate::program::proof::{self, Code, ProofInput, Tolerated, prove};
-use crate::program::{Fault, Setting, path};
+use crate::program::{Fault, Setting, is_run, path};
 use crate::units::Micrometres;
 
 use super::super::auditor::SimulatedProgram;
@@ -62,7 +62,7 @@ pub(super) fn check<'a>(
         finding.at(place.as_ref().unwrap_or(&program.file.place))
     };
     match (as_stated, job) {
-        (Ok(plan), Some(job)) => {
+        (Ok(plan), Some(job)) if is_run(&run.faults, &run.steps) => {
             judged::setting(context, graph, &plan, &setting, &mut seen);
             let told = proven(context, &plan, &job, &set, &run)?;
             // What the program does as the plan should be follows from what is wrong with the plan.
@@ -74,6 +74,13 @@ pub(super) fn check<'a>(
             }
         }
         (Err(why), _) => findings.push(missing(why)),
+        // Of a program that is not run nothing is known: that it makes no hole follows from its mistakes.
+        (Ok(plan), Some(_)) => {
+            judged::setting(context, graph, &plan, &setting, &mut seen);
+            let note = Note::new("audit-program-not-run");
+            let finding = Finding::new(Severity::Note, Section::Program, "program".to_owned(), note);
+            findings.push(finding.at(&program.file.place));
+        }
         (Ok(_), None) => {}
     }
     findings.extend(causes::together(seen, context.shop.knowledge)?);

@@ -42,7 +42,8 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
         };
         if main.is_none() && ends(&[Action::End]) {
             main = Some(range.clone());
-        } else if !ends(&[Action::End, Action::Return]) {
+        } else if !ends(&[Action::End, Action::Return]) && !blocks[range.clone()].iter().any(|block| block.unread) {
+            // A word that could not be read may be the end.
             faults.push(fault("program-without-end", head.span, head.number));
         }
         gaps(&blocks[range.clone()], faults);
@@ -63,6 +64,10 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
 
 /// Tells where numbers of blocks are left out of a program that else counts in equal steps: a lost block is seen there.
 fn gaps(blocks: &[Block], faults: &mut Vec<Fault>) {
+    // The number that could not be read is the one that is missing.
+    if blocks.iter().any(|block| block.headless) {
+        return;
+    }
     let numbered: Vec<(u32, Span)> = blocks.iter().filter_map(|block| Some((block.number?, block.span))).collect();
     let step_of = |pair: &[(u32, Span)]| pair[1].0.saturating_sub(pair[0].0);
     let mut steps: BTreeMap<u32, usize> = BTreeMap::new();
@@ -97,12 +102,14 @@ fn functions(block: &Block) -> impl Iterator<Item = &Word> {
 
 /// Holds every block against the rules on what may stand together.
 pub(super) fn blocks(blocks: &[Block], programs: &Programs, control: &Control, faults: &mut Vec<Fault>) {
+    // A number of a program that could not be read may be the one that is called.
+    let headless = blocks.iter().any(|block| block.headless);
     for block in blocks {
         let before = faults.len();
         words(block, control, faults);
         m_functions(block, control, faults);
         groups(block, control, faults);
-        calls(block, programs, faults);
+        calls(block, programs, headless, faults);
         for fault in &mut faults[before..] {
             fault.block = block.number;
         }
@@ -208,12 +215,12 @@ fn groups(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
     }
 }
 
-fn calls(block: &Block, programs: &Programs, faults: &mut Vec<Fault>) {
+fn calls(block: &Block, programs: &Programs, headless: bool, faults: &mut Vec<Fault>) {
     for word in block.words.iter().filter(|word| word.address == 'P' && !word.in_cycle) {
         // 3.14.2, note 6: two digits, the leading zero stays.
         if word.digits != 2 {
             faults.push(fault("subprogram-one-digit", word.span, None).with("number", word.number()));
-        } else if !programs.numbered.contains_key(&word.code()) {
+        } else if !headless && !programs.numbered.contains_key(&word.code()) {
             let number = format!("{:02}", word.number());
             faults.push(fault("subprogram-missing", word.span, None).with("number", number));
         }

@@ -23,5 +23,5 @@ mod writer;
 
 pub use control::Control;
 pub use run::{check, check_within};
-pub(super) use text::latin;
+pub(super) use text::{comma_places, decimal_comma, latin};
 pub use writer::write;

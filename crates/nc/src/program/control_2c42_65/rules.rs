@@ -15,6 +15,7 @@ pub(super) const RULES: &[Rule] = &[
     ("unknown-character", Error, "3.1"),
     ("cyrillic-letter", Error, "3.1"),
     ("unknown-address", Error, "3.1"),
+    ("comma-for-point", Error, "3.5"),
     ("number-missing", Error, "3.5"),
     ("number-too-fine", Error, "3.8.2"),
     ("number-not-whole", Error, "3.2"),

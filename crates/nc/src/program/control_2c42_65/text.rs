@@ -47,6 +47,10 @@ pub(super) struct Block {
     pub program: Option<u8>,
     /// Its other words, as they stand.
     pub words: Vec<Word>,
+    /// Whether a word of it could not be read: what it lacks may have been that word.
+    pub unread: bool,
+    /// Whether that is the word that it begins with, its number perhaps or that of a program.
+    pub headless: bool,
 }
 
 /// Every block of the text, and what could not be read.
@@ -73,7 +77,8 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) 
         blocks.extend(reader.block());
     }
     // Once: whoever leaves the numbers out leaves out all of them.
-    let mut unnumbered = blocks.iter().filter(|block| block.number.is_none() && block.program.is_none());
+    let mut unnumbered =
+        blocks.iter().filter(|block| block.number.is_none() && block.program.is_none() && !block.headless);
     if let Some(first) = unnumbered.next() {
         faults.push(fault("no-block-number", first.span, None).with("count", unnumbered.count() + 1));
     }
@@ -136,10 +141,26 @@ impl SourceLine<'_> {
             } else {
                 let written = number(&self.text[behind..end]);
                 let next = behind + written.len();
-                if let Some(word) = self.word(character, written.trim_start_matches(blank), self.span(at, next)) {
-                    self.place(word, &mut block);
+                let places = comma_places(&self.text[next..end], written);
+                let word = written.trim_start_matches(blank);
+                match (places, self.control.addresses.of(character)) {
+                    (Some(places), Some(known)) => {
+                        let span = self.span(at, next + 1 + places.len());
+                        self.faults.push(decimal_comma(character, word, places, known.decimal, span, fault));
+                        block.unread = true;
+                        at = next + 1 + places.len();
+                    }
+                    _ => {
+                        match self.word(character, word, self.span(at, next)) {
+                            Some(word) => self.place(word, &mut block),
+                            None => {
+                                block.unread = true;
+                                block.headless |= at == first;
+                            }
+                        }
+                        at = next;
+                    }
                 }
-                at = next;
             }
         }
         for fault in &mut self.faults[before..] {
@@ -238,6 +259,30 @@ impl SourceLine<'_> {
     }
 }
 
+/// The places behind a decimal comma that follows a number without a point.
+pub(in crate::program) fn comma_places<'t>(behind: &'t str, number: &str) -> Option<&'t str> {
+    let rest = behind.strip_prefix(',').filter(|_| !number.contains('.'))?;
+    let end = rest.find(|sign: char| !sign.is_ascii_digit()).unwrap_or(rest.len());
+    rest.get(..end).filter(|places| !places.is_empty())
+}
+
+/// A number with a decimal comma. Without the comma it would be another number, ten times and more as large; so what is
+/// to be written instead is told whole.
+pub(in crate::program) fn decimal_comma(
+    address: char,
+    number: &str,
+    places: &str,
+    decimal: bool,
+    span: Span,
+    fault: impl Fn(&'static str, Span, Option<u32>) -> Fault,
+) -> Fault {
+    if !decimal {
+        return fault("number-not-whole", span, None).with("address", address);
+    }
+    let written = |sign: char| format!("{address}{number}{sign}{places}");
+    fault("comma-for-point", span, None).with("written", written(',')).with("meant", written('.'))
+}
+
 /// The mark that editors put at the beginning of a file.
 const MARK: char = '\u{feff}';
 
@@ -311,7 +356,11 @@ mod tests {
             ("N1 X1\0", "unknown-character U+0000", 6),
             ("N1 X1\n\u{feff}N2 X1", "unknown-character U+FEFF", 1),
             ("N1 X1\rX2", "unknown-character U+000D", 6),
-            ("N1 X1,5", "unknown-character ,", 6),
+            ("N1 X1,5", "comma-for-point X1,5", 4),
+            ("N1 X-,5Y1", "comma-for-point X-,5", 4),
+            ("N1 X1.5,5", "unknown-character ,", 8),
+            ("N1 X1, Y5", "unknown-character ,", 6),
+            ("N1 S800,5", "number-not-whole S", 4),
             ("N1 У5", "cyrillic-letter Y", 4),
             ("N1 N2 X1", "word-twice N", 4),
             (":01 :02", "word-twice :", 5),

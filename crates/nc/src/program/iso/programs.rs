@@ -49,12 +49,15 @@ pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control
     let second = starts.iter().copied().find(|start| *start > 0);
     programs.main = 0..second.filter(|_| !control.o_words).unwrap_or(blocks.len());
     subs(blocks, &mut programs, faults);
+    // A name that could not be read may be the one that is called; a number, that of the call.
+    let headless = blocks.iter().any(|block| block.unread && block.words.is_empty() && block.label.is_none());
     for (block, words) in blocks.iter().zip(words) {
         let called = call(block, words, control);
-        if let Some(function) = calls(words, control).filter(|_| called.is_none()) {
+        if let Some(function) = calls(words, control).filter(|_| called.is_none() && !block.unread) {
             faults.push(fault("call-without-number", function.span, block.number));
         }
         if let Some(call) = called
+            && !headless
             && !programs.named.contains_key(&call.name)
         {
             faults.push(fault("subprogram-missing", call.span, block.number).with("number", call.name));

@@ -13,6 +13,7 @@ pub(super) const RULES: &[Rule] = &[
     ("unknown-character", Error, "text"),
     ("cyrillic-letter", Error, "text"),
     ("unknown-word", Error, "words"),
+    ("comma-for-point", Error, "text"),
     ("number-missing", Error, "text"),
     ("number-too-long", Error, "text"),
     ("number-not-whole", Error, "text"),

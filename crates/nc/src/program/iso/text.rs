@@ -3,7 +3,7 @@
 
 use super::control::{ActiveComment, CommentAct, Control, IsoControl, Written};
 use super::rules::fault;
-use crate::program::control_2c42_65::latin;
+use crate::program::control_2c42_65::{comma_places, decimal_comma, latin};
 use crate::program::{Fault, Span};
 use crate::units::Micrometres;
 
@@ -43,6 +43,8 @@ pub(super) struct Block {
     pub label: Option<Label>,
     /// Its other words, as they stand.
     pub words: Vec<Word>,
+    /// Whether a word of it could not be read: what it lacks may have been that word.
+    pub unread: bool,
 }
 
 /// Blocks of a program: with all of them a check takes a second, and a third of a gigabyte.
@@ -123,7 +125,20 @@ impl SourceLine<'_> {
             let end = number_end(&characters, at + 1);
             let until = characters.get(end - 1).map_or(column, |(column, _)| *column) + 1;
             let written: String = characters[at + 1..end].iter().map(|(_, c)| *c).collect();
-            if let Some(word) = self.word(character, &written, self.span(column, until)) {
+            let behind: String = characters[end..].iter().map(|(_, c)| *c).collect();
+            if let (Some(places), Some(known)) =
+                (comma_places(&behind, &written), self.control.addresses.get(&character))
+            {
+                at = end + 1 + places.len();
+                let until = characters.get(at - 1).map_or(until, |(column, _)| *column + 1);
+                let (decimal, span) = (*known != Written::Whole, self.span(column, until));
+                self.faults.push(decimal_comma(character, &written, places, decimal, span, fault));
+                block.unread = true;
+                continue;
+            }
+            let word = self.word(character, &written, self.span(column, until));
+            block.unread |= word.is_none();
+            if let Some(word) = word {
                 match character {
                     'N' if block.number.is_none() && block.words.is_empty() => {
                         block.number = u32::try_from(word.millionths / 1_000_000).ok();

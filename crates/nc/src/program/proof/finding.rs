@@ -148,6 +148,7 @@ named! {
         Points = "points",
         More = "more",
         Way = "way",
+        Whose = "whose",
         Diameter = "diameter",
     }
 }

@@ -184,10 +184,22 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
                 .with(Name::Needed, own.correction_mm)
                 .with(Name::Own, own.corrector)
         };
+        let wrong = || {
+            // Whose it is tells which number was mistaken for which.
+            let other = match asked.own_correctors {
+                false => asked.plan.tools.iter().find(|tool| tool.corrector == number).map(|tool| tool.number),
+                true => usual.iter().find(|(_, used)| used.0 == number).map(|(tool, _)| *tool),
+            };
+            let said = say(Code::WrongCorrection, Severity::Error);
+            match other.filter(|other| number != 0 && *other != plan) {
+                Some(other) => said.with(Name::Whose, "tool".to_owned()).with(Name::Other, other),
+                None => said.with(Name::Whose, "none".to_owned()),
+            }
+        };
         if !asked.own_correctors {
             if value != own.correction_mm {
                 let none = number == 0 || value == Micrometres::ZERO;
-                findings.push(say(if none { Code::NoCorrection } else { Code::WrongCorrection }, Severity::Error));
+                findings.push(if none { say(Code::NoCorrection, Severity::Error) } else { wrong() });
             } else if number != own.corrector && number != 0 && value != Micrometres::ZERO {
                 findings.push(say(Code::OtherCorrector, Severity::Doubtful));
             } else if number != own.corrector {
@@ -198,8 +210,7 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
         let first = usual.get(&cut.tool).copied().unwrap_or(cut.corrector);
         // A corrector that holds 0 and none are the same to the machine.
         if cut.corrector != first && (value != Micrometres::ZERO || first.1 != Micrometres::ZERO) {
-            findings
-                .push(say(Code::WrongCorrection, Severity::Error).with(Name::Needed, first.1).with(Name::Own, first.0));
+            findings.push(wrong().with(Name::Needed, first.1).with(Name::Own, first.0));
         } else if cut.corrector != first {
             findings.push(say(Code::NoCorrector, Severity::Note).with(Name::Own, first.0));
         } else if let Some((other, _)) = usual

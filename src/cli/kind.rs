@@ -1,0 +1,55 @@
+//! A file of another kind than the command takes: what it seems to be, and whose file it is.
+
+use std::borrow::Cow;
+
+use technolog::cases::{FileKind, other_kind};
+use technolog::knowledge::Diagnostic;
+use technolog::words::say;
+
+use super::diagnostics::Texts;
+use super::{CliError, Context};
+
+/// The one thing to say of a file that cannot be used because it is of another kind; else what was found in it.
+pub fn or_other(
+    file: &str,
+    text: &str,
+    wanted: FileKind,
+    problems: Vec<Diagnostic>,
+    context: &Context,
+) -> Vec<Diagnostic> {
+    match told(file, text, wanted, context) {
+        Some(problem) => vec![problem],
+        None => problems,
+    }
+}
+
+/// Sees to it that a text which anything can be read from is of the wanted kind.
+///
+/// # Errors
+/// It is of another.
+pub fn refuse_other(file: &str, text: &str, wanted: FileKind, context: &Context) -> Result<(), CliError> {
+    let Some(problem) = told(file, text, wanted, context) else { return Ok(()) };
+    let texts = Texts::default().with(file, file.to_owned(), Cow::Owned(text.to_owned()));
+    Err(CliError::Unusable { problems: vec![problem], texts })
+}
+
+/// What is said of a file of another kind; nothing where it may be of that one.
+pub fn told(file: &str, text: &str, wanted: FileKind, context: &Context) -> Option<Diagnostic> {
+    let (kind, place) = other_kind(file, text, wanted)?;
+    let [is, wanted] = [kind, wanted].map(|kind| context.word(kind.name()));
+    let message = say!(context.lang, "cli-other-kind", is = is, wanted = wanted);
+    let help = match kind {
+        FileKind::Part => say!(context.lang, "cli-kind-command", command = format!("technolog plan {file}")),
+        FileKind::Turned => say!(context.lang, "cli-kind-command", command = format!("technolog turn {file}")),
+        FileKind::Plan => say!(context.lang, "cli-kind-command", command = format!("technolog audit {file}")),
+        FileKind::Cases => say!(context.lang, "cli-kind-command", command = format!("technolog test {file}")),
+        FileKind::Program => say!(context.lang, "cli-kind-command", command = format!("technolog check {file}")),
+        FileKind::Setting => {
+            say!(context.lang, "cli-kind-option", option = format!("technolog check … --setting {file}"))
+        }
+        FileKind::Marks => say!(context.lang, "cli-kind-option", option = format!("technolog audit … --marks {file}")),
+        FileKind::Table => say!(context.lang, "cli-kind-option", option = "technolog lint --knowledge …"),
+        FileKind::List | FileKind::Yaml => context.word("cli-kind-help").to_owned(),
+    };
+    Some(Diagnostic::error("other-kind", message, place).help(help))
+}
