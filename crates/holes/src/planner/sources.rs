@@ -237,8 +237,11 @@ impl Finder<'_, '_> {
             if promised.is_none_or(|own| own > main.roughness)
                 && reached.roughness.is_none_or(|own| own > main.roughness)
             {
-                let own = reached.roughness.map_or_else(|| "-".to_owned(), |own| own.to_string());
-                misses.push(Note::new("misses-roughness").with("roughness", own).with("asked", main.roughness));
+                let note = Note::new("misses-roughness").with("asked", main.roughness);
+                misses.push(match reached.roughness {
+                    Some(own) => note.with("roughness", own),
+                    None => note.with("roughness", "-"),
+                });
             }
         }
         if main.before.is_cast() && reached.position_mm.is_none() {
