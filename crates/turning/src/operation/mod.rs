@@ -7,7 +7,8 @@
 //! 3. [`layers`]: finishing allowances, the rough contour, the three allowances as areas;
 //! 4. zones ([`crate::turning::zones`]), [`tools`] for them;
 //! 5. [`depth`]: the limiting depth, cutting conditions and feeds;
-//! 6. [`work`]: the seven schemes over each zone, and the one that is taken.
+//! 6. [`work`]: the seven schemes over each zone, and the one that is taken;
+//! 7. [`unfinished`]: what of the part is then still to be made, and where a path would spoil it.
 //!
 //! What a rule or a table can decide is not decided here: the rules are asked in this order, and their reasons kept.
 
@@ -21,6 +22,7 @@ mod pocket;
 pub mod prepare;
 pub mod programs;
 pub mod tools;
+mod unfinished;
 pub mod work;
 
 use serde::Serialize;
@@ -139,6 +141,7 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     }
     let mut operation =
         Operation { workpiece: workpiece.clone(), blank_advice, elsewhere, set_ups: done, findings: Vec::new() };
+    findings.extend(unfinished::unfinished(&operation));
     findings.extend(doubts::doubts(&operation));
     operation.findings = merged(findings);
     Ok(operation)

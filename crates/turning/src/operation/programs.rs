@@ -9,11 +9,13 @@ use crate::turning::point::Point;
 use crate::turning::program::{
     self, Allowance, Control, Direction, Feeds, NotWritten, ProgramFile, Roughing, Setting, Speed,
 };
+use crate::turning::shaft::Holding;
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::zones::Feed;
 use crate::units::{MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
 
 use super::Operation;
+use super::unfinished::reaches_axis;
 use super::work::{Work, ZoneWork};
 
 /// What is written of an operation.
@@ -65,10 +67,11 @@ pub fn programs(
 ) -> Result<Vec<OperationProgram>, KnowledgeError> {
     let control = Control::read(control, knowledge)?;
     let runs = runs(operation, spindle, form);
-    Ok(runs.into_iter().map(|run| written(run, form, &control)).collect())
+    let between_centres = operation.workpiece.holding == Holding::Centres;
+    Ok(runs.into_iter().map(|run| written(run, form, &control, between_centres)).collect())
 }
 
-fn written(run: ToolRun<'_>, form: Form, control: &Control) -> OperationProgram {
+fn written(run: ToolRun<'_>, form: Form, control: &Control, between_centres: bool) -> OperationProgram {
     let mut zones: Vec<usize> = run.works.iter().map(|(zone, _)| zone.zone.number).collect();
     zones.dedup();
     let place = |(zone, work): &(&ZoneWork, &Work)| {
@@ -77,7 +80,10 @@ fn written(run: ToolRun<'_>, form: Form, control: &Control) -> OperationProgram 
     };
     let works = run.works.iter().map(place).collect();
     let (set_up, side, tool) = (run.set_up, run.side, run.tool.to_owned());
-    let files = run.setting.clone().and_then(|setting| match form {
+    let paths = run.works.iter().filter_map(|(_, work)| work.transition()).map(|transition| &transition.path);
+    let hits_centre = between_centres && run.side == Side::Outer && paths.into_iter().any(reaches_axis);
+    let setting = if hits_centre { Err(NotWritten::ThroughCentre) } else { run.setting.clone() };
+    let files = setting.and_then(|setting| match form {
         Form::Motions => motions(&run, &setting, control),
         Form::Cycles => cycles(&run, &setting, control),
     });

@@ -92,6 +92,8 @@ pub enum NotWritten {
         /// The clearance.
         clearance: Half,
     },
+    /// The tool would go to the axis, where the tailstock centre stands.
+    ThroughCentre,
     /// The cycle does not leave an allowance.
     Allowance {
         /// The control.
@@ -135,6 +137,7 @@ impl NotWritten {
             Self::BoreTooNarrow { bore, clearance } => {
                 Note::new("lathe-bore-too-narrow").with("bore", bore.diameter()).with("clearance", clearance)
             }
+            Self::ThroughCentre => Note::new("lathe-through-centre"),
             Self::Allowance { control } => Note::new("lathe-allowance").with("control", control),
         }
     }

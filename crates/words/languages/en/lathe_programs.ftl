@@ -36,3 +36,5 @@ lathe-bore-too-narrow = the bore Ø{ $bore } is too narrow: the cycle begins { $
     .help = make the clearance smaller
 lathe-allowance = the cycle of { $control } does not leave an allowance reliably
     .help = give the cycle the rough contour, without an allowance
+lathe-through-centre = the tool would go to the axis, where the tailstock centre stands
+    .help = face the blank and drill its centre holes first (`blank: {"{"}face: 0, …{"}"}`), or hold it in a chuck
