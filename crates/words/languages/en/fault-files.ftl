@@ -25,6 +25,7 @@ unit-number = `{ $text }` is not a number: { $why }
 unit-digits-expected-on-both-sides = digits expected on both sides of the point
 unit-write-decimal-point-comma = write the decimal point, not a comma
 unit-letter-stands-where-zero-may = the letter `{ $wrong }` stands where a zero may be meant
+unit-one-number-without-plus-minus = one number is wanted here, without ±
 unit-no-digit = `{ $other }` is not a digit
 unit-more-than-six-decimal-places = more than six decimal places
 unit-tolerance-grade-whole-number-from = `{ $text }` is not a tolerance grade: a whole number from 1 to 18

@@ -25,6 +25,7 @@ unit-number = `{ $text }` – не число: { $why }
 unit-digits-expected-on-both-sides = цифри мають бути з обох боків крапки
 unit-write-decimal-point-comma = пишіть десяткову крапку, а не кому
 unit-letter-stands-where-zero-may = стоїть буква `{ $wrong }`, а мав би бути нуль
+unit-one-number-without-plus-minus = тут потрібне одне число, без ±
 unit-no-digit = `{ $other }` – не цифра
 unit-more-than-six-decimal-places = понад шість знаків після крапки
 unit-tolerance-grade-whole-number-from = `{ $text }` – не квалітет: це ціле число від 1 до 18
