@@ -201,7 +201,10 @@ fn a_wrong_correction_names_the_tool_whose_it_is() {
     let (_, proof, _) = held.run(&CONTROL, &text.replacen(" H2", " H1", 1));
     let said = proof.findings.iter().find(|finding| finding.code.name() == "wrong-correction").unwrap();
     let told = Lang::EN.say(&said.note);
-    assert!(told.starts_with("T2 cuts with H1 = ") && told.contains(", the offset of T1, and its correction is H2 = "), "{told}");
+    assert!(
+        told.starts_with("T2 cuts with H1 = ") && told.contains(", the offset of T1, and its correction is H2 = "),
+        "{told}"
+    );
     let told = Lang::UK.say(&said.note);
     assert!(told.starts_with("T2 ріже з H1 = ") && told.contains(", коректором T1, а його корекція H2 = "), "{told}");
 }

@@ -184,7 +184,8 @@ fn of_drawing(text: &str, knowledge: &Knowledge) -> Result<Option<Note>, Note> {
         return Ok(Some(note!("part-write-deviations", text = text, example = limits(nominal, either))));
     }
     let letters = typed.find(is_figure).unwrap_or_default();
-    let no_size = (1..=2).contains(&letters) && typed.starts_with(char::is_alphabetic) && typed[letters..].chars().all(is_figure);
+    let no_size =
+        (1..=2).contains(&letters) && typed.starts_with(char::is_alphabetic) && typed[letters..].chars().all(is_figure);
     Ok(no_size.then(|| note!("part-size-before-tolerance", text = text, example = format!("10{typed}"))))
 }
 
