@@ -85,10 +85,17 @@ pub fn table<'k>(knowledge: &'k Knowledge, typed: &str, context: &Context) -> Re
     let lower = wanted.to_ascii_lowercase();
     let ids: Vec<(String, &str)> =
         knowledge.tables().map(|table| (table.id.to_ascii_lowercase(), table.id.as_str())).collect();
+    // One table of a book may stand in several parts here, each with a letter.
+    let is_part = |id: &str| {
+        id.strip_prefix(&lower)
+            .is_some_and(|rest| rest.len() == 1 && rest.bytes().all(|sign| sign.is_ascii_alphabetic()))
+    };
+    let parts: Vec<&str> = ids.iter().filter(|(lower, _)| is_part(lower)).map(|(_, id)| *id).collect();
     let near = nearest(&lower, ids.iter().map(|(lower, _)| lower.as_str()))
         .and_then(|near| ids.iter().find(|(lower, _)| lower == near));
     let list = words::list_tables(context.lang);
     let help = match near {
+        _ if parts.len() > 1 => format!("{} {list}", words::did_you_mean(context.lang, parts.join("`, `"))),
         Some((_, id)) => format!("{} {list}", words::did_you_mean(context.lang, id)),
         None => list,
     };

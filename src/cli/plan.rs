@@ -6,10 +6,12 @@ use std::path::{Path, PathBuf};
 
 use technolog::cases::FileKind;
 use technolog::error::KnowledgeError;
+use technolog::knowledge::alike::latin;
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::part::{Part, read_part};
 use technolog::plan::{CuttingMethod, Plan};
+use technolog::words::say;
 use technolog::{audit, planner, report};
 
 use super::diagnostics::Texts;
@@ -87,9 +89,11 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
     let Some(hole) = plan.holes.iter().find(|hole| hole.name == args.hole) else {
         let names: Vec<&str> = plan.holes.iter().map(|hole| hole.name.as_str()).collect();
         let message = words::no_hole(context.lang, args.part.display(), &args.hole);
-        let help = match nearest(&args.hole, names.iter().copied()) {
-            Some(near) => words::did_you_mean(context.lang, near),
-            None => words::known(context.lang, names.join(", ")),
+        let alike = names.iter().find(|name| latin(name) == latin(&args.hole));
+        let help = match (alike, nearest(&args.hole, names.iter().copied())) {
+            (Some(alike), _) => say!(context.lang, "cli-other-alphabet", name = *alike),
+            (None, Some(near)) => words::did_you_mean(context.lang, near),
+            (None, None) => words::known(context.lang, names.join(", ")),
         };
         return Err(Diagnostic::error("unknown-hole", message, None).help(help).into());
     };

@@ -88,10 +88,14 @@ pub fn nearest<'a>(typed: &str, known: impl IntoIterator<Item = &'a str>) -> Opt
     nearest_few(typed, known).first().copied()
 }
 
+/// Letters of a long word.
+const LONG: usize = 7;
+
 /// The same, and with it those that are as near, in order.
 pub(crate) fn nearest_few<'a>(typed: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     let typed: Vec<char> = typed.chars().collect();
-    let limit = (typed.len() / 3).max(1) + 1;
+    // One slip in three letters, and one more of a long word, which is near few others: a far hint is worse than none.
+    let limit = (typed.len() / 3).max(1) + usize::from(typed.len() >= LONG);
     let mut near: Vec<(usize, &str)> =
         known.into_iter().filter_map(|name| Some((edit_distance(&typed, name, limit)?, name))).collect();
     near.sort_unstable();
@@ -99,7 +103,7 @@ pub(crate) fn nearest_few<'a>(typed: &str, known: impl IntoIterator<Item = &'a s
     near.into_iter().take_while(|(distance, _)| Some(*distance) == least).map(|(_, name)| name).collect()
 }
 
-/// Levenshtein distance in characters, if it is within a limit. A text that is much longer costs nothing: every character
+/// Levenshtein distance in characters, two neighbours in each other's place being one slip, if it is within a limit. A text that is much longer costs nothing: every character
 /// that the other lacks is one of the distance.
 pub(crate) fn edit_distance(a: &[char], b: &str, limit: usize) -> Option<usize> {
     let b: Vec<char> = b.chars().take(a.len() + limit + 1).collect();
@@ -107,13 +111,19 @@ pub(crate) fn edit_distance(a: &[char], b: &str, limit: usize) -> Option<usize> 
         return None;
     }
     let mut row: Vec<usize> = (0..=b.len()).collect();
+    let (mut above, mut before) = (row.clone(), row.clone());
     for (i, ca) in a.iter().enumerate() {
+        std::mem::swap(&mut before, &mut above);
+        above.clone_from(&row);
         let mut diagonal = row[0];
         row[0] = i + 1;
         for (j, cb) in b.iter().enumerate() {
             let substituted = diagonal + usize::from(ca != cb);
             diagonal = row[j + 1];
             row[j + 1] = substituted.min(row[j] + 1).min(diagonal + 1);
+            if i > 0 && j > 0 && a[i - 1] == *cb && b[j - 1] == *ca {
+                row[j + 1] = row[j + 1].min(before[j - 1] + 1);
+            }
         }
         // The distance is no less than the least of any row.
         if row.iter().all(|distance| *distance > limit) {
@@ -138,8 +148,14 @@ mod tests {
     #[test]
     fn a_distance_is_told_within_its_limit() {
         // Levenshtein's own kind of example, and the lengths alone.
-        for (a, b, distance) in [("kitten", "sitting", 3), ("", "abc", 3), ("діаметр", "диаметр", 1), ("a", "a", 0)]
-        {
+        for (a, b, distance) in [
+            ("kitten", "sitting", 3),
+            ("", "abc", 3),
+            ("діаметр", "диаметр", 1),
+            ("a", "a", 0),
+            ("nmae", "name", 1),
+            ("rouhgness", "roughness", 1),
+        ] {
             let a: Vec<char> = a.chars().collect();
             assert_eq!(edit_distance(&a, b, distance), Some(distance), "{b}");
             assert_eq!(edit_distance(&a, b, distance + 5), Some(distance), "{b}");

@@ -10,6 +10,7 @@ use std::marker::PhantomData;
 use technolog_note::{Note, note};
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::examples;
 use crate::hint;
 use crate::input::seen;
 use crate::yaml::{Key, Node, Problems};
@@ -20,9 +21,9 @@ pub trait Form: Sized + 'static {
     const KEYS: &'static [KeyOf<Self>];
 }
 
-/// A key of the mapping `F`.
+/// A key of the mapping `F`: as it is written, and the path of the mapping in Rust.
 #[derive(Debug)]
-pub struct KeyOf<F>(&'static str, PhantomData<fn() -> F>);
+pub struct KeyOf<F>(&'static str, &'static str, PhantomData<fn() -> F>);
 
 impl<F> Clone for KeyOf<F> {
     fn clone(&self) -> Self {
@@ -35,12 +36,12 @@ impl<F> Copy for KeyOf<F> {}
 impl<F> KeyOf<F> {
     /// Only for [`forms!`](crate::forms): the name of the field in Rust.
     #[doc(hidden)]
-    pub const fn of_field(field: &'static str) -> Self {
+    pub const fn of_field(field: &'static str, form: &'static str) -> Self {
         let name = match field.as_bytes() {
             [b'r', b'#', ..] => field.split_at(2).1,
             _ => field,
         };
-        Self(name, PhantomData)
+        Self(name, form, PhantomData)
     }
 
     /// As it is written in files.
@@ -57,17 +58,28 @@ pub struct AnyKeys;
 pub trait KeyIn<F> {
     /// As it is written in files.
     fn written(&self) -> &str;
+
+    /// The path of the mapping in Rust; empty where keys are data.
+    fn form(&self) -> &'static str;
 }
 
 impl<F> KeyIn<F> for KeyOf<F> {
     fn written(&self) -> &str {
         self.0
     }
+
+    fn form(&self) -> &'static str {
+        self.1
+    }
 }
 
 impl KeyIn<AnyKeys> for &str {
     fn written(&self) -> &str {
         self
+    }
+
+    fn form(&self) -> &'static str {
+        ""
     }
 }
 
@@ -92,7 +104,10 @@ macro_rules! forms {
 
         #[allow(non_upper_case_globals, missing_docs)] // they are the fields
         impl $name {
-            $(pub const $field: $crate::form::KeyOf<Self> = $crate::form::KeyOf::of_field(stringify!($field));)*
+            $(pub const $field: $crate::form::KeyOf<Self> = $crate::form::KeyOf::of_field(
+                stringify!($field),
+                concat!(module_path!(), "::", stringify!($name)),
+            );)*
         }
     )*};
 }
@@ -123,12 +138,12 @@ impl<'n, F> Fields<'n, F> {
 
     /// Takes a field that belongs to another form, for which the mapping may be mistaken.
     pub fn take_foreign<G>(&mut self, key: KeyOf<G>) -> Option<&'n Node> {
-        self.take(KeyOf::of_field(key.0))
+        self.take(KeyOf::of_field(key.0, key.1))
     }
 
     /// Takes a field that must be there.
     pub fn need(&mut self, key: impl KeyIn<F>, problems: &mut Problems) -> Option<&'n Node> {
-        let missing = missing_key(key.written(), self.place);
+        let missing = missing_key(key.written(), self.place).help(examples::to_add(key.form(), key.written()));
         let node = self.take(key);
         if node.is_none() {
             problems.0.push(missing);

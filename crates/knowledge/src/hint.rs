@@ -62,7 +62,8 @@ pub(crate) fn of<'k>(typed: &str, known: &[&'k str], present: &[Present<'_>]) ->
         let free = keys.iter().find(|key| line(key).is_none());
         free.or(keys.first()).copied()
     };
-    let key = match translated(typed, known) {
+    let words = |typed: &str| Some(translated(typed, known)).filter(|keys| !keys.is_empty());
+    let key = match words(typed).or_else(|| words(&folded)).unwrap_or_default() {
         keys if !keys.is_empty() => free_first(keys),
         _ if folded.chars().any(|letter| letter.is_ascii_alphabetic()) => {
             free_first(nearest_few(&folded, known.iter().copied()))
@@ -75,7 +76,8 @@ pub(crate) fn of<'k>(typed: &str, known: &[&'k str], present: &[Present<'_>]) ->
 /// The known keys that a Ukrainian word names, the likeliest first. One slip in four letters does not hide it.
 fn translated<'k>(typed: &str, known: &[&'k str]) -> Vec<&'k str> {
     let typed = typed.trim().to_lowercase().replace([' ', '-'], "_");
-    let limit = typed.chars().count() / 4;
+    // Short words and those of Latin letters are too near each other for slips.
+    let limit = if typed.is_ascii() { 0 } else { typed.chars().count() / 4 };
     let named = |keys: &&str| -> Vec<&'k str> {
         keys.split(' ').filter_map(|key| known.iter().find(|known| **known == key).copied()).collect()
     };
@@ -94,7 +96,7 @@ mod tests {
     use technolog_words::Lang;
 
     const KNOWN: &[&str] =
-        &["name", "diameter", "depth", "through", "thread", "step", "steps", "state", "state_diameter"];
+        &["name", "diameter", "depth", "through", "thread", "step", "steps", "state", "state_diameter", "cone"];
 
     /// What is said of the last key of the mapping, in both languages.
     fn told(text: &str) -> Option<[String; 2]> {
@@ -113,6 +115,9 @@ mod tests {
             ("диаметр", "diameter"),
             ("глибина", "depth"),
             ("наскрізний", "through"),
+            ("наскрізь", "through"),
+            ("D", "diameter"),
+            ("nmae", "name"),
             ("різь", "thread"),
             ("крок", "step"),
             ("назва", "name"),
@@ -122,7 +127,7 @@ mod tests {
             let both = [format!("did you mean `{meant}`?"), format!("можливо, `{meant}`?")];
             assert_eq!(told(&format!("{typed}: 1\n")), Some(both), "{typed}");
         }
-        for typed in ["colour", "колір", "верстат", "як", "y"] {
+        for typed in ["colour", "колір", "верстат", "як", "y", "nose", "wide", "count", "hole"] {
             assert_eq!(told(&format!("{typed}: 1\n")), None, "{typed}");
         }
     }

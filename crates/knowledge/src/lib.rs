@@ -14,6 +14,7 @@ pub mod column;
 pub mod contract;
 pub mod diagnostic;
 pub mod error;
+mod examples;
 mod few;
 pub mod form;
 mod hint;

@@ -1,6 +1,7 @@
 //! YAML as a tree with a place at every node, and a reader over it that collects every problem
 //! instead of stopping at the first.
 
+mod faults;
 mod tree;
 
 use technolog_note::{Note, note};

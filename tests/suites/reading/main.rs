@@ -12,6 +12,7 @@ mod files;
 mod fuzz;
 mod kinds;
 mod limits;
+mod missing;
 mod paths;
 mod problems;
 mod signs;

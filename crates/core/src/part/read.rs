@@ -319,6 +319,10 @@ impl Reader<'_> {
     }
 
     pub(super) fn point(&mut self, node: &Node) -> Option<Point> {
+        if let NodeKind::Map(_) = node.kind {
+            let help = note!("part-write-point-in-brackets", example = point_of_mapping(node));
+            return self.problems.error_help("bad-value", note!("part-point-is-a-mapping"), &node.place, help);
+        }
         match self.problems.list(node)? {
             [x, y] => {
                 let (x, y) = (self.problems.scalar(x), self.problems.scalar(y));
@@ -330,6 +334,25 @@ impl Reader<'_> {
                 self.problems.error_help("bad-value", message, &node.place, help)
             }
         }
+    }
+}
+
+/// The point that `{x: 10,5, y: 3}` means, in brackets; an example where it says no two numbers. A comma of decimals makes
+/// a key without a value of them.
+fn point_of_mapping(node: &Node) -> String {
+    let NodeKind::Map(entries) = &node.kind else { return String::new() };
+    let coordinate = |name: &str| {
+        let at = entries.iter().position(|(key, _)| key.text.eq_ignore_ascii_case(name))?;
+        let text = entries[at].1.text()?;
+        let decimals = entries.get(at + 1).filter(|(key, node)| {
+            node.is_null() && !text.contains('.') && key.text.bytes().all(|byte| byte.is_ascii_digit())
+        });
+        let number = decimals.map_or_else(|| text.replace(',', "."), |(key, _)| format!("{text}.{}", key.text));
+        number.parse::<Micrometres>().ok()
+    };
+    match (coordinate("x"), coordinate("y")) {
+        (Some(x), Some(y)) => format!("[{x}, {y}]"),
+        _ => "[10.5, 3]".to_owned(),
     }
 }
 

@@ -213,6 +213,12 @@ impl Reader<'_> {
     fn centre_tolerance(&mut self, node: &Node) -> Option<CentreTolerance> {
         // Cyrillic ІТ looks like the Latin letters and is typed as often.
         let text = self.problems.text(node)?.to_uppercase().replace('І', "I").replace('Т', "T");
+        if let Some(Ok(either)) =
+            text.strip_prefix('±').map(|number| number.trim().replace(',', ".").parse::<Micrometres>())
+        {
+            let message = note!("part-tolerance-is-a-width", text = text, width = (either + either).to_string());
+            return self.problems.error("bad-value", message, &node.place);
+        }
         if let Some(grade) = text.strip_prefix("IT") {
             let it = grade.trim().parse().ok().and_then(ItGrade::new).filter(|it| (5..=14).contains(&it.number()));
             if it.is_none() {

@@ -7,6 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::knowledge::Knowledge;
+use crate::knowledge::alike::latin;
 use crate::tables::holes::{HoleConvention, HoleDefault};
 use crate::tables::standards::ItGradesFor;
 use crate::units::{ItGrade, Micrometres};
@@ -73,6 +74,9 @@ impl ToleratedDiameter {
     pub fn parse(text: &str, knowledge: &Knowledge) -> Result<Self, Note> {
         // Cyrillic Н looks like the Latin letter and is typed as often.
         let text = text.trim().trim_start_matches(['Ø', '⌀', '∅', 'Ф', 'ф']).trim_start().replace(['Н', 'н'], "H");
+        if let Some(what_to_write) = of_drawing(&text, knowledge)? {
+            return Err(what_to_write);
+        }
         // At the H, so that a letter typed for a digit before it is seen as such.
         let split = text.rfind('H').or_else(|| text.find(char::is_alphabetic)).unwrap_or(text.len());
         let (size, field) = text.split_at(split);
@@ -151,6 +155,38 @@ impl ToleratedDiameter {
         }
         Err(note!("part-tolerance-mm-tighter-than-grade", given = given, nominal = nominal))
     }
+}
+
+/// What to write for a size as drawings write it and files of parts do not: a thread, a unit, deviations, a field in the
+/// middle of the zero line.
+fn of_drawing(text: &str, knowledge: &Knowledge) -> Result<Option<Note>, Note> {
+    let typed = latin(text).replace(',', ".");
+    let is_figure = |sign: char| sign.is_ascii_digit();
+    if typed.strip_prefix(['M', 'm']).is_some_and(|size| size.trim_start().starts_with(is_figure)) {
+        return Ok(Some(note!("part-diameter-is-a-thread", text = text, example = format!("thread: {typed}"))));
+    }
+    if let Some(number) = text.strip_suffix("мм").or_else(|| text.strip_suffix("mm")) {
+        return Ok(Some(note!("unit-write-bare-number-millimetres", text = text, number = number.trim())));
+    }
+    let limits = |nominal: Micrometres, either: Micrometres| {
+        format!("{{nominal: {nominal}, upper: {either}, lower: {}}}", -either)
+    };
+    if let Some((nominal, either)) = typed.split_once('±')
+        && let (Ok(nominal), Ok(either)) = (nominal.trim().parse(), either.trim().parse())
+    {
+        return Ok(Some(note!("part-write-deviations", text = text, example = limits(nominal, either))));
+    }
+    if let Some((nominal, grade)) = typed.to_uppercase().split_once("JS")
+        && let (Ok(nominal), Some(it)) = (nominal.trim().parse(), grade.parse().ok().and_then(ItGrade::new))
+    {
+        // Of half a micrometre more the hole could be outside its field.
+        let either = tolerance_width(it, nominal, knowledge)?.half();
+        return Ok(Some(note!("part-write-deviations", text = text, example = limits(nominal, either))));
+    }
+    let letters = typed.find(is_figure).unwrap_or_default();
+    let no_size =
+        (1..=2).contains(&letters) && typed.starts_with(char::is_alphabetic) && typed[letters..].chars().all(is_figure);
+    Ok(no_size.then(|| note!("part-size-before-tolerance", text = text, example = format!("10{typed}"))))
 }
 
 /// A deviation as drawings write it: with its sign, zero without.

@@ -113,6 +113,7 @@ impl FromStr for Decimal {
         if let Some(wrong) = whole.chars().chain(part.chars()).find(|c| !c.is_ascii_digit()) {
             return Err(bad(match wrong {
                 ',' => note!("unit-write-decimal-point-comma"),
+                '±' => note!("unit-one-number-without-plus-minus"),
                 'o' | 'O' | 'О' | 'о' => note!("unit-letter-stands-where-zero-may", wrong = wrong),
                 other => note!("unit-no-digit", other = other),
             }));

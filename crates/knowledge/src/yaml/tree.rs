@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use technolog_note::note;
+use technolog_note::{Note, note};
 
-use saphyr_parser::{Event, Marker, Parser, ScalarStyle, ScanError, Span};
+use saphyr_parser::{Event, Marker, Parser, ScalarStyle, Span};
 
-use super::{Key, Node, NodeKind};
+use super::{Key, Node, NodeKind, faults};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::input::{MOST_BYTES, too_large, unseen};
 
@@ -64,7 +64,9 @@ fn parse_within(most_values: usize, file: &str, text: &str) -> (Option<Node>, Ve
                 builder.problems.push(if error.info().starts_with(TOO_DEEP) {
                     too_deep(place)
                 } else {
-                    broken(&error, place)
+                    let of_line = OF_LINE.iter().any(|words| error.info().contains(words));
+                    let open = !of_line && builder.is_in_open_bracket(*error.marker());
+                    broken(if open { OPEN_BRACKET } else { error.info() }, place)
                 });
                 return (None, builder.problems);
             }
@@ -77,9 +79,18 @@ fn parse_within(most_values: usize, file: &str, text: &str) -> (Option<Node>, Ve
     (builder.root, builder.problems)
 }
 
-fn broken(error: &ScanError, place: Place) -> Diagnostic {
-    let message = note!("yaml-broken", error = error.info());
-    Diagnostic::error("yaml", message, place).help(note!("yaml-indent-with-spaces-quote-values"))
+/// Words for a bracket that is open above the line where reading stopped, whatever the parser says of that line.
+const OPEN_BRACKET: &str = "flow";
+/// Words for what is wrong in the line itself.
+const OF_LINE: [&str; 5] = ["quoted", "tab", "escape", "anchor", "trailing"];
+
+fn broken(said: &str, place: Place) -> Diagnostic {
+    let known = faults::FAULTS.iter().find(|(words, ..)| words.iter().any(|word| said.contains(word)));
+    let (message, help) = match known {
+        Some((_, what, mend)) => (note!("yaml-broken", error = Note::new(*what)), Note::new(*mend)),
+        None => (note!("yaml-broken", error = said), note!("yaml-indent-with-spaces-quote-values")),
+    };
+    Diagnostic::error("yaml", message, place).help(help)
 }
 
 fn too_deep(place: Place) -> Diagnostic {
@@ -145,6 +156,15 @@ impl Builder<'_> {
             }
             _ => self.place(Span::empty(marker)),
         }
+    }
+
+    /// Whether a bracket of a line above is still open; what stands in it goes on in the next line as a rule only where
+    /// each line ends with a comma.
+    fn is_in_open_bracket(&self, marker: Marker) -> bool {
+        let Some(Frame::Seq(_, opened) | Frame::Map(_, _, opened)) = self.stack.last() else { return false };
+        let (line, column) = (opened.line as usize, opened.column as usize);
+        let sign = self.lines.get(line.saturating_sub(1)).and_then(|line| line.chars().nth(column.saturating_sub(1)));
+        line < marker.line() && matches!(sign, Some('[' | '{'))
     }
 
     fn event(&mut self, event: Event<'_>, span: Span) {

@@ -137,5 +137,6 @@ kind-table = a table of the knowledge base
 kind-program = an NC program
 kind-list = a list of points
 kind-yaml = a YAML or JSON file
+cli-other-alphabet = some letters look alike in the Latin and the Ukrainian alphabet: the part file has `{ $name }`, copy it from there
 cli-format-contradiction = { $file }: its ending means { $meant }, and --format asks for { $asked }
 cli-format-contradiction-help = leave out --format, or give the file another ending

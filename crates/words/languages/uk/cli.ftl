@@ -140,5 +140,6 @@ kind-table = файл таблиці бази знань
 kind-program = файл програми ЧПК
 kind-list = список точок
 kind-yaml = файл YAML чи JSON
+cli-other-alphabet = деякі букви латинки й кирилиці виглядають однаково: у файлі деталі стоїть `{ $name }`, скопіюйте назву звідти
 cli-format-contradiction = { $file }: за закінченням це { $meant }, а --format вимагає { $asked }
 cli-format-contradiction-help = приберіть --format або дайте файлові інше закінчення
