@@ -23,6 +23,15 @@ const NO_SENTENCES: &[&str] = &[
     // Looked for in reasons, and the reason that planning gives itself; both are in remarks.tsv.
     "nothing at hand confirms",
     "the catalogs have no cutter of this size; it must be ground to order",
+    // Endings of files, commands as they are typed, and what the parser of YAML says: looked for, not told.
+    ".pdf .ps .eps .doc .docx .odt .rtf .tex .epub .xls .xlsx .xlsm .ods .tsv .ppt .pptx .odp .png \
+     .jpg .jpeg .gif .bmp .tif .tiff .webp .ico .dxf .dwg .step .stp .iges .igs .stl .cdw .frw .spw \
+     .zip .gz .7z .rar .tar .toml .ini .js .py .sqlite .db .exe",
+    "technolog check … --setting {file}",
+    "technolog audit … --marks {file}",
+    "technolog lint --knowledge …",
+    "mapping values are not allowed",
+    "illegal placement of ':'",
     // A defect of ours, for its developers.
     "the tables are not embedded",
     "a table value is read from a table file, not from text",
