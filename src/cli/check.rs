@@ -8,8 +8,7 @@ use std::sync::Arc;
 use serde::Serialize;
 use technolog::cases::FileKind;
 use technolog::document::{Block, Document, Table};
-use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
-use technolog::machine::Machine;
+use technolog::knowledge::{Diagnostic, Place, Severity};
 use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
@@ -79,7 +78,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         let message = say!(context.lang, "cli-other-machine", asked = id, own = own);
         return Err(Diagnostic::error("other-machine", message, None).help(context.word("cli-leave-machine")).into());
     }
-    let machine = machine(id, knowledge, context)?;
+    let machine = control::machine(id, knowledge, context)?;
     let control = control::meant(args.control.as_deref(), &machine, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let mut setting = match &args.setting {
@@ -160,16 +159,6 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
     let unproven = !serious.is_empty() || proof.as_ref().is_some_and(technolog::program::proof::Proof::has_errors);
     Ok(if unproven || faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })
-}
-
-fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
-    let known: Vec<&str> = Machine::ids(knowledge).collect();
-    if !known.contains(&id) {
-        let message = say!(context.lang, "cli-no-machine", id = id);
-        let help = say!(context.lang, "cli-known", names = known.join(", "));
-        return Err(Diagnostic::error("unknown-machine", message, None).help(help).into());
-    }
-    Machine::find(knowledge, id).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
 /// The answer for people: mistakes with their lines, what is made of the part, the trace, the times.

@@ -1,8 +1,9 @@
-//! Which control a program is for.
+//! Which machine is meant, and which control a program is for.
 
-use technolog::knowledge::Diagnostic;
+use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::Machine;
 use technolog::program::Language;
+use technolog::words::say;
 
 use super::{CliError, Context, words};
 
@@ -23,4 +24,18 @@ pub fn meant<'a>(given: Option<&'a str>, machine: &Machine<'a>, context: &Contex
 fn unknown(message: String, context: &Context) -> CliError {
     let known = Language::NAMES.join(", ");
     Diagnostic::error("unknown-control", message, None).help(words::name_control(context.lang, known)).into()
+}
+
+/// The machine of that id.
+///
+/// # Errors
+/// There is none, which names those that are, or its tables lack something.
+pub fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
+    let known: Vec<&str> = Machine::ids(knowledge).collect();
+    if !known.contains(&id) {
+        let message = say!(context.lang, "cli-no-machine", id = id);
+        let help = say!(context.lang, "cli-known", names = known.join(", "));
+        return Err(Diagnostic::error("unknown-machine", message, None).help(help).into());
+    }
+    Machine::find(knowledge, id).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }

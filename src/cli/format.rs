@@ -69,13 +69,16 @@ impl Format {
 }
 
 /// Endings that promise what no command writes: whoever opens such a file would find text in it.
-const OTHERS: &str = ".pdf .ps .eps .doc .docx .odt .rtf .tex .epub .xls .xlsx .xlsm .ods .tsv .ppt .pptx .odp .png .jpg \
-                      .jpeg .gif .bmp .tif .tiff .webp .ico .dxf .dwg .step .stp .iges .igs .stl .cdw .frw .spw .zip .gz .7z \
-                      .rar .tar .toml .ini .js .py .sqlite .db .exe";
+const OTHERS: &[&str] = &[
+    ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
+    ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
+    ".step", ".stp", ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml",
+    ".ini", ".js", ".py", ".sqlite", ".db", ".exe",
+];
 
 /// The ending of a file that belongs to a form that no command has.
 pub fn of_others(file: &Path) -> Option<String> {
-    Some(ending(file)).filter(|ending| OTHERS.split_whitespace().any(|other| other == ending))
+    Some(ending(file)).filter(|ending| OTHERS.contains(&ending.as_str()))
 }
 
 /// The ending of a file with its point, in small letters; empty where it has none.

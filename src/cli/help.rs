@@ -84,6 +84,7 @@ mod tests {
             for key in arguments.chain([format!("help-{name}")]) {
                 for lang in Lang::all() {
                     assert_ne!(lang.word(&key), key, "{lang:?}");
+                    assert!(!lang.word(&key).contains("  "), "{lang:?} {key}");
                 }
             }
         }

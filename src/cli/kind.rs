@@ -44,11 +44,9 @@ pub fn told(file: &str, text: &str, wanted: FileKind, context: &Context) -> Opti
         FileKind::Plan => say!(context.lang, "cli-kind-command", command = format!("technolog audit {file}")),
         FileKind::Cases => say!(context.lang, "cli-kind-command", command = format!("technolog test {file}")),
         FileKind::Program => say!(context.lang, "cli-kind-command", command = format!("technolog check {file}")),
-        FileKind::Setting => {
-            say!(context.lang, "cli-kind-option", option = format!("technolog check … --setting {file}"))
-        }
-        FileKind::Marks => say!(context.lang, "cli-kind-option", option = format!("technolog audit … --marks {file}")),
-        FileKind::Table => say!(context.lang, "cli-kind-option", option = "technolog lint --knowledge …"),
+        FileKind::Setting => say!(context.lang, "cli-kind-setting-of", file = file),
+        FileKind::Marks => say!(context.lang, "cli-kind-marks-of", file = file),
+        FileKind::Table => context.word("cli-kind-table-of").to_owned(),
         FileKind::List | FileKind::Yaml => context.word("cli-kind-help").to_owned(),
     };
     Some(Diagnostic::error("other-kind", message, place).help(help))

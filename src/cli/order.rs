@@ -8,7 +8,6 @@ use clap::ValueEnum;
 use serde::Serialize;
 use technolog::cases::FileKind;
 use technolog::knowledge::{Diagnostic, Knowledge};
-use technolog::machine::Machine;
 use technolog::note::Finding;
 use technolog::part::Point;
 use technolog::plan::{CuttingMethod, Times, ToolVisit, Visiting};
@@ -23,6 +22,7 @@ use technolog::sequence::{bound, sequence, timed, tool_change_point, visit_bound
 use technolog::shop::Shop;
 use technolog::units::{Micrometres, Minutes};
 
+use super::control::machine;
 use super::diagnostics::Texts;
 use super::usage::whole;
 use super::{CliError, Context, Format, Outcome, kind, knowledge, plan, words};
@@ -141,24 +141,15 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
 }
 
-fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
-    Machine::find(knowledge, id).map_err(|error| {
-        Diagnostic::error("knowledge", technolog::note::Note::from(&error), None)
-            .help(words::name_machine(context.lang))
-            .into()
-    })
-}
-
 fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context) -> Result<Outcome, CliError> {
     let List { form, points, names } = read(args, context)?;
+    // A machine that is not there is told also where no rapids are asked for.
+    let rapids = machine(args.machine.as_deref().unwrap_or(MACHINE), knowledge, context)?.rapids();
     let name = args.metric.unwrap_or(MetricName::Euclid);
     let metric = match (name, form) {
         (MetricName::Euclid, Form::Csv) => Metric::Euclid,
         (MetricName::Euclid, Form::Tsplib) => Metric::EuclidWhole,
-        (MetricName::Rapid, _) => {
-            let id = args.machine.as_deref().unwrap_or(MACHINE);
-            Metric::Rapid(machine(id, knowledge, context)?.rapids())
-        }
+        (MetricName::Rapid, _) => Metric::Rapid(rapids),
     };
     let space = if args.closed { Space::closed(&points, metric) } else { Space::open(&points, metric) };
     let found = search(args, &space);

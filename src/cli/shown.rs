@@ -32,7 +32,8 @@ pub fn head(lang: Lang, column: &Column, keep: Keep) -> Head {
         Some(symbol) => name.text(format!(" {symbol}")),
         None => name,
     };
-    let unit = unit(column.unit, lang);
+    // A scale such as HB is its own unit.
+    let unit = Some(unit(column.unit, lang)).filter(|unit| column.symbol.as_deref() != Some(*unit)).unwrap_or_default();
     // An input has tests, which are words.
     let is_figure = !column.list
         && column.role != ColumnRole::Input

@@ -90,7 +90,10 @@ pub fn program(
         let (message, help) = if all.is_empty() {
             (say!(context.lang, "turn-no-programs"), context.word("turn-see-operation").to_owned())
         } else {
-            (say!(context.lang, "turn-no-such-program"), report::turning::programs_list(&all, context.lang))
+            // A remedy is one sentence: what stands in lines elsewhere is strung together.
+            let list = report::turning::programs_list(&all, context.lang);
+            let known = list.lines().map(str::trim).collect::<Vec<_>>().join("; ");
+            (say!(context.lang, "turn-no-such-program"), say!(context.lang, "turn-programs-are", known = known))
         };
         return Err(Diagnostic::error("no-such-program", message, None).help(help).into());
     };

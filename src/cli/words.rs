@@ -30,7 +30,6 @@ phrases! {
     rebuild(): "cli-rebuild";
     no_hole(path, name): "cli-no-hole";
     known(names): "cli-known";
-    name_machine(): "cli-name-machine";
     option_of_lists(option): "cli-option-of-lists";
     leave_out(option): "cli-leave-out";
     no_control(machine): "cli-no-control";

@@ -100,6 +100,15 @@ pub(super) fn read(
     if let Some(node) = several_lines(root) {
         return problems.text(node).and(None);
     }
+    if let Some((node, text)) = endless(root) {
+        let message = note!("planfile-beyond-all-figures", text = text, most = MOST);
+        return problems.error_help(
+            "bad-value",
+            message,
+            &node.place,
+            note!("planfile-write-anew-with-technolog-plan"),
+        );
+    }
     let tolerances: Result<Tolerances, KnowledgeError> = Tolerances::read(knowledge);
     let Ok(tolerances) = tolerances else {
         return problems.error("knowledge", note!("planfile-table-audit-tolerance-cannot-used"), &root.place);
@@ -148,6 +157,19 @@ pub(super) fn read(
         times,
         changes: Some(changes),
     })
+}
+
+/// A number such as `1e400`, which is infinite to every formula: whoever told it later would not tell what is written.
+fn endless(node: &Node) -> Option<(&Node, &str)> {
+    match &node.kind {
+        NodeKind::Scalar { text, quoted: false } => {
+            let is_endless = text.parse::<f64>().is_ok_and(f64::is_infinite);
+            (is_endless && text.contains(|sign: char| sign.is_ascii_digit())).then_some((node, text.as_str()))
+        }
+        NodeKind::Scalar { .. } => None,
+        NodeKind::Seq(items) => items.iter().find_map(endless),
+        NodeKind::Map(entries) => entries.iter().find_map(|(_, node)| endless(node)),
+    }
 }
 
 struct Own<'a> {

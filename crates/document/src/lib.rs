@@ -23,7 +23,7 @@ pub use inline::{Inline, Inlines};
 pub use markdown::markdown;
 pub use text::text;
 pub use tree::{Align, Block, Column, Document, Field, Figure, Finding, Item, Keep, Severity, Table};
-pub use words::Words;
+pub use words::{WIDTH, Words};
 
 /// A document in one of the formats; width and colour are of text only.
 pub fn write(document: &Document, format: Format, width: usize, colour: bool, words: &Words) -> String {

@@ -1,11 +1,14 @@
 //! What writers have to say themselves, in the language of the document.
 
+/// Stands for a width in [`Words::see_all`].
+pub const WIDTH: &str = "<width>";
+
 /// The words of the writers. They are given because all words of the program stand in one place, which is not here.
 #[derive(Clone, Copy, Debug)]
 pub struct Words<'w> {
     /// Stands before the names of columns for which a table had no room: `columns left out`.
     pub left_out: &'w str,
-    /// How to see them; backticks mark code. Empty where nothing is to be said.
+    /// How to see them, with [`WIDTH`] where the width that shows all is to stand; backticks mark code. Empty where nothing is to be said.
     pub see_all: &'w str,
     /// Stands before what helps against a finding: `help`.
     pub help: &'w str,

@@ -7,7 +7,7 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
     (
         "part::file::PartFile",
         &[
-            ("part", "P-1"),
+            ("part", "plate-1"),
             ("material", "steel-45"),
             ("blank", "{kind: plate, length: 200, width: 100, thickness: 40}"),
             ("machine", "gf2171"),
@@ -43,7 +43,7 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
     (
         "::WorkpieceFile",
         &[
-            ("shaft", "S-1"),
+            ("shaft", "shaft-1"),
             ("material", "steel-45"),
             ("blank", "{kind: bar, diameter: 65, length: 62}"),
             ("outer", "[{from: {d: 40, z: 0}}, {cylinder: -60}]"),
@@ -52,7 +52,7 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
     (
         "::ShaftFile",
         &[
-            ("shaft", "S-1"),
+            ("shaft", "shaft-1"),
             ("material", "steel-45"),
             ("blank", "{kind: bar, diameter: 65, length: 34}"),
             ("steps", "[{diameter: 40, length: 16}, {diameter: 50, length: 18}]"),

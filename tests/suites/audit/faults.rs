@@ -172,6 +172,23 @@ fn own(part: &technolog::part::Part, method: CuttingMethod) -> Vec<String> {
     wrong(&audit)
 }
 
+/// An endless number is told as it is written, wherever in a plan of ours it stands.
+#[test]
+fn an_endless_number_of_a_plan_is_refused_as_it_is_written() {
+    let part = technolog_testing::read(
+        &std::fs::read_to_string(technolog_testing::root().join("examples/plate.yaml")).unwrap(),
+    );
+    let text = serde_json::to_string(&planned(&part, CuttingMethod::default())).unwrap();
+    let (before, stops) = text.rsplit_once("\"stops\":").unwrap();
+    let (to, behind) = stops.split_once("\"at\":[").unwrap();
+    let (_, behind) = behind.split_once(',').unwrap();
+    let text = format!("{before}\"stops\":{to}\"at\":[1e400,{behind}");
+    let none = |_: &str| Err("no files here".to_owned());
+    let problems = read_plan("plan.json", &text, &KNOWLEDGE, &none).err().unwrap().problems;
+    let told: Vec<String> = problems.iter().map(|one| one.told(|note| Lang::EN.say(note))).collect();
+    assert!(told.len() == 1 && told[0].contains("`1e400` is beyond 1000000000"), "{told:?}");
+}
+
 /// A group that we have no route for is unfinished, whoever wrote the plan.
 const UNMADE: &str = "audit-hole-not-made-either";
 

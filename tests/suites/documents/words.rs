@@ -47,13 +47,14 @@ const NO_SENTENCES: &[&str] = &[
 
 /// Rooms whose texts are no words of the program: tests, the catalogue, words that are read and never printed, symbols of
 /// formulas, sources of audit rules.
-const OTHERS: [&str; 7] = [
+const OTHERS: [&str; 8] = [
     "crates/testing",
     "crates/laws",
     "crates/words",
     "crates/tables/src/quantity.rs",
     "crates/audit/src/rules",
     "crates/knowledge/src/key_words.rs",
+    "crates/knowledge/src/yaml/faults.rs",
     "tests.rs",
 ];
 
@@ -210,5 +211,19 @@ fn a_size_without_neighbours_has_none_in_its_sentence() {
         let note = note.with("below", "Ø9").with("above", "Ø11");
         assert_eq!(Lang::UK.say(&note), format!("немає свердла Ø10, що сягає дна{uk}"));
         assert_eq!(Lang::EN.say(&note), format!("no drill Ø10 that reaches{en}"));
+    }
+}
+
+/// Who reads Ukrainian is sent to the Ukrainian page where there is one.
+#[test]
+fn ukrainian_words_name_ukrainian_pages() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let pages = fs::read_dir(root.join("docs/uk")).unwrap().map(|entry| entry.unwrap().file_name());
+    let pages: Vec<String> = pages.map(|name| format!("docs/{}", name.to_string_lossy())).collect();
+    for file in fs::read_dir(root.join("crates/words/languages/uk")).unwrap() {
+        let path = file.unwrap().path();
+        let text = fs::read_to_string(&path).unwrap();
+        let english = pages.iter().find(|page| text.contains(page.as_str()));
+        assert!(english.is_none(), "{} names {english:?}, and there is one in docs/uk", path.display());
     }
 }

@@ -230,7 +230,7 @@ fn every_slip_is_told_at_once_with_its_place() {
     assert_eq!(codes_of_list(""), ["no-points 1:1"]);
     assert_eq!(codes_of_list("x,y\n"), ["no-points 1:1"]);
     assert_eq!(codes_of_list("1,2,3\n"), ["not-a-point 1:1"]);
-    assert_eq!(codes_of_list("nan,inf\n"), ["not-a-number 1:1", "coordinate-too-large 1:5"]);
+    assert_eq!(codes_of_list("nan,inf\n"), ["not-a-number 1:1", "not-a-number 1:5"]);
     assert_eq!(
         codes_of_list("NAME: x\nDIMENSION: 2\nEDGE_WEIGHT_TYPE: GEO\nNODE_COORD_SECTION\n1 2\nb 3 4\n"),
         ["distance-kind 3:19", "not-a-node 5:1", "not-a-node-number 6:1"]

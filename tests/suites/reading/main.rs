@@ -8,6 +8,7 @@
     reason = "clippy allows it in tests, but not in the functions they share"
 )]
 
+mod arguments;
 mod files;
 mod fuzz;
 mod kinds;

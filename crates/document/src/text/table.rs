@@ -3,7 +3,7 @@
 
 use super::wrap::{Line, Word, of_cell, of_heading, wrap};
 use super::{Page, STEP, wrap as set};
-use crate::{Align, Inlines, Table};
+use crate::{Align, Inlines, Table, WIDTH};
 
 /// A table with what stands under it.
 pub(super) fn write(page: &mut Page, table: &Table) {
@@ -19,21 +19,21 @@ pub(super) fn write(page: &mut Page, table: &Table) {
                 .filter(|column| !layout.iter().any(|(shown, _)| shown == column))
                 .map(|column| table.columns()[column].heading.clone())
                 .collect();
-            notes(page, table, left_out);
+            notes(page, table, left_out, grid.least_width(between, around));
         }
         None => {
             records(page, table);
-            notes(page, table, Vec::new());
+            notes(page, table, Vec::new(), 0);
         }
     }
 }
 
-/// What is said under a table.
-fn notes(page: &mut Page, table: &Table, left_out: Vec<Inlines>) {
+/// What is said under a table; `all` is the width that it needs with every column.
+fn notes(page: &mut Page, table: &Table, left_out: Vec<Inlines>, all: usize) {
     if !left_out.is_empty() {
         let mut said = Inlines::joined(left_out, ", ");
         if !page.words.see_all.is_empty() {
-            said = said.text("; ").then(Inlines::sentence(page.words.see_all));
+            said = said.text("; ").then(Inlines::sentence(&page.words.see_all.replace(WIDTH, &all.to_string())));
         }
         page.field(&page.words.left_out.into(), &said, STEP);
     }
@@ -83,18 +83,35 @@ impl Grid {
     }
 
     /// The widest selection of columns that fits in the room that so many columns leave. Those that may be left out go
-    /// one by one, from the last. Nothing, when not even the rest fits.
+    /// one by one, from the last; then a narrower one of them comes back where there is room for it. Nothing, when not even
+    /// the rest fits.
     fn layout(&self, table: &Table, room: &dyn Fn(usize) -> Option<usize>) -> Option<Layout> {
         let mut shown: Vec<usize> = (0..self.measures.len()).collect();
+        let mut left_out = Vec::new();
+        let fits = |shown: &[usize]| room(shown.len()).and_then(|room| self.fit(shown, room));
         loop {
-            if let Some(widths) = room(shown.len()).and_then(|room| self.fit(&shown, room)) {
+            if let Some(mut widths) = fits(&shown) {
+                while let Some(column) = left_out.pop() {
+                    let mut more = shown.clone();
+                    more.insert(more.partition_point(|&known| known < column), column);
+                    if let Some(wider) = fits(&more) {
+                        (shown, widths) = (more, wider);
+                    }
+                }
                 return Some(shown.into_iter().zip(widths).collect());
             }
             let keep = |column: usize| table.columns()[column].keep;
             let least = shown.iter().copied().filter(|&column| keep(column) > crate::Keep::Always);
             let least = least.max_by_key(|&column| (keep(column), column))?;
             shown.retain(|&column| column != least);
+            left_out.push(least);
         }
+    }
+
+    /// The least width of a page for every column.
+    fn least_width(&self, between: usize, around: usize) -> usize {
+        let columns: usize = self.measures.iter().map(|(_, least)| least + between).sum();
+        (columns + around).saturating_sub(between)
     }
 
     /// Widths that fit, by narrowing the widest column again and again.

@@ -158,3 +158,24 @@ fn colours_say_what_words_say_too() {
     let page = text(&Document { blocks, ..Document::new("uk", "A") }, 80, true, &WORDS);
     assert_eq!(page, "\u{1b}[1mA\u{1b}[0m\n\u{1b}[1;31mпомилка:\u{1b}[0m Ø\n");
 }
+
+/// A narrow column is shown where a wide one of the same rank had to go, and how wide a window shows all is told truly.
+#[test]
+fn a_column_that_fits_is_shown_and_the_width_for_all_is_told() {
+    let words = Words { see_all: "COLUMNS=<width>", ..WORDS };
+    let mut table = Table::new([
+        Column::text("Код"),
+        Column::text("Найдовшеслово").keep(Keep::Optional),
+        Column::text("Кут").keep(Keep::Optional),
+    ]);
+    table.row(["A", "зенкування", "90"]);
+    let page = |width: usize| {
+        let blocks = vec![Block::Table(table.clone())];
+        text(&Document { blocks, ..Document::new("uk", "П") }, width, false, &words)
+    };
+    let narrow = page(17);
+    assert!(narrow.contains("Кут") && !narrow.contains("зенкування"), "{narrow}");
+    assert!(narrow.contains("COLUMNS=27"), "{narrow}");
+    assert!(page(27).contains("зенкування") && !page(27).contains("COLUMNS"), "{}", page(27));
+    assert!(page(26).contains("COLUMNS=27"), "{}", page(26));
+}

@@ -114,7 +114,8 @@ fn cells(line: &str) -> Vec<&str> {
 /// A number with a decimal point or, as spreadsheets in Ukrainian write it, a decimal comma.
 fn value(word: &str) -> Option<f64> {
     let pointed = if word.contains('.') { word.to_owned() } else { word.replacen(',', ".", 1) };
-    pointed.parse().ok()
+    // A word such as `inf` is no figure, though it can be parsed as one.
+    pointed.parse().ok().filter(|_| word.contains(|sign: char| sign.is_ascii_digit()))
 }
 
 struct Reader {

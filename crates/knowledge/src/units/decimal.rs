@@ -121,7 +121,9 @@ impl FromStr for Decimal {
         if part.len() > 6 {
             return Err(bad(note!("unit-more-than-six-decimal-places")));
         }
-        let scaled = format!("{whole}{part:0<6}").parse::<i64>().map_err(|_| bad(note!("unit-too-large")))?;
+        let scaled = format!("{whole}{part:0<6}")
+            .parse::<i64>()
+            .map_err(|_| bad(note!("unit-too-large", most = i64::MAX / SCALE)))?;
         Ok(Self(if negative { -scaled } else { scaled }))
     }
 }

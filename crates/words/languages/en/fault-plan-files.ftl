@@ -53,3 +53,4 @@ planfile-too-many-rows = there are { $count } rows, and a plan may have { $most 
 planfile-too-many-tools = there are { $count } tools, and a plan may have { $most }
 planfile-too-many-factors = there are { $count } factors, and a figure may have { $most }
 planfile-check-or-split = check what was written twice, or make several plans of it
+planfile-beyond-all-figures = `{ $text }` is beyond { $most }, which no figure of a plan reaches

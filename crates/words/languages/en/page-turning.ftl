@@ -132,6 +132,7 @@ turn-program = { $number }: set-up { $set_up }, { $side }, { $count ->
     } { $zones }, { $tool }
 turn-program-not-written = { $program }: { $why }
 turn-no-such-program = there is no program of this number
+turn-programs-are = give one of these with --number: { $known }
 turn-no-programs = there is no program, because no zone of the part could be planned
 turn-see-operation = `technolog turn FILE --show operation` says why
 turn-tool-not-written = { $tool }: { $why }

@@ -213,6 +213,6 @@ factor-surface-state = стан поверхні
 audit-skipped-file = { $file }: не план, пропущено
 audit-marks-legend = За що знято бали: за правилом – якщо схема називає правило; за розділом – якщо вона називає розділ плану; за вагою (помилка, хибно, сумнівно) – в усіх інших випадках.
 audit-no-plans = у теці `{ $folder }` немає жодного плану
-audit-what-is-a-plan = плани – це файли .yaml, .yml і .json, як їх описує docs/audit.md
+audit-what-is-a-plan = плани – це файли .yaml, .yml і .json, як їх описує docs/uk/audit.md
 audit-folder-against = порівняти можна лише два плани, не теку
 audit-name-a-plan = назвіть файл плану

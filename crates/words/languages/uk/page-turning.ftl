@@ -136,6 +136,7 @@ turn-program = { $number }: установ { $set_up }, { $side }, { $count ->
     } { $zones }, { $tool }
 turn-program-not-written = { $program }: { $why }
 turn-no-such-program = немає програми з таким номером
+turn-programs-are = вкажіть у --number одну з цих: { $known }
 turn-no-programs = програм немає, бо жодної зони деталі не спроєктовано
 turn-see-operation = чому – каже `technolog turn ФАЙЛ --show operation`
 turn-tool-not-written = { $tool }: { $why }
