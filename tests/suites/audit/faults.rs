@@ -9,6 +9,7 @@ use serde::Deserialize;
 use technolog::audit::{Audit, Finding, read_plan};
 use technolog::note::Severity;
 use technolog::plan::CuttingMethod;
+use technolog::words::Lang;
 use technolog_testing::{AUDITOR, KNOWLEDGE, planned, read};
 
 /// A change of a plan without a slip.
