@@ -9,7 +9,7 @@ use technolog::knowledge::{Column, ColumnRole, ColumnType, RowRef, Source, Table
 use technolog::note::Figure;
 use technolog::plan::Operation;
 use technolog::report::{operation_noun, unit, with_unit};
-use technolog::words::{LANGUAGES, say};
+use technolog::words::{LANGUAGES, listed, say};
 
 use super::Lang;
 use super::record::{bare, results};
@@ -67,7 +67,7 @@ pub fn cell(lang: Lang, column: &Column, cell: &Cell) -> String {
 /// A value without its unit.
 pub fn value(lang: Lang, column: &Column, value: &Value) -> String {
     match value {
-        Value::List(items) => items.iter().map(|item| self::value(lang, column, item)).collect::<Vec<_>>().join(", "),
+        Value::List(items) => listed(&items.iter().map(|item| self::value(lang, column, item)).collect::<Vec<_>>()),
         other => figure(lang, column, &bare(column, other)),
     }
 }
@@ -238,7 +238,7 @@ fn one_of(lang: Lang, column: &Column) -> String {
         name if name.replace(' ', "-") == *id => id.clone(),
         name => format!("{id} ({name})"),
     };
-    say!(lang, "cli-one-of", values = column.values.iter().map(value).collect::<Vec<_>>().join(", "))
+    say!(lang, "cli-one-of", values = listed(&column.values.iter().map(value).collect::<Vec<_>>()))
 }
 
 #[cfg(test)]

@@ -5,6 +5,8 @@
 //! case.test.yaml → read → Case { question, expected } → answer (a JSON value, that of the command) → hold → failures
 //! ```
 //!
+//! What a file is, a case or something else that people give to a command, is told by what stands in it ([`other_kind`]).
+//!
 //! One matcher holds every answer ([`hold`]): there is no form of expectation for each kind of question, only the keys that
 //! the commands' own JSON has. What is called something may be called so in short ([`called`]).
 //!

@@ -71,6 +71,8 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
         &[("rz_um", "50"), ("defect_layer_um", "50"), ("spatial_deviation_um", "80"), ("setup_error_um", "120")],
     ),
     ("::Program", &[("file", "program.nc"), ("control", "2c42-65")]),
+    ("::Row", &[("operation", "drill")]),
+    ("::Conditions", &[("for", "[2]")]),
     ("::PlanFile", &[("part", "part.yaml")]),
     ("::SchemeFile", &[("points", "100")]),
 ];

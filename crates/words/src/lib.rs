@@ -118,7 +118,8 @@ impl Lang {
             Figure::Number(number) => self.0.number(number),
             Figure::Word(Word { of, id }) => self.term(of, id).to_owned(),
             Figure::List(parts, between) => {
-                parts.iter().map(|part| self.figure(part)).collect::<Vec<_>>().join(between)
+                let told: Vec<String> = parts.iter().map(|part| self.figure(part)).collect();
+                if *between == ", " { listed(&told) } else { told.join(between) }
             }
             Figure::Note(note) => self.say(note),
             Figure::Stored(text) => text.clone(),
@@ -253,5 +254,34 @@ impl std::str::FromStr for Lang {
         Self::all()
             .find(|lang| lang.tag() == text)
             .ok_or_else(|| Note::new("no-such-language").with("language", text).with("known", known()))
+    }
+}
+/// Several beside each other. Where one is a number with a decimal comma, a comma between them could be one, too.
+pub fn listed(told: &[String]) -> String {
+    let has_comma = |one: &String| {
+        let mut parts = one.split(',');
+        let (before, behind) = (parts.next().unwrap_or_default(), parts.next());
+        before.ends_with(|sign: char| sign.is_ascii_digit())
+            && behind.is_some_and(|behind| behind.starts_with(|sign: char| sign.is_ascii_digit()))
+    };
+    told.join(if told.iter().any(has_comma) { "; " } else { ", " })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_comma_between_numbers_is_never_taken_for_one_of_decimals() {
+        let list = |numbers: &[&str]| Figure::list(numbers.iter().map(|number| Figure::number((*number).to_owned())));
+        for (numbers, uk, en) in [
+            (&["150.5", "0"][..], "150,5; 0", "150.5, 0"),
+            (&["1", "-2", "3"], "1, −2, 3", "1, -2, 3"),
+            (&["2.5"], "2,5", "2.5"),
+        ] {
+            assert_eq!(Lang::UK.figure(&list(numbers)), uk);
+            assert_eq!(Lang::EN.figure(&list(numbers)), en);
+        }
+        assert_eq!(listed(&["A, B".to_owned(), "C".to_owned()]), "A, B, C");
     }
 }

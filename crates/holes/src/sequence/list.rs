@@ -114,8 +114,7 @@ fn cells(line: &str) -> Vec<&str> {
 /// A number with a decimal point or, as spreadsheets in Ukrainian write it, a decimal comma.
 fn value(word: &str) -> Option<f64> {
     let pointed = if word.contains('.') { word.to_owned() } else { word.replacen(',', ".", 1) };
-    // A word such as `inf` is no figure, though it can be parsed as one.
-    pointed.parse().ok().filter(|_| word.contains(|sign: char| sign.is_ascii_digit()))
+    pointed.parse().ok()
 }
 
 struct Reader {
@@ -163,7 +162,8 @@ impl Reader {
         let quoted = ("word", word.to_owned());
         match value(word) {
             Some(value) if value.is_finite() && value.abs() <= LARGEST => Some(Micrometres::from_mm_rounded(value)),
-            Some(value) if !value.is_nan() => {
+            // A word such as `inf` is no figure, though it can be parsed as one.
+            Some(_) if word.contains(|sign: char| sign.is_ascii_digit()) => {
                 self.wrong("coordinate-too-large", &[quoted, ("most", LARGEST.to_string())], (number, word, line));
                 None
             }
