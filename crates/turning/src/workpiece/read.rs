@@ -56,7 +56,8 @@ fn turned(root: Option<Node>, problems: Vec<Diagnostic>, knowledge: &Knowledge) 
         let Some(place) = root.map(|root| root.place) else { return mistakes };
         let lacks = missing_key(steps, &place);
         let all = mistakes.len();
-        mistakes.retain(|one| !matches!(one, Mistake::Form(problem) if *problem == lacks));
+        let is_that = |problem: &Diagnostic| problem.message == lacks.message && problem.place == lacks.place;
+        mistakes.retain(|one| !matches!(one, Mistake::Form(problem) if is_that(problem)));
         if mistakes.len() < all {
             mistakes.push(Mistake::of("neither-steps-nor-outer", &place));
             mistakes.sort_by(|a, b| a.place().cmp(&b.place()));
