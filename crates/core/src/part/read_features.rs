@@ -263,7 +263,7 @@ mod tests {
             ("countersink: {diameter: 20, angle: -90}", "between 0 and 180"),
             ("cone: {diameter: 10, angle: 60}", "[too-narrow]"),
             ("cone: {diameter: 12, taper: 0.02}", "[too-deep]"),
-            ("cone: {diameter: 12}", "`taper`"),
+            ("cone: {diameter: 12}", "`taper: 0.02`"),
             ("cone: {diameter: 12, taper: 0.2, angle: 3}", "keep one of them"),
             ("cone: {diameter: 12, taper: 1:50}", "0.02 for 1:50"),
             ("cone: {diameter: 12, taper: 0}", "not a cone"),
