@@ -9,7 +9,7 @@
 //!   divides the stock and decides from which end it is turned;
 //! - [`tooling`] is lathes and turning tools, [`cutting`] how deep and how fast they cut (docs/turning-tools.md);
 //! - [`transitions`] clears a zone of any shape by the lecture's seven schemes of passes;
-//! - [`operation`] runs all of these in order;
+//! - [`operation`] runs all of these in order, and [`jobs`] is what its tools do;
 //! - [`program`] writes toolpaths and contours as programs of controls (docs/turning-programs.md);
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
 //!
@@ -20,6 +20,7 @@ pub mod allowances;
 pub mod contour;
 pub mod cutting;
 pub mod elements;
+pub mod jobs;
 pub mod length;
 pub mod levels;
 pub mod numbering;

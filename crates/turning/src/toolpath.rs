@@ -26,6 +26,10 @@ pub enum Purpose {
     Finish,
     /// At a feed, but not through metal: along a contour that is cut already, or off it.
     Return,
+    /// Straight into the metal with the whole edge: a blade, a drill.
+    Plunge,
+    /// Along a thread: its feed is the pitch, in step with the spindle.
+    Thread,
 }
 
 /// A move.

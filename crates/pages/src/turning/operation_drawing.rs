@@ -203,6 +203,8 @@ fn legend(canvas: &mut Canvas, transition: &Transition, bottom: f64, lang: Lang)
         (Purpose::SemiFinish, "turn-way-semi-finish"),
         (Purpose::Finish, "turn-way-finish"),
         (Purpose::Return, "turn-way-return"),
+        (Purpose::Plunge, "turn-way-plunge"),
+        (Purpose::Thread, "turn-way-thread"),
     ];
     for (purpose, name) in purposes {
         if transition.path.moves.iter().any(|one| one.purpose == purpose) {

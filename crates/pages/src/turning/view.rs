@@ -103,5 +103,7 @@ pub(super) const fn pen_of(purpose: Purpose) -> Pen {
         Purpose::SemiFinish => Pen::solid("#009e73", 1.5),
         Purpose::Finish => Pen::solid("#000000", 1.5),
         Purpose::Return => Pen::solid("#cc79a7", 1.0),
+        Purpose::Plunge => Pen::solid("#e69f00", 1.8),
+        Purpose::Thread => Pen::solid("#56b4e9", 1.3),
     }
 }

@@ -198,6 +198,8 @@ fn setting(
         semi_finish: per_rev(pace.feeds.semi_finish),
         finish: per_rev(pace.feeds.finish),
         back: per_rev(pace.feeds.infeed),
+        plunge: per_rev(pace.feeds.infeed),
+        thread: per_rev(pace.feeds.infeed),
     };
     let name = operation.workpiece.name.clone();
     Ok(Setting { name, tool, speed: Speed::Spindle(rpm), feeds, coolant: true })

@@ -35,12 +35,25 @@ pub struct Feeds {
     pub finish: MillimetresPerRev,
     /// Through no metal, at a feed all the same.
     pub back: MillimetresPerRev,
+    /// Straight in with the whole edge.
+    pub plunge: MillimetresPerRev,
+    /// The pitch of a thread.
+    pub thread: MillimetresPerRev,
 }
 
 impl Feeds {
     /// One feed for everything.
     pub const fn all(feed: MillimetresPerRev) -> Self {
-        Self { cut: feed, infeed: feed, pick_up: feed, semi_finish: feed, finish: feed, back: feed }
+        Self {
+            cut: feed,
+            infeed: feed,
+            pick_up: feed,
+            semi_finish: feed,
+            finish: feed,
+            back: feed,
+            plunge: feed,
+            thread: feed,
+        }
     }
 
     /// The feed of a purpose; none for a rapid.
@@ -53,6 +66,8 @@ impl Feeds {
             Purpose::SemiFinish => Some(self.semi_finish),
             Purpose::Finish => Some(self.finish),
             Purpose::Return => Some(self.back),
+            Purpose::Plunge => Some(self.plunge),
+            Purpose::Thread => Some(self.thread),
         }
     }
 }
@@ -90,9 +105,10 @@ impl Setting {
             return Err(NotWritten::NoSpeed);
         }
         let feeds = &self.feeds;
-        let all = [feeds.cut, feeds.infeed, feeds.pick_up, feeds.semi_finish, feeds.finish, feeds.back];
-        match all.iter().find(|feed| !written(feed.0, 4)) {
-            Some(feed) => Err(NotWritten::NoFeed { feed: *feed }),
+        let rough = [feeds.cut, feeds.infeed, feeds.pick_up, feeds.semi_finish, feeds.finish, feeds.back];
+        let all = rough.into_iter().chain([feeds.plunge, feeds.thread]);
+        match all.into_iter().find(|feed| !written(feed.0, 4)) {
+            Some(feed) => Err(NotWritten::NoFeed { feed }),
             None => Ok(()),
         }
     }

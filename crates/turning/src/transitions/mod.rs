@@ -102,7 +102,8 @@ impl Feeds {
         match purpose {
             Purpose::Rapid => self.rapid,
             Purpose::Cut => self.main,
-            Purpose::Infeed | Purpose::Return => self.infeed,
+            // The passes of a zone have no threads; their infeed is a plunge.
+            Purpose::Infeed | Purpose::Return | Purpose::Plunge | Purpose::Thread => self.infeed,
             Purpose::PickUp => self.pick_up,
             Purpose::SemiFinish => self.semi_finish,
             Purpose::Finish => self.finish,

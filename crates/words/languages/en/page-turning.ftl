@@ -157,3 +157,5 @@ turn-way-pick-up = pick-up
 turn-way-semi-finish = semi-finishing pass
 turn-way-finish = finishing pass
 turn-way-return = feed in air
+turn-way-plunge = plunge
+turn-way-thread = thread

@@ -163,3 +163,5 @@ turn-way-pick-up = підбір
 turn-way-semi-finish = напівчистовий хід
 turn-way-finish = чистовий хід
 turn-way-return = подача поза металом
+turn-way-plunge = врізання
+turn-way-thread = різь

@@ -1,0 +1,243 @@
+//! What the tools of a set-up do, one job after another: each with its tool, its toolpath, its speed and feeds. Programs,
+//! times, settings, drawings and the proof use nothing else of an operation.
+//!
+//! A toolpath leads the tool's **reference point**, the one whose place the offsets of the control give:
+//!
+//! | tool | reference point |
+//! |---|---|
+//! | turning, boring | its theoretical point: where the tangents to the nose across and along the axis meet |
+//! | neutral turning tool | the lowest point of the nose: [`Tip::axial`] is 0 |
+//! | grooving | the corner of the blade towards the chuck, as a theoretical point |
+//! | face grooving | the corner of the blade towards the axis, as a theoretical point |
+//! | threading | the sharp point of the profile |
+//! | centre drill, drill | its point on the axis |
+
+use serde::Serialize;
+
+use crate::note::{Because, Note};
+use crate::turning::contour::{Contour, Side, SurfaceName};
+use crate::turning::length::Half;
+use crate::turning::point::Vector;
+use crate::turning::program::{Feeds, Speed};
+use crate::turning::tooling::{Hand, Place, Shank, ToolKind, TurningTool};
+use crate::turning::toolpath::Toolpath;
+use crate::units::{Decimal, Degrees, Micrometres, Minutes};
+
+/// What a job does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Work {
+    /// The free end is faced.
+    Face,
+    /// A centre hole, or the spot for a drill.
+    Centre,
+    /// A hole on the axis.
+    Drill,
+    /// Stock is removed down to the rough contour.
+    Rough,
+    /// The finished contour.
+    Finish,
+    /// A groove or a relief, with its sides.
+    Groove,
+    /// A thread, pass by pass.
+    Thread,
+    /// The part is cut off.
+    PartOff,
+}
+
+/// What a job does to a thread; a control's threading cycle is called with it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ThreadCut {
+    /// Pitch P, mm.
+    pub pitch_mm: Micrometres,
+    /// Z of the beginning, before the thread.
+    pub from_z_mm: Half,
+    /// Z of the end, in the relief or where the tool pulls out.
+    pub to_z_mm: Half,
+    /// Where the crests are: the radius before the first pass.
+    pub crest_radius_mm: Half,
+    /// Where the roots are: the radius of the last pass.
+    pub root_radius_mm: Half,
+    /// Depth of each pass from the crests, radial, ascending; the last is the whole depth, spring passes repeat it.
+    pub depths_mm: Vec<Half>,
+    /// The angle of infeed from the perpendicular to the axis, degrees; 0 is straight in.
+    pub infeed_angle_deg: Degrees,
+}
+
+/// A job of one tool.
+#[derive(Clone, Debug, Serialize)]
+pub struct Job {
+    /// What it does.
+    pub work: Work,
+    /// Outside or inside.
+    pub side: Side,
+    /// Its tool.
+    pub tool: JobTool,
+    /// The surfaces that it makes or prepares.
+    pub surfaces: Vec<SurfaceName>,
+    /// The way of the reference point, in the coordinates of the set-up. It begins and ends clear of the metal.
+    pub path: Toolpath,
+    /// How the spindle turns.
+    #[serde(skip)]
+    pub speed: Speed,
+    /// The feed of each purpose.
+    #[serde(skip)]
+    pub feeds: Feeds,
+    /// The time of the toolpath at these feeds; the first way to the part is not in it.
+    pub time_min: Minutes,
+    /// The thread that it cuts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thread: Option<ThreadCut>,
+    /// What is left over the part when it is done, as a contour of the reference point's metal; for cycles of a control.
+    #[serde(skip)]
+    pub leaves: Option<Contour>,
+    /// What there is to say of it: how it was divided, what limits it.
+    pub notes: Vec<Note>,
+    /// The rows that it rests on.
+    pub because: Vec<Because>,
+}
+
+/// A tool as programs, settings and proofs know it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JobTool {
+    /// Its designation in the catalog.
+    pub designation: String,
+    /// Its body.
+    #[serde(flatten)]
+    pub body: Body,
+}
+
+/// The shape of a tool.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "shape", rename_all = "kebab-case")]
+pub enum Body {
+    /// An insert in a holder or a bar.
+    Insert {
+        /// What it is for.
+        kind: ToolKind,
+        /// Where it works.
+        works: Place,
+        /// Its hand.
+        hand: Hand,
+        /// φ, degrees.
+        lead_angle_deg: Degrees,
+        /// φ1, degrees.
+        trail_angle_deg: Degrees,
+        /// r, mm; 0 for a sharp point.
+        nose_radius_mm: Micrometres,
+        /// Length of the edge, mm.
+        edge_mm: Option<Micrometres>,
+        /// Width of a blade, mm.
+        width_mm: Option<Micrometres>,
+        /// How deep a blade reaches, mm.
+        blade_depth_mm: Option<Micrometres>,
+        /// Square shank: height and width, mm.
+        shank_mm: Option<(Micrometres, Micrometres)>,
+        /// Diameter of a round bar, mm.
+        bar_mm: Option<Micrometres>,
+    },
+    /// A drill on the axis.
+    Drill {
+        /// Its diameter, mm.
+        diameter_mm: Micrometres,
+        /// The whole angle of its point, degrees.
+        point_angle_deg: Degrees,
+        /// How deep its flutes reach, mm.
+        flute_mm: Option<Micrometres>,
+    },
+    /// A centre drill of ГОСТ 14034.
+    CentreDrill {
+        /// Its pilot diameter d, mm.
+        pilot_mm: Micrometres,
+        /// The length of the pilot, mm.
+        pilot_length_mm: Micrometres,
+        /// The diameter of its body, mm.
+        body_mm: Micrometres,
+    },
+}
+
+/// From the centre of the nose to the reference point, in noses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tip {
+    /// −1 towards the axis, +1 outwards, 0 at the height of the centre.
+    pub radial: i8,
+    /// +1 towards the chuck, −1 towards the free end.
+    pub axial: i8,
+}
+
+impl Tip {
+    /// The displacement for a nose radius.
+    pub fn of(self, nose: Half) -> Vector {
+        let nose = nose.to_mm();
+        Vector::new(f64::from(self.axial) * nose, f64::from(self.radial) * nose)
+    }
+
+    /// The number of the tip's place as controls count it, with X away from the axis: 1 to 4 corners, 5 to 8 sides.
+    pub const fn quadrant(self) -> u8 {
+        match (self.radial, self.axial) {
+            (1, -1) => 1,
+            (1, 1) => 2,
+            (-1, 1) => 3,
+            (-1, -1) => 4,
+            (0, -1) => 5,
+            (1, _) => 6,
+            (0, 1) => 7,
+            (-1, _) => 8,
+            _ => 9,
+        }
+    }
+}
+
+impl JobTool {
+    /// A turning tool of the catalog.
+    pub fn of(tool: &TurningTool<'_>) -> Self {
+        let (shank_mm, bar_mm) = match tool.shank {
+            Some(Shank::Square { height, width }) => (Some((height, width)), None),
+            Some(Shank::Round { diameter }) => (None, Some(diameter)),
+            None => (None, None),
+        };
+        let degrees = |angle: Decimal| Degrees(angle.to_f64());
+        Self {
+            designation: tool.designation.to_owned(),
+            body: Body::Insert {
+                kind: tool.kind,
+                works: tool.works,
+                hand: tool.hand,
+                lead_angle_deg: degrees(tool.lead_angle),
+                trail_angle_deg: degrees(tool.trail_angle),
+                nose_radius_mm: tool.nose_radius.unwrap_or(Micrometres::ZERO),
+                edge_mm: tool.edge,
+                width_mm: tool.width,
+                blade_depth_mm: tool.groove_depth,
+                shank_mm,
+                bar_mm,
+            },
+        }
+    }
+
+    /// Where its reference point lies from the centre of its nose; none for a tool without a nose.
+    pub fn tip(&self) -> Option<Tip> {
+        let Body::Insert { kind, works, hand, .. } = self.body else { return None };
+        Some(tip(kind, works, hand))
+    }
+
+    /// Its nose radius, mm; 0 for a drill.
+    pub const fn nose_radius(&self) -> Micrometres {
+        match self.body {
+            Body::Insert { nose_radius_mm, .. } => nose_radius_mm,
+            Body::Drill { .. } | Body::CentreDrill { .. } => Micrometres::ZERO,
+        }
+    }
+}
+
+/// The place of the reference point of a kind of tool.
+pub const fn tip(kind: ToolKind, works: Place, hand: Hand) -> Tip {
+    let radial = if matches!(works, Place::Inner) { 1 } else { -1 };
+    let axial = match (kind, hand) {
+        (ToolKind::Threading, _) => 0,
+        (ToolKind::Grooving | ToolKind::FaceGrooving, _) | (_, Hand::R) => 1,
+        (_, Hand::L) => -1,
+        (_, Hand::N) => 0,
+    };
+    Tip { radial, axial }
+}
