@@ -18,6 +18,7 @@ use super::{CliError, Context, Format, Outcome};
 pub enum Control {
     Linuxcnc,
     Sinumerik,
+    Fanuc,
     #[value(name = "nc-201")]
     Nc201,
 }
@@ -27,6 +28,7 @@ impl Control {
         match self {
             Self::Linuxcnc => "linuxcnc",
             Self::Sinumerik => "sinumerik",
+            Self::Fanuc => "fanuc",
             Self::Nc201 => "nc-201",
         }
     }
@@ -109,7 +111,8 @@ pub fn program(
 }
 
 fn not_written(written: &OperationProgram, note: technolog::note::Note, context: &Context) -> CliError {
-    let said = say!(context.lang, "turn-tool-not-written", tool = &written.tool, why = &note);
+    let set_up = say!(context.lang, "turn-job-of", number = written.set_up);
+    let said = say!(context.lang, "turn-tool-not-written", tool = set_up, why = &note);
     let problem = Diagnostic::error("not-written", said, None);
     match context.lang.remedy(&note) {
         Some(remedy) => problem.help(remedy).into(),

@@ -73,6 +73,8 @@ crate::vocabulary! {
         LinuxCnc = "linuxcnc",
         /// Sinumerik 840D.
         Sinumerik = "sinumerik",
+        /// Fanuc 0i-TF, system A of G functions.
+        Fanuc = "fanuc",
         /// Balt-System NC-201.
         Nc201 = "nc-201",
     }

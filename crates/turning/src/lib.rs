@@ -9,6 +9,7 @@
 //!   divides the stock and decides from which end it is turned;
 //! - [`tooling`] is lathes and turning tools, [`cutting`] how deep and how fast they cut (docs/turning-tools.md);
 //! - [`transitions`] clears a zone of any shape by the lecture's seven schemes of passes;
+//! - [`nose`] sees a contour as the reference point of a tool with a round nose meets it;
 //! - [`operation`] runs all of these in order, and [`jobs`] is what its tools do;
 //! - [`program`] writes toolpaths and contours as programs of controls (docs/turning-programs.md);
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
@@ -23,6 +24,7 @@ pub mod elements;
 pub mod jobs;
 pub mod length;
 pub mod levels;
+pub mod nose;
 pub mod numbering;
 pub mod operation;
 pub mod passes;

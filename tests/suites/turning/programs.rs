@@ -28,7 +28,16 @@ fn control(name: &str) -> Control {
 fn feeds() -> Feeds {
     let feed = MillimetresPerRev;
     let (cut, infeed, pick_up) = (feed(0.3), feed(0.15), feed(0.2));
-    Feeds { cut, infeed, pick_up, semi_finish: feed(0.25), finish: feed(0.1), back: feed(0.6) }
+    Feeds {
+        cut,
+        infeed,
+        pick_up,
+        semi_finish: feed(0.25),
+        finish: feed(0.1),
+        back: feed(0.6),
+        plunge: feed(0.05),
+        thread: feed(1.5),
+    }
 }
 
 fn setting() -> Setting {

@@ -1,6 +1,7 @@
 //! A turning operation as its reader sees it: the blank, the surfaces, the allowances, the zones with their tools, the
 //! schemes side by side.
 
+mod jobs;
 mod schemes;
 mod surfaces;
 mod zones;
@@ -46,6 +47,8 @@ pub fn operation_page(operation: &Operation, knowledge: &Knowledge, doubts: Doub
     }
     page.heading(3, say!(lang, "turn-total"));
     page.paragraph(total(operation, lang));
+    section(&mut page, say!(lang, "turn-jobs"));
+    jobs::jobs(&mut page, operation, lang);
     findings(&mut page, operation.findings.iter(), doubts, lang);
     page
 }
@@ -53,16 +56,14 @@ pub fn operation_page(operation: &Operation, knowledge: &Knowledge, doubts: Doub
 /// The programs of an operation, one a line.
 pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
     let line = |(index, program): (usize, &OperationProgram)| {
+        let tools: Vec<String> = program.places.iter().map(|place| format!("T{place}")).collect();
         let told = say!(
             lang,
             "turn-program",
             number = index + 1,
             set_up = program.set_up,
-            side = word(program.side.name()),
-            count = program.zones.len(),
-            zones =
-                program.zones.iter().map(|zone| format!("{}.{zone}", program.set_up)).collect::<Vec<_>>().join(", "),
-            tool = &program.tool
+            count = tools.len(),
+            tools = tools.join(", ")
         );
         match &program.files {
             Ok(_) => format!("{told}\n"),

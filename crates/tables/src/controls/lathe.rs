@@ -60,13 +60,22 @@ vocabulary! {
         End = "end",
         ContourBegins = "contour-begins",
         ContourEnds = "contour-ends",
+        ChangePosition = "change-position",
+        SpeedLimit = "speed-limit",
+        Thread = "thread",
+        ThreadLead = "thread-lead",
+        ProgramBegins = "program-begins",
     }
 }
 
 impl Use {
     /// Whether every control must have it.
     pub const fn is_required(self) -> bool {
-        !matches!(self, Self::ExactPath | Self::ContourBegins | Self::ContourEnds)
+        use Use::{Absolute, ContourBegins, ContourEnds, Diameters, ExactPath, Plane, ProgramBegins, SpeedLimit};
+        !matches!(
+            self,
+            SpeedLimit | ExactPath | ContourBegins | ContourEnds | Plane | Diameters | Absolute | ProgramBegins
+        )
     }
 }
 
@@ -76,6 +85,8 @@ rows! {
         control: LatheControl,
         plain: bool,
         cycles: bool,
+        ending: Option<&'t str>,
+        point: Option<bool>,
         comment: Option<&'t str>,
         known_words: Option<Vec<&'t str>>,
     } shown { version }

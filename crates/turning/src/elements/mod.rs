@@ -32,6 +32,7 @@ use super::point::Point;
 use bridge::{Bridged, Span, bridge};
 use classify::Seen;
 use reach::{Edges, Shade};
+pub(super) use view::steepness;
 use view::{Bit, View};
 
 /// In which direction a tool feeds.

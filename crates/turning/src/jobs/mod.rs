@@ -12,16 +12,20 @@
 //! | threading | the sharp point of the profile |
 //! | centre drill, drill | its point on the axis |
 
+pub mod along;
+pub mod pace;
+
 use serde::Serialize;
 
 use crate::note::{Because, Note};
-use crate::turning::contour::{Contour, Side, SurfaceName};
+use crate::turning::contour::{Side, SurfaceName};
+use crate::turning::cutting::TurningConditions;
 use crate::turning::length::Half;
 use crate::turning::point::Vector;
-use crate::turning::program::{Feeds, Speed};
 use crate::turning::tooling::{Hand, Place, Shank, ToolKind, TurningTool};
 use crate::turning::toolpath::Toolpath;
 use crate::units::{Decimal, Degrees, Micrometres, Minutes};
+pub use pace::Pace;
 
 /// What a job does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -43,6 +47,22 @@ pub enum Work {
     Thread,
     /// The part is cut off.
     PartOff,
+}
+
+impl Work {
+    /// Its name, as answers and remarks of programs have it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Face => "face",
+            Self::Centre => "centre",
+            Self::Drill => "drill",
+            Self::Rough => "rough",
+            Self::Finish => "finish",
+            Self::Groove => "groove",
+            Self::Thread => "thread",
+            Self::PartOff => "part-off",
+        }
+    }
 }
 
 /// What a job does to a thread; a control's threading cycle is called with it.
@@ -77,20 +97,20 @@ pub struct Job {
     pub surfaces: Vec<SurfaceName>,
     /// The way of the reference point, in the coordinates of the set-up. It begins and ends clear of the metal.
     pub path: Toolpath,
-    /// How the spindle turns.
+    /// How fast it goes.
     #[serde(skip)]
-    pub speed: Speed,
-    /// The feed of each purpose.
-    #[serde(skip)]
-    pub feeds: Feeds,
-    /// The time of the toolpath at these feeds; the first way to the part is not in it.
+    pub pace: Pace,
+    /// Feed, speed, spindle step and loads, if a lathe is named.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub conditions: Option<TurningConditions>,
+    /// The time of the toolpath at this pace; the first way to the part is not in it.
     pub time_min: Minutes,
     /// The thread that it cuts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thread: Option<ThreadCut>,
-    /// What is left over the part when it is done, as a contour of the reference point's metal; for cycles of a control.
+    /// The zone that it clears and the index of the work in it, of a rough job.
     #[serde(skip)]
-    pub leaves: Option<Contour>,
+    pub zone: Option<(usize, usize)>,
     /// What there is to say of it: how it was divided, what limits it.
     pub notes: Vec<Note>,
     /// The rows that it rests on.

@@ -13,7 +13,7 @@ use crate::turning::schemes::rates;
 use crate::turning::shaft;
 use crate::turning::tooling::TurningTool;
 use crate::turning::transitions::Feeds;
-use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerRev};
+use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerRev, Roughness};
 
 use super::tools::Bench;
 
@@ -165,20 +165,21 @@ fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(C
     Ok(Some((Cut { knowledge, lathe, tool, material, diameter, direction, surface }, because)))
 }
 
-/// Rates and distances at a depth of passes: from the file, otherwise from the conditions, otherwise from the table
+/// Rates and distances at a depth of passes, for finishing with the roughness that the pass must leave: from the file, otherwise from the conditions, otherwise from the table
 /// `turning-motion`. A motion for which the file has no rate goes at the main feed, and a finding says so.
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn pace(
     task: Task<'_, '_>,
     depth: Half,
+    roughness: Option<Roughness>,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Pace, KnowledgeError> {
     let given = bench.workpiece.rates;
     let conditions = match cut(task, bench)? {
         None => None,
-        Some((cut, skin)) => match Refusal::split(conditions(&cut, depth.rounded_up(), None))? {
+        Some((cut, skin)) => match Refusal::split(conditions(&cut, depth.rounded_up(), roughness))? {
             Ok(mut conditions) => {
                 conditions.because.push(skin);
                 findings.extend(conditions.findings());

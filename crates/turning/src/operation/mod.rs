@@ -16,6 +16,7 @@ mod clip;
 pub mod depth;
 mod doubts;
 pub mod drill;
+mod jobs;
 pub mod layers;
 mod level;
 mod pocket;
@@ -34,6 +35,7 @@ use crate::note::{Finding, Note, Severity};
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
+use crate::turning::jobs::Job;
 use crate::turning::workpiece::{Advice, Workpiece, advice};
 use crate::turning::zones::{self, SetUp};
 use layers::Layers;
@@ -64,6 +66,8 @@ pub struct SetUpWork {
     pub set_up: SetUp,
     /// What it roughs outside and inside, in the order of work.
     pub sides: Vec<SideWork>,
+    /// What its tools do, one after another.
+    pub jobs: Vec<Job>,
 }
 
 /// What a set-up roughs on one side.
@@ -137,7 +141,8 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
             findings.push(Finding::of_part(Severity::Note, note));
         }
         let sides = sides(&set_up, &bench, &mut findings)?;
-        done.push(SetUpWork { set_up, sides });
+        let jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
+        done.push(SetUpWork { set_up, sides, jobs });
     }
     let mut operation =
         Operation { workpiece: workpiece.clone(), blank_advice, elsewhere, set_ups: done, findings: Vec::new() };

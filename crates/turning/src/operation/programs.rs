@@ -1,30 +1,46 @@
-//! The programs of an operation: one toolpath program for consecutive works with the same tool, speed and feeds, or
-//! one roughing cycle of the control per work.
+//! The programs of an operation: one for each set-up, with every job of it, as motions or with the roughing cycles of the
+//! control.
+
+use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::turning::contour::{Contour, Side};
+use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{
-    self, Allowance, Control, Direction, Feeds, NotWritten, ProgramFile, Roughing, Setting, Speed,
+    self, Allowance, Control, CycleOf, Direction, NotWritten, ProgramFile, Roughing, Section, Speed,
 };
 use crate::turning::shaft::Holding;
-use crate::turning::toolpath::{Purpose, Toolpath};
+use crate::turning::toolpath::Toolpath;
 use crate::turning::zones::Feed;
-use crate::units::{MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
+use crate::units::RevsPerMinute;
 
-use super::Operation;
+use super::jobs::per_rev;
 use super::unfinished::reaches_axis;
-use super::work::{Work, ZoneWork};
+use super::work::ZoneWork;
+use super::{Operation, SetUpWork};
 
 /// What is written of an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// Every motion by itself.
     Motions,
-    /// The roughing cycle of the control, if one can clear the zone.
+    /// The roughing cycle of the control wherever one can clear a zone.
     Cycles,
+}
+
+/// A tool in its place of the turret.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Station {
+    /// The place, from 1.
+    pub place: u32,
+    /// The tool.
+    #[serde(flatten)]
+    pub tool: JobTool,
+    /// Whether it finishes only. A tool that roughs does not finish: its edge is worn.
+    pub finishes: bool,
 }
 
 /// A program, or why there is none.
@@ -32,30 +48,31 @@ pub enum Form {
 pub struct OperationProgram {
     /// The set-up.
     pub set_up: u8,
-    /// Outside or inside.
-    pub side: Side,
-    /// The numbers of its zones on that side.
-    pub zones: Vec<usize>,
-    /// Its works in order: the number of the zone, and the index of the work in it.
-    pub works: Vec<(usize, usize)>,
-    /// Its tool.
-    pub tool: String,
+    /// The places of its tools, in the order of work.
+    pub places: Vec<u32>,
     /// Its files, or the reason.
     pub files: Result<Vec<ProgramFile>, NotWritten>,
 }
 
-/// Consecutive works with one tool, speed and feeds.
-struct ToolRun<'a> {
-    set_up: u8,
-    side: Side,
-    tool: &'a str,
-    place: u32,
-    setting: Result<Setting, NotWritten>,
-    works: Vec<(&'a ZoneWork, &'a Work)>,
+/// The tools of an operation by their places in the turret: in the order of their first use, whatever the set-up.
+pub fn stations(operation: &Operation) -> Vec<Station> {
+    let mut stations: Vec<Station> = Vec::new();
+    for job in operation.set_ups.iter().flat_map(|set_up| &set_up.jobs) {
+        if place(&stations, job).is_none() {
+            let place = u32::try_from(stations.len() + 1).unwrap_or(u32::MAX);
+            stations.push(Station { place, tool: job.tool.clone(), finishes: job.work == JobWork::Finish });
+        }
+    }
+    stations
 }
 
-/// The programs of an operation in the order of work; `spindle` is the spindle speed that the user states. Tools are
-/// numbered on the turret in the order of their first use.
+/// The place of the tool of a job.
+pub fn place(stations: &[Station], job: &Job) -> Option<u32> {
+    let is_it = |one: &&Station| one.tool == job.tool && one.finishes == (job.work == JobWork::Finish);
+    stations.iter().find(is_it).map(|one| one.place)
+}
+
+/// The program of each set-up; `spindle` is the spindle speed that the user states.
 ///
 /// # Errors There is no such control, or a table lacks something of it.
 pub fn programs(
@@ -66,80 +83,69 @@ pub fn programs(
     knowledge: &Knowledge,
 ) -> Result<Vec<OperationProgram>, KnowledgeError> {
     let control = Control::read(control, knowledge)?;
-    let runs = runs(operation, spindle, form);
+    let stations = stations(operation);
     let between_centres = operation.workpiece.holding == Holding::Centres;
-    Ok(runs.into_iter().map(|run| written(run, form, &control, between_centres)).collect())
-}
-
-fn written(run: ToolRun<'_>, form: Form, control: &Control, between_centres: bool) -> OperationProgram {
-    let mut zones: Vec<usize> = run.works.iter().map(|(zone, _)| zone.zone.number).collect();
-    zones.dedup();
-    let place = |(zone, work): &(&ZoneWork, &Work)| {
-        let place = zone.works.iter().position(|one| std::ptr::eq(one, *work));
-        (zone.zone.number, place.unwrap_or_default())
-    };
-    let works = run.works.iter().map(place).collect();
-    let (set_up, side, tool) = (run.set_up, run.side, run.tool.to_owned());
-    let paths = run.works.iter().filter_map(|(_, work)| work.transition()).map(|transition| &transition.path);
-    let hits_centre = between_centres && run.side == Side::Outer && paths.into_iter().any(reaches_axis);
-    let setting = if hits_centre { Err(NotWritten::ThroughCentre) } else { run.setting.clone() };
-    let files = setting.and_then(|setting| match form {
-        Form::Motions => motions(&run, &setting, control),
-        Form::Cycles => cycles(&run, &setting, control),
-    });
-    OperationProgram { set_up, side, zones, works, tool, files }
-}
-
-/// The runs of an operation; a cycle is a run of its own.
-fn runs(operation: &Operation, spindle: Option<RevsPerMinute>, form: Form) -> Vec<ToolRun<'_>> {
-    let mut runs: Vec<ToolRun<'_>> = Vec::new();
-    let mut places: Vec<&str> = Vec::new();
-    for (set_up, side, zone) in operation.zones() {
-        let Some(tool) = zone.tool.as_ref().map(|tool| tool.designation.as_str()) else { continue };
-        if !zone.is_cleared() {
-            continue;
-        }
-        let place = places.iter().position(|known| *known == tool).unwrap_or_else(|| {
-            places.push(tool);
-            places.len() - 1
-        });
-        let place = u32::try_from(place + 1).unwrap_or(u32::MAX);
+    let written = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty()).map(|set_up| {
+        let mut places: Vec<u32> = set_up.jobs.iter().filter_map(|job| place(&stations, job)).collect();
+        places.dedup();
         let number = set_up.set_up.number;
-        for work in &zone.works {
-            let setting = setting(place, operation, work, spindle);
-            let same = |run: &&mut ToolRun<'_>| {
-                let here = run.set_up == number && run.tool == tool && run.side == side.side;
-                here && run.setting == setting && form == Form::Motions
-            };
-            match runs.last_mut().filter(same) {
-                Some(run) => run.works.push((zone, work)),
-                None => {
-                    let works = vec![(zone, work)];
-                    runs.push(ToolRun { set_up: number, side: side.side, tool, place, setting, works });
-                }
-            }
-        }
-    }
-    runs
+        let files = if between_centres && set_up.jobs.iter().any(hits_centre) {
+            Err(NotWritten::ThroughCentre)
+        } else {
+            sections(set_up, &stations, form, spindle)
+                .and_then(|sections| program::whole(&control, &operation.workpiece.name, number, &sections))
+        };
+        OperationProgram { set_up: number, places, files }
+    });
+    Ok(written.collect())
 }
 
-/// All toolpaths of a run as one, from home to home. Each home is off the corner of the blank before its free face, and
-/// the tool goes from one to the next.
-fn motions(run: &ToolRun<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
-    let mut whole: Option<Toolpath> = None;
-    for path in run.works.iter().filter_map(|(_, work)| work.transition()).map(|transition| &transition.path) {
-        match &mut whole {
-            None => whole = Some(path.clone()),
-            Some(whole) => {
-                for corner in over(whole.end(), path.from, run.side) {
-                    whole.go(corner, Purpose::Rapid);
-                }
-                whole.moves.extend(path.moves.iter().copied());
+/// Whether a job goes to the axis, where a tailstock centre would stand.
+fn hits_centre(job: &Job) -> bool {
+    job.side == Side::Outer && reaches_axis(&job.path)
+}
+
+/// The jobs of a set-up as sections of its program. Jobs that follow each other with one tool at one pace are one.
+fn sections(
+    set_up: &SetUpWork,
+    stations: &[Station],
+    form: Form,
+    spindle: Option<RevsPerMinute>,
+) -> Result<Vec<Section>, NotWritten> {
+    let mut sections: Vec<Section> = Vec::new();
+    for job in &set_up.jobs {
+        let tool = place(stations, job).ok_or(NotWritten::NoTool)?;
+        let (speed, feeds) = match job.pace {
+            Pace::PerRev { speed, feeds } => (spindle.map_or(speed, Speed::Spindle), feeds),
+            Pace::PerMinute { rates, spindle: known } => {
+                let rpm = spindle.or(known).ok_or(NotWritten::NoSpeed)?;
+                (Speed::Spindle(rpm), per_rev(&rates, rpm))
             }
+        };
+        let cycle = if form == Form::Cycles { cycle(set_up, job) } else { None };
+        let title = format!("T{tool} {}, {}", job.tool.designation, job.work.name());
+        let one = |last: &&mut Section| {
+            last.tool == tool
+                && last.speed == speed
+                && last.feeds == feeds
+                && last.cycle.is_none()
+                && cycle.is_none()
+                && last.title == title
+        };
+        match sections.last_mut().filter(one) {
+            Some(last) => join(&mut last.path, &job.path, job.side),
+            None => sections.push(Section { tool, title, speed, feeds, coolant: true, path: job.path.clone(), cycle }),
         }
     }
-    let text = program::plain(control, &whole.unwrap_or_default(), setting)?;
-    Ok(vec![ProgramFile { name: format!("{}.ngc", run.place), text }])
+    Ok(sections)
+}
+
+/// Appends a path to another, from home to home.
+fn join(whole: &mut Toolpath, path: &Toolpath, side: Side) {
+    for corner in over(whole.end(), path.from, side) {
+        whole.go(corner, crate::turning::toolpath::Purpose::Rapid);
+    }
+    whole.moves.extend(path.moves.iter().copied());
 }
 
 /// From one home to the next: first away from the axis and the metal; from a bore first out of it.
@@ -152,24 +158,24 @@ fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
     [Point { radius, z: if side == Side::Inner { z } else { from.z } }, Point { radius, z: to.z }]
 }
 
-/// Each work as the cycle of the control over its rough contour.
-fn cycles(run: &ToolRun<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
-    let mut files = Vec::new();
-    for (zone, work) in &run.works {
-        let roughing = Roughing {
-            direction: match zone.zone.feed {
-                Feed::Along => Direction::Longitudinal,
-                Feed::Across => Direction::Facing,
-            },
-            depth: work.levels.depth,
-            clearance: work.pace.approach_mm,
-            retract: work.pace.retract_mm.min(work.pace.approach_mm),
-            allowance: Allowance { radius: Half::ZERO, z: Half::ZERO },
-        };
-        let corner = corner(&work.stock.blank);
-        files.extend(program::cycle(control, &work.stock.rough, corner, roughing, setting)?.files);
-    }
-    Ok(files)
+/// A rough job as the cycle of a control over its rough contour.
+fn cycle(set_up: &SetUpWork, job: &Job) -> Option<CycleOf> {
+    let (number, index) = job.zone?;
+    let side = set_up.sides.iter().find(|side| side.side == job.side)?;
+    let is_it = |zone: &&ZoneWork| zone.zone.number == number && zone.tool.as_ref().is_some();
+    let zone = side.zones.iter().find(is_it)?;
+    let work = zone.works.get(index)?;
+    let roughing = Roughing {
+        direction: match zone.zone.feed {
+            Feed::Along => Direction::Longitudinal,
+            Feed::Across => Direction::Facing,
+        },
+        depth: work.levels.depth,
+        clearance: work.pace.approach_mm,
+        retract: work.pace.retract_mm.min(work.pace.approach_mm),
+        allowance: Allowance { radius: Half::ZERO, z: Half::ZERO },
+    };
+    Some(CycleOf { rough: work.stock.rough.clone(), corner: corner(&work.stock.blank), roughing })
 }
 
 /// The corner of a blank before its free face: at its greatest radius, for a bore at its least.
@@ -177,30 +183,4 @@ fn corner(blank: &Contour) -> Point {
     let (least, most) = blank.radii().unwrap_or_default();
     let z = blank.start().map_or(Half::ZERO, |start| start.z);
     Point { radius: if blank.side == Side::Outer { most } else { least }, z }
-}
-
-/// Speed and feeds of a work: the spindle step of its conditions, or the speed that the user states. Without either
-/// there is no program, because feeds are written per revolution.
-fn setting(
-    tool: u32,
-    operation: &Operation,
-    work: &Work,
-    spindle: Option<RevsPerMinute>,
-) -> Result<Setting, NotWritten> {
-    let pace = &work.pace;
-    let conditioned = pace.conditions.as_ref().map(|conditioned| conditioned.spindle_rpm);
-    let rpm = spindle.or(conditioned).ok_or(NotWritten::NoSpeed)?;
-    let per_rev = |rate: MillimetresPerMinute| MillimetresPerRev(round_to(rate.0 / rpm.0, 4));
-    let feeds = Feeds {
-        cut: per_rev(pace.feeds.main),
-        infeed: per_rev(pace.feeds.infeed),
-        pick_up: per_rev(pace.feeds.pick_up),
-        semi_finish: per_rev(pace.feeds.semi_finish),
-        finish: per_rev(pace.feeds.finish),
-        back: per_rev(pace.feeds.infeed),
-        plunge: per_rev(pace.feeds.infeed),
-        thread: per_rev(pace.feeds.infeed),
-    };
-    let name = operation.workpiece.name.clone();
-    Ok(Setting { name, tool, speed: Speed::Spindle(rpm), feeds, coolant: true })
 }

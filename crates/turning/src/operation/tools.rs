@@ -12,7 +12,9 @@ use crate::tables::turning::tools::{Preference, TurningToolOrderFor};
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::{self, Angles};
+use crate::turning::jobs;
 use crate::turning::length::Half;
+use crate::turning::nose::Nose;
 use crate::turning::tooling::{Hand, Lathe, Place, Shank, ToolKind, TurningTool};
 use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::{ToolAngles, Zone, fit};
@@ -140,6 +142,18 @@ pub fn angles(tool: &TurningTool<'_>) -> ToolAngles {
         least_bore: tool.min_bore,
         width: tool.width.filter(|_| tool.plunges()).map(Half::of),
     }
+}
+
+/// Its nose as the contours are seen by it.
+pub fn nose(tool: &TurningTool<'_>) -> Nose {
+    let radius = Half::of(tool.nose_radius.unwrap_or(Micrometres::ZERO));
+    Nose { radius, tip: jobs::tip(tool.kind, tool.works, tool.hand) }
+}
+
+/// The tool that is taken for the most zones, the first among equals.
+pub fn most_used(taken: &[Option<usize>]) -> Option<usize> {
+    let count = |tool: usize| taken.iter().filter(|other| **other == Some(tool)).count();
+    taken.iter().flatten().copied().rev().max_by_key(|tool| count(*tool))
 }
 
 /// For each zone the index of its tool; none if no tool fits. The tool that fits the most zones is taken for all of

@@ -107,14 +107,24 @@ pub fn zones(
     let candidates = tools::candidates(layers.rough.side, bench)?;
     let angles: Vec<_> = candidates.iter().map(tools::angles).collect();
     let near_part = BlankShape::of(bench.workpiece.blank.kind) == BlankShape::NearPart;
-    let stock = zones::Stock { rough: &layers.rough, blank: &layers.blank, near_part, against_stop: false };
-    let zones = zones::find(stock, &angles, knowledge)?;
+    let find = |ground: &ZoneContours| {
+        let stock = zones::Stock { rough: &ground.rough, blank: &ground.blank, near_part, against_stop: false };
+        zones::find(stock, &angles, knowledge)
+    };
+    // Which tools are taken says with what nose the contours are to be seen; the zones are those seen so.
+    let bare = ZoneContours { rough: layers.rough.clone(), blank: layers.blank.clone() };
+    let first = tools::most_used(&tools::assign(&find(&bare)?, &angles)).and_then(|index| candidates.get(index));
+    let seen = first.map(|tool| bare.seen(tool, findings));
+    let usual = seen.as_ref().unwrap_or(&bare);
+    let zones = find(usual)?;
     let taken = tools::assign(&zones, &angles);
-    let ground = ZoneContours { rough: &layers.rough, blank: &layers.blank };
     let mut works: Vec<ZoneWork> = Vec::new();
     for (zone, choice) in zones.iter().zip(&taken) {
         let tool = choice.and_then(|index| candidates.get(index));
         let count = taken.iter().filter(|other| *other == choice).count();
+        let other = tool.filter(|tool| first.map(tools::nose) != Some(tools::nose(tool)));
+        let own = other.map(|tool| bare.seen(tool, findings));
+        let ground = own.as_ref().unwrap_or(usual);
         let mut work = zone_work(zone, tool, count, &angles, ground, bench, findings)?;
         if let Some(before) = works.iter().find(|before| !before.is_cleared()) {
             let note = Note::new("zone-behind-standing").with("zone", zone.number).with("before", before.zone.number);
@@ -171,10 +181,10 @@ pub fn additional(
             too_short(&mut found_fit, &candidates, zone.greatest_radius - zone.least_radius);
             let tool =
                 found_fit.fitting.first().and_then(|name| candidates.iter().find(|tool| tool.designation == name));
-            let ground = ZoneContours { rough: &rough, blank: &blank };
+            let ground = ZoneContours { rough: rough.clone(), blank: blank.clone() };
             let turning = tool.filter(|tool| !tool.plunges());
             let mut work = match turning {
-                Some(tool) => zone_work(&zone, Some(tool), 1, &angles, ground, bench, findings)?,
+                Some(tool) => zone_work(&zone, Some(tool), 1, &angles, &ground, bench, findings)?,
                 None => ZoneWork { zone, fit: found_fit, tool: None, depth: None, works: Vec::new(), returns: None },
             };
             work.tool = tool.map(|tool| tools::chosen(tool, 1, bench)).transpose()?;
@@ -197,10 +207,25 @@ fn too_short(fit: &mut Fit, tools: &[TurningTool<'_>], deep: Half) {
 }
 
 /// The contours that bound the stock of a zone.
-#[derive(Clone, Copy, Debug)]
-struct ZoneContours<'a> {
-    rough: &'a Contour,
-    blank: &'a Contour,
+#[derive(Clone, Debug)]
+struct ZoneContours {
+    rough: Contour,
+    blank: Contour,
+}
+
+impl ZoneContours {
+    /// Both as the nose of a tool meets them. Where a contour has no such offset, a finding, and it stays as it is.
+    fn seen(&self, tool: &TurningTool<'_>, findings: &mut Vec<Finding>) -> Self {
+        let nose = tools::nose(tool);
+        let mut seen = |contour: &Contour| {
+            nose.seen(contour).unwrap_or_else(|error| {
+                let note = Note::new("no-contour-of-nose").with("tool", tool.designation).with("why", error);
+                findings.push(Finding::of_part(Severity::Wrong, note));
+                contour.clone()
+            })
+        };
+        Self { rough: seen(&self.rough), blank: seen(&self.blank) }
+    }
 }
 
 #[allow(clippy::too_many_arguments, reason = "a zone, its tool, and where both stand")]
@@ -209,7 +234,7 @@ fn zone_work(
     tool: Option<&TurningTool<'_>>,
     count: usize,
     angles: &[zones::ToolAngles],
-    ground: ZoneContours<'_>,
+    ground: &ZoneContours,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<ZoneWork, KnowledgeError> {
@@ -224,9 +249,9 @@ fn zone_work(
     };
     work.tool = Some(tools::chosen(tool, count, bench)?);
     let (direction, stocks) = match zone.feed {
-        Feed::Across => (Direction::Transverse, vec![(facing(zone, ground.rough), 0)]),
+        Feed::Across => (Direction::Transverse, vec![(facing(zone, ground), 0)]),
         Feed::Along => {
-            let all = pieceworks(zone, ground.rough, ground.blank).into_iter();
+            let all = pieceworks(zone, &ground.rough, &ground.blank).into_iter();
             (Direction::Longitudinal, all.map(|one| (one.stock, one.scheme)).collect())
         }
     };
@@ -261,14 +286,17 @@ fn zone_work(
     Ok(work)
 }
 
-/// The stock before the face of the free end: all of it is removed, and behind it is the part.
-fn facing(zone: &Zone, rough: &Contour) -> Stock {
+/// The stock before the face of the free end: all of it is removed, and behind it is the part. The tool goes as far as
+/// the face of the blank does for its nose, which is beyond the axis where the face reaches it.
+fn facing(zone: &Zone, ground: &ZoneContours) -> Stock {
     let (from, to) = (zone.from_z, zone.to_z);
     let at = |radius, z| Point { radius, z };
-    let (low, high) = (zone.least_radius, zone.greatest_radius);
+    let high = zone.greatest_radius;
+    let low = ground.blank.start().map_or(zone.least_radius, |start| start.radius.min(zone.least_radius));
+    let side = ground.rough.side;
     Stock {
-        rough: Contour::through(rough.side, &[at(low, from), at(low, to), at(high, to)]),
-        blank: Contour::through(rough.side, &[at(high, from), at(high, to)]),
+        rough: Contour::through(side, &[at(low, from), at(low, to), at(high, to)]),
+        blank: Contour::through(side, &[at(high, from), at(high, to)]),
         from,
         to,
     }
@@ -292,7 +320,7 @@ fn clear(
     let knowledge = bench.knowledge;
     let levels = levels(&stock, limit, zone.feed);
     let task = Task { diameter: begins_at(&levels, &stock).unwrap_or(task.diameter), ..task };
-    let pace = depth::pace(task, levels.depth, bench, findings)?;
+    let pace = depth::pace(task, levels.depth, None, bench, findings)?;
     let settings =
         Settings { depth: levels.depth, approach: pace.approach_mm, retract: pace.retract_mm, feeds: pace.feeds };
     let tool = transitions::Tool {

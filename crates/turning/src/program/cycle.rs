@@ -45,6 +45,17 @@ pub struct ProgramFile {
     pub text: String,
 }
 
+/// The call of a cycle, and the contour that it reads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct CycleCall {
+    /// Lines that must stand before the call: a subprogram of the same file.
+    pub before: String,
+    /// The lines of the call.
+    pub call: String,
+    /// The contour in a file of its own, where the control has it so.
+    pub file: Option<ProgramFile>,
+}
+
 /// A program with a cycle: the main program, and its subprograms if the control has them in files of their own.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CycleProgram {

@@ -16,6 +16,7 @@ pub mod refused;
 pub mod setting;
 mod sinumerik;
 mod text;
+pub mod whole;
 mod words;
 
 use crate::error::KnowledgeError;
@@ -28,14 +29,17 @@ use technolog_core::ascii::ascii;
 use technolog_note::note;
 
 use call::Cycles;
+use cycle::CycleCall;
 pub use cycle::{Allowance, CycleProgram, Direction, ProgramFile, Roughing};
 pub use plain::plain;
 pub use refused::NotWritten;
 pub use setting::{Feeds, Setting, Speed};
+use text::ProgramWriter;
+pub use whole::{CycleOf, Section, whole};
 use words::ControlWords;
 
 /// Writes the cycle of a task for a control.
-type CycleWriter = fn(&Control, &Cycles, &cycle::Task<'_>, &Setting) -> Result<CycleProgram, NotWritten>;
+type CycleWriter = fn(&Control, &Cycles, &cycle::Task<'_>, &Setting, usize) -> Result<CycleCall, NotWritten>;
 
 /// The controls with a writer of cycles: one line and one file each.
 const WRITERS: [(LatheControl, CycleWriter); 2] =
@@ -52,6 +56,8 @@ pub struct Control {
     cycles: Option<(Cycles, CycleWriter)>,
     /// What is known by name alone.
     known_words: Vec<String>,
+    /// The ending of its files.
+    ending: String,
 }
 
 impl Control {
@@ -66,7 +72,7 @@ impl Control {
         let control = LatheControl::from_word(name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
         let row = knowledge.need(name, |row: &LatheControls<'_>| row.control == control)?;
         let words = match (row.plain, row.comment) {
-            (true, Some(comment)) => Some(ControlWords::read(control, comment, knowledge)?),
+            (true, Some(comment)) => Some(ControlWords::read(control, comment, row.point.unwrap_or(false), knowledge)?),
             (true, None) => {
                 return Err(KnowledgeError::lacks(&table.id, note!("turned-comment-control-written-for")));
             }
@@ -78,7 +84,8 @@ impl Control {
             _ => None,
         };
         let known_words = row.known_words.unwrap_or_default().into_iter().map(str::to_owned).collect();
-        Ok(Self { name: name.to_owned(), words, cycles, known_words })
+        let ending = row.ending.unwrap_or_default().to_owned();
+        Ok(Self { name: name.to_owned(), words, cycles, known_words, ending })
     }
 
     fn words(&self) -> Result<&ControlWords, NotWritten> {
@@ -104,7 +111,16 @@ pub fn cycle(
     let Some((cycles, writer)) = &control.cycles else { return Err(control.not_documented()) };
     setting.check()?;
     let task = cycle::Task::new(rough, corner, roughing)?;
-    writer(control, cycles, &task, setting)
+    let call = writer(control, cycles, &task, setting, 0)?;
+    let mut sheet = ProgramWriter::new(control.words()?);
+    plain::begin(&mut sheet, control, setting)?;
+    sheet.rapid(task.begins());
+    sheet.lines(&call.before);
+    sheet.lines(&call.call);
+    plain::end(&mut sheet);
+    let name = format!("{}{}", file_name(&setting.name), control.ending);
+    let main = ProgramFile { name, text: sheet.finish() };
+    Ok(CycleProgram { files: std::iter::once(main).chain(call.file).collect() })
 }
 
 /// The name of a part as a file name on a control: at most 14 Latin letters, digits and underscores, beginning with two

@@ -8,7 +8,7 @@ use super::Control;
 use super::refused::{NotWritten, check_arc};
 use super::setting::{Setting, Speed};
 use super::text::{Pace, ProgramWriter, number};
-use super::words::Use;
+use super::words::{ControlWords, Use};
 
 /// The program of a toolpath on a control.
 ///
@@ -39,7 +39,19 @@ pub fn plain(control: &Control, path: &Toolpath, setting: &Setting) -> Result<St
 /// The beginning of every program: the modes, the tool, the spindle, the coolant.
 pub(super) fn begin(sheet: &mut ProgramWriter<'_>, control: &Control, setting: &Setting) -> Result<(), NotWritten> {
     let words = control.words()?;
-    sheet.comment(&ascii(&setting.name));
+    modes(sheet, &setting.name);
+    sheet.line(&words.tool(setting.tool));
+    sheet.lines(&spindle(words, setting.speed));
+    if setting.coolant {
+        sheet.put(&[Use::CoolantOn]);
+    }
+    Ok(())
+}
+
+/// The name, and every mode that could be left over from another program.
+pub(super) fn modes(sheet: &mut ProgramWriter<'_>, name: &str) {
+    sheet.put(&[Use::ProgramBegins]);
+    sheet.comment(&ascii(name));
     sheet.put(&[
         Use::Plane,
         Use::Millimetres,
@@ -49,18 +61,17 @@ pub(super) fn begin(sheet: &mut ProgramWriter<'_>, control: &Control, setting: &
         Use::FeedPerRevolution,
     ]);
     sheet.put(&[Use::System, Use::ExactPath]);
-    sheet.line(&words.filled(Use::Tool, &[("tool", setting.tool.to_string())]));
-    let spindle = match setting.speed {
+}
+
+/// How the spindle turns.
+pub(super) fn spindle(words: &ControlWords, speed: Speed) -> String {
+    match speed {
         Speed::Cutting { speed, limit } => {
-            words.filled(Use::CuttingSpeed, &[("speed", number(speed.0, 1)), ("limit", number(limit.0, 1))])
+            let values = [("speed", number(speed.0, 1)), ("limit", number(limit.0, 1))];
+            [Use::SpeedLimit, Use::CuttingSpeed].map(|one| words.filled(one, &values)).join("\n")
         }
         Speed::Spindle(speed) => words.filled(Use::SpindleSpeed, &[("speed", number(speed.0, 1))]),
-    };
-    sheet.line(&spindle);
-    if setting.coolant {
-        sheet.put(&[Use::CoolantOn]);
     }
-    Ok(())
 }
 
 /// The end of every program; the coolant is stopped even if this program did not start it.

@@ -4,15 +4,14 @@ use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 
 use super::call::Cycles;
-use super::cycle::{CycleProgram, ProgramFile, Task};
-use super::plain::{begin, end};
+use super::cycle::{CycleCall, ProgramFile, Task};
 use super::refused::NotWritten;
 use super::setting::Setting;
 use super::text::{Pace, ProgramWriter};
 use super::words::Use;
 use super::{Control, file_name};
 
-/// The program of a task.
+/// The call of a cycle with its contour, which is contour number `index` of the program.
 ///
 /// The contour begins on the face of the blank and ends on its surface, because the cycle assumes that the stock
 /// reaches as far as the contour. The cycle finds its own start point, to which the tool may go from its current
@@ -22,19 +21,14 @@ pub(super) fn write(
     cycles: &Cycles,
     task: &Task<'_>,
     setting: &Setting,
-) -> Result<CycleProgram, NotWritten> {
+    index: usize,
+) -> Result<CycleCall, NotWritten> {
     let words = control.words()?;
     let name = file_name(&setting.name);
-    let contour = format!("{name}_K");
-    let mut sheet = ProgramWriter::new(words);
-    begin(&mut sheet, control, setting)?;
-    sheet.rapid(task.begins());
+    let contour = if index == 0 { format!("{name}_K") } else { format!("{name}_K{index}") };
     let fields = cycles.filled(task, &format!("\"{contour}\""), &setting.feeds);
     let fields: Vec<String> = fields.into_iter().map(|(_, value)| value).collect();
-    sheet.line(&format!("{}({})", cycles.code(task), fields.join(", ")));
-    end(&mut sheet);
-    let main = ProgramFile { name: format!("{name}.MPF"), text: sheet.finish() };
-
+    let call = format!("{}({})\n", cycles.code(task), fields.join(", "));
     let mut sheet = ProgramWriter::new(words);
     let profile = task.profile(Half::ZERO, Half::ZERO);
     for (index, piece) in profile.iter().enumerate() {
@@ -44,6 +38,6 @@ pub(super) fn write(
         sheet.go(*piece, Pace::Contour);
     }
     sheet.put(&[Use::ContourEnds]);
-    let sub = ProgramFile { name: format!("{contour}.SPF"), text: sheet.finish() };
-    Ok(CycleProgram { files: vec![main, sub] })
+    let file = ProgramFile { name: format!("{contour}.SPF"), text: sheet.finish() };
+    Ok(CycleCall { before: String::new(), call, file: Some(file) })
 }

@@ -14,6 +14,8 @@ pub(super) enum Pace {
     Rapid,
     /// At a feed.
     Feed(MillimetresPerRev),
+    /// In step with the spindle, by the pitch of a thread.
+    Thread(MillimetresPerRev),
     /// Along a contour that a cycle reads: a line or an arc without a feed.
     Contour,
 }
@@ -38,6 +40,11 @@ impl<'c> ProgramWriter<'c> {
             self.text.push_str(text);
             self.text.push('\n');
         }
+    }
+
+    /// Lines that are whole already.
+    pub fn lines(&mut self, text: &str) {
+        text.lines().for_each(|line| self.line(line));
     }
 
     /// The words of these uses in one line, as far as the control has them.
@@ -71,10 +78,10 @@ impl<'c> ProgramWriter<'c> {
         }
         let mut axes = Vec::new();
         if self.at.is_none_or(|at| at.radius != piece.to.radius) {
-            axes.push(format!("X{}", diameter(piece.to.radius)));
+            axes.push(format!("X{}", self.words.figure(diameter(piece.to.radius))));
         }
         if self.at.is_none_or(|at| at.z != piece.to.z) {
-            axes.push(format!("Z{}", position(piece.to.z)));
+            axes.push(format!("Z{}", self.words.figure(position(piece.to.z))));
         }
         if axes.is_empty() {
             return;
@@ -82,11 +89,16 @@ impl<'c> ProgramWriter<'c> {
         words.append(&mut axes);
         if let Some(centre) = piece.centre() {
             let start = piece.from.vector();
-            words.push(format!("I{}", offset(centre.radius - start.radius)));
-            words.push(format!("K{}", offset(start.z - centre.z)));
+            words.push(format!("I{}", self.words.figure(offset(centre.radius - start.radius))));
+            words.push(format!("K{}", self.words.figure(offset(start.z - centre.z))));
+        }
+        if let Pace::Thread(lead) = pace {
+            // On some controls the lead stands in the word of the feed, so that is not known any more.
+            words.push(format!("{}{}", self.words.get(Use::ThreadLead), self.words.figure(number(lead.0, 4))));
+            self.feed = None;
         }
         if let Pace::Feed(feed) = pace {
-            let feed = number(feed.0, 4);
+            let feed = self.words.figure(number(feed.0, 4));
             if self.feed.as_ref() != Some(&feed) {
                 words.push(format!("F{feed}"));
                 self.feed = Some(feed);
@@ -107,6 +119,7 @@ impl<'c> ProgramWriter<'c> {
 const fn motion(curve: Curve, pace: Pace) -> Use {
     match (curve, pace) {
         (Curve::Line, Pace::Rapid) => Use::Rapid,
+        (Curve::Line, Pace::Thread(_)) => Use::Thread,
         (Curve::Line, _) => Use::Line,
         (Curve::Arc { turn: Turn::Left, .. }, _) => Use::Clockwise,
         (Curve::Arc { turn: Turn::Right, .. }, _) => Use::Counterclockwise,

@@ -14,6 +14,8 @@ pub(super) struct ControlWords {
     words: BTreeMap<Use, String>,
     /// How a remark is written, with `{text}` in it.
     comment: String,
+    /// Whether a whole number needs a point: without one it counts in least increments.
+    pointed: bool,
 }
 
 impl ControlWords {
@@ -21,7 +23,12 @@ impl ControlWords {
     ///
     /// # Errors
     /// The table lacks a word that every control must have.
-    pub fn read(control: LatheControl, comment: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+    pub fn read(
+        control: LatheControl,
+        comment: &str,
+        pointed: bool,
+        knowledge: &Knowledge,
+    ) -> Result<Self, KnowledgeError> {
         let rows = knowledge.rows::<LatheWords<'_>>()?.into_iter().filter(|row| row.control == control);
         let words: BTreeMap<Use, String> = rows.map(|row| (row.use_, row.word.to_owned())).collect();
         let lacking = |(_, wanted): &&(&str, Use)| wanted.is_required() && !words.contains_key(wanted);
@@ -29,7 +36,7 @@ impl ControlWords {
             let wanted = format!("control {}, use {name}", control.name());
             return Err(KnowledgeError::no_row(knowledge.table_of::<LatheWords<'_>>()?, &wanted));
         }
-        Ok(Self { words, comment: comment.to_owned() })
+        Ok(Self { words, comment: comment.to_owned(), pointed })
     }
 
     /// A word; empty if the control has none.
@@ -42,6 +49,16 @@ impl ControlWords {
         values
             .iter()
             .fold(self.get(wanted).to_owned(), |word, (name, value)| word.replace(&format!("{{{name}}}"), value))
+    }
+
+    /// The change to a tool by its place; some controls take two figures for tool and offset each.
+    pub fn tool(&self, place: u32) -> String {
+        self.filled(Use::Tool, &[("tool", place.to_string()), ("two", format!("{place:02}"))])
+    }
+
+    /// A length or a feed as the control takes it.
+    pub fn figure(&self, number: String) -> String {
+        if self.pointed && !number.contains('.') { format!("{number}.") } else { number }
     }
 
     /// A remark.

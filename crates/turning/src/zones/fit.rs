@@ -75,6 +75,11 @@ pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
     compared
 }
 
+/// Whether a tool satisfies the angles of a contour and enters its bore.
+pub fn reaches(needs: Needs, passage: Option<Micrometres>, tool: &ToolAngles) -> bool {
+    refusals(needs, passage, None, tool).is_empty()
+}
+
 /// Every inequality that a tool does not satisfy.
 pub(super) fn refusals(
     needs: Needs,

@@ -275,7 +275,8 @@ fn face(rough: &Contour, blank: &Contour, knowledge: &Knowledge) -> Result<Optio
     Ok(Some(Part {
         from_z: raw.z,
         to_z: part.z,
-        least_radius: raw.radius,
+        // The nose of a tool leads it beyond the axis.
+        least_radius: raw.radius.max(Half::ZERO),
         greatest_radius: most,
         kind: classified.kind,
         needs: Needs { main: NOTHING, secondary: NOTHING },

@@ -120,16 +120,33 @@ turn-taken = Taken
 turn-beside = Feed in air
 turn-rapid = Rapid
 turn-ridges = Ridges
+# The jobs of a set-up, tool after tool.
+turn-jobs = Jobs, tool by tool
+turn-job = Work
+turn-job-nose = r
+turn-job-of = set-up { $number }
+turn-job-time = Set-up { $number }: cutting and rapids { $time } min, { $count ->
+        [one] tool
+       *[other] tools
+    } { $count }.
+turn-does-face = face
+turn-does-centre = centre
+turn-does-drill = drill
+turn-does-rough = rough
+turn-does-finish = finish
+turn-does-groove = groove
+turn-does-thread = thread
+turn-does-part-off = part off
 turn-total = In all
 turn-total-of = { $count } rough { $count ->
         [one] transition
        *[other] transitions
     }: cutting path { $cutting } mm, time { $time } min.
 # The programs of an operation.
-turn-program = { $number }: set-up { $set_up }, { $side }, { $count ->
-        [one] zone
-       *[other] zones
-    } { $zones }, { $tool }
+turn-program = { $number }: set-up { $set_up }, { $count ->
+        [one] tool
+       *[other] tools
+    } { $tools }
 turn-program-not-written = { $program }: { $why }
 turn-no-such-program = there is no program of this number
 turn-programs-are = give one of these with --number: { $known }

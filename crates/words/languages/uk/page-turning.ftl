@@ -122,6 +122,24 @@ turn-taken = Взято
 turn-beside = Робоча подача поза металом
 turn-rapid = Прискорені переміщення
 turn-ridges = Гребінці
+# Переходи установу, інструмент за інструментом.
+turn-jobs = Переходи за інструментами
+turn-job = Перехід
+turn-job-nose = r
+turn-job-of = установ { $number }
+turn-job-time = Установ { $number }: різання і прискорені ходи { $time } хв, { $count ->
+        [one] інструмент
+        [few] інструменти
+       *[many] інструментів
+    }: { $count }.
+turn-does-face = підрізати торець
+turn-does-centre = зацентрувати
+turn-does-drill = свердлити
+turn-does-rough = точити начорно
+turn-does-finish = точити начисто
+turn-does-groove = проточити канавку
+turn-does-thread = нарізати різь
+turn-does-part-off = відрізати
 turn-total = Разом
 turn-total-of = { $count } { $count ->
         [one] чорновий перехід
@@ -129,11 +147,11 @@ turn-total-of = { $count } { $count ->
        *[many] чорнових переходів
     }: шлях різання { $cutting } мм, час { $time } хв.
 # The programs of an operation.
-turn-program = { $number }: установ { $set_up }, { $side }, { $count ->
-        [one] зона
-        [few] зони
-       *[many] зони
-    } { $zones }, { $tool }
+turn-program = { $number }: установ { $set_up }, { $count ->
+        [one] інструмент
+        [few] інструменти
+       *[many] інструменти
+    } { $tools }
 turn-program-not-written = { $program }: { $why }
 turn-no-such-program = немає програми з таким номером
 turn-programs-are = вкажіть у --number одну з цих: { $known }

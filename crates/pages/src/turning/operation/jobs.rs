@@ -1,0 +1,69 @@
+//! The jobs of an operation, tool by tool: what an operator reads first.
+
+use crate::document::{Column, Document};
+use technolog_turning::operation::programs::{place, stations};
+use technolog_turning::operation::{Operation, SetUpWork};
+use technolog_turning::program::Speed;
+use technolog_turning::{jobs::Job, jobs::Pace};
+use technolog_words::say;
+
+use super::super::Lang;
+use super::super::cells::{Cell, fixed, table};
+
+/// The jobs of every set-up.
+pub(super) fn jobs(page: &mut Document, operation: &Operation, lang: Lang) {
+    let stations = stations(operation);
+    for set_up in operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty()) {
+        let rows = set_up.jobs.iter().map(|job| row(job, place(&stations, job), lang)).collect();
+        page.heading(3, say!(lang, "turn-set-up", number = set_up.set_up.number));
+        page.push(table(columns(lang), rows, lang));
+        page.paragraph(time(set_up, lang));
+        for note in set_up.jobs.iter().flat_map(|job| &job.notes) {
+            page.paragraph(lang.say(note));
+        }
+    }
+}
+
+fn columns(lang: Lang) -> [Column; 9] {
+    [
+        Column::text("T"),
+        Column::text(say!(lang, "turn-job")),
+        Column::text(say!(lang, "turn-side")),
+        Column::text(say!(lang, "turn-tool")),
+        Column::number(say!(lang, "turn-job-nose"), lang.word("unit-mm")),
+        Column::number("f", lang.word("unit-mm-rev")),
+        Column::number("V", lang.word("unit-m-min")),
+        Column::number("n", lang.word("unit-1-min")),
+        Column::number(say!(lang, "turn-time"), lang.word("unit-min")),
+    ]
+}
+
+fn row(job: &Job, place: Option<u32>, lang: Lang) -> Vec<Cell> {
+    let nose = job.tool.nose_radius().to_mm();
+    let (rpm, feed) = match job.pace {
+        Pace::PerRev { speed: Speed::Spindle(rpm), .. } => (Some(rpm.0), None),
+        Pace::PerRev { speed: Speed::Cutting { .. }, .. } => (None, None),
+        Pace::PerMinute { spindle, .. } => (spindle.map(|rpm| rpm.0), None),
+    };
+    let conditions = job.conditions.as_ref();
+    let feed = feed.or(conditions.map(|conditions| conditions.feed_mm_per_rev.0));
+    let or_empty = |figure: Option<f64>, places| figure.map_or_else(Cell::empty, |figure| Cell::Figure(figure, places));
+    vec![
+        place.map_or_else(Cell::empty, |place| format!("T{place}").into()),
+        lang.term("turn-does", job.work.name()).into(),
+        lang.term("turn-side", job.side.name()).into(),
+        job.tool.designation.as_str().into(),
+        if nose > 0.0 { Cell::Figure(nose, 2) } else { Cell::empty() },
+        or_empty(feed, 3),
+        or_empty(conditions.map(|conditions| conditions.speed_m_per_min.0), 1),
+        or_empty(rpm, 1),
+        Cell::Figure(job.time_min.0, 2),
+    ]
+}
+
+fn time(set_up: &SetUpWork, lang: Lang) -> String {
+    let time: f64 = set_up.jobs.iter().map(|job| job.time_min.0).sum();
+    let mut tools: Vec<&str> = set_up.jobs.iter().map(|job| job.tool.designation.as_str()).collect();
+    tools.dedup();
+    say!(lang, "turn-job-time", number = set_up.set_up.number, time = fixed(time, 2, lang), count = tools.len())
+}

@@ -1,0 +1,140 @@
+//! One pass along a whole contour: the toolpath of finishing.
+
+use crate::turning::contour::{Contour, Piece, Side};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::toolpath::{Move, Purpose, Toolpath};
+
+/// How far the tool keeps off.
+#[derive(Clone, Copy, Debug)]
+pub struct Clearance {
+    /// How far before the metal the feed begins.
+    pub approach: Half,
+    /// How far the tool draws back from a finished surface.
+    pub retract: Half,
+}
+
+/// The way along a contour over what stands above it, both as the reference point of the tool meets them
+/// ([`crate::turning::nose`]).
+///
+/// 1. A face at the free end is cut first, from outside towards the axis: there the edge beside the tip cuts, and the
+///    corner that the rest begins at is left clean.
+/// 2. The rest begins on the extension of its first piece, off the metal by the approach, and is followed to its end.
+/// 3. The tool draws back on both axes and leaves above everything that stands.
+///
+/// A bore is the same inside out.
+pub fn along(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
+    if contour.side == Side::Outer {
+        return outside(contour, standing, None, clearance);
+    }
+    let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
+    let top = most(contour).max(most(standing));
+    let seen = outside(&contour.inside_out(top), &standing.inside_out(top), Some(top), clearance);
+    let moves = seen.pieces().map(|(piece, purpose)| {
+        let piece = piece.inside_out(top);
+        Move { to: piece.to, curve: piece.curve, purpose }
+    });
+    Toolpath { from: seen.from.inside_out(top), moves: moves.collect() }
+}
+
+/// The way outside; `ceiling` is where the axis is, for a bore seen inside out.
+fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearance: Clearance) -> Toolpath {
+    let Clearance { approach, retract } = clearance;
+    let limited = |radius: Half| ceiling.map_or(radius, |ceiling| radius.min(ceiling));
+    let (Some(start), Some(end)) = (contour.start(), contour.end()) else { return Toolpath::default() };
+    let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
+    let clear = limited(most(contour).max(most(standing)) + approach);
+    let first_z = standing.start().map_or(start.z, |first| first.z.min(start.z));
+    let home = Point { radius: clear, z: first_z - approach };
+    let mut path = Toolpath::at(home);
+    let faces =
+        contour.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius).count();
+    let (face, rest) = contour.pieces.split_at(faces);
+    if let (Some(first), Some(last), None) = (face.first(), face.last(), ceiling) {
+        let stands = standing.radii_at(first.from.z).map_or(last.to.radius, |(_, most)| most.max(last.to.radius));
+        let outside = Point { radius: stands + approach, z: first.from.z };
+        path.go(Point { radius: outside.radius, z: home.z }, Purpose::Rapid);
+        path.go(outside, Purpose::Rapid);
+        path.go(first.from, Purpose::Finish);
+        path.go(Point { radius: first.from.radius, z: first.from.z - retract }, Purpose::Rapid);
+    }
+    if let Some(first) = rest.first() {
+        let before = first.from.moved(first.direction_at_start().times(-approach.to_mm()));
+        let before = Point { radius: limited(before.radius), z: before.z };
+        let z = before.z.min(home.z).min(path.end().z);
+        path.go(Point { radius: path.end().radius, z }, Purpose::Rapid);
+        path.go(Point { radius: before.radius, z }, Purpose::Rapid);
+        path.go(before, Purpose::Rapid);
+        path.go(first.from, Purpose::Finish);
+        for piece in joined(rest) {
+            path.follow(piece, Purpose::Finish);
+        }
+        path.go(Point { radius: limited(end.radius + retract), z: end.z - retract }, Purpose::Rapid);
+    }
+    path.go(Point { radius: clear.max(path.end().radius), z: path.end().z }, Purpose::Rapid);
+    path.go(home, Purpose::Rapid);
+    path
+}
+
+/// The pieces, with lines that go straight on as one.
+fn joined(pieces: &[Piece]) -> Vec<Piece> {
+    let mut joined: Vec<Piece> = Vec::new();
+    for piece in pieces {
+        match joined.last_mut() {
+            Some(last) if last.is_cylinder() && piece.is_cylinder() && last.to == piece.from => last.to = piece.to,
+            _ => joined.push(*piece),
+        }
+    }
+    joined
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    const CLEARANCE: Clearance = Clearance { approach: Half::new(4000), retract: Half::new(1000) };
+
+    /// A pin of radius 10 with a flange of 15, 0.5 to finish everywhere; the nose has 0.8.
+    #[test]
+    fn the_face_comes_first_and_the_rest_is_one_way() {
+        let pin = [at(-0.8, 0.0), at(10.0, 0.0), at(10.0, 20.0), at(15.0, 20.0), at(15.0, 40.0)];
+        let rough = [at(-0.8, -0.5), at(10.5, -0.5), at(10.5, 19.5), at(15.5, 19.5), at(15.5, 40.0)];
+        let path = along(&Contour::through(Side::Outer, &pin), &Contour::through(Side::Outer, &rough), CLEARANCE);
+        let ends: Vec<Point> = path.moves.iter().map(|one| one.to).collect();
+        let home = at(17.5, -2.5);
+        let expected = [
+            at(12.5, -2.5),
+            at(12.5, 0.0),
+            at(-0.8, 0.0),
+            at(-0.8, -0.5),
+            at(-0.8, -2.5),
+            at(10.0, -2.5),
+            at(10.0, -2.0),
+            at(10.0, 0.0),
+            at(10.0, 20.0),
+            at(15.0, 20.0),
+            at(15.0, 40.0),
+            at(15.5, 39.5),
+            at(17.5, 39.5),
+            home,
+        ];
+        assert_eq!((path.from, ends), (home, expected.to_vec()));
+    }
+
+    /// A bore of 20 with a step of 25 at its mouth: in at the mouth, out towards the axis and along it.
+    #[test]
+    fn a_bore_is_left_through_its_mouth() {
+        let bore = [at(12.5, 0.0), at(12.5, 10.0), at(10.0, 10.0), at(10.0, 30.0)];
+        let rough = [at(12.2, 0.0), at(12.2, 9.5), at(9.7, 9.5), at(9.7, 30.0)];
+        let path = along(&Contour::through(Side::Inner, &bore), &Contour::through(Side::Inner, &rough), CLEARANCE);
+        let ends: Vec<Point> = path.moves.iter().map(|one| one.to).collect();
+        let home = at(7.7, -2.0);
+        assert_eq!(path.from, home);
+        assert_eq!(ends.first(), Some(&at(12.5, -2.0)));
+        assert_eq!(ends.get(ends.len() - 3..), Some([at(9.5, 29.5), at(7.7, 29.5), home].as_slice()));
+    }
+}

@@ -1,0 +1,185 @@
+//! The way of a tool with a round nose: a contour as the reference point of the tool meets it.
+//!
+//! While the nose, a circle of radius r, touches a contour from outside, its centre is on the offset of the contour at r,
+//! and the reference point one [`Tip`] away from there. So the offset, moved by the tip, is to the reference point what
+//! the contour is to the nose: a point outside of it is free, a toolpath along it cuts exactly the contour, except where
+//! an inner corner is tighter than r. Cylinders and faces that rise towards the chuck stay where they are; cones and arcs
+//! move.
+//!
+//! Blank and contour are both seen so, and every toolpath over them is then free of gouges by its construction. The proof
+//! of turning does not use this.
+
+use crate::turning::allowances::{EquidistantError, equidistant};
+use crate::turning::contour::{Contour, Curve, Piece, Side};
+use crate::turning::jobs::Tip;
+use crate::turning::length::Half;
+use crate::turning::point::{Point, Vector};
+
+/// A contour that does not end on the axis is extended straight on by so many radii before it is offset, so that its end
+/// is that of a longer contour: beyond the blank the nose rolls over no corner.
+const BEYOND: f64 = 4.0;
+
+/// A round nose and the reference point beside it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Nose {
+    /// Its radius r.
+    pub radius: Half,
+    /// Where the reference point is.
+    pub tip: Tip,
+}
+
+impl Nose {
+    /// A monotone contour as the reference point meets it, over the same stretch of Z. It may reach beyond the axis by
+    /// r: a face is clean when the centre of the nose is on the axis.
+    ///
+    /// # Errors The contour has no offset at r.
+    pub fn seen(&self, contour: &Contour) -> Result<Contour, EquidistantError> {
+        let (Some(start), Some(end)) = (contour.start(), contour.end()) else { return Ok(contour.clone()) };
+        if self.radius == Half::ZERO {
+            return Ok(contour.clone());
+        }
+        let longer = self.extended(contour);
+        let offset = equidistant(&longer, &vec![self.radius; longer.pieces.len()])?;
+        let tip = self.tip.of(self.radius);
+        let pieces = offset.pieces.iter().map(|piece| piece.mapped(false, |point| point.moved(tip)));
+        let moved = Contour { side: contour.side, pieces: pieces.collect() };
+        Ok(self.within(&moved, start, end))
+    }
+
+    /// The contour with straight ends: a line at an end is longer, an arc gets a line that goes on from it.
+    fn extended(&self, contour: &Contour) -> Contour {
+        let mut pieces = contour.pieces.clone();
+        let reach = BEYOND * self.radius.to_mm();
+        if let Some(first) = pieces.first_mut().filter(|first| !first.is_face() && first.from.radius > Half::ZERO) {
+            let from = beyond(first.from, first.direction_at_start().times(-reach));
+            if first.curve == Curve::Line {
+                first.from = from;
+            } else {
+                let line = Piece::line(from, first.from);
+                pieces.insert(0, line);
+            }
+        }
+        if let Some(last) = pieces.last_mut().filter(|last| last.to.radius > Half::ZERO) {
+            let to = beyond(last.to, last.direction_at_end().times(reach));
+            if last.curve == Curve::Line {
+                last.to = to;
+            } else {
+                let line = Piece::line(last.to, to);
+                pieces.push(line);
+            }
+        }
+        Contour { side: contour.side, pieces }
+    }
+
+    /// The stretch of Z of the contour. Faces at its ends stay.
+    fn within(&self, moved: &Contour, start: Point, end: Point) -> Contour {
+        let mut pieces = Vec::new();
+        for piece in &moved.pieces {
+            if piece.is_face() {
+                if (start.z..=end.z).contains(&piece.from.z) {
+                    pieces.push(*piece);
+                }
+                continue;
+            }
+            let (from, to) = (piece.from.z.max(start.z), piece.to.z.min(end.z));
+            if from >= to {
+                continue;
+            }
+            let at = |z: Half, own: Point| if z == own.z { Some(own) } else { piece.at_z(z).first().copied() };
+            if let (Some(from), Some(to)) = (at(from, piece.from), at(to, piece.to)) {
+                pieces.push(piece.between(from, to));
+            }
+        }
+        // A face at the end goes no farther than it did.
+        if let Some(last) = pieces.last_mut().filter(|last| last.is_face()) {
+            let rises = last.to.radius > last.from.radius;
+            last.to.radius = if rises { last.to.radius.min(end.radius) } else { last.to.radius.max(end.radius) };
+        }
+        pieces.retain(|piece| !piece.is_nothing());
+        Contour { side: moved.side, pieces }
+    }
+}
+
+/// A point moved along the axis and not beyond it: a cone that is extended ends on the axis.
+fn beyond(from: Point, by: Vector) -> Point {
+    let radius = from.radius.to_mm();
+    let share = if by.radius < -radius { radius / -by.radius } else { 1.0 };
+    from.moved(by.times(share))
+}
+
+/// The shortest radius of an inner corner or of a hollow arc of a contour that a nose fills, and the largest nose that
+/// would not; none if the nose reaches everything. Only arcs are asked: sharp inner corners always keep the nose.
+pub fn tightest(contour: &Contour) -> Option<Half> {
+    let hollow = contour.pieces.iter().filter_map(|piece| match piece.curve {
+        Curve::Arc { radius, turn }
+            if (turn == crate::turning::contour::Turn::Left) == (contour.side == Side::Outer) =>
+        {
+            Some(radius)
+        }
+        _ => None,
+    });
+    hollow.min()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::turning::contour::Turn;
+
+    const RIGHT: Tip = Tip { radial: -1, axial: 1 };
+    const BORING: Tip = Tip { radial: 1, axial: 1 };
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    fn nose(radius: f64, tip: Tip) -> Nose {
+        Nose { radius: Half::from(radius), tip }
+    }
+
+    /// The tangents to the nose along and across the axis meet in the reference point, so cylinders and faces stay.
+    #[test]
+    fn a_stepped_shaft_is_seen_as_it_is() {
+        let points = [at(10.0, 0.0), at(10.0, 20.0), at(15.0, 20.0), at(15.0, 40.0)];
+        let shaft = Contour::through(Side::Outer, &points);
+        assert_eq!(nose(0.8, RIGHT).seen(&shaft).unwrap(), shaft);
+        let bore = Contour::through(Side::Inner, &[at(15.0, 0.0), at(15.0, 20.0), at(10.0, 20.0), at(10.0, 40.0)]);
+        assert_eq!(nose(0.4, BORING).seen(&bore).unwrap(), bore);
+    }
+
+    /// A face that begins on the axis is clean when the centre of the nose is on the axis: X −2r on the diameter.
+    #[test]
+    fn a_face_ends_one_radius_beyond_the_axis() {
+        let pin = Contour::through(Side::Outer, &[at(0.0, 0.0), at(10.0, 0.0), at(10.0, 20.0)]);
+        let seen = nose(0.8, RIGHT).seen(&pin).unwrap();
+        assert_eq!(seen.corners(), [at(-0.8, 0.0), at(10.0, 0.0), at(10.0, 20.0)]);
+    }
+
+    /// By hand, a cone that falls by β = 28.6° (5.4522 over 10) with r = 0.8: its normal leans back by β, so the line
+    /// moves along it by r, and the reference point by (−r, r) more: off the cone by r·(1 − cos β + sin β) = 0.4806 mm
+    /// to the outside, which is 0.5474 on the radius.
+    #[test]
+    fn a_falling_cone_moves_outwards_and_a_rising_one_inwards() {
+        let cone = Contour::through(Side::Outer, &[at(25.0, 0.0), at(25.0 - 5.4522, 10.0)]);
+        let seen = nose(0.8, RIGHT).seen(&cone).unwrap();
+        let radius = seen.radii_at(Half::from(5.0)).unwrap().0.to_mm();
+        assert!((radius - (25.0 - 2.7261 + 0.5474)).abs() < 0.001, "{radius}");
+        // Rising by 45°: off by r·(1 − cos 45° − sin 45°) = −0.3314, on the radius −0.4686.
+        let cone = Contour::through(Side::Outer, &[at(10.0, 0.0), at(20.0, 10.0)]);
+        let seen = nose(0.8, RIGHT).seen(&cone).unwrap();
+        let radius = seen.radii_at(Half::from(5.0)).unwrap().0.to_mm();
+        assert!((radius - (15.0 - 0.4686)).abs() < 0.001, "{radius}");
+    }
+
+    /// The middle of a fillet stays, and its radius is less by r.
+    #[test]
+    fn a_fillet_is_seen_smaller_by_the_nose() {
+        let mut pin = Contour::through(Side::Outer, &[at(10.0, 0.0), at(10.0, 20.0)]);
+        pin.pieces.push(Piece::arc(at(10.0, 20.0), at(15.0, 25.0), Half::from(5.0), Turn::Left));
+        pin.pieces.push(Piece::line(at(15.0, 25.0), at(25.0, 25.0)));
+        let seen = nose(0.8, RIGHT).seen(&pin).unwrap();
+        let corners = [at(10.0, 0.0), at(10.0, 20.8), at(14.2, 25.0), at(25.0, 25.0)];
+        assert_eq!(seen.corners(), corners);
+        assert_eq!(tightest(&pin), Some(Half::from(5.0)));
+    }
+}

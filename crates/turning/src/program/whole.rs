@@ -1,0 +1,151 @@
+//! One program of a set-up: every tool after the other, with the turret at its change position between them.
+
+use crate::turning::contour::{Contour, Curve};
+use crate::turning::point::Point;
+use crate::turning::toolpath::{Purpose, Toolpath};
+use crate::units::MillimetresPerRev;
+use technolog_core::ascii::ascii;
+
+use super::cycle::{ProgramFile, Roughing, Task};
+use super::plain::{end, modes, spindle};
+use super::refused::{NotWritten, check_arc};
+use super::setting::{Feeds, Setting, Speed};
+use super::text::{Pace, ProgramWriter};
+use super::words::Use;
+use super::{Control, file_name};
+
+/// What one tool does at one pace.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// The place of the tool in the turret, at least 1.
+    pub tool: u32,
+    /// What the operator reads at the tool: its designation and its work.
+    pub title: String,
+    /// How the spindle turns.
+    pub speed: Speed,
+    /// The feeds.
+    pub feeds: Feeds,
+    /// Whether the coolant flows.
+    pub coolant: bool,
+    /// Its toolpath.
+    pub path: Toolpath,
+    /// The same as a roughing cycle of the control, where that is asked for and can do it.
+    pub cycle: Option<CycleOf>,
+}
+
+/// A roughing cycle over a contour.
+#[derive(Clone, Debug)]
+pub struct CycleOf {
+    /// The rough contour.
+    pub rough: Contour,
+    /// The corner of the blank before it.
+    pub corner: Point,
+    /// How.
+    pub roughing: Roughing,
+}
+
+/// The program of a set-up; `number` tells the set-ups of a part apart. The main file comes first.
+///
+/// Before each tool and at the end the turret goes to the change position of the control, so that the program can begin
+/// wherever the last one ended. Paths of one tool follow each other from home to home.
+///
+/// # Errors Why it cannot be written.
+pub fn whole(control: &Control, name: &str, number: u8, sections: &[Section]) -> Result<Vec<ProgramFile>, NotWritten> {
+    let words = control.words()?;
+    let latin = file_name(name);
+    let mut sheet = ProgramWriter::new(words);
+    modes(&mut sheet, &format!("{name} - {number}"));
+    let mut files = Vec::new();
+    let mut before: Option<&Section> = None;
+    let calls = sections.iter().enumerate().map(|(index, section)| {
+        let task = section.cycle.as_ref().map(|one| Task::new(&one.rough, one.corner, one.roughing));
+        // What no cycle can do is written as motions.
+        let (Some(Ok(task)), Some((cycles, writer))) = (task, &control.cycles) else { return Ok(None) };
+        let setting = Setting {
+            name: name.to_owned(),
+            tool: section.tool,
+            speed: section.speed,
+            feeds: section.feeds,
+            coolant: section.coolant,
+        };
+        setting.check()?;
+        Ok(writer(control, cycles, &task, &setting, index).ok().map(|call| (call, task.begins())))
+    });
+    let calls: Vec<_> = calls.collect::<Result<_, NotWritten>>()?;
+    for (call, _) in calls.iter().flatten() {
+        sheet.lines(&call.before);
+        files.extend(call.file.clone());
+    }
+    for (section, call) in sections.iter().zip(&calls) {
+        check(section, name)?;
+        let same = before.filter(|before| before.tool == section.tool);
+        if same.is_none() {
+            change(&mut sheet, before.is_some());
+            sheet.comment(&ascii(&section.title));
+            sheet.line(&words.tool(section.tool));
+        }
+        if same.is_none_or(|before| before.speed != section.speed) {
+            sheet.lines(&spindle(words, section.speed));
+        }
+        if section.coolant && same.is_none_or(|before| !before.coolant) {
+            sheet.put(&[Use::CoolantOn]);
+        }
+        if same.is_none() {
+            sheet.forget();
+        }
+        match call {
+            Some((call, begins)) => {
+                sheet.rapid(*begins);
+                sheet.lines(&call.call);
+                sheet.forget();
+                sheet.rapid(*begins);
+            }
+            None => along(&mut sheet, section),
+        }
+        before = Some(section);
+    }
+    sheet.put(&[Use::ChangePosition]);
+    end(&mut sheet);
+    let ending = &control.ending;
+    files.insert(0, ProgramFile { name: format!("{latin}_{number}{ending}"), text: sheet.finish() });
+    Ok(files)
+}
+
+/// To the change position; after a tool its spindle and coolant stop there.
+fn change(sheet: &mut ProgramWriter<'_>, after: bool) {
+    sheet.put(&[Use::ChangePosition]);
+    if after {
+        sheet.put(&[Use::SpindleStop]);
+        sheet.put(&[Use::CoolantOff]);
+    }
+}
+
+/// The motions of a section.
+fn along(sheet: &mut ProgramWriter<'_>, section: &Section) {
+    sheet.rapid(section.path.from);
+    for (piece, purpose) in section.path.pieces() {
+        let pace = match (purpose, section.feeds.of(purpose)) {
+            (Purpose::Thread, Some(lead)) => Pace::Thread(lead),
+            (_, Some(feed)) => Pace::Feed(feed),
+            (_, None) => Pace::Rapid,
+        };
+        sheet.go(piece, pace);
+    }
+}
+
+/// Whether a section can be written.
+fn check(section: &Section, name: &str) -> Result<(), NotWritten> {
+    let Section { tool, speed, feeds, coolant, .. } = *section;
+    Setting { name: name.to_owned(), tool, speed, feeds, coolant }.check()?;
+    if section.path.moves.is_empty() {
+        return Err(NotWritten::EmptyWay);
+    }
+    for (number, (piece, purpose)) in (1..).zip(section.path.pieces()) {
+        check_arc(piece, number)?;
+        let feed: Option<MillimetresPerRev> = feeds.of(purpose);
+        if feed.is_none() && piece.curve != Curve::Line {
+            return Err(NotWritten::RapidArc { piece: number });
+        }
+    }
+    Ok(())
+}
