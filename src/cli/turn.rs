@@ -13,6 +13,7 @@ use technolog::note::Note;
 use technolog::report::{self, Lang};
 use technolog::turning::length::Half;
 use technolog::turning::operation::programs::Form;
+use technolog::turning::operation::{self, Operation};
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::{self, Sequences};
 use technolog::turning::schemes::{self, Schemes};
@@ -43,6 +44,8 @@ pub struct Args {
     control: Control,
     #[arg(long, value_name = "N", default_value = "1", value_parser = whole::<1, 1_000>)]
     number: u32,
+    #[arg(long, value_enum, hide_possible_values = true)]
+    variant: Option<VariantName>,
     #[arg(long, value_name = "RPM", value_parser = whole::<1, 20_000>)]
     spindle: Option<u32>,
 }
@@ -86,6 +89,26 @@ enum MovesName {
     Rich,
 }
 
+/// Sequences of passes by their names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum VariantName {
+    Longitudinal,
+    Transverse,
+    PerStep,
+    Optimal,
+}
+
+impl VariantName {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Longitudinal => "longitudinal",
+            Self::Transverse => "transverse",
+            Self::PerStep => "per-step",
+            Self::Optimal => "optimal",
+        }
+    }
+}
+
 /// The formats of its pages.
 const FORMATS: [Format; 6] = [Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml, Format::Svg];
 
@@ -102,13 +125,15 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let read = read(&args.shaft, knowledge, context)?;
     if let Some(form) = args.show.program() {
-        let workpiece = match &read {
-            Turned::Stepped(shaft) => Workpiece::from(shaft),
-            Turned::Contoured(workpiece) => workpiece.as_ref().clone(),
+        let operation = match (&read, args.variant) {
+            (Turned::Stepped(shaft), Some(variant)) => by_passes(shaft, variant, args, knowledge, context)?,
+            (Turned::Contoured(_), Some(_)) => return Err(refused("only-for-steps", context)),
+            (Turned::Stepped(shaft), None) => turn_operation::plan(&Workpiece::from(shaft), knowledge, context)?,
+            (Turned::Contoured(workpiece), None) => turn_operation::plan(workpiece, knowledge, context)?,
         };
         let spindle = args.spindle.map(|speed| RevsPerMinute(f64::from(speed)));
         let wanted = Wanted { control: args.control, form, number: args.number as usize, spindle };
-        return turn_operation::program(&workpiece, wanted, knowledge, context);
+        return turn_operation::program(&operation, wanted, knowledge, context);
     }
     let mut shaft = match read {
         Turned::Stepped(shaft) if matches!(args.show, Show::Operation | Show::Schemes) => {
@@ -163,6 +188,22 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
     }
     Ok(Outcome::Done)
+}
+
+/// The operation of a shaft that is roughed by one of its sequences of passes.
+fn by_passes(
+    shaft: &Shaft,
+    variant: VariantName,
+    args: &Args,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<Operation, CliError> {
+    let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
+    let found = passes::find(shaft, objective(args, shaft, context)?, knowledge).map_err(lacking)?;
+    match found.variants.iter().find(|one| one.name == variant.name()) {
+        Some(variant) => operation::by_passes::by_passes(shaft, variant, knowledge).map_err(lacking),
+        None => turn_operation::plan(&Workpiece::from(shaft), knowledge, context),
+    }
 }
 
 /// Gives out a page; HTML shows its drawing, too, under a caption of the catalogue of words.

@@ -80,14 +80,13 @@ pub struct Wanted {
 /// # Errors
 /// There is no such program, or it cannot be written, with the reason.
 pub fn program(
-    workpiece: &Workpiece,
+    operation: &Operation,
     wanted: Wanted,
     knowledge: &Knowledge,
     context: &Context,
 ) -> Result<Outcome, CliError> {
-    let operation = plan(workpiece, knowledge, context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let all = programs(&operation, wanted.control.name(), wanted.form, wanted.spindle, knowledge).map_err(lacking)?;
+    let all = programs(operation, wanted.control.name(), wanted.form, wanted.spindle, knowledge).map_err(lacking)?;
     let Some(written) = wanted.number.checked_sub(1).and_then(|index| all.get(index)) else {
         let (message, help) = if all.is_empty() {
             (say!(context.lang, "turn-no-programs"), context.word("turn-see-operation").to_owned())
@@ -120,6 +119,10 @@ fn not_written(written: &OperationProgram, note: technolog::note::Note, context:
     }
 }
 
-fn plan(workpiece: &Workpiece, knowledge: &Knowledge, context: &Context) -> Result<Operation, CliError> {
+/// Plans the operation of a part.
+///
+/// # Errors
+/// The knowledge base lacks something.
+pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge, context: &Context) -> Result<Operation, CliError> {
     operation::plan(workpiece, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }

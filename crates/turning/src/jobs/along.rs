@@ -24,12 +24,46 @@ pub struct Clearance {
 ///
 /// A bore is the same inside out.
 pub fn along(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
+    seen_outside(contour, standing, |contour, standing, ceiling| outside(contour, standing, ceiling, clearance))
+}
+
+/// The way along a hollow from lip to lip, down onto its beginning and up from its end. It begins and ends above what
+/// stands beside it, at a home before the whole side.
+pub fn dip(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
+    seen_outside(contour, standing, |contour, standing, ceiling| {
+        let Clearance { approach, .. } = clearance;
+        let limited = |radius: Half| ceiling.map_or(radius, |ceiling: Half| radius.min(ceiling));
+        let (Some(start), Some(end), Some(first)) = (contour.start(), contour.end(), standing.start()) else {
+            return Toolpath::default();
+        };
+        let most = standing.radii().map_or(Half::ZERO, |(_, most)| most);
+        let clear = limited(most + approach);
+        let home = Point { radius: clear, z: first.z - approach };
+        let mut path = Toolpath::at(home);
+        path.go(Point { radius: clear, z: start.z }, Purpose::Rapid);
+        path.go(Point { radius: limited(start.radius + approach).min(clear), z: start.z }, Purpose::Rapid);
+        path.go(start, Purpose::Finish);
+        for piece in joined(&contour.pieces) {
+            path.follow(piece, Purpose::Finish);
+        }
+        path.go(Point { radius: clear, z: end.z }, Purpose::Rapid);
+        path.go(home, Purpose::Rapid);
+        path
+    })
+}
+
+/// A way that is made outside; a bore is the same inside out.
+fn seen_outside(
+    contour: &Contour,
+    standing: &Contour,
+    way: impl FnOnce(&Contour, &Contour, Option<Half>) -> Toolpath,
+) -> Toolpath {
     if contour.side == Side::Outer {
-        return outside(contour, standing, None, clearance);
+        return way(contour, standing, None);
     }
     let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
     let top = most(contour).max(most(standing));
-    let seen = outside(&contour.inside_out(top), &standing.inside_out(top), Some(top), clearance);
+    let seen = way(&contour.inside_out(top), &standing.inside_out(top), Some(top));
     let moves = seen.pieces().map(|(piece, purpose)| {
         let piece = piece.inside_out(top);
         Move { to: piece.to, curve: piece.curve, purpose }

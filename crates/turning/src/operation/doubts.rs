@@ -21,7 +21,8 @@ pub(super) fn doubts(operation: &Operation) -> Vec<Finding> {
 
 fn of_side(side: &SideWork) -> Vec<&Because> {
     let allowances = side.layers.allowances.iter().filter_map(|one| one.because.as_ref());
-    allowances.chain(side.zones.iter().chain(&side.additional).flat_map(of_zone)).collect()
+    let hollows = side.hollows.iter().flat_map(|hollow| &hollow.zones);
+    allowances.chain(side.zones.iter().chain(hollows).flat_map(of_zone)).collect()
 }
 
 fn of_zone(work: &ZoneWork) -> Vec<&Because> {

@@ -3,23 +3,25 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
-use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceName};
+use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind, SurfaceName};
 use crate::turning::elements::{Element, steepness};
-use crate::turning::jobs::along::{Clearance, along};
+use crate::turning::jobs::along::{Clearance, along, dip};
 use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::nose::tightest;
 use crate::turning::program::{Feeds, Speed};
-use crate::turning::tooling::TurningTool;
+use crate::turning::shaft::Holding;
+use crate::turning::tooling::{Spindle, TurningTool};
+use crate::turning::toolpath::Toolpath;
 use crate::turning::zones::fit::reaches;
 use crate::turning::zones::{Feed, Needs, SetUp, TurnedSide};
 use crate::units::{Degrees, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 
-use super::SideWork;
+use super::{SideWork, clip};
 use super::depth::{self, Task};
 use super::tools::{self, Bench};
-use super::work::{Work, ZoneWork};
-use crate::turning::cutting::Direction;
+use super::work::{Hollow, Work, ZoneWork};
+use crate::turning::cutting::{Direction, TurningConditions};
 
 /// The jobs of a set-up.
 ///
@@ -34,12 +36,20 @@ pub(super) fn jobs(
     for side in sides {
         for zone in &side.zones {
             for (index, work) in zone.works.iter().enumerate() {
-                jobs.extend(rough(side, zone, index, work, bench)?);
+                jobs.extend(rough(side.side, zone, Some((zone.zone.number, index)), work, bench)?);
+            }
+        }
+        for zone in side.hollows.iter().flat_map(|hollow| &hollow.zones) {
+            for work in &zone.works {
+                jobs.extend(rough(side.side, zone, None, work, bench)?);
             }
         }
     }
     for side in sides {
         jobs.extend(finish(set_up, side, bench, findings)?);
+        for hollow in &side.hollows {
+            jobs.extend(finish_hollow(set_up, side, hollow, bench, findings)?);
+        }
     }
     jobs.sort_by_key(|job| order(job.work));
     Ok(jobs)
@@ -59,22 +69,26 @@ const fn order(work: JobWork) -> u8 {
     }
 }
 
-/// A part of a zone as the taken scheme clears it; none if nothing clears it, which is a finding elsewhere.
+/// A part of a zone as the taken scheme clears it, with its place among the zones of the side; none if nothing clears it, which is a finding elsewhere.
 fn rough(
-    side: &SideWork,
+    side: Side,
     zone: &ZoneWork,
-    index: usize,
+    place: Option<(usize, usize)>,
     work: &Work,
     bench: &Bench<'_, '_>,
 ) -> Result<Option<Job>, KnowledgeError> {
     let chosen = zone.tool.as_ref().filter(|_| zone.is_cleared());
     let (Some(transition), Some(chosen)) = (work.transition(), chosen) else { return Ok(None) };
     let Some(tool) = TurningTool::find(bench.knowledge, &chosen.designation)? else { return Ok(None) };
-    let pace = pace_of(&work.pace, bench);
+    let is_face = zone.zone.feed == Feed::Across;
+    let mut pace = pace_of(&work.pace, bench);
+    if is_face {
+        pace = constant_speed(pace, work.pace.conditions.as_ref(), bench);
+    }
     let path = transition.path.clone();
     Ok(Some(Job {
-        work: if zone.zone.feed == Feed::Across { JobWork::Face } else { JobWork::Rough },
-        side: side.side,
+        work: if is_face { JobWork::Face } else { JobWork::Rough },
+        side,
         tool: JobTool::of(&tool),
         surfaces: Vec::new(),
         time_min: pace.time(&path, work.pace.feeds.rapid),
@@ -82,7 +96,7 @@ fn rough(
         conditions: work.pace.conditions.clone(),
         pace,
         thread: None,
-        zone: Some((zone.zone.number, index)),
+        zone: place,
         notes: Vec::new(),
         because: vec![chosen.because.clone(), transition.because.clone()],
     }))
@@ -96,6 +110,21 @@ fn pace_of(pace: &depth::Pace, bench: &Bench<'_, '_>) -> Pace {
     match rpm.filter(|_| bench.workpiece.rates.is_none()) {
         Some(rpm) => Pace::PerRev { speed: Speed::Spindle(rpm), feeds: per_rev(&rates, rpm) },
         None => Pace::PerMinute { rates, spindle: rpm },
+    }
+}
+
+/// The pace at a constant cutting speed, where the diameter changes along the path and the spindle is stepless: a face
+/// and a contour are then cut as fast everywhere, up to the fastest speed of the spindle.
+fn constant_speed(pace: Pace, conditions: Option<&TurningConditions>, bench: &Bench<'_, '_>) -> Pace {
+    let stepless = bench.lathe.and_then(|lathe| match lathe.spindle {
+        Spindle::Range { max, .. } => Some(max),
+        Spindle::Steps(_) => None,
+    });
+    match (pace, stepless, conditions) {
+        (Pace::PerRev { feeds, .. }, Some(limit), Some(conditions)) => {
+            Pace::PerRev { speed: Speed::Cutting { speed: conditions.speed_m_per_min, limit }, feeds }
+        }
+        (pace, ..) => pace,
     }
 }
 
@@ -122,76 +151,171 @@ fn finish(
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Job>, KnowledgeError> {
-    let stretch = match side.side {
+    let standing = &side.layers.rough;
+    // Between centres the face is ready: the tailstock centre stands before it.
+    let contour = if bench.workpiece.holding == Holding::Centres && side.side == Side::Outer {
+        without_face(&side.layers.left)
+    } else {
+        side.layers.left.clone()
+    };
+    if contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
+        return Ok(None);
+    }
+    let stretch = stretch(set_up, side.side);
+    let surfaces: Vec<&Surface> = stretch.map(main_surfaces).unwrap_or_default();
+    let face = |surface: &&Surface| surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO);
+    let surfaces = surfaces.into_iter().filter(|surface| contour == side.layers.left || !face(surface)).collect();
+    let task = Finishing { side: side.side, contour: &contour, standing, surfaces, allowance: allowance(side), needs: needs(&contour) };
+    task.job(bench, findings, |seen, standing, clearance| Some(along(seen, standing, clearance)))
+}
+
+/// The finishing pass along a hollow.
+fn finish_hollow(
+    set_up: &SetUp,
+    side: &SideWork,
+    hollow: &Hollow,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<Job>, KnowledgeError> {
+    if hollow.zones.is_empty() || !hollow.zones.iter().all(ZoneWork::is_cleared) {
+        return Ok(None);
+    }
+    let profile = stretch(set_up, side.side).map(|stretch| &stretch.profile);
+    let surface = |index: &usize| profile.and_then(|profile| profile.surfaces.get(*index));
+    let surfaces = hollow.surfaces.iter().filter_map(surface).collect();
+    let (from, to) = hollow.lips;
+    let contour = &hollow.layers.left;
+    let task = Finishing {
+        side: side.side,
+        contour,
+        standing: &side.layers.left,
+        surfaces,
+        allowance: allowance(side),
+        // The rest of the contour is finished already.
+        needs: needs(&clip::between(contour, from, to)),
+    };
+    task.job(bench, findings, |seen, standing, clearance| {
+        Some(dip(&clip::between(seen, from, to), standing, clearance)).filter(|path| !path.moves.is_empty())
+    })
+}
+
+/// The contour of a side in a set-up.
+const fn stretch(set_up: &SetUp, side: Side) -> Option<&TurnedSide> {
+    match side {
         Side::Outer => set_up.outer.as_ref(),
         Side::Inner => set_up.inner.as_ref(),
-    };
-    let (contour, standing) = (&side.layers.left, &side.layers.rough);
-    if contour == standing || !side.zones.iter().all(ZoneWork::is_cleared) {
-        return Ok(None);
     }
-    let needs = needs(contour);
-    let passage = (side.side == Side::Inner).then(|| contour.radii().map(|(least, _)| least.diameter())).flatten();
-    let mut candidates = tools::candidates(side.side, bench)?;
-    candidates.retain(|tool| reaches(needs, passage, &tools::angles(tool)));
-    // A nose that fits into the hollows comes before one that leaves metal in them.
-    let tight = tightest(contour);
-    let fits = |tool: &&TurningTool<'_>| tight.is_none_or(|tight| tools::nose(tool).radius <= tight);
-    let smallest = || candidates.iter().min_by_key(|tool| tools::nose(tool).radius);
-    let Some(tool) = candidates.iter().find(fits).or_else(smallest) else {
-        let note = Note::new("no-tool-to-finish").with("side", side.side.name());
-        let note = note.with("main", needs.main.0).with("secondary", needs.secondary.0);
-        findings.push(Finding::of_part(Severity::Wrong, note));
-        return Ok(None);
-    };
-    let nose = tools::nose(tool);
-    let seen = nose.seen(contour).and_then(|contour| Ok((contour, nose.seen(standing)?)));
-    let (seen, standing) = match seen {
-        Ok(seen) => seen,
-        Err(error) => {
-            let note = Note::new("no-contour-of-nose").with("tool", tool.designation).with("why", error);
+}
+
+/// A contour without the face at its free end.
+fn without_face(contour: &Contour) -> Contour {
+    let faces = contour.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius).count();
+    Contour { side: contour.side, pieces: contour.pieces.iter().skip(faces).copied().collect() }
+}
+
+/// The largest finishing allowance of a side.
+fn allowance(side: &SideWork) -> Half {
+    side.layers.allowances.iter().filter_map(|one| one.allowance_mm).max().unwrap_or_default()
+}
+
+/// What a finishing pass is to do.
+struct Finishing<'a> {
+    side: Side,
+    /// What it leaves.
+    contour: &'a Contour,
+    /// What stands before it.
+    standing: &'a Contour,
+    /// The surfaces that it finishes.
+    surfaces: Vec<&'a Surface>,
+    /// The most that it takes off.
+    allowance: Half,
+    needs: Needs,
+}
+
+impl Finishing<'_> {
+    /// Its tool: the first that reaches everything, with a nose that fits into the hollows before one that leaves metal
+    /// in them.
+    fn tool<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Option<TurningTool<'k>>, KnowledgeError> {
+        let narrowest = || self.contour.radii().map(|(least, _)| least.diameter());
+        let passage = (self.side == Side::Inner).then(narrowest).flatten();
+        let mut candidates = tools::candidates(self.side, bench)?;
+        candidates.retain(|tool| reaches(self.needs, passage, &tools::angles(tool)));
+        let tight = tightest(self.contour);
+        let fits = |tool: &TurningTool<'_>| tight.is_none_or(|tight| tools::nose(tool).radius <= tight);
+        let least = candidates.iter().map(|tool| tools::nose(tool).radius).min();
+        let found = candidates.iter().position(fits);
+        let found = found.or_else(|| candidates.iter().position(|tool| Some(tools::nose(tool).radius) == least));
+        Ok(found.map(|index| candidates.swap_remove(index)))
+    }
+
+    /// The job; `way` makes its toolpath of the contour and of what stands, both as the nose meets them.
+    fn job(
+        &self,
+        bench: &Bench<'_, '_>,
+        findings: &mut Vec<Finding>,
+        way: impl FnOnce(&Contour, &Contour, Clearance) -> Option<Toolpath>,
+    ) -> Result<Option<Job>, KnowledgeError> {
+        let Some(tool) = self.tool(bench)? else {
+            let note = Note::new("no-tool-to-finish").with("side", self.side.name());
+            let angle = |degrees: Degrees| round_to(degrees.0, 1);
+            let note = note.with("main", angle(self.needs.main)).with("secondary", angle(self.needs.secondary));
             findings.push(Finding::of_part(Severity::Wrong, note));
             return Ok(None);
+        };
+        let nose = tools::nose(&tool);
+        let seen = nose.seen(self.contour).and_then(|contour| Ok((contour, nose.seen(self.standing)?)));
+        let (seen, standing) = match seen {
+            Ok(seen) => seen,
+            Err(error) => {
+                let note = Note::new("no-contour-of-nose").with("tool", tool.designation).with("why", error);
+                findings.push(Finding::of_part(Severity::Wrong, note));
+                return Ok(None);
+            }
+        };
+        let roughness = self.surfaces.iter().filter_map(|surface| surface.roughness).min();
+        let direction = Direction::Longitudinal;
+        let task = Task { tool: &tool, diameter: largest(self.contour), direction, stock: self.allowance };
+        let paced = depth::pace(task, self.allowance, Some(roughness.unwrap_or(UNSAID)), bench, findings)?;
+        let mut notes = Vec::new();
+        if let Some(tight) = tightest(self.contour).filter(|tight| nose.radius > *tight) {
+            notes.push(Note::new("nose-fills-hollow").with("nose", nose.radius).with("hollow", tight));
         }
-    };
-    let allowance = side.layers.allowances.iter().filter_map(|one| one.allowance_mm).max().unwrap_or_default();
-    let main: Vec<&Surface> = stretch.map(main_surfaces).unwrap_or_default();
-    let roughness = main.iter().filter_map(|surface| surface.roughness).min();
-    let task = Task { tool, diameter: largest(contour), direction: Direction::Longitudinal, stock: allowance };
-    let paced = depth::pace(task, allowance, Some(roughness.unwrap_or(UNSAID)), bench, findings)?;
-    let mut notes = Vec::new();
-    if let Some(tight) = tight.filter(|tight| nose.radius > *tight) {
-        notes.push(Note::new("nose-fills-hollow").with("nose", nose.radius).with("hollow", tight));
+        if roughness.is_none() {
+            notes.push(Note::new("roughness-taken").with("roughness", UNSAID));
+        }
+        let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm };
+        let Some(path) = way(&seen, &standing, clearance) else { return Ok(None) };
+        let pace = finishing(pace_of(&paced, bench), bench);
+        let pace = constant_speed(pace, paced.conditions.as_ref(), bench);
+        let chosen = tools::chosen(&tool, 1, bench)?;
+        Ok(Some(Job {
+            work: JobWork::Finish,
+            side: self.side,
+            tool: JobTool::of(&tool),
+            surfaces: self.surfaces.iter().map(|surface| surface.name.clone()).collect::<Vec<SurfaceName>>(),
+            time_min: pace.time(&path, paced.feeds.rapid),
+            path,
+            conditions: paced.conditions.clone(),
+            pace,
+            thread: None,
+            zone: None,
+            notes,
+            because: vec![chosen.because, chosen.because_order],
+        }))
     }
-    if roughness.is_none() {
-        notes.push(Note::new("roughness-taken").with("roughness", UNSAID));
+}
+
+/// The feed of finishing is the main feed of its conditions, or the one that the file states.
+fn finishing(mut pace: Pace, bench: &Bench<'_, '_>) -> Pace {
+    match &mut pace {
+        Pace::PerRev { feeds, .. } => feeds.finish = feeds.cut,
+        Pace::PerMinute { rates, .. } => {
+            if bench.workpiece.rates.is_none_or(|rates| rates.finishing_feed.is_none()) {
+                rates.finish = rates.main;
+            }
+        }
     }
-    let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm };
-    let path = along(&seen, &standing, clearance);
-    let mut pace = pace_of(&paced, bench);
-    if let Pace::PerRev { feeds, .. } = &mut pace {
-        feeds.finish = feeds.cut;
-    }
-    if let Pace::PerMinute { rates, .. } = &mut pace
-        && bench.workpiece.rates.is_none_or(|rates| rates.finishing_feed.is_none())
-    {
-        rates.finish = rates.main;
-    }
-    let chosen = tools::chosen(tool, 1, bench)?;
-    Ok(Some(Job {
-        work: JobWork::Finish,
-        side: side.side,
-        tool: JobTool::of(tool),
-        surfaces: main.iter().map(|surface| surface.name.clone()).collect::<Vec<SurfaceName>>(),
-        time_min: pace.time(&path, paced.feeds.rapid),
-        path,
-        conditions: paced.conditions.clone(),
-        pace,
-        thread: None,
-        zone: None,
-        notes,
-        because: vec![chosen.because, chosen.because_order],
-    }))
+    pace
 }
 
 /// The roughness that finishing is planned for where the drawing gives none: what turning to size leaves without care.

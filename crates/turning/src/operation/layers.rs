@@ -118,7 +118,20 @@ pub fn layers(
     let part = stretch.profile.contour();
     let mut areas = areas(&blank, &rough, main, &part);
     areas.finish = finish;
+    let (blank, rough, left) = (beyond(blank, workpiece), beyond(rough, workpiece), beyond(left, workpiece));
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
+}
+
+/// How far the tool runs out of a through bore, mm: its nose must leave the last of the wall.
+const RUN_OUT: f64 = 2.0;
+
+/// A contour of a through bore with the cylinder at its far end longer by the run-out.
+fn beyond(mut contour: Contour, workpiece: &Workpiece) -> Contour {
+    let through = contour.side == Side::Inner && contour.end().is_some_and(|end| end.z == workpiece.length());
+    if let Some(last) = contour.pieces.last_mut().filter(|last| through && last.is_cylinder()) {
+        last.to.z = last.to.z + Half::from(RUN_OUT);
+    }
+    contour
 }
 
 /// A rough bore from the rough face on: the allowance of the face lies before the beginning of the bore.

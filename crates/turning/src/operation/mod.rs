@@ -12,6 +12,7 @@
 //!
 //! What a rule or a table can decide is not decided here: the rules are asked in this order, and their reasons kept.
 
+pub mod by_passes;
 mod clip;
 pub mod depth;
 mod doubts;
@@ -40,7 +41,7 @@ use crate::turning::workpiece::{Advice, Workpiece, advice};
 use crate::turning::zones::{self, SetUp};
 use layers::Layers;
 use tools::Bench;
-use work::ZoneWork;
+use work::{Hollow, ZoneWork};
 
 /// A turning operation.
 #[derive(Clone, Debug, Serialize)]
@@ -79,8 +80,8 @@ pub struct SideWork {
     pub layers: Layers,
     /// The zones and how each is cleared.
     pub zones: Vec<ZoneWork>,
-    /// The additional elements under the main contour, each a closed zone with the tools that fit.
-    pub additional: Vec<ZoneWork>,
+    /// The hollows under the main contour that are no grooves.
+    pub hollows: Vec<Hollow>,
 }
 
 impl Operation {
@@ -160,7 +161,7 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
         && let Some(layers) = layers::before_face(set_up, bench, findings)?
     {
         let zones = work::zones(&layers, bench, findings)?;
-        sides.push(SideWork { side: Side::Outer, layers, zones, additional: Vec::new() });
+        sides.push(SideWork { side: Side::Outer, layers, zones, hollows: Vec::new() });
     }
     for (side, stretch) in [(Side::Outer, &set_up.outer), (Side::Inner, &set_up.inner)] {
         let Some(stretch) = stretch else { continue };
@@ -168,8 +169,8 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
         let Some(layers) = layers::layers(stretch, set_up, face, bench, findings)? else { continue };
         let zones = work::zones(&layers, bench, findings)?;
         work::finishing_after(&zones, &stretch.profile, bench, findings)?;
-        let additional = work::additional(stretch, bench, findings)?;
-        sides.push(SideWork { side, layers, zones, additional });
+        let hollows = work::hollows(stretch, set_up, &layers, bench, findings)?;
+        sides.push(SideWork { side, layers, zones, hollows });
     }
     Ok(sides)
 }

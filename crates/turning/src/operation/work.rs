@@ -15,11 +15,12 @@ use crate::turning::transitions::check::{MOST_PASSES, Unsuited};
 use crate::turning::transitions::measures::{Best, best};
 use crate::turning::transitions::split::Split;
 use crate::turning::transitions::{self, PreparedZone, Scheme, Settings, Stock, Transition};
-use crate::turning::zones::{self, Feed, Fit, Returns, TurnedSide, Zone, fit, idle_returns};
+use crate::turning::elements::{Main, Valley};
+use crate::turning::zones::{self, Feed, Fit, Returns, SetUp, TurnedSide, Zone, fit, idle_returns};
 use crate::units::{Degrees, Micrometres};
 
 use super::depth::{self, Depth, Pace, Task};
-use super::layers::Layers;
+use super::layers::{self, Layers};
 use super::pocket::pieceworks;
 use super::tools::{self, Bench, ChosenTool};
 
@@ -152,58 +153,67 @@ pub fn finishing_after(
     Ok(())
 }
 
-/// The zones under the bridges of the main contour, each with the turning, boring and grooving tools that fit it. What
-/// a turning tool reaches gets its toolpaths too; the plunging of grooves is not planned.
-///
-/// # Errors The knowledge base lacks a table.
-pub fn additional(
-    stretch: &TurnedSide,
-    bench: &Bench<'_, '_>,
-    findings: &mut Vec<Finding>,
-) -> Result<Vec<ZoneWork>, KnowledgeError> {
-    let side = stretch.main.contour.side;
-    let candidates = tools::for_valleys(side, bench)?;
-    let angles: Vec<_> = candidates.iter().map(tools::angles).collect();
-    let mut works: Vec<ZoneWork> = Vec::new();
-    for valley in stretch.main.valleys.iter().filter(|valley| !valley.open) {
-        let rough = Contour { side, pieces: valley.under.clone() };
-        let blank = Contour { side, pieces: valley.bridge.clone() };
-        if rough.pieces.is_empty() || !rough.is_monotone() || !blank.is_monotone() || rough == blank {
-            continue;
-        }
-        let stock = zones::Stock { rough: &rough, blank: &blank, near_part: false, against_stop: false };
-        for mut zone in zones::find(stock, &angles, bench.knowledge)? {
-            if zone.feed == Feed::Across {
-                continue;
-            }
-            zone.number = works.len() + 1;
-            let mut found_fit = fit(&zone, &angles);
-            too_short(&mut found_fit, &candidates, zone.greatest_radius - zone.least_radius);
-            let tool =
-                found_fit.fitting.first().and_then(|name| candidates.iter().find(|tool| tool.designation == name));
-            let ground = ZoneContours { rough: rough.clone(), blank: blank.clone() };
-            let turning = tool.filter(|tool| !tool.plunges());
-            let mut work = match turning {
-                Some(tool) => zone_work(&zone, Some(tool), 1, &angles, &ground, bench, findings)?,
-                None => ZoneWork { zone, fit: found_fit, tool: None, depth: None, works: Vec::new(), returns: None },
-            };
-            work.tool = tool.map(|tool| tools::chosen(tool, 1, bench)).transpose()?;
-            works.push(work);
-        }
-    }
-    Ok(works)
+/// A hollow under the main contour that is no groove, and how it is cleared: what a tool with a steeper edge behind its
+/// tip reaches.
+#[derive(Clone, Debug, Serialize)]
+pub struct Hollow {
+    /// Its lips, Z from the free end.
+    #[serde(skip)]
+    pub lips: (Half, Half),
+    /// Its surfaces, by index in the profile.
+    #[serde(skip)]
+    pub surfaces: Vec<usize>,
+    /// The contours of the side with this hollow opened.
+    #[serde(skip)]
+    pub layers: Layers,
+    /// Its zones.
+    pub zones: Vec<ZoneWork>,
 }
 
-/// Refuses the grooving tools that do not reach the floor.
-fn too_short(fit: &mut Fit, tools: &[TurningTool<'_>], deep: Half) {
-    for tool in tools {
-        let Some(reach) = tool.groove_depth.filter(|reach| tool.plunges() && Half::of(*reach) < deep) else { continue };
-        if let Some(index) = fit.fitting.iter().position(|name| name == tool.designation) {
-            fit.fitting.remove(index);
-            let why = Note::new("groove-too-deep").with("depth", deep).with("reach", reach);
-            fit.refused.push(zones::fit::RefusedTool { tool: tool.designation.to_owned(), why: vec![why] });
+/// The hollows of a side, in the order of Z. Grooves are cut by blades, elsewhere; what no tool reaches is a finding.
+///
+/// # Errors The knowledge base lacks a table.
+pub fn hollows(
+    stretch: &TurnedSide,
+    set_up: &SetUp,
+    outside: &Layers,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<Hollow>, KnowledgeError> {
+    let mut hollows: Vec<Hollow> = Vec::new();
+    for valley in stretch.main.valleys.iter().filter(|valley| !valley.open) {
+        let groove = |index: &usize| {
+            let surface = stretch.profile.surfaces.get(*index);
+            surface.is_some_and(|surface| surface.kind.is_additional())
+        };
+        if valley.surfaces.iter().any(groove) {
+            continue;
         }
+        let Some(contour) = opened(&stretch.main, valley).filter(Contour::is_monotone) else { continue };
+        let main = Main { contour, valleys: Vec::new() };
+        let stretch = TurnedSide { main, ..stretch.clone() };
+        let Some(layers) = layers::layers(&stretch, set_up, None, bench, findings)? else { continue };
+        let ground = Layers { blank: outside.rough.clone(), ..layers.clone() };
+        let zones = zones(&ground, bench, findings)?;
+        let lips = (valley.lips.0.z, valley.lips.1.z);
+        hollows.push(Hollow { lips, surfaces: valley.surfaces.clone(), layers, zones });
     }
+    Ok(hollows)
+}
+
+/// The main contour with the part instead of a bridge.
+fn opened(main: &Main, valley: &Valley) -> Option<Contour> {
+    let pieces = &main.contour.pieces;
+    let count = valley.bridge.len();
+    let at = if count == 0 {
+        pieces.iter().position(|piece| piece.from == valley.lips.0)?
+    } else {
+        pieces.windows(count).position(|window| window == valley.bridge)?
+    };
+    let mut opened = pieces.clone();
+    opened.splice(at..at + count, valley.under.iter().copied());
+    let contour = Contour { side: main.contour.side, pieces: opened };
+    contour.hangs_together().then_some(contour)
 }
 
 /// The contours that bound the stock of a zone.

@@ -10,6 +10,7 @@ pub mod map;
 pub mod optimum;
 pub mod pass;
 pub mod rich;
+pub mod toolpath;
 pub mod variants;
 
 use serde::Serialize;

@@ -21,6 +21,8 @@ forms! {
         pub shaft: String,
         /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
         pub material: String,
+        /// The id of a lathe, such as `16k20f3`; without it no speeds and loads are told.
+        pub machine: Option<String>,
         /// What it is made from.
         pub blank: Blank,
         /// How it is held; in the chuck unless said.

@@ -25,6 +25,9 @@ pub struct Shaft {
     pub shaft: String,
     /// The id of its material in the catalog `materials`.
     pub material: String,
+    /// The id of a lathe, as in the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub machine: Option<String>,
     /// What it is made from.
     pub blank: Blank,
     /// The cylinders of a stepped blank from the free end, none smaller than the one before it; behind them it has the

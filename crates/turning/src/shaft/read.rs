@@ -47,6 +47,10 @@ impl Reader<'_> {
         let name = fields.need(ShaftFile::shaft, &mut self.problems).and_then(|node| self.name(node));
         let material = fields.need(ShaftFile::material, &mut self.problems).and_then(|node| self.material(node));
         let blank_node = fields.need(ShaftFile::blank, &mut self.problems);
+        let machine = match fields.take(ShaftFile::machine) {
+            Some(node) => self.lathe(node).map(Some),
+            None => Some(None),
+        };
         let holding = match fields.take(ShaftFile::holding) {
             Some(node) => self.choice(node, &[("chuck", Holding::Chuck), ("centres", Holding::Centres)]),
             None => Some(Holding::default()),
@@ -72,6 +76,7 @@ impl Reader<'_> {
         let shaft = Shaft {
             shaft: name?,
             material: material?,
+            machine: machine?,
             blank: Blank { kind: kind?, diameter: diameter?.0, length: length?.0 },
             blank_steps: shape.map_or(Some(Vec::new()), |shape| shape.steps.into_iter().map(whole).collect())?,
             holding: holding?,

@@ -30,7 +30,7 @@ impl From<&Shaft> for Workpiece {
             name: shaft.shaft.clone(),
             material: shaft.material.clone(),
             blank,
-            machine: None,
+            machine: shaft.machine.clone(),
             holding: shaft.holding,
             heat_treatment: HeatTreatment::default(),
             outer: outer(&shaft.steps),

@@ -84,7 +84,7 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
     let (mut rows, mut refused) = (Vec::new(), Vec::new());
     let sides = operation.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)));
     for (set_up, side) in sides {
-        for one in &side.additional {
+        for one in side.hollows.iter().flat_map(|hollow| &hollow.zones) {
             if one.tool.is_none() {
                 let span = say!(
                     lang,

@@ -1,0 +1,33 @@
+//! The operation of a stepped shaft, roughed by a sequence of passes (the paper) instead of schemes.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::turning::jobs::Work;
+use crate::turning::length::Half;
+use crate::turning::passes::Variant;
+use crate::turning::passes::toolpath::toolpath;
+use crate::turning::schemes::rates;
+use crate::turning::shaft::Shaft;
+use crate::turning::workpiece::Workpiece;
+
+use super::{Operation, plan};
+
+/// The operation with the rough jobs of its first set-up as one job, which makes the passes of a variant. Tool, pace and
+/// everything else are those of the operation.
+///
+/// # Errors The knowledge base lacks a table.
+pub fn by_passes(shaft: &Shaft, variant: &Variant, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
+    let mut operation = plan(&Workpiece::from(shaft), knowledge)?;
+    let (distances, _) = rates::rates(shaft, knowledge)?;
+    let Some(set_up) = operation.set_ups.first_mut() else { return Ok(operation) };
+    let is_rough = |work: Work| matches!(work, Work::Face | Work::Rough);
+    let Some(mut job) = set_up.jobs.iter().find(|job| job.work == Work::Rough).cloned() else { return Ok(operation) };
+    let nose = Half::of(job.tool.nose_radius());
+    job.path = toolpath(&variant.drawn, Half::radius_of(shaft.blank.diameter), &distances, nose);
+    job.time_min = job.pace.time(&job.path, distances.rapid);
+    job.zone = None;
+    let place = set_up.jobs.iter().position(|job| is_rough(job.work)).unwrap_or_default();
+    set_up.jobs.retain(|job| !is_rough(job.work));
+    set_up.jobs.insert(place, job);
+    Ok(operation)
+}

@@ -1,0 +1,80 @@
+//! A sequence of passes as a toolpath. Cylinders and faces are to a round nose what they are to a sharp one
+//! ([`crate::turning::nose`]), so the path of the theoretical point is safe as it is.
+
+use crate::turning::length::Half;
+use crate::turning::shaft::Rates;
+use crate::turning::toolpath::{Purpose, Toolpath};
+
+use super::pass::{Pass, PassDirection, PassEnd, legs};
+
+/// The way from home through all passes and back. A pass across a face that ends on the axis goes on by `beyond`, so
+/// that a round nose leaves nothing there.
+pub fn toolpath(passes: &[Pass], bar: Half, rates: &Rates, beyond: Half) -> Toolpath {
+    let mut path: Option<Toolpath> = None;
+    let mut before: Option<PassEnd> = None;
+    let starts = passes.iter().map(|pass| Some(pass.start())).chain([None]);
+    for (start, pass) in starts.zip(passes.iter().map(Some).chain([None])) {
+        for (from, to) in legs(before, start, bar, rates) {
+            path.get_or_insert_with(|| Toolpath::at(from)).go(to, Purpose::Rapid);
+        }
+        let (Some(pass), Some(path)) = (pass, &mut path) else { continue };
+        let mut end = pass.end();
+        if pass.kind == PassDirection::Transverse && end.at.radius == Half::ZERO {
+            end.at.radius = Half::ZERO - beyond;
+        }
+        path.go(end.at, Purpose::Cut);
+        before = Some(end);
+    }
+    path.unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::turning::passes::grid::Grid;
+    use crate::turning::passes::variants::one_direction;
+    use crate::turning::point::Point;
+    use crate::turning::shaft::{Blank, BlankKind, Division, Holding, Moves, Roughing, Shaft, Step};
+    use crate::units::{Micrometres, MillimetresPerMinute};
+
+    /// The paper's shaft, its first level by hand: from home at Ø69, Z 2 to Ø57, along to Z −34, off by 0.5.
+    #[test]
+    fn the_first_level_of_the_papers_shaft() {
+        let mm = |length: f64| Micrometres::from_mm_rounded(length);
+        let shaft = Shaft {
+            shaft: "a".to_owned(),
+            material: "steel-45".to_owned(),
+            machine: None,
+            blank: Blank { kind: BlankKind::Bar, diameter: mm(65.0), length: mm(34.0) },
+            blank_steps: Vec::new(),
+            holding: Holding::Chuck,
+            steps: vec![
+                Step { diameter: mm(40.0), length: mm(16.0) },
+                Step { diameter: mm(50.0), length: mm(18.0) },
+            ],
+            roughing: Roughing {
+                longitudinal_depth: mm(4.0),
+                transverse_depth: mm(3.5),
+                division: Division::Full,
+                moves: Moves::Basic,
+            },
+            rates: None,
+        };
+        let rate = MillimetresPerMinute(150.0);
+        let rates = Rates {
+            longitudinal_feed: rate,
+            transverse_feed: rate,
+            rapid: rate,
+            approach: mm(2.0),
+            retract: mm(0.5),
+        };
+        let grid = Grid::of(&shaft);
+        let path =
+            toolpath(&one_direction(&grid, PassDirection::Longitudinal), grid.bar, &rates, Half::from(0.8));
+        let at = |radius: f64, z: f64| Point { radius: Half::from(radius), z: Half::from(z) };
+        assert_eq!(path.from, at(34.5, -2.0));
+        let first: Vec<Point> = path.moves.iter().take(3).map(|one| one.to).collect();
+        assert_eq!(first, [at(28.5, -2.0), at(28.5, 34.0), at(29.0, 33.5)]);
+        assert_eq!(path.end(), path.from);
+    }
+}
