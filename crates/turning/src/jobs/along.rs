@@ -2,7 +2,7 @@
 
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
-use crate::turning::point::Point;
+use crate::turning::point::{Point, Vector};
 use crate::turning::toolpath::{Move, Purpose, Toolpath};
 
 /// How far the tool keeps off.
@@ -93,7 +93,9 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
         path.go(Point { radius: first.from.radius, z: first.from.z - retract }, Purpose::Rapid);
     }
     if let Some(first) = rest.first() {
-        let before = first.from.moved(first.direction_at_start().times(-approach.to_mm()));
+        // On the axis the metal lies all round: the way in is along it.
+        let ahead = if first.from.radius <= Half::ZERO { Vector::new(1.0, 0.0) } else { first.direction_at_start() };
+        let before = first.from.moved(ahead.times(-approach.to_mm()));
         let before = Point { radius: limited(before.radius), z: before.z };
         let z = before.z.min(home.z).min(path.end().z);
         path.go(Point { radius: path.end().radius, z }, Purpose::Rapid);
@@ -105,7 +107,10 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
         }
         path.go(Point { radius: limited(end.radius + retract), z: end.z - retract }, Purpose::Rapid);
     }
-    path.go(Point { radius: clear.max(path.end().radius), z: path.end().z }, Purpose::Rapid);
+    // A bore is left along its wall: a bar has no room to go across it.
+    let aside = if ceiling.is_some() { path.end().radius } else { clear.max(path.end().radius) };
+    path.go(Point { radius: aside, z: path.end().z }, Purpose::Rapid);
+    path.go(Point { radius: aside, z: home.z }, Purpose::Rapid);
     path.go(home, Purpose::Rapid);
     path
 }
@@ -169,6 +174,6 @@ mod tests {
         let home = at(7.7, -2.0);
         assert_eq!(path.from, home);
         assert_eq!(ends.first(), Some(&at(12.5, -2.0)));
-        assert_eq!(ends.get(ends.len() - 3..), Some([at(9.5, 29.5), at(7.7, 29.5), home].as_slice()));
+        assert_eq!(ends.get(ends.len() - 3..), Some([at(9.5, 29.5), at(9.5, -2.0), home].as_slice()));
     }
 }

@@ -155,6 +155,8 @@ pub enum Body {
         shank_mm: Option<(Micrometres, Micrometres)>,
         /// Diameter of a round bar, mm.
         bar_mm: Option<Micrometres>,
+        /// The smallest bore that a bar enters, mm.
+        min_bore_mm: Option<Micrometres>,
     },
     /// A drill on the axis.
     Drill {
@@ -231,6 +233,7 @@ impl JobTool {
                 blade_depth_mm: tool.groove_depth,
                 shank_mm,
                 bar_mm,
+                min_bore_mm: tool.min_bore,
             },
         }
     }

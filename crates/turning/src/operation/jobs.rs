@@ -17,10 +17,10 @@ use crate::turning::zones::fit::reaches;
 use crate::turning::zones::{Feed, Needs, SetUp, TurnedSide};
 use crate::units::{Degrees, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 
-use super::{SideWork, clip};
 use super::depth::{self, Task};
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
+use super::{SideWork, clip};
 use crate::turning::cutting::{Direction, TurningConditions};
 
 /// The jobs of a set-up.
@@ -163,9 +163,18 @@ fn finish(
     }
     let stretch = stretch(set_up, side.side);
     let surfaces: Vec<&Surface> = stretch.map(main_surfaces).unwrap_or_default();
-    let face = |surface: &&Surface| surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO);
+    let face = |surface: &&Surface| {
+        surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO)
+    };
     let surfaces = surfaces.into_iter().filter(|surface| contour == side.layers.left || !face(surface)).collect();
-    let task = Finishing { side: side.side, contour: &contour, standing, surfaces, allowance: allowance(side), needs: needs(&contour) };
+    let task = Finishing {
+        side: side.side,
+        contour: &contour,
+        standing,
+        surfaces,
+        allowance: allowance(side),
+        needs: needs(&contour),
+    };
     task.job(bench, findings, |seen, standing, clearance| Some(along(seen, standing, clearance)))
 }
 
@@ -209,7 +218,8 @@ const fn stretch(set_up: &SetUp, side: Side) -> Option<&TurnedSide> {
 
 /// A contour without the face at its free end.
 fn without_face(contour: &Contour) -> Contour {
-    let faces = contour.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius).count();
+    let faces =
+        contour.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius).count();
     Contour { side: contour.side, pieces: contour.pieces.iter().skip(faces).copied().collect() }
 }
 
@@ -236,7 +246,9 @@ impl Finishing<'_> {
     /// Its tool: the first that reaches everything, with a nose that fits into the hollows before one that leaves metal
     /// in them.
     fn tool<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Option<TurningTool<'k>>, KnowledgeError> {
-        let narrowest = || self.contour.radii().map(|(least, _)| least.diameter());
+        // The bottom of a blind bore is no passage.
+        let walls = self.contour.pieces.iter().filter(|piece| !piece.is_face());
+        let narrowest = || walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min().map(Half::diameter);
         let passage = (self.side == Side::Inner).then(narrowest).flatten();
         let mut candidates = tools::candidates(self.side, bench)?;
         candidates.retain(|tool| reaches(self.needs, passage, &tools::angles(tool)));

@@ -11,6 +11,7 @@ use crate::turning::allowances::{equidistant, equidistant_over};
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Stretches, Surface};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
+use crate::turning::schemes::rates;
 use crate::turning::workpiece::{Allowances, Workpiece};
 use crate::turning::zones::{SetUp, TurnedSide};
 use crate::units::Micrometres;
@@ -118,18 +119,31 @@ pub fn layers(
     let part = stretch.profile.contour();
     let mut areas = areas(&blank, &rough, main, &part);
     areas.finish = finish;
-    let (blank, rough, left) = (beyond(blank, workpiece), beyond(rough, workpiece), beyond(left, workpiece));
+    let by = run_out(&left, set_up, bench)?;
+    let (blank, rough, left) = (longer(blank, by), longer(rough, by), longer(left, by));
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
 }
 
-/// How far the tool runs out of a through bore, mm: its nose must leave the last of the wall.
-const RUN_OUT: f64 = 2.0;
+/// How far the tool runs on at the end of what the first set-up turns: its round nose must leave nothing there that the
+/// second set-up does not reach. It runs on at the same radius, over what falls away behind or into the stock beyond.
+///
+/// # Errors The knowledge base lacks the table of motions.
+fn run_out(left: &Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
+    let ends_open = left.end().is_some_and(|end| end.radius > Half::ZERO);
+    let (table, _) = rates::of_table(bench.knowledge)?;
+    let by = bench.workpiece.rates.map_or(table.approach, |rates| rates.main.approach);
+    Ok(if ends_open && !set_up.turned_over { Half::of(by) } else { Half::ZERO })
+}
 
-/// A contour of a through bore with the cylinder at its far end longer by the run-out.
-fn beyond(mut contour: Contour, workpiece: &Workpiece) -> Contour {
-    let through = contour.side == Side::Inner && contour.end().is_some_and(|end| end.z == workpiece.length());
-    if let Some(last) = contour.pieces.last_mut().filter(|last| through && last.is_cylinder()) {
-        last.to.z = last.to.z + Half::from(RUN_OUT);
+/// A contour that goes on along the axis at its end.
+fn longer(mut contour: Contour, by: Half) -> Contour {
+    let Some(last) = contour.pieces.last_mut().filter(|_| by > Half::ZERO) else { return contour };
+    let end = Point { radius: last.to.radius, z: last.to.z + by };
+    if last.is_cylinder() {
+        last.to = end;
+    } else {
+        let on = Piece::line(last.to, end);
+        contour.pieces.push(on);
     }
     contour
 }

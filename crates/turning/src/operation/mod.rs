@@ -23,6 +23,7 @@ mod level;
 mod pocket;
 pub mod prepare;
 pub mod programs;
+pub mod proof;
 pub mod tools;
 mod unfinished;
 pub mod work;
@@ -148,6 +149,8 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     let mut operation =
         Operation { workpiece: workpiece.clone(), blank_advice, elsewhere, set_ups: done, findings: Vec::new() };
     findings.extend(unfinished::unfinished(&operation));
+    let proven = proof::findings(&operation, &proof::prove(&operation), &findings);
+    findings.extend(proven);
     findings.extend(doubts::doubts(&operation));
     operation.findings = merged(findings);
     Ok(operation)

@@ -8,6 +8,7 @@ use crate::tables::turning::part::BlankShape;
 use crate::turning::allowances::equidistant;
 use crate::turning::contour::{Contour, Profile, Side};
 use crate::turning::cutting::Direction;
+use crate::turning::elements::{Main, Valley};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::tooling::TurningTool;
@@ -15,7 +16,6 @@ use crate::turning::transitions::check::{MOST_PASSES, Unsuited};
 use crate::turning::transitions::measures::{Best, best};
 use crate::turning::transitions::split::Split;
 use crate::turning::transitions::{self, PreparedZone, Scheme, Settings, Stock, Transition};
-use crate::turning::elements::{Main, Valley};
 use crate::turning::zones::{self, Feed, Fit, Returns, SetUp, TurnedSide, Zone, fit, idle_returns};
 use crate::units::{Degrees, Micrometres};
 

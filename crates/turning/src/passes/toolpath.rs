@@ -48,10 +48,7 @@ mod tests {
             blank: Blank { kind: BlankKind::Bar, diameter: mm(65.0), length: mm(34.0) },
             blank_steps: Vec::new(),
             holding: Holding::Chuck,
-            steps: vec![
-                Step { diameter: mm(40.0), length: mm(16.0) },
-                Step { diameter: mm(50.0), length: mm(18.0) },
-            ],
+            steps: vec![Step { diameter: mm(40.0), length: mm(16.0) }, Step { diameter: mm(50.0), length: mm(18.0) }],
             roughing: Roughing {
                 longitudinal_depth: mm(4.0),
                 transverse_depth: mm(3.5),
@@ -61,16 +58,10 @@ mod tests {
             rates: None,
         };
         let rate = MillimetresPerMinute(150.0);
-        let rates = Rates {
-            longitudinal_feed: rate,
-            transverse_feed: rate,
-            rapid: rate,
-            approach: mm(2.0),
-            retract: mm(0.5),
-        };
+        let rates =
+            Rates { longitudinal_feed: rate, transverse_feed: rate, rapid: rate, approach: mm(2.0), retract: mm(0.5) };
         let grid = Grid::of(&shaft);
-        let path =
-            toolpath(&one_direction(&grid, PassDirection::Longitudinal), grid.bar, &rates, Half::from(0.8));
+        let path = toolpath(&one_direction(&grid, PassDirection::Longitudinal), grid.bar, &rates, Half::from(0.8));
         let at = |radius: f64, z: f64| Point { radius: Half::from(radius), z: Half::from(z) };
         assert_eq!(path.from, at(34.5, -2.0));
         let first: Vec<Point> = path.moves.iter().take(3).map(|one| one.to).collect();

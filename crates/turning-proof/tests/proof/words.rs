@@ -1,0 +1,1 @@
+//! Every finding is said in every language, with all its figures.

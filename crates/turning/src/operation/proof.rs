@@ -1,0 +1,278 @@
+//! An operation held against the proof of turning: what its jobs do to the stock, set-up by set-up. The proof knows
+//! nothing of how they came about; here they only change their form.
+
+use technolog_turning_proof as proof;
+
+use crate::note::{Figure, Finding, Note, Severity, Told};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Surface, SurfaceKind, SurfaceName, Turn};
+use crate::turning::jobs::{Body, JobTool};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::tooling::{Hand, Place, ToolKind};
+use crate::turning::toolpath::{Purpose, Toolpath};
+use crate::turning::workpiece::Workpiece;
+use crate::units::{Degrees, Micrometres};
+use proof::{At, Block, Cutter, Fault, Holder, Kind, Mm, Motion, Sense, SetUp, Stock, Way};
+
+use super::{Operation, SetUpWork};
+
+/// What the proof says of every set-up, in the order of work.
+#[derive(Clone, Debug)]
+pub struct Proven {
+    /// The number of the set-up.
+    pub set_up: u8,
+    /// What it says; or why it says nothing.
+    pub proof: Result<proof::Proof, proof::Refused>,
+}
+
+/// Carries the blank through the jobs of all set-ups.
+pub fn prove(operation: &Operation) -> Vec<Proven> {
+    prove_with(operation, |set_up| {
+        let jobs = set_up.jobs.iter().enumerate();
+        jobs.flat_map(|(index, job)| motions(&job.path, index)).collect()
+    })
+}
+
+/// Carries the blank through motions that somebody else gives for each set-up, with the tools of its jobs by index.
+pub fn prove_with(operation: &Operation, motions: impl Fn(&SetUpWork) -> Vec<Motion>) -> Vec<Proven> {
+    let workpiece = &operation.workpiece;
+    let inner = workpiece.blank.inner.as_ref();
+    let mut stock =
+        Stock::between(&chain(&whole_blank(&workpiece.blank.outer, inner)), &inner.map(chain).unwrap_or_default());
+    let mut over = false;
+    let mut proven = Vec::new();
+    for set_up in &operation.set_ups {
+        if set_up.set_up.turned_over != over {
+            stock = stock.turned_over(Mm(workpiece.length().to_mm()));
+            over = set_up.set_up.turned_over;
+        }
+        let task = SetUp {
+            profile: profile(operation, set_up),
+            stock: stock.clone(),
+            bodies: Vec::new(),
+            tools: set_up.jobs.iter().map(|job| tool(&job.tool)).collect(),
+            motions: motions(set_up),
+        };
+        let done = proof::prove(&task);
+        if let Ok(done) = &done {
+            stock = done.left.clone();
+        }
+        proven.push(Proven { set_up: set_up.set_up.number, proof: done });
+    }
+    proven
+}
+
+/// The findings of a proof. What a nose leaves in a corner is a note, everything else is wrong. What stands, and what of a
+/// thread is not cut, is told of the set-up that turns the surface, unless a finding says already that nothing finishes it.
+pub fn findings(operation: &Operation, proven: &[Proven], said: &[Finding]) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (one, set_up) in proven.iter().zip(&operation.set_ups) {
+        let stretches = [&set_up.set_up.outer, &set_up.set_up.inner].into_iter().flatten();
+        let named = |name: &SurfaceName| {
+            let name = name.to_string();
+            said.iter().any(|finding| finding.note.figure_text("surface").as_ref() == Some(&name))
+        };
+        let own: Vec<Figure> = stretches
+            .flat_map(|stretch| &stretch.profile.surfaces)
+            .filter(|surface| !named(&surface.name))
+            .map(|surface| (&surface.name).told())
+            .collect();
+        let told = |fault: &&Fault| match fault {
+            Fault::Stands { surface, .. } | Fault::Corner { surface, .. } | Fault::ThreadShallow { surface, .. } => {
+                surface.as_ref().is_none_or(|surface| own.contains(surface))
+            }
+            _ => true,
+        };
+        match &one.proof {
+            Ok(proof) => findings.extend(proof.faults.iter().filter(told).map(|fault| {
+                let severity = if fault.is_mild() { Severity::Note } else { Severity::Wrong };
+                Finding::of_part(severity, fault.note().with("number", one.set_up))
+            })),
+            Err(refused) => findings.push(Finding::of_part(
+                Severity::Wrong,
+                Note::new("turning-not-proven").with("number", one.set_up).with("why", refused.note()),
+            )),
+        }
+    }
+    findings
+}
+
+/// The blank from the axis or its bore at the free end; a bar that is drawn by its cylinder alone gets its face.
+fn whole_blank(outer: &Contour, inner: Option<&Contour>) -> Contour {
+    let mut whole = outer.clone();
+    let within = inner.and_then(Contour::start).map_or(Half::ZERO, |start| start.radius);
+    if let Some(start) = outer.start().filter(|start| start.radius > within) {
+        whole.pieces.insert(0, Piece::line(Point { radius: within, z: start.z }, start));
+    }
+    whole
+}
+
+fn at(point: Point) -> At {
+    At::new(Mm(-point.z.to_mm()), Mm(point.radius.to_mm()))
+}
+
+/// A piece, with Z away from the chuck: what turns left towards the chuck is clockwise there.
+fn way(piece: &Piece) -> Way {
+    let (from, to) = (at(piece.from), at(piece.to));
+    match (piece.curve, piece.centre()) {
+        (Curve::Arc { turn, .. }, Some(centre)) => Way::Arc {
+            from,
+            to,
+            centre: At::new(Mm(-centre.z), Mm(centre.radius)),
+            sense: if turn == Turn::Left { Sense::Clockwise } else { Sense::Counterclockwise },
+        },
+        _ => Way::Line { from, to },
+    }
+}
+
+fn chain(contour: &Contour) -> Vec<Way> {
+    contour.pieces.iter().map(way).collect()
+}
+
+/// The motions of a toolpath by a tool. Blocks count from 1.
+pub fn motions(path: &Toolpath, tool: usize) -> Vec<Motion> {
+    let kind = |purpose| match purpose {
+        Purpose::Rapid => Kind::Rapid,
+        Purpose::Thread => Kind::Thread,
+        _ => Kind::Feed,
+    };
+    let pieces = path.pieces().enumerate();
+    let moved = |(index, (piece, purpose)): (usize, (Piece, Purpose))| Motion {
+        kind: kind(purpose),
+        way: way(&piece),
+        tool,
+        block: Block(index + 1),
+    };
+    pieces.map(moved).collect()
+}
+
+/// What is to be there after a set-up. In the last one it is the whole part, seen from its free end; before that the
+/// stretches that the set-up turns.
+fn profile(operation: &Operation, set_up: &SetUpWork) -> proof::Profile {
+    let workpiece = &operation.workpiece;
+    let last = operation.set_ups.last().is_some_and(|last| last.set_up.number == set_up.set_up.number);
+    let seen =
+        |profile: &Profile| if set_up.set_up.turned_over { over(profile, workpiece.length()) } else { profile.clone() };
+    let (outer, inner) = if last {
+        (Some(seen(&workpiece.outer)), workpiece.inner.as_ref().map(seen))
+    } else {
+        let own = |side: &Option<crate::turning::zones::TurnedSide>| side.as_ref().map(|side| side.profile.clone());
+        (own(&set_up.set_up.outer), own(&set_up.set_up.inner))
+    };
+    let pieces =
+        |profile: &Profile| profile.surfaces.iter().flat_map(|surface| surface_pieces(surface, operation)).collect();
+    let bore: Vec<proof::Piece> = inner.as_ref().map(pieces).unwrap_or_default();
+    let mut outside: Vec<proof::Piece> = outer.as_ref().map(pieces).unwrap_or_default();
+    // The file may leave out the face of the end.
+    let within = bore.first().map_or(Mm(0.0), |first| first.way.from().radius);
+    if let Some(first) = outside.first().map(|first| first.way.from()).filter(|first| first.radius.0 > within.0) {
+        let face = Way::Line { from: At::new(first.z, within), to: first };
+        outside.insert(0, proof::Piece::new(face, None));
+    }
+    proof::Profile { outside, bore }
+}
+
+/// A profile seen from the other end.
+fn over(profile: &Profile, length: Half) -> Profile {
+    let surfaces = profile.surfaces.iter().rev().map(|surface| {
+        let contour = Contour { side: profile.side, pieces: surface.pieces.clone() };
+        Surface { pieces: contour.turned_over(length).pieces, ..surface.clone() }
+    });
+    Profile { side: profile.side, surfaces: surfaces.collect() }
+}
+
+fn surface_pieces(surface: &Surface, operation: &Operation) -> Vec<proof::Piece> {
+    let workpiece = &operation.workpiece;
+    let later = operation.elsewhere.iter().find(|one| one.surface == surface.name);
+    let thread = (surface.kind == SurfaceKind::Thread).then(|| thread(surface, workpiece)).flatten();
+    let piece = |piece: &Piece| proof::Piece {
+        way: way(piece),
+        surface: Some((&surface.name).told()),
+        allowance: Mm(later.map_or(0.0, |one| one.allowance_mm.to_mm())),
+        thread,
+    };
+    surface.pieces.iter().map(piece).collect()
+}
+
+/// The crests of a thread are its surface; its roots lie 0.6134 P below outside and at the nominal diameter inside
+/// (ISO 724, ISO 965).
+fn thread(surface: &Surface, workpiece: &Workpiece) -> Option<proof::Thread> {
+    let name = surface.name.to_string();
+    let thread = workpiece.threads.iter().find(|thread| thread.surface == name)?;
+    let crest = surface.pieces.first()?.from.radius.to_mm();
+    let nominal = thread.size.to_mm() / 2.0;
+    let inside = crest < nominal - 1e-6;
+    let root = if inside { nominal } else { nominal - 0.6134 * thread.pitch.to_mm() };
+    Some(proof::Thread { crest: Mm(crest), root: Mm(root) })
+}
+
+fn tool(tool: &JobTool) -> proof::Tool {
+    let mm = |length: Micrometres| Mm(length.to_mm());
+    let degrees = |angle: Degrees| proof::Degrees(angle.0);
+    let (cutter, holder) = match &tool.body {
+        Body::Drill { diameter_mm, point_angle_deg, flute_mm } => {
+            // Without a figure the whole of it cuts.
+            let flute = flute_mm.map_or(Mm(1000.0), mm);
+            let point_angle = degrees(*point_angle_deg);
+            (Cutter::Drill { diameter: mm(*diameter_mm), point_angle, flute }, Holder::None)
+        }
+        Body::CentreDrill { pilot_mm, pilot_length_mm, body_mm } => (
+            Cutter::CentreDrill { pilot: mm(*pilot_mm), pilot_length: mm(*pilot_length_mm), body: mm(*body_mm) },
+            Holder::None,
+        ),
+        Body::Insert {
+            kind,
+            works,
+            hand,
+            lead_angle_deg,
+            trail_angle_deg,
+            nose_radius_mm,
+            edge_mm,
+            width_mm,
+            blade_depth_mm,
+            shank_mm,
+            bar_mm,
+            min_bore_mm,
+        } => {
+            let side = if *works == Place::Inner { proof::Side::Inside } else { proof::Side::Outside };
+            let hand = match hand {
+                Hand::R => proof::Hand::Right,
+                Hand::L => proof::Hand::Left,
+                Hand::N => proof::Hand::Neutral,
+            };
+            let (width, depth) = (width_mm.map_or(Mm(0.0), mm), blade_depth_mm.map_or(Mm(0.0), mm));
+            let corner_radius = mm(*nose_radius_mm);
+            let cutter = match kind {
+                ToolKind::Turning | ToolKind::Boring => Cutter::Insert {
+                    lead_angle: degrees(*lead_angle_deg),
+                    trail_angle: degrees(*trail_angle_deg),
+                    nose_radius: mm(*nose_radius_mm),
+                    edge_length: edge_mm.map_or(Mm(EDGE), mm),
+                    hand,
+                    side,
+                },
+                ToolKind::Grooving => Cutter::Blade { width, corner_radius, depth, side },
+                ToolKind::FaceGrooving => Cutter::FaceBlade { width, corner_radius, depth },
+                ToolKind::Threading => {
+                    Cutter::Thread { angle: proof::Degrees(60.0), reach: edge_mm.map_or(Mm(EDGE), mm), side }
+                }
+            };
+            let blade = matches!(kind, ToolKind::Grooving | ToolKind::FaceGrooving);
+            let holder = match (shank_mm, bar_mm) {
+                (Some((_, width)), _) if blade => Holder::shank_of_blade(mm(*width)),
+                (Some((_, width)), _) => Holder::shank(mm(*width), hand),
+                (None, Some(bar)) => {
+                    // Without a figure a bar enters what is a quarter wider.
+                    let least = min_bore_mm.map_or(Mm(bar.to_mm() * 1.25), mm);
+                    Holder::bar(mm(*bar), least)
+                }
+                (None, None) => Holder::None,
+            };
+            (cutter, holder)
+        }
+    };
+    proof::Tool { designation: tool.designation.clone(), cutter, holder }
+}
+
+/// The edge of an insert whose row has none, mm.
+const EDGE: f64 = 10.0;
