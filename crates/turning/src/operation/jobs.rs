@@ -178,34 +178,47 @@ fn finish(
     task.job(bench, findings, |seen, standing, clearance| Some(along(seen, standing, clearance)))
 }
 
-/// The finishing pass along a hollow.
+/// How far the finishing of one zone of a hollow goes on into the next, so that no seam is left between two tools.
+const SEAM: Half = Half::new(2000);
+
+/// The finishing passes along a hollow, zone by zone, each by a tool that reaches it.
 fn finish_hollow(
     set_up: &SetUp,
     side: &SideWork,
     hollow: &Hollow,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
-) -> Result<Option<Job>, KnowledgeError> {
-    if hollow.zones.is_empty() || !hollow.zones.iter().all(ZoneWork::is_cleared) {
-        return Ok(None);
+) -> Result<Vec<Job>, KnowledgeError> {
+    let mut jobs = Vec::new();
+    if !hollow.zones.iter().all(ZoneWork::is_cleared) {
+        return Ok(jobs);
     }
     let profile = stretch(set_up, side.side).map(|stretch| &stretch.profile);
-    let surface = |index: &usize| profile.and_then(|profile| profile.surfaces.get(*index));
-    let surfaces = hollow.surfaces.iter().filter_map(surface).collect();
-    let (from, to) = hollow.lips;
+    let surfaces: Vec<&Surface> =
+        hollow.surfaces.iter().filter_map(|index| profile.and_then(|profile| profile.surfaces.get(*index))).collect();
     let contour = &hollow.layers.left;
-    let task = Finishing {
-        side: side.side,
-        contour,
-        standing: &side.layers.left,
-        surfaces,
-        allowance: allowance(side),
-        // The rest of the contour is finished already.
-        needs: needs(&clip::between(contour, from, to)),
-    };
-    task.job(bench, findings, |seen, standing, clearance| {
-        Some(dip(&clip::between(seen, from, to), standing, clearance)).filter(|path| !path.moves.is_empty())
-    })
+    let (first, last) = hollow.lips;
+    let mut from = first;
+    for (index, zone) in hollow.zones.iter().enumerate() {
+        let is_last = index + 1 == hollow.zones.len();
+        let to = if is_last { last } else { zone.zone.to_z };
+        let within = |by: Half| ((from - by).max(first), (to + by).min(last));
+        let own = within(Half::ZERO);
+        let task = Finishing {
+            side: side.side,
+            contour,
+            standing: &side.layers.left,
+            surfaces: surfaces.clone(),
+            allowance: allowance(side),
+            needs: needs(&clip::between(contour, own.0, own.1)),
+        };
+        let (from_z, to_z) = within(SEAM);
+        jobs.extend(task.job(bench, findings, |seen, standing, clearance| {
+            Some(dip(&clip::between(seen, from_z, to_z), standing, clearance)).filter(|path| !path.moves.is_empty())
+        })?);
+        from = to;
+    }
+    Ok(jobs)
 }
 
 /// The contour of a side in a set-up.

@@ -124,7 +124,7 @@ fn bridge(rough: &Contour, part: &Part) -> Option<Contour> {
 const NEAR: Half = Half::new(4);
 
 /// The pieces of a contour between two of its points.
-fn cut(contour: &Contour, from: Point, to: Point) -> Vec<Piece> {
+pub(super) fn cut(contour: &Contour, from: Point, to: Point) -> Vec<Piece> {
     let lies = |piece: &Piece, point: Point| {
         if point.z < piece.from.z - NEAR || piece.to.z + NEAR < point.z {
             return false;

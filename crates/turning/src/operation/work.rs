@@ -21,7 +21,7 @@ use crate::units::{Degrees, Micrometres};
 
 use super::depth::{self, Depth, Pace, Task};
 use super::layers::{self, Layers};
-use super::pocket::pieceworks;
+use super::pocket::{cut, pieceworks};
 use super::tools::{self, Bench, ChosenTool};
 
 /// A zone and how it is cleared.
@@ -201,19 +201,17 @@ pub fn hollows(
     Ok(hollows)
 }
 
-/// The main contour with the part instead of a bridge.
+/// The main contour with the part instead of a bridge, which may be one line with what is beside it.
 fn opened(main: &Main, valley: &Valley) -> Option<Contour> {
-    let pieces = &main.contour.pieces;
-    let count = valley.bridge.len();
-    let at = if count == 0 {
-        pieces.iter().position(|piece| piece.from == valley.lips.0)?
-    } else {
-        pieces.windows(count).position(|window| window == valley.bridge)?
-    };
-    let mut opened = pieces.clone();
-    opened.splice(at..at + count, valley.under.iter().copied());
-    let contour = Contour { side: main.contour.side, pieces: opened };
-    contour.hangs_together().then_some(contour)
+    let contour = &main.contour;
+    let mut pieces =
+        if contour.start()? == valley.lips.0 { Vec::new() } else { cut(contour, contour.start()?, valley.lips.0) };
+    pieces.extend(&valley.under);
+    if contour.end()? != valley.lips.1 {
+        pieces.extend(cut(contour, valley.lips.1, contour.end()?));
+    }
+    let opened = Contour { side: contour.side, pieces };
+    opened.hangs_together().then_some(opened)
 }
 
 /// The contours that bound the stock of a zone.
