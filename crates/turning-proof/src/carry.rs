@@ -1,0 +1,272 @@
+//! The stock carried through the motions, one after another.
+
+use crate::fault::{Fault, Faults};
+use crate::note::Figure;
+use crate::plane::{Convex, Region, Rule, Spot, Window};
+use crate::set_up::{Kind, Motion, SetUp};
+use crate::stock::Stock;
+use crate::target::Target;
+use crate::tool::{Outline, Tool};
+use crate::units::{At, Mm};
+
+/// What is thinner is no finding, mm: ten times what chords may lie from their arcs.
+pub const TOLERANCE: f64 = 0.005;
+
+/// So many swept pieces wait before they are taken off the stock together, which is sooner done than one by one.
+const BATCH: usize = 128;
+
+/// What is over when all motions are done.
+pub struct Carried<'s> {
+    set_up: &'s SetUp,
+    outlines: Vec<Outline>,
+    bodies: Vec<(Figure, Region)>,
+    pub target: Target,
+    pub stock: Stock,
+    /// Cut, but not yet taken off the stock.
+    waiting: Waiting,
+    /// Where passes of the tool at work have cut a thread: not off the stock, whose crests stay.
+    threaded: Vec<Convex>,
+    /// Which motions met metal, and where.
+    cuts: Vec<(Window, usize)>,
+    /// The deepest pass through the middle of each thread, mm: its radius.
+    passes: Vec<Option<f64>>,
+    pub faults: Faults,
+}
+
+impl<'s> Carried<'s> {
+    /// Through all motions.
+    pub fn through(set_up: &'s SetUp) -> Self {
+        let target = Target::of(&set_up.profile);
+        let body = |outline: &[At]| Region::enclosed([outline.iter().map(|at| at.spot()).collect()]);
+        let mut carried = Self {
+            set_up,
+            outlines: set_up.tools.iter().map(Outline::of).collect(),
+            bodies: set_up.bodies.iter().map(|of| (of.name.clone(), body(&of.outline))).collect(),
+            stock: set_up.stock.clone(),
+            waiting: Waiting::default(),
+            threaded: Vec::new(),
+            cuts: Vec::new(),
+            passes: vec![None; target.threads.len()],
+            target,
+            faults: Faults::default(),
+        };
+        for (index, motion) in set_up.motions.iter().enumerate() {
+            if index > 0 && set_up.motions[index - 1].tool != motion.tool {
+                carried.threaded.clear();
+            }
+            carried.carry(index, motion);
+        }
+        carried.take_off();
+        carried.hold_threads();
+        carried
+    }
+
+    /// The roundest nose that cut within reach of a piece of metal, mm; 0 where none did.
+    pub fn nose_at(&self, spots: &[Spot]) -> f64 {
+        // A cut edge is on the grid, and its chords are where the sweep's are.
+        const TOUCH: f64 = 0.002;
+        let window = Window::around(spots.iter().copied()).grown(TOUCH);
+        let near = self.cuts.iter().filter(|(cut, _)| cut.meets(window));
+        let touches =
+            |piece: &Convex| piece.window().meets(window) && spots.iter().any(|&spot| piece.distance(spot) <= TOUCH);
+        near.fold(0.0, |roundest, &(_, index)| {
+            let motion = &self.set_up.motions[index];
+            let nose = self.tool(motion).cutter.nose_radius().0;
+            let cuts = || self.swept(&self.outlines[motion.tool].cuts, motion);
+            if nose > roundest && cuts().iter().any(touches) { nose } else { roundest }
+        })
+    }
+
+    fn tool(&self, motion: &Motion) -> &'s Tool {
+        &self.set_up.tools[motion.tool]
+    }
+
+    fn swept(&self, pieces: &[Convex], motion: &Motion) -> Vec<Convex> {
+        let spots = motion.way.spots();
+        let each = spots.windows(2).flat_map(|ends| pieces.iter().filter_map(|piece| piece.swept(ends[0], ends[1])));
+        each.flat_map(Convex::folded).collect()
+    }
+
+    fn carry(&mut self, index: usize, motion: &Motion) {
+        let outline = &self.outlines[motion.tool];
+        let (cuts, holds) = (self.swept(&outline.cuts, motion), self.swept(&outline.holds, motion));
+        let tool = &self.tool(motion).designation;
+        self.hold_bodies(motion, &cuts, &holds);
+        match motion.kind {
+            Kind::Rapid => {
+                if let Some((width, at)) = self.overlap(&cuts, &[]) {
+                    let (tool, block) = (tool.clone(), motion.block);
+                    self.faults.add(Fault::RapidCut { tool, width, at, block, count: 1 });
+                }
+                self.hold_holder(motion, &holds, &[]);
+            }
+            Kind::Feed => {
+                self.hold_axis(motion, &cuts);
+                self.hold_profile(motion, &cuts, false);
+                self.hold_holder(motion, &holds, &cuts);
+                let metal = around(&cuts, self.stock.0.window());
+                if !self.stock.0.within(metal).is_empty() {
+                    self.cuts.push((around(&cuts, metal), index));
+                    cuts.iter().filter(|piece| piece.window().meets(metal)).for_each(|piece| self.waiting.add(piece));
+                }
+                if self.waiting.count >= BATCH {
+                    self.take_off();
+                }
+            }
+            Kind::Thread => {
+                self.hold_profile(motion, &cuts, true);
+                self.hold_holder(motion, &holds, &cuts);
+                self.remember_pass(motion);
+                self.threaded.extend(cuts);
+            }
+        }
+    }
+
+    fn take_off(&mut self) {
+        if let Some(cut) = std::mem::take(&mut self.waiting).together() {
+            self.stock.0 = self.stock.0.made(&cut, Rule::Without);
+        }
+    }
+
+    /// Where pieces meet metal that is not cut yet: how wide that is, and where. `cut` is what the motion itself cuts.
+    fn overlap(&self, pieces: &[Convex], cut: &[Convex]) -> Option<(Mm, At)> {
+        let window = around(pieces, self.stock.0.window());
+        let metal = self.stock.0.within(window);
+        if metal.is_empty() {
+            return None;
+        }
+        let met = metal.made(&Region::pieces(pieces), Rule::Both);
+        thickest(&met)?;
+        let window = met.window();
+        let near = |piece: &&Convex| piece.window().meets(window);
+        let free = Region::pieces(self.threaded.iter().chain(cut).filter(near));
+        let waiting = self.waiting.parts.iter().map(|(_, part)| part.within(window));
+        thickest(&waiting.chain([free]).fold(met, |met, free| met.made(&free, Rule::Without)))
+    }
+
+    fn hold_holder(&mut self, motion: &Motion, holds: &[Convex], cut: &[Convex]) {
+        if let Some((width, at)) = self.overlap(holds, cut) {
+            let tool = self.tool(motion).designation.clone();
+            self.faults.add(Fault::Holder { tool, width, at, kind: motion.kind, block: motion.block, count: 1 });
+        }
+    }
+
+    fn hold_bodies(&mut self, motion: &Motion, cuts: &[Convex], holds: &[Convex]) {
+        for (name, body) in &self.bodies {
+            let near = |piece: &&Convex| piece.window().meets(body.window());
+            let pieces: Vec<&Convex> = cuts.iter().chain(holds).filter(near).collect();
+            if pieces.is_empty() {
+                continue;
+            }
+            if let Some((width, at)) = thickest(&body.made(&Region::pieces(pieces), Rule::Both)) {
+                let tool = self.set_up.tools[motion.tool].designation.clone();
+                let (body, block) = (name.clone(), motion.block);
+                self.faults.add(Fault::Struck { tool, body, width, at, block, count: 1 });
+            }
+        }
+    }
+
+    /// A drill cuts on the axis and along it.
+    fn hold_axis(&mut self, motion: &Motion, cuts: &[Convex]) {
+        let (from, to) = (motion.way.from(), motion.way.to());
+        let on_axis = from.radius.0.abs() <= TOLERANCE && to.radius.0.abs() <= TOLERANCE;
+        let tool = self.tool(motion);
+        if tool.cutter.turns_on_axis() && !on_axis && self.overlap(cuts, &[]).is_some() {
+            let (tool, block) = (tool.designation.clone(), motion.block);
+            self.faults.add(Fault::OffAxis { tool, at: to, block, count: 1 });
+        }
+    }
+
+    /// How deep a motion cuts into what is to stay.
+    fn hold_profile(&mut self, motion: &Motion, cuts: &[Convex], thread: bool) {
+        let keep = if thread { &self.target.keep_thread } else { &self.target.keep };
+        let local = keep.within(around(cuts, keep.window()));
+        if local.is_empty() {
+            return;
+        }
+        for piece in local.made(&Region::pieces(cuts), Rule::Both).outer_pieces() {
+            let spots = samples(&piece, 16);
+            let nearest = self.target.nearest(&spots);
+            let deepest = nearest.iter().zip(&spots).max_by(|a, b| a.0.distance.total_cmp(&b.0.distance));
+            let Some((near, &spot)) = deepest.filter(|(near, _)| near.distance > TOLERANCE) else { continue };
+            let (surface, depth, at) = (self.target.surface(near.piece), Mm(near.distance), At::of(spot));
+            self.faults.add(Fault::Gouge { surface, depth, at, block: motion.block, count: 1 });
+        }
+    }
+
+    fn remember_pass(&mut self, motion: &Motion) {
+        let (from, to) = (motion.way.from().spot(), motion.way.to().spot());
+        for (thread, deepest) in self.target.threads.iter().zip(&mut self.passes) {
+            let middle = (thread.z[0] + thread.z[1]) / 2.0;
+            if from.z.min(to.z) > middle || from.z.max(to.z) < middle || from.z == to.z {
+                continue;
+            }
+            let here = from.r + (to.r - from.r) * (middle - from.z) / (to.z - from.z);
+            let outwards = thread.thread.root.0 > thread.thread.crest.0;
+            let deeper = |known: f64| if outwards { known.max(here) } else { known.min(here) };
+            *deepest = Some(deepest.map_or(here, deeper));
+        }
+    }
+
+    fn hold_threads(&mut self) {
+        for (thread, pass) in self.target.threads.iter().zip(&self.passes) {
+            let (crest, root) = (thread.thread.crest.0, thread.thread.root.0);
+            let left = (pass.unwrap_or(crest) - root) * (crest - root).signum();
+            if left > TOLERANCE {
+                self.faults.add(Fault::ThreadShallow { surface: thread.surface.clone(), left: Mm(left) });
+            }
+        }
+    }
+}
+
+/// Swept pieces, put together two and two, then four and four: pieces of one pass lie over each other, and all of them at
+/// once would cross each other everywhere.
+#[derive(Default)]
+struct Waiting {
+    count: usize,
+    /// With how many pieces are in each, the most first.
+    parts: Vec<(usize, Region)>,
+}
+
+impl Waiting {
+    fn add(&mut self, piece: &Convex) {
+        self.count += 1;
+        let mut part = (1, Region::pieces([piece]));
+        while let Some((count, before)) = self.parts.pop_if(|(count, _)| *count <= part.0) {
+            part = (count + part.0, before.made(&part.1, Rule::Either));
+        }
+        self.parts.push(part);
+    }
+
+    fn together(self) -> Option<Region> {
+        self.parts.into_iter().map(|(_, part)| part).reduce(|all, part| all.made(&part, Rule::Either))
+    }
+}
+
+/// The window of those pieces that meet another one.
+fn around(pieces: &[Convex], of: Window) -> Window {
+    pieces.iter().map(Convex::window).filter(|window| window.meets(of)).fold(Window::NONE, Window::with)
+}
+
+/// Of what two things share: the width of its widest piece where that is narrowest, and its middle. What is thin as a whole
+/// is where they touch.
+fn thickest(shared: &Region) -> Option<(Mm, At)> {
+    let sized = shared.outer_pieces().filter_map(|piece| {
+        let thickness = 2.0 * piece.area() / piece.around();
+        let hull = Convex::hull(piece.chains().flatten())?;
+        let window = hull.window();
+        let middle = window.least.plus(window.most).times(0.5);
+        (thickness > TOLERANCE).then(|| (Mm(hull.width()), At::of(middle)))
+    });
+    sized.max_by(|a, b| a.0.0.total_cmp(&b.0.0))
+}
+
+/// Spots on the edge of a region, every 0.5 mm or at most so many on each side of it; corners are among them.
+pub fn samples(region: &Region, most: usize) -> Vec<Spot> {
+    let edge = |(from, to): (Spot, Spot)| {
+        let way = to.minus(from);
+        let parts = ((way.length() / 0.5).ceil() as usize).clamp(2, most);
+        (0..parts).map(move |part| from.plus(way.times(part as f64 / parts as f64)))
+    };
+    region.edges().flat_map(edge).collect()
+}

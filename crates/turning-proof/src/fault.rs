@@ -1,0 +1,252 @@
+//! What is wrong with a program, as types; each says its sentence.
+
+use crate::note::{Figure, Note};
+use crate::set_up::Kind;
+use crate::units::{At, Block, Mm};
+
+/// Something that is wrong, once for each surface, tool or body: the worst of it, and how often.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fault {
+    /// Metal that was to stay is cut.
+    Gouge {
+        /// The surface; none if its piece has no name.
+        surface: Option<Figure>,
+        /// How far below the surface with its allowance, along its normal, at the deepest.
+        depth: Mm,
+        /// Where it is deepest.
+        at: At,
+        /// In which block.
+        block: Block,
+        /// At how many places, motion by motion.
+        count: usize,
+    },
+    /// A cutter goes through metal at rapid.
+    RapidCut {
+        /// The tool's designation.
+        tool: String,
+        /// The width of what it hits, where that is narrowest.
+        width: Mm,
+        /// The middle of it.
+        at: At,
+        /// In which block.
+        block: Block,
+        /// In how many motions.
+        count: usize,
+    },
+    /// A shank, a bar, or what of a drill does not cut goes through metal.
+    Holder {
+        /// The tool's designation.
+        tool: String,
+        /// The width of what it hits, where that is narrowest.
+        width: Mm,
+        /// The middle of it.
+        at: At,
+        /// How the tool moves in the worst of the motions.
+        kind: Kind,
+        /// In which block.
+        block: Block,
+        /// In how many motions.
+        count: usize,
+    },
+    /// A tool goes into a jaw, a centre, a steady rest.
+    Struck {
+        /// The tool's designation.
+        tool: String,
+        /// What it hits.
+        body: Figure,
+        /// How wide it is in it, where that is narrowest.
+        width: Mm,
+        /// The middle of it.
+        at: At,
+        /// In which block.
+        block: Block,
+        /// In how many motions.
+        count: usize,
+    },
+    /// A drill cuts off the axis or sideways.
+    OffAxis {
+        /// The tool's designation.
+        tool: String,
+        /// Where it ends.
+        at: At,
+        /// In which block.
+        block: Block,
+        /// In how many motions.
+        count: usize,
+    },
+    /// Metal is left over a surface.
+    Stands {
+        /// The surface; none if its piece has no name.
+        surface: Option<Figure>,
+        /// How thick over the surface with its allowance, along its normal, at the thickest.
+        thickness: Mm,
+        /// Where it is thickest.
+        at: At,
+        /// The end at the free end of what is left.
+        from_z: Mm,
+        /// The end at the chuck.
+        to_z: Mm,
+    },
+    /// An inner corner keeps the round of the nose that made it.
+    Corner {
+        /// The surface that what is left is nearest to.
+        surface: Option<Figure>,
+        /// The radius of the nose.
+        radius: Mm,
+        /// How far the round is from the corner's sides, at the most.
+        left: Mm,
+        /// Where.
+        at: At,
+        /// At how many corners.
+        count: usize,
+    },
+    /// No pass of a thread goes down to its root.
+    ThreadShallow {
+        /// The thread's surface.
+        surface: Option<Figure>,
+        /// How far the deepest pass ends before the root.
+        left: Mm,
+    },
+}
+
+impl Fault {
+    /// Whether it need not be wrong: what every nose leaves.
+    pub const fn is_mild(&self) -> bool {
+        matches!(self, Self::Corner { .. })
+    }
+
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        let placed =
+            |code: &'static str, at: &At| Note::new(code).with("z", at.z).with("diameter", Mm(2.0 * at.radius.0.abs()));
+        let of_surface = |note: Note, surface: &Option<Figure>| {
+            note.with("surface", surface.clone().unwrap_or_else(|| Figure::word("surface-without-name")))
+        };
+        match self {
+            Self::Gouge { surface, depth, at, block, count } => of_surface(placed("swept-gouge", at), surface)
+                .with("depth", depth)
+                .with("block", block)
+                .with("count", count),
+            Self::RapidCut { tool, width, at, block, count } => placed("swept-rapid", at)
+                .with("tool", tool)
+                .with("width", width)
+                .with("block", block)
+                .with("count", count),
+            Self::Holder { tool, width, at, kind, block, count } => {
+                let code = if *kind == Kind::Rapid { "swept-holder-rapid" } else { "swept-holder" };
+                let note = placed(code, at).with("tool", tool).with("width", width);
+                note.with("block", block).with("count", count)
+            }
+            Self::Struck { tool, body, width, at, block, count } => placed("swept-struck", at)
+                .with("tool", tool)
+                .with("body", body)
+                .with("width", width)
+                .with("block", block)
+                .with("count", count),
+            Self::OffAxis { tool, at, block, count } => {
+                placed("swept-off-axis", at).with("tool", tool).with("block", block).with("count", count)
+            }
+            Self::Stands { surface, thickness, at, from_z, to_z } => of_surface(placed("swept-stands", at), surface)
+                .with("thickness", thickness)
+                .with("from", from_z)
+                .with("to", to_z),
+            Self::Corner { surface, radius, left, at, count } => of_surface(placed("swept-corner", at), surface)
+                .with("radius", radius)
+                .with("left", left)
+                .with("count", count),
+            Self::ThreadShallow { surface, left } => {
+                of_surface(Note::new("swept-thread-shallow"), surface).with("left", left)
+            }
+        }
+    }
+
+    /// Takes in another one of the same kind, surface, tool and body; whether it was such a one.
+    fn take(&mut self, other: &Self) -> bool {
+        let worse = match (&*self, other) {
+            (Self::Gouge { surface: a, depth: mine, .. }, Self::Gouge { surface: b, depth, .. }) if a == b => {
+                depth > mine
+            }
+            (Self::RapidCut { tool: a, width: mine, .. }, Self::RapidCut { tool: b, width, .. })
+            | (Self::Holder { tool: a, width: mine, .. }, Self::Holder { tool: b, width, .. })
+                if a == b =>
+            {
+                width > mine
+            }
+            (Self::Struck { tool: a, body: of, width: mine, .. }, Self::Struck { tool: b, body: on, width, .. })
+                if a == b && of == on =>
+            {
+                width > mine
+            }
+            (Self::OffAxis { tool: a, .. }, Self::OffAxis { tool: b, .. }) if a == b => false,
+            (Self::Stands { surface: a, thickness: mine, .. }, Self::Stands { surface: b, thickness, .. })
+                if a == b =>
+            {
+                thickness > mine
+            }
+            (
+                Self::Corner { surface: a, radius: of, left: mine, .. },
+                Self::Corner { surface: b, radius: on, left, .. },
+            ) if a == b && of == on => left > mine,
+            _ => return false,
+        };
+        let (known, length) = (self.count(), self.length());
+        if worse {
+            *self = other.clone();
+        }
+        if let Some(count) = self.count_mut() {
+            *count = known + other.count();
+        }
+        if let (Self::Stands { from_z, to_z, .. }, Some(mine), Some(other)) = (self, length, other.length()) {
+            *from_z = Mm(mine.0.max(other.0));
+            *to_z = Mm(mine.1.min(other.1));
+        }
+        true
+    }
+
+    const fn length(&self) -> Option<(f64, f64)> {
+        match self {
+            Self::Stands { from_z, to_z, .. } => Some((from_z.0, to_z.0)),
+            _ => None,
+        }
+    }
+
+    const fn count(&self) -> usize {
+        match self {
+            Self::Gouge { count, .. }
+            | Self::RapidCut { count, .. }
+            | Self::Holder { count, .. }
+            | Self::Struck { count, .. }
+            | Self::OffAxis { count, .. }
+            | Self::Corner { count, .. } => *count,
+            Self::Stands { .. } | Self::ThreadShallow { .. } => 1,
+        }
+    }
+
+    const fn count_mut(&mut self) -> Option<&mut usize> {
+        match self {
+            Self::Gouge { count, .. }
+            | Self::RapidCut { count, .. }
+            | Self::Holder { count, .. }
+            | Self::Struck { count, .. }
+            | Self::OffAxis { count, .. }
+            | Self::Corner { count, .. } => Some(count),
+            Self::Stands { .. } | Self::ThreadShallow { .. } => None,
+        }
+    }
+}
+
+/// Faults, each kind once for each surface, tool or body.
+#[derive(Clone, Debug, Default)]
+pub struct Faults(Vec<Fault>);
+
+impl Faults {
+    pub fn add(&mut self, fault: Fault) {
+        if !self.0.iter_mut().any(|known| known.take(&fault)) {
+            self.0.push(fault);
+        }
+    }
+
+    pub fn all(self) -> Vec<Fault> {
+        self.0
+    }
+}

@@ -1,0 +1,103 @@
+//! What is left over the finished part when all is done: what stands, and what noses leave in inner corners.
+
+use std::collections::BTreeMap;
+
+use crate::carry::{Carried, TOLERANCE, samples};
+use crate::fault::Fault;
+use crate::plane::{Convex, Region, Rule, Spot, Window};
+use crate::target::Near;
+use crate::units::{At, Mm};
+
+/// A sample of what is left.
+#[derive(Clone, Copy)]
+struct Left {
+    spot: Spot,
+    near: Near,
+    /// How thick it is, mm: from the contour, or from the round that the nose leaves in a corner.
+    thickness: f64,
+}
+
+impl Left {
+    /// Whether it tells the thickness over a surface, and not over the round of an inner or outer corner.
+    fn is_square(&self) -> bool {
+        self.near.square && self.near.distance <= self.thickness + TOLERANCE
+    }
+}
+
+/// How many spots of a side are looked at: enough for a shaft of half a metre.
+const MOST: usize = 1000;
+
+/// Holds what the motions left against the part.
+pub fn hold(carried: &mut Carried<'_>) {
+    let over = carried.stock.0.made(&carried.target.may_stay, Rule::Without);
+    for piece in over.outer_pieces() {
+        let spots = samples(&piece, MOST);
+        let left = left(carried, &spots);
+        if left.is_empty() {
+            continue;
+        }
+        let nose = carried.nose_at(&spots);
+        let unreached = unreached(carried, piece.window(), nose);
+        let (mut corner, mut stands) = (Vec::new(), Vec::new());
+        for mut left in left {
+            left.thickness = unreached.as_ref().map_or(f64::INFINITY, |region| over_region(region, left.spot));
+            left.thickness = left.thickness.min(left.near.distance);
+            if left.thickness > TOLERANCE { stands.push(left) } else { corner.push(left) }
+        }
+        tell_corner(carried, &corner, nose);
+        tell_stands(carried, &stands);
+    }
+}
+
+/// Which spots are farther from the contour than findings tolerate, and this set-up's.
+fn left(carried: &Carried<'_>, spots: &[Spot]) -> Vec<Left> {
+    let target = &carried.target;
+    let nearest = target.nearest(spots);
+    let all = spots.iter().zip(nearest).map(|(&spot, near)| Left { spot, near, thickness: near.distance });
+    all.filter(|left| left.thickness > TOLERANCE && !target.is_elsewhere(left.spot, left.thickness)).collect()
+}
+
+/// The part and what no circle of a nose could reach beside it: grown by the nose and shrunk by it.
+fn unreached(carried: &Carried<'_>, window: Window, nose: f64) -> Option<Region> {
+    let disc = Convex::disc(nose).filter(|_| nose > 0.0)?;
+    let metal = carried.target.may_stay.within(window.grown(2.0 * nose + 1.0));
+    let along =
+        |edges: &Region| -> Vec<Convex> { edges.edges().filter_map(|(from, to)| disc.swept(from, to)).collect() };
+    let grown = metal.made(&Region::pieces(&along(&metal)), Rule::Either);
+    Some(grown.made(&Region::pieces(&along(&grown)), Rule::Without))
+}
+
+/// How far a spot is from a region, mm; 0 in it.
+fn over_region(region: &Region, spot: Spot) -> f64 {
+    if region.holds(spot) {
+        return 0.0;
+    }
+    region.edges().map(|(from, to)| spot.distance(from, to)).fold(f64::INFINITY, f64::min)
+}
+
+fn tell_corner(carried: &mut Carried<'_>, corner: &[Left], nose: f64) {
+    if let Some(most) = corner.iter().max_by(|a, b| a.near.distance.total_cmp(&b.near.distance)) {
+        let (surface, at) = (carried.target.surface(most.near.piece), At::of(most.spot));
+        let (radius, left) = (Mm(nose), Mm(most.near.distance));
+        carried.faults.add(Fault::Corner { surface, radius, left, at, count: 1 });
+    }
+}
+
+fn tell_stands(carried: &mut Carried<'_>, stands: &[Left]) {
+    let square: Vec<Left> = stands.iter().filter(|left| left.is_square()).copied().collect();
+    let mut by_piece: BTreeMap<usize, Vec<Left>> = BTreeMap::new();
+    for left in if square.is_empty() { stands } else { &square } {
+        by_piece.entry(left.near.piece).or_default().push(*left);
+    }
+    for (piece, left) in by_piece {
+        let Some(most) = left.iter().max_by(|a, b| a.thickness.total_cmp(&b.thickness)) else { continue };
+        let window = Window::around(left.iter().map(|left| left.spot));
+        carried.faults.add(Fault::Stands {
+            surface: carried.target.surface(piece),
+            thickness: Mm(most.thickness),
+            at: At::of(most.spot),
+            from_z: Mm(window.most.z),
+            to_z: Mm(window.least.z),
+        });
+    }
+}

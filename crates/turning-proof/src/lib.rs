@@ -1,0 +1,88 @@
+//! The proof of turned parts: stock is a region of the half-plane through the axis; each tool with its real edges, nose and holder is swept
+//! along the motions of a program, and what it does is held against the finished part.
+//!
+//! Who planned does not matter. It takes motions as a program was read back, and shares nothing with a planner, a writer or
+//! their geometry.
+//!
+//! - `set_up` is what is proven, `tool` the tools, `stock` the metal, `units` lengths and places;
+//! - `plane` has the geometry: convex pieces, what they sweep, regions on a grid;
+//! - `target` is the finished part with its allowances; `carry` goes through the motions, `left` looks at what is over;
+//! - `fault` is everything that can be wrong, as types.
+//!
+//! What is approximated, and to which side:
+//!
+//! - Arcs and noses are chords that lie at most 0.5 µm inside their circles, regions on a grid of 10 nm; findings begin at 5 µm.
+//! - What turns beyond the axis cuts on this side of it.
+//! - A motion's own cut is out of the way of its holder from its beginning.
+//! - Passes of a thread leave the crests: they are held against its root, and take nothing off the stock.
+//! - An insert is a triangle of its nose and both edges, a holder the hull of a shank or bar and the ends of the edges.
+//! - A piece that is cut loose stays where it was.
+//!
+//! Architecture invariant: the proof knows no planner, chooses nothing and mends nothing.
+
+mod carry;
+mod fault;
+mod left;
+mod plane;
+mod refused;
+mod set_up;
+mod stock;
+mod target;
+mod tool;
+mod units;
+
+// The room below, under the name that the whole program uses.
+use technolog_note as note;
+
+pub use fault::Fault;
+pub use refused::Refused;
+pub use set_up::{Body, Kind, Motion, Piece, Profile, Sense, SetUp, Thread, Way};
+pub use stock::Stock;
+pub use tool::{Cutter, Hand, Holder, Side, Tool};
+pub use units::{At, Block, CubicMm, Degrees, Mm};
+
+/// Volumes of a set-up, within the stretch along the axis that it makes. Without faults what is removed is what was to be
+/// removed, but for what noses leave in corners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Volumes {
+    /// Of the stock before.
+    pub before: CubicMm,
+    /// Of what is left.
+    pub left: CubicMm,
+    /// What the motions removed.
+    pub removed: CubicMm,
+    /// What lies over the part with its allowances.
+    pub to_remove: CubicMm,
+}
+
+/// What a program does to the stock.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    /// What is wrong.
+    pub faults: Vec<Fault>,
+    /// What is left: the stock of the next set-up.
+    pub left: Stock,
+    /// The volumes.
+    pub volumes: Volumes,
+}
+
+/// Carries the stock of a set-up through its motions.
+///
+/// # Errors
+/// The set-up cannot be proven: it has no contour, a motion names no tool, a figure is out of range.
+pub fn prove(set_up: &SetUp) -> Result<Proof, Refused> {
+    refused::check(set_up)?;
+    let mut carried = carry::Carried::through(set_up);
+    left::hold(&mut carried);
+    let stretch = carried.target.stretch();
+    let volume = |region: &plane::Region| region.within(stretch).turned_volume();
+    let (before, left) = (volume(&set_up.stock.0), volume(&carried.stock.0));
+    let part = volume(&set_up.stock.0.made(&carried.target.may_stay, plane::Rule::Both));
+    let volumes = Volumes {
+        before: CubicMm(before),
+        left: CubicMm(left),
+        removed: CubicMm(before - left),
+        to_remove: CubicMm(before - part),
+    };
+    Ok(Proof { faults: carried.faults.all(), left: carried.stock, volumes })
+}

@@ -1,0 +1,113 @@
+//! Convex pieces, of which tools are made, and what they sweep.
+
+use super::{CHORD, Spot, Window};
+
+/// A convex piece: its corners to the left around it, with Z to the right and the radius up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Convex {
+    corners: Vec<Spot>,
+    window: Window,
+}
+
+impl Convex {
+    /// The hull of some spots; `None` if they have no area.
+    pub fn hull(spots: impl IntoIterator<Item = Spot>) -> Option<Self> {
+        let mut spots: Vec<Spot> = spots.into_iter().collect();
+        spots.sort_by(|a, b| a.z.total_cmp(&b.z).then(a.r.total_cmp(&b.r)));
+        spots.dedup();
+        let mut corners: Vec<Spot> = Vec::with_capacity(spots.len() + 1);
+        for upper in [false, true] {
+            let begun = corners.len();
+            let mut take = |spot: Spot| {
+                while corners.len() >= begun + 2 {
+                    let (a, b) = (corners[corners.len() - 2], corners[corners.len() - 1]);
+                    if b.minus(a).cross(spot.minus(b)) > 0.0 {
+                        break;
+                    }
+                    corners.pop();
+                }
+                corners.push(spot);
+            };
+            if upper {
+                spots.iter().rev().copied().for_each(&mut take)
+            } else {
+                spots.iter().copied().for_each(&mut take)
+            }
+            corners.pop();
+        }
+        let window = Window::around(corners.iter().copied());
+        (corners.len() > 2).then_some(Self { corners, window })
+    }
+
+    /// The corners of a rectangle.
+    pub fn rectangle(a: Spot, b: Spot) -> [Spot; 4] {
+        [a, Spot::new(b.z, a.r), b, Spot::new(a.z, b.r)]
+    }
+
+    /// A disc, as chords.
+    pub fn disc(radius: f64) -> Option<Self> {
+        let step = 2.0 * libm::acos(1.0 - CHORD / radius.max(2.0 * CHORD));
+        // As many above as below, so that it is the same from both sides.
+        let count = 2 * (std::f64::consts::PI / step).ceil().max(4.0) as usize;
+        let angle = |index: usize| std::f64::consts::TAU * index as f64 / count as f64;
+        Self::hull((0..count).map(|index| Spot::default().towards(angle(index), radius)))
+    }
+
+    pub fn corners(&self) -> &[Spot] {
+        &self.corners
+    }
+
+    pub const fn window(&self) -> Window {
+        self.window
+    }
+
+    /// What it sweeps on a straight way.
+    pub fn swept(&self, from: Spot, to: Spot) -> Option<Self> {
+        let ends = if from == to { vec![from] } else { vec![from, to] };
+        Self::hull(ends.iter().flat_map(|end| self.corners.iter().map(|corner| corner.plus(*end))))
+    }
+
+    /// What it is in the half-plane, once the metal has turned: what lies beyond the axis cuts on this side of it.
+    pub fn folded(self) -> Vec<Self> {
+        if self.window.least.r >= 0.0 {
+            return vec![self];
+        }
+        let mirrored = Self::hull(self.corners.iter().map(|corner| Spot::new(corner.z, -corner.r)));
+        [Some(self), mirrored].into_iter().flatten().filter_map(|piece| piece.above_axis()).collect()
+    }
+
+    fn above_axis(&self) -> Option<Self> {
+        let mut kept = Vec::with_capacity(self.corners.len() + 2);
+        for (index, &here) in self.corners.iter().enumerate() {
+            let next = self.corners[(index + 1) % self.corners.len()];
+            if here.r >= 0.0 {
+                kept.push(here);
+            }
+            if (here.r < 0.0) != (next.r < 0.0) {
+                kept.push(Spot::new(here.z + (next.z - here.z) * here.r / (here.r - next.r), 0.0));
+            }
+        }
+        Self::hull(kept)
+    }
+
+    /// How far a spot is from it, mm; 0 inside.
+    pub fn distance(&self, spot: Spot) -> f64 {
+        let mut inside = true;
+        let mut least = f64::INFINITY;
+        for (index, &here) in self.corners.iter().enumerate() {
+            let next = self.corners[(index + 1) % self.corners.len()];
+            inside &= next.minus(here).cross(spot.minus(here)) >= 0.0;
+            least = least.min(spot.distance(here, next));
+        }
+        if inside { 0.0 } else { least }
+    }
+
+    /// Its width where it is narrowest, mm.
+    pub fn width(&self) -> f64 {
+        let edges = self.corners.iter().enumerate().map(|(index, &here)| {
+            let along = self.corners[(index + 1) % self.corners.len()].minus(here).unit();
+            self.corners.iter().map(|corner| along.cross(corner.minus(here))).fold(0.0, f64::max)
+        });
+        edges.fold(f64::INFINITY, f64::min)
+    }
+}

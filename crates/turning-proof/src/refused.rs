@@ -1,0 +1,97 @@
+//! What cannot be proven at all.
+
+use crate::note::Note;
+use crate::set_up::SetUp;
+use crate::tool::{Cutter, Holder, Tool};
+use crate::units::{At, Block, Mm};
+
+/// Why a set-up cannot be proven.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refused {
+    /// There is no outer contour.
+    NoContour,
+    /// A motion names a tool that is not there.
+    NoTool {
+        /// Its block.
+        block: Block,
+    },
+    /// A place is no number, or farther away than any part.
+    Place {
+        /// The largest distance that is proven.
+        limit: Mm,
+    },
+    /// A tool has a length or an angle that no tool has.
+    Tool {
+        /// Its designation.
+        tool: String,
+    },
+}
+
+impl Refused {
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        match self {
+            Self::NoContour => Note::new("swept-no-contour"),
+            Self::NoTool { block } => Note::new("swept-no-tool").with("block", block),
+            Self::Place { limit } => Note::new("swept-far").with("limit", limit),
+            Self::Tool { tool } => Note::new("swept-tool").with("tool", tool),
+        }
+    }
+}
+
+/// The farthest place, mm: with tools, what the grid of the regions holds.
+const LIMIT: f64 = 5000.0;
+/// The largest tool, mm.
+const LARGEST: f64 = 500.0;
+
+pub fn check(set_up: &SetUp) -> Result<(), Refused> {
+    if set_up.profile.outside.is_empty() {
+        return Err(Refused::NoContour);
+    }
+    if let Some(motion) = set_up.motions.iter().find(|motion| motion.tool >= set_up.tools.len()) {
+        return Err(Refused::NoTool { block: motion.block });
+    }
+    let pieces = || set_up.profile.outside.iter().chain(&set_up.profile.bore);
+    let threads = pieces().filter_map(|piece| piece.thread);
+    let lengths = pieces().map(|piece| piece.allowance).chain(threads.flat_map(|thread| [thread.crest, thread.root]));
+    let motions = set_up.motions.iter().flat_map(|motion| motion.way.places());
+    let bodies = set_up.bodies.iter().flat_map(|body| body.outline.iter().copied());
+    let stock = set_up.stock.0.window();
+    let stock = [stock.least, stock.most].map(At::of).into_iter().filter(|_| !set_up.stock.0.is_empty());
+    let places = pieces().flat_map(|piece| piece.way.places()).chain(motions).chain(bodies).chain(stock);
+    let all = places.flat_map(|at| [at.z, at.radius]).chain(lengths);
+    if !all.into_iter().all(|length| length.0.abs() <= LIMIT) {
+        return Err(Refused::Place { limit: Mm(LIMIT) });
+    }
+    match set_up.tools.iter().find(|tool| !is_possible(tool)) {
+        Some(tool) => Err(Refused::Tool { tool: tool.designation.clone() }),
+        None => Ok(()),
+    }
+}
+
+/// Whether lengths are lengths and the insert's edges meet in a point.
+fn is_possible(tool: &Tool) -> bool {
+    let lengths = |lengths: &[Mm]| lengths.iter().all(|length| length.0 > 0.0 && length.0 <= LARGEST);
+    let point = |angle: f64| angle > 0.0 && angle < 180.0;
+    let not_negative = |length: Mm| length.0 >= 0.0 && length.0 <= LARGEST;
+    let cutter = match tool.cutter {
+        Cutter::Insert { lead_angle, trail_angle, nose_radius, edge_length, .. } => {
+            let angles = lead_angle.0 > 0.0 && trail_angle.0 >= 0.0 && point(180.0 - lead_angle.0 - trail_angle.0);
+            angles && not_negative(nose_radius) && lengths(&[edge_length])
+        }
+        Cutter::Blade { width, corner_radius, depth, .. } | Cutter::FaceBlade { width, corner_radius, depth } => {
+            not_negative(corner_radius) && lengths(&[width, depth])
+        }
+        Cutter::Thread { angle, reach, .. } => point(angle.0) && lengths(&[reach]),
+        Cutter::Drill { diameter, point_angle, flute } => {
+            point_angle.0 > 0.0 && point_angle.0 <= 180.0 && lengths(&[diameter, flute])
+        }
+        Cutter::CentreDrill { pilot, pilot_length, body } => lengths(&[pilot, pilot_length, body]),
+    };
+    let holder = match tool.holder {
+        Holder::None => true,
+        Holder::Shank { width, set_back } => lengths(&[width]) && set_back.0.abs() <= LARGEST,
+        Holder::Bar { diameter, stands_out } => lengths(&[diameter]) && stands_out.0.abs() <= LARGEST,
+    };
+    cutter && holder
+}

@@ -1,0 +1,172 @@
+//! What is proven: one set-up, in its own coordinates.
+
+use crate::note::Figure;
+use crate::plane::{Spot, chords, turned};
+use crate::stock::Stock;
+use crate::tool::Tool;
+use crate::units::{At, Block, Mm};
+
+/// Which way an arc turns, with Z to the right and the radius up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sense {
+    /// To the right.
+    Clockwise,
+    /// To the left.
+    Counterclockwise,
+}
+
+/// A line or an arc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// Straight.
+    Line {
+        /// Its beginning.
+        from: At,
+        /// Its end.
+        to: At,
+    },
+    /// Round a centre; a whole circle where both ends are one place.
+    Arc {
+        /// Its beginning.
+        from: At,
+        /// Its end.
+        to: At,
+        /// Its centre.
+        centre: At,
+        /// Which way it turns.
+        sense: Sense,
+    },
+}
+
+impl Way {
+    /// Its beginning.
+    pub const fn from(&self) -> At {
+        match self {
+            Self::Line { from, .. } | Self::Arc { from, .. } => *from,
+        }
+    }
+
+    /// Its end.
+    pub const fn to(&self) -> At {
+        match self {
+            Self::Line { to, .. } | Self::Arc { to, .. } => *to,
+        }
+    }
+
+    /// Lines from place to place.
+    pub fn lines(places: &[At]) -> Vec<Self> {
+        places.windows(2).map(|pair| Self::Line { from: pair[0], to: pair[1] }).collect()
+    }
+
+    /// The ends of its chords, its beginning first.
+    pub(crate) fn spots(&self) -> Vec<Spot> {
+        let (from, to) = (self.from().spot(), self.to().spot());
+        let mut spots = vec![from];
+        match self {
+            Self::Line { .. } => spots.push(to),
+            Self::Arc { centre, sense, .. } => {
+                let centre = centre.spot();
+                let angle = turned(centre, from, to, *sense == Sense::Counterclockwise);
+                spots.extend(chords(centre, from, to, angle));
+            }
+        }
+        spots
+    }
+
+    pub(crate) fn places(&self) -> Vec<At> {
+        match *self {
+            Self::Line { from, to } => vec![from, to],
+            Self::Arc { from, to, centre, .. } => vec![from, to, centre],
+        }
+    }
+}
+
+/// What a thread is cut between. Its passes may go down to the root over its length and a little beyond both ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thread {
+    /// The radius of its crests, to which its cylinder is turned before.
+    pub crest: Mm,
+    /// The radius of its roots.
+    pub root: Mm,
+}
+
+/// A piece of the finished part's contour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// Its form.
+    pub way: Way,
+    /// The surface that it belongs to: a name of the user's, or a word. Findings name it.
+    pub surface: Option<Figure>,
+    /// What is to stay over it for another machine, along its normal.
+    pub allowance: Mm,
+    /// The thread on it, if it is a cylinder with one.
+    pub thread: Option<Thread>,
+}
+
+impl Piece {
+    /// A piece without allowance and thread.
+    pub const fn new(way: Way, surface: Option<Figure>) -> Self {
+        Self { way, surface, allowance: Mm(0.0), thread: None }
+    }
+}
+
+/// The finished part, as far as the set-up goes: between both chains, or between the outer one and the axis.
+///
+/// Each chain runs from the free end towards the chuck, piece after piece. Where the outer chain begins on the axis it has the face
+/// of the free end. Where a chain ends off the axis and the other chain, the part goes on into the chuck: what stands beyond
+/// is another set-up's.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Profile {
+    /// The outer chain.
+    pub outside: Vec<Piece>,
+    /// The chain of the bore; a blind one ends on the axis. Empty if there is none.
+    pub bore: Vec<Piece>,
+}
+
+/// Something that no tool may touch: jaws, a quill with its centre, a steady rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// What it is: a name of the user's, or a word.
+    pub name: Figure,
+    /// Its outline, corner after corner.
+    pub outline: Vec<At>,
+}
+
+/// How a tool moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// At rapid.
+    Rapid,
+    /// At feed.
+    Feed,
+    /// A pass of a thread, at its pitch.
+    Thread,
+}
+
+/// A motion of a tool's reference point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// How it moves.
+    pub kind: Kind,
+    /// Its way.
+    pub way: Way,
+    /// Which of [`SetUp::tools`] moves.
+    pub tool: usize,
+    /// Its block in the program.
+    pub block: Block,
+}
+
+/// All that is proven together.
+#[derive(Clone, Debug, Default)]
+pub struct SetUp {
+    /// What is to be made.
+    pub profile: Profile,
+    /// Of what: the blank, or what the set-up before left.
+    pub stock: Stock,
+    /// What stands beside it.
+    pub bodies: Vec<Body>,
+    /// The tools.
+    pub tools: Vec<Tool>,
+    /// What they do, in the order of the program.
+    pub motions: Vec<Motion>,
+}

@@ -1,0 +1,74 @@
+//! The metal, as a region of the half-plane.
+
+use crate::plane::{Convex, Region, Spot};
+use crate::set_up::Way;
+use crate::units::{At, CubicMm, Mm};
+
+/// The blank, or what motions have left of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stock(pub(crate) Region);
+
+impl Stock {
+    /// Between an outer chain and a bore, or the axis; both chains run from the free end towards the chuck.
+    pub fn between(outer: &[Way], bore: &[Way]) -> Self {
+        Self(between(&spots(outer), &spots(bore)))
+    }
+
+    /// A round blank, with its bore if it has one, from the end at the chuck to the free end.
+    pub fn cylinder(radius: Mm, bore: Option<Mm>, chuck_end: Mm, free_end: Mm) -> Self {
+        let inner = bore.unwrap_or_default();
+        let corners = Convex::rectangle(At::new(chuck_end, inner).spot(), At::new(free_end, radius).spot());
+        Self(Region::enclosed([corners.to_vec()]))
+    }
+
+    /// Its volume.
+    pub fn volume(&self) -> CubicMm {
+        CubicMm(self.0.turned_volume())
+    }
+
+    /// Clamped by its other end: the part is as long as this, with its free end at Z0 before and after.
+    #[must_use]
+    pub fn turned_over(&self, length: Mm) -> Self {
+        Self(self.0.mirrored(-length.0))
+    }
+
+    /// Its outlines, for drawings: those of what it encloses run to the left with Z to the right and the radius up, those of
+    /// cavities to the right.
+    pub fn outlines(&self) -> Vec<Vec<At>> {
+        self.0.chains().map(|chain| chain.into_iter().map(At::of).collect()).collect()
+    }
+
+    /// Whether there is metal at a place.
+    pub fn holds(&self, at: At) -> bool {
+        self.0.holds(at.spot())
+    }
+}
+
+/// The corners of a chain.
+fn spots(chain: &[Way]) -> Vec<Spot> {
+    let mut all: Vec<Spot> = Vec::new();
+    for way in chain {
+        all.extend(way.spots().into_iter().skip(usize::from(!all.is_empty())));
+    }
+    all
+}
+
+/// What lies between two chains that run from the free end towards the chuck; the axis stands for a bore that is not there.
+pub(crate) fn between(outer: &[Spot], bore: &[Spot]) -> Region {
+    let on_axis = |spot: Option<&Spot>| spot.map(|spot| Spot::new(spot.z, 0.0));
+    let mut chain = outer.to_vec();
+    match (bore.first(), bore.last()) {
+        (Some(_), Some(end)) => {
+            // A blind bore ends on the axis, along which the metal goes on.
+            if end.r <= 0.0 {
+                chain.extend(on_axis(outer.last()));
+            }
+            chain.extend(bore.iter().rev());
+        }
+        _ => {
+            chain.extend(on_axis(outer.last()));
+            chain.extend(on_axis(outer.first()));
+        }
+    }
+    Region::enclosed([chain])
+}

@@ -1,0 +1,247 @@
+//! The finished part as the stock is held against it: what must stay, what may stay, and whose edge is nearest.
+
+use crate::note::Figure;
+use crate::plane::{Convex, Region, Rule, Spot, Window};
+use crate::set_up::{Piece, Profile, Thread};
+use crate::stock::between;
+
+/// How far beyond both ends of a thread its passes may go down to the root, in depths of the thread: half a profile, and a
+/// chamfer that is as deep as the thread.
+const RUN: f64 = 2.0;
+/// Longer than any part, mm.
+const BEYOND: f64 = 10_000.0;
+
+/// A chord of the contour, moved out by the allowance.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    from: Spot,
+    to: Spot,
+    piece: usize,
+}
+
+/// Where the contour is nearest to a spot.
+#[derive(Clone, Copy, Debug)]
+pub struct Near {
+    /// Which piece of it.
+    pub piece: usize,
+    /// How far, mm.
+    pub distance: f64,
+    /// Whether it is along the normal, not round an outer corner.
+    pub square: bool,
+}
+
+/// A thread and where it lies.
+#[derive(Clone, Debug)]
+pub struct Threaded {
+    pub surface: Option<Figure>,
+    pub thread: Thread,
+    /// Its ends along the axis, mm, ascending.
+    pub z: [f64; 2],
+    /// The radius at which it is drawn, mm.
+    drawn: f64,
+}
+
+/// The finished part with what is to stay on it.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// What no tool may cut.
+    pub keep: Region,
+    /// What no pass of a thread may cut.
+    pub keep_thread: Region,
+    /// What may be left: the allowances meet at corners.
+    pub may_stay: Region,
+    /// Its threads.
+    pub threads: Vec<Threaded>,
+    edges: Vec<Edge>,
+    surfaces: Vec<Option<Figure>>,
+    /// Lines behind which the metal is another set-up's.
+    open: Vec<[Spot; 2]>,
+}
+
+/// The chords of a piece with their normals, and how far they are moved.
+struct Chain {
+    spots: Vec<Spot>,
+    /// +1 where the metal lies to the left of the chain.
+    outwards: f64,
+    moved: f64,
+}
+
+impl Chain {
+    fn of(piece: &Piece, outwards: f64) -> Self {
+        let spots = piece.way.spots();
+        let drawn = spots[0];
+        let normal = normal(drawn, spots[1], outwards);
+        let sunk = piece.thread.map_or(0.0, |thread| (thread.crest.0 - drawn.r) * normal.r);
+        Self { spots, outwards, moved: piece.allowance.0 + sunk }
+    }
+
+    fn pairs(&self) -> impl Iterator<Item = (Spot, Spot, Spot)> {
+        let by = move |a: Spot, b: Spot| normal(a, b, self.outwards).times(self.moved);
+        self.spots.windows(2).map(move |pair| (pair[0], pair[1], by(pair[0], pair[1])))
+    }
+
+    /// What lies between the chords and where they are moved to, with the gaps between chords of an arc.
+    fn bands(&self) -> impl Iterator<Item = Convex> {
+        let next = self.pairs().skip(1).map(Some).chain([None]);
+        let bands = self.pairs().zip(next).flat_map(|((a, b, by), next)| {
+            let gap = next.and_then(|(_, _, then)| Convex::hull([b, b.plus(by), b.plus(then)]));
+            [Convex::hull([a, b, a.plus(by), b.plus(by)]), gap]
+        });
+        bands.flatten()
+    }
+}
+
+fn normal(from: Spot, to: Spot, outwards: f64) -> Spot {
+    to.minus(from).unit().right().times(outwards)
+}
+
+impl Target {
+    pub fn of(profile: &Profile) -> Self {
+        let mut chains = Vec::new();
+        for (pieces, outwards) in [(&profile.outside, 1.0), (&profile.bore, -1.0)] {
+            chains.push(pieces.iter().map(|piece| Chain::of(piece, outwards)).collect::<Vec<_>>());
+        }
+        let whole = |chain: &[Chain]| -> Vec<Spot> {
+            let mut spots: Vec<Spot> = chain.iter().flat_map(|piece| piece.spots.iter().copied()).collect();
+            spots.dedup();
+            spots
+        };
+        let (outer, bore) = (whole(&chains[0]), whole(&chains[1]));
+        let bands = |wanted: fn(f64) -> bool| -> Vec<Convex> {
+            chains.iter().flatten().filter(|chain| wanted(chain.moved)).flat_map(Chain::bands).collect()
+        };
+        let sunk = Region::pieces(&bands(|moved| moved < 0.0));
+        let stays = Region::pieces(&bands(|moved| moved > 0.0));
+        let part = between(&outer, &bore).made(&sunk, Rule::Without).made(&stays, Rule::Either);
+        let corners: Vec<Convex> = chains.iter().flat_map(|chain| chain.windows(2).filter_map(corner)).collect();
+        let may_stay = part.made(&Region::pieces(&corners), Rule::Either);
+
+        let threads = threads(profile);
+        // Where a chamfer is drawn up to the nominal diameter its crest ends on that of the thread.
+        let crests: Vec<Convex> = threads.iter().filter_map(Threaded::crests).collect();
+        let keep = part.made(&Region::pieces(&crests), Rule::Without);
+        let passes: Vec<Convex> = threads.iter().filter_map(Threaded::passes).collect();
+        let keep_thread = keep.made(&Region::pieces(&passes), Rule::Without);
+        let edges = chains.iter().flatten().enumerate().flat_map(|(piece, chain)| {
+            chain.pairs().map(move |(a, b, by)| Edge { from: a.plus(by), to: b.plus(by), piece })
+        });
+        let edges = edges.collect();
+        let surfaces = profile.outside.iter().chain(&profile.bore).map(|piece| piece.surface.clone()).collect();
+        Self { keep, keep_thread, may_stay, threads, edges, surfaces, open: open(&outer, &bore) }
+    }
+
+    pub fn surface(&self, piece: usize) -> Option<Figure> {
+        self.surfaces.get(piece).cloned().flatten()
+    }
+
+    /// The nearest edge to each of some spots.
+    pub fn nearest(&self, spots: &[Spot]) -> Vec<Near> {
+        // Nearly always an edge lies close by; only where none does are all of them looked at.
+        const CLOSE: f64 = 0.1;
+        let window = Window::around(spots.iter().copied()).grown(CLOSE);
+        let meets = |edge: &&Edge| Window::around([edge.from, edge.to]).meets(window);
+        let close: Vec<Edge> = self.edges.iter().filter(meets).copied().collect();
+        let nearest = |&spot: &Spot| {
+            let found = Near::of(&close, spot);
+            if found.distance <= CLOSE { found } else { Near::of(&self.edges, spot) }
+        };
+        spots.iter().map(nearest).collect()
+    }
+
+    /// Whether what stands at a spot, so far from the contour, belongs to another set-up.
+    pub fn is_elsewhere(&self, spot: Spot, distance: f64) -> bool {
+        self.open.iter().any(|[from, to]| spot.distance(*from, *to) <= distance)
+    }
+
+    /// The stretch along the axis that the set-up makes, mm.
+    pub fn stretch(&self) -> Window {
+        let whole = Window { least: Spot::new(-BEYOND / 2.0, 0.0), most: Spot::new(BEYOND / 2.0, BEYOND / 2.0) };
+        let edges = Window::around(self.edges.iter().flat_map(|edge| [edge.from, edge.to]));
+        let middle = (edges.least.z + edges.most.z) / 2.0;
+        self.open.iter().fold(whole, |mut whole, [from, _]| {
+            if from.z < middle {
+                whole.least.z = whole.least.z.max(from.z);
+            } else {
+                whole.most.z = whole.most.z.min(from.z);
+            }
+            whole
+        })
+    }
+}
+
+impl Near {
+    fn of(edges: &[Edge], spot: Spot) -> Self {
+        let each = edges.iter().map(|edge| (spot.distance(edge.from, edge.to), edge));
+        let Some((distance, edge)) = each.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+            return Self { piece: 0, distance: f64::INFINITY, square: false };
+        };
+        let along = edge.to.minus(edge.from).unit();
+        let across = along.cross(spot.minus(edge.from)).abs();
+        Self { piece: edge.piece, distance, square: across >= 0.99 * distance }
+    }
+}
+
+impl Threaded {
+    /// What its passes may take.
+    fn passes(&self) -> Option<Convex> {
+        self.between(self.thread.crest.0, self.thread.root.0)
+    }
+
+    /// What lies between where it is drawn and its crests, if it is turned lower than drawn.
+    fn crests(&self) -> Option<Convex> {
+        let outwards = self.thread.crest.0 - self.thread.root.0;
+        let sunk = (self.drawn - self.thread.crest.0) * outwards > 0.0;
+        sunk.then(|| self.between(self.drawn, self.thread.crest.0)).flatten()
+    }
+
+    fn between(&self, from: f64, to: f64) -> Option<Convex> {
+        let run = RUN * (from - to).abs();
+        Convex::hull(Convex::rectangle(Spot::new(self.z[0] - run, from), Spot::new(self.z[1] + run, to)))
+    }
+}
+
+fn threads(profile: &Profile) -> Vec<Threaded> {
+    let pieces = profile.outside.iter().chain(&profile.bore);
+    let threaded = pieces.filter_map(|piece| {
+        let (a, b) = (piece.way.from().z.0, piece.way.to().z.0);
+        let thread = piece.thread?;
+        let drawn = piece.way.from().radius.0;
+        Some(Threaded { surface: piece.surface.clone(), thread, z: [a.min(b), a.max(b)], drawn })
+    });
+    threaded.collect()
+}
+
+/// Where the allowances of two pieces meet over an outer corner.
+fn corner(pair: &[Chain]) -> Option<Convex> {
+    let [before, after] = pair else { return None };
+    let (a, b, by) = before.pairs().last()?;
+    let (_, c, then) = after.pairs().next()?;
+    let (along, on) = (b.minus(a).unit(), c.minus(b).unit());
+    let turn = along.cross(on);
+    let most = before.moved.max(after.moved);
+    if turn * before.outwards < 1e-6 || most <= 0.0 {
+        return None;
+    }
+    // A needle has no point of its own there.
+    let far = (then.minus(by).cross(on) / turn).min(4.0 * most);
+    Convex::hull([b, b.plus(by), b.plus(then), b.plus(by).plus(along.times(far))])
+}
+
+/// Lines on which the contour is open: those that close it, and straight away from its open ends.
+fn open(outer: &[Spot], bore: &[Spot]) -> Vec<[Spot; 2]> {
+    let mut lines = Vec::new();
+    for (end, other) in [(outer.first(), bore.first()), (outer.last(), bore.last())] {
+        let Some(&end) = end else { continue };
+        // A blind bore closes itself on the axis.
+        let other = other.copied().filter(|other| other.r > 0.0);
+        let inner = other.unwrap_or(Spot::new(end.z, 0.0));
+        if end.minus(inner).length() > 1e-6 {
+            lines.push([end, inner]);
+            lines.push([end, Spot::new(end.z, BEYOND)]);
+            if let Some(other) = other {
+                lines.push([other, Spot::new(other.z, 0.0)]);
+            }
+        }
+    }
+    lines
+}

@@ -1,0 +1,210 @@
+//! Honest work, of which nothing is wrong, and its volumes.
+
+use technolog_turning_proof::Kind::{Feed, Rapid, Thread as Pass};
+use technolog_turning_proof::{
+    At, Cutter, Degrees, Fault, Hand, Holder, Kind, Mm, Motion, Piece, Profile, Sense, SetUp, Side, Stock, Thread,
+    Tool, Way, prove,
+};
+
+use crate::made::{at, bar_work, bare, chain, insert, is, joined, line, pclnr, program, proven, wrong};
+
+/// Ø40 and Ø60 with a sharp corner between; the contour goes on behind Z−70.
+pub fn shaft() -> Vec<Piece> {
+    chain(&[(0.0, 0.0), (0.0, 20.0), (-30.0, 20.0), (-30.0, 30.0), (-70.0, 30.0)])
+}
+
+/// Faced to X−2r, roughed in four passes, finished.
+pub const SHAFT: [(Kind, f64, f64); 25] = [
+    (Rapid, 0.0, 34.0),
+    (Feed, 0.0, -0.8),
+    (Feed, 1.0, -0.8),
+    (Rapid, 2.0, 34.0),
+    (Rapid, 2.0, 30.3),
+    (Feed, -72.0, 30.3),
+    (Feed, -72.0, 33.0),
+    (Rapid, 2.0, 33.0),
+    (Rapid, 2.0, 26.0),
+    (Feed, -29.7, 26.0),
+    (Feed, -29.7, 31.0),
+    (Rapid, 2.0, 31.0),
+    (Rapid, 2.0, 22.0),
+    (Feed, -29.7, 22.0),
+    (Feed, -29.7, 27.0),
+    (Rapid, 2.0, 27.0),
+    (Rapid, 2.0, 20.3),
+    (Feed, -29.7, 20.3),
+    (Feed, -29.7, 23.0),
+    (Rapid, 2.0, 23.0),
+    (Rapid, 2.0, 20.0),
+    (Feed, -30.0, 20.0),
+    (Feed, -30.0, 30.0),
+    (Feed, -72.0, 30.0),
+    (Rapid, -72.0, 40.0),
+];
+
+pub fn shaft_work(moves: &[(Kind, f64, f64)]) -> SetUp {
+    bar_work(shaft(), 32.0, (-100.0, 2.0), pclnr(0.8), program(0, (5.0, 40.0), moves))
+}
+
+/// The corner keeps a fillet of 0.8, whose middle is 0.8 · (1 − 1/√2) = 0.2343 from both sides.
+#[test]
+fn a_stepped_shaft_turned_clean_leaves_the_fillet_of_the_nose() {
+    let proof = proven(&shaft_work(&SHAFT));
+    let [Fault::Corner { radius, left, count: 1, .. }] = proof.faults.as_slice() else { panic!("{:?}", proof.faults) };
+    assert!(is(*radius, 0.8) && is(*left, 0.2343), "{radius:?} {left:?}");
+}
+
+/// Over Ø40 to Z−30 and Ø60 to Z−70, of Ø64 from Z2: π(32² · 72 − 20² · 30 − 30² · 40) = 80 814 mm³. What the fillet keeps is
+/// its area 0.8²(1 − π/4) = 0.1373 on a circle of about 2π · 20.18 = 126.8: 17.4 mm³.
+#[test]
+fn what_is_removed_is_what_was_to_be_removed() {
+    let volumes = proven(&shaft_work(&SHAFT)).volumes;
+    let to_remove = std::f64::consts::PI * (1024.0 * 72.0 - 400.0 * 30.0 - 900.0 * 40.0);
+    assert!((volumes.to_remove.0 - to_remove).abs() < 1.0, "{volumes:?} {to_remove}");
+    assert!((volumes.to_remove.0 - volumes.removed.0 - 17.4).abs() < 0.5, "{volumes:?}");
+    assert!((volumes.before.0 - volumes.left.0 - volumes.removed.0).abs() < 1e-6);
+}
+
+/// Two plunges make a groove of 5 by 3; its corners keep the corners of the blade.
+#[test]
+fn a_groove_is_as_wide_as_two_plunges() {
+    let part =
+        chain(&[(0.0, 0.0), (0.0, 20.0), (-20.0, 20.0), (-20.0, 17.0), (-25.0, 17.0), (-25.0, 20.0), (-40.0, 20.0)]);
+    let moves = [
+        (Rapid, -25.0, 21.0),
+        (Feed, -25.0, 17.0),
+        (Feed, -25.0, 21.0),
+        (Rapid, -23.0, 21.0),
+        (Feed, -23.0, 17.0),
+        (Feed, -23.0, 21.0),
+        (Rapid, 5.0, 40.0),
+    ];
+    let work = bar_work(part, 20.0, (-60.0, 0.0), blade(10.0), program(0, (-25.0, 40.0), &moves));
+    let faults = proven(&work).faults;
+    let corners = faults.iter().map(|fault| match fault {
+        Fault::Corner { radius, left, count, .. } if is(*radius, 0.2) && is(*left, 0.0586) => *count,
+        other => panic!("{other:?}"),
+    });
+    assert_eq!(corners.sum::<usize>(), 2);
+}
+
+pub fn blade(depth: f64) -> Tool {
+    let cutter = Cutter::Blade { width: Mm(3.0), corner_radius: Mm(0.2), depth: Mm(depth), side: Side::Outside };
+    Tool { designation: "blade".into(), cutter, holder: Holder::shank_of_blade(Mm(25.0)) }
+}
+
+/// A fillet of 5 as an arc, led so that the nose of 0.8 goes round it: its centre on a circle of 4.2. The theoretical point is
+/// 0.8 beside the centre in both directions.
+#[test]
+fn an_arc_is_followed_by_an_arc() {
+    let fillet =
+        Way::Arc { from: at(-20.0, 15.0), to: at(-25.0, 20.0), centre: at(-20.0, 20.0), sense: Sense::Clockwise };
+    let mut part = chain(&[(0.0, 0.0), (0.0, 15.0), (-20.0, 15.0)]);
+    part.push(Piece::new(fillet, None));
+    part.push(line("flange", (-25.0, 20.0), (-25.0, 25.0)));
+    part.push(line("rim", (-25.0, 25.0), (-40.0, 25.0)));
+    let mut motions = program(0, (5.0, 40.0), &[(Rapid, 2.0, 15.0), (Feed, -20.8, 15.0)]);
+    let arc = Way::Arc { from: at(-20.8, 15.0), to: at(-25.0, 19.2), centre: at(-20.8, 19.2), sense: Sense::Clockwise };
+    motions.push(Motion { way: arc, ..*motions.last().unwrap() });
+    for (z, radius) in [(-25.0, 25.0), (-42.0, 25.0)] {
+        motions.push(joined(&motions, Feed, at(z, radius)));
+    }
+    let tool = bare(insert(95.0, 5.0, 0.8, Hand::Right, Side::Outside));
+    let blank =
+        Way::lines(&[(0.0, 0.0), (0.0, 16.0), (-18.0, 16.0), (-24.0, 26.0), (-60.0, 26.0)].map(|(z, r)| at(z, r)));
+    let mut work = bar_work(part, 1.0, (0.0, 1.0), tool, motions);
+    work.stock = Stock::between(&blank, &[]);
+    assert_eq!(proven(&work).faults, []);
+}
+
+/// M20: crests at Ø19.8, roots at Ø17.55, relief behind it; four passes, the last at the root.
+pub fn thread(last: f64) -> SetUp {
+    let mut part =
+        chain(&[(0.0, 0.0), (0.0, 8.5), (-1.5, 10.0), (-20.0, 10.0), (-20.0, 8.5), (-24.0, 8.5), (-24.0, 12.0)]);
+    part.push(line("rest", (-24.0, 12.0), (-40.0, 12.0)));
+    part[2].thread = Some(Thread { crest: Mm(9.9), root: Mm(8.775) });
+    let mut moves = vec![];
+    for radius in [9.5, 9.1, 8.9, last] {
+        moves.extend([(Rapid, 4.0, radius), (Pass, -22.0, radius), (Rapid, -22.0, 13.0), (Rapid, 4.0, 13.0)]);
+    }
+    let cutter = Cutter::Thread { angle: Degrees(60.0), reach: Mm(3.0), side: Side::Outside };
+    let motions = program(0, (4.0, 13.0), &moves);
+    let mut work = bar_work(part, 1.0, (0.0, 1.0), bare(cutter), motions);
+    let crests =
+        [(0.0, 0.0), (0.0, 8.4), (-1.5, 9.9), (-20.0, 9.9), (-20.0, 8.5), (-24.0, 8.5), (-24.0, 12.0), (-60.0, 12.0)];
+    work.stock = Stock::between(&Way::lines(&crests.map(|(z, r)| at(z, r))), &[]);
+    work
+}
+
+#[test]
+fn a_thread_goes_down_to_its_root_and_leaves_its_crests() {
+    let mut work = thread(8.775);
+    // The chamfer of the blank is that of the crests.
+    work.profile.outside[0] = line("face", (0.0, 0.0), (0.0, 8.4));
+    work.profile.outside[1] = line("chamfer", (0.0, 8.4), (-1.5, 9.9));
+    let Way::Line { to, .. } = work.profile.outside[2].way else { panic!() };
+    work.profile.outside[2].way = Way::Line { from: at(-1.5, 9.9), to: At::new(to.z, Mm(9.9)) };
+    work.profile.outside[3] = line("relief", (-20.0, 9.9), (-20.0, 8.5));
+    let proof = proven(&work);
+    assert_eq!(proof.faults, []);
+    assert_eq!(proof.left.volume(), work.stock.volume(), "the crests stay");
+    // Drawn at its nominal diameter it is turned down to the crests all the same.
+    assert_eq!(wrong(&thread(8.775)).len(), 0, "{:?}", wrong(&thread(8.775)));
+}
+
+/// 0.3 mm stay on Ø40 for the grinder, with nothing on the face and 0.1 on the shoulder.
+#[test]
+fn what_is_left_for_the_grinder_is_no_fault() {
+    let mut work = shaft_work(&SHAFT);
+    for motion in &mut work.motions[20..22] {
+        let Way::Line { from, to } = motion.way else { continue };
+        let up = |at: At, z: f64| At::new(Mm(at.z.0 + z), Mm(at.radius.0 + 0.3));
+        motion.way = Way::Line { from: up(from, 0.0), to: up(to, if motion.block.0 == 22 { 0.1 } else { 0.0 }) };
+    }
+    work.motions[22].way = Way::Line { from: at(-29.9, 20.3), to: at(-29.9, 30.0) };
+    work.motions[23].way = Way::Line { from: at(-29.9, 30.0), to: at(-72.0, 30.0) };
+    work.profile.outside[1].allowance = Mm(0.3);
+    work.profile.outside[2].allowance = Mm(0.1);
+    assert_eq!(wrong(&work), []);
+    work.profile.outside[1].allowance = Mm(0.25);
+    let faults = wrong(&work);
+    // The fillet is 0.05 higher too, and where it runs into the shoulder that is some micrometres thick.
+    assert!(matches!(&faults[..], [Fault::Stands { thickness, .. }, ..] if is(*thickness, 0.05)), "{faults:?}");
+    assert!(faults[1..].iter().all(|fault| matches!(fault, Fault::Stands { thickness, .. } if thickness.0 < 0.01)));
+    work.profile.outside[1].allowance = Mm(0.4);
+    let faults = wrong(&work);
+    assert!(matches!(&faults[..], [Fault::Gouge { depth, .. }, ..] if is(*depth, 0.1)), "{faults:?}");
+}
+
+/// A bush of Ø40/Ø20, bored through with a bar of 16 that enters Ø20.
+#[test]
+fn a_bush_is_bored_through() {
+    let bore = chain(&[(0.0, 10.0), (-30.0, 10.0)]);
+    let outside = chain(&[(0.0, 10.0), (0.0, 20.0), (-30.0, 20.0)]);
+    let cutter = insert(95.0, 5.0, 0.4, Hand::Right, Side::Inside);
+    let holder = Holder::bar(Mm(16.0), Mm(20.0));
+    let tool = Tool { designation: "S16".into(), cutter, holder };
+    let moves = [(Rapid, 2.0, 10.0), (Feed, -32.0, 10.0), (Feed, -32.0, 9.5), (Rapid, 2.0, 9.5), (Rapid, 30.0, 9.5)];
+    let mut work = bar_work(outside, 20.0, (-30.0, 0.0), tool, program(0, (30.0, 9.5), &moves));
+    work.profile = Profile { bore, ..work.profile };
+    work.stock = Stock::cylinder(Mm(20.0), Some(Mm(9.5)), Mm(-30.0), Mm(0.0));
+    let proof = proven(&work);
+    assert_eq!(proof.faults, []);
+    let removed = std::f64::consts::PI * 30.0 * (100.0 - 9.5 * 9.5);
+    assert!((proof.volumes.removed.0 - removed).abs() < 0.01, "{:?} {removed}", proof.volumes);
+}
+
+/// What the first set-up left is the second one's stock: a cone of Ø20 at the free end stands at the chuck.
+#[test]
+fn the_stock_is_turned_over_with_the_part() {
+    let cone = Way::lines(&[(0.0, 0.0), (0.0, 10.0), (-50.0, 20.0)].map(|(z, r)| at(z, r)));
+    let stock = Stock::between(&cone, &[]);
+    let over = stock.turned_over(Mm(50.0));
+    assert!(stock.holds(at(-49.0, 19.0)) && !stock.holds(at(-1.0, 19.0)));
+    assert!(over.holds(at(-1.0, 19.0)) && !over.holds(at(-49.0, 19.0)));
+    // A frustum: π/3 · 50 · (10² + 10 · 20 + 20²).
+    let volume = std::f64::consts::PI / 3.0 * 50.0 * 700.0;
+    assert!((over.volume().0 - volume).abs() < 0.01 && (stock.volume().0 - volume).abs() < 0.01);
+    assert_eq!(over.turned_over(Mm(50.0)).volume(), stock.volume());
+    assert!(prove(&SetUp::default()).is_err());
+}
