@@ -14,7 +14,8 @@
 //! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`];
 //! - [`audit`] holds a plan that anybody made against all of it;
 //! - [`cases`] are questions of every kind with what is expected of the answers;
-//! - [`turning`] is a room of its own: a shaft, and the passes that rough it.
+//! - [`turning`] is a room of its own: a shaft, and the passes that rough it;
+//! - [`turning_proof`] carries the stock of a turned part through any program and holds it against the part.
 //!
 //! Architecture invariant: nothing in this library reads a file, prints or asks the time.
 
@@ -32,4 +33,5 @@ pub use technolog_proof as proof;
 pub use technolog_shipped as shipped;
 pub use technolog_tables as tables;
 pub use technolog_turning as turning;
+pub use technolog_turning_proof as turning_proof;
 pub use technolog_words as words;

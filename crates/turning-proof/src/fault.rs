@@ -17,7 +17,7 @@ pub enum Fault {
         at: At,
         /// In which block.
         block: Block,
-        /// In how many motions.
+        /// At how many places, motion by motion.
         count: usize,
     },
     /// A cutter goes through metal at rapid.

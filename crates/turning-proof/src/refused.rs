@@ -2,7 +2,7 @@
 
 use crate::note::Note;
 use crate::set_up::SetUp;
-use crate::tool::Cutter;
+use crate::tool::{Cutter, Holder, Tool};
 use crate::units::{At, Block, Mm};
 
 /// Why a set-up cannot be proven.
@@ -39,8 +39,10 @@ impl Refused {
     }
 }
 
-/// The farthest place, mm: with holders, what the grid of the regions holds.
+/// The farthest place, mm: with tools, what the grid of the regions holds.
 const LIMIT: f64 = 5000.0;
+/// The largest tool, mm.
+const LARGEST: f64 = 500.0;
 
 pub fn check(set_up: &SetUp) -> Result<(), Refused> {
     if set_up.profile.outside.is_empty() {
@@ -49,25 +51,30 @@ pub fn check(set_up: &SetUp) -> Result<(), Refused> {
     if let Some(motion) = set_up.motions.iter().find(|motion| motion.tool >= set_up.tools.len()) {
         return Err(Refused::NoTool { block: motion.block });
     }
-    let pieces = set_up.profile.outside.iter().chain(&set_up.profile.bore).flat_map(|piece| piece.way.places());
+    let pieces = || set_up.profile.outside.iter().chain(&set_up.profile.bore);
+    let threads = pieces().filter_map(|piece| piece.thread);
+    let lengths = pieces().map(|piece| piece.allowance).chain(threads.flat_map(|thread| [thread.crest, thread.root]));
     let motions = set_up.motions.iter().flat_map(|motion| motion.way.places());
     let bodies = set_up.bodies.iter().flat_map(|body| body.outline.iter().copied());
-    let within = |at: At| [at.z, at.radius].iter().all(|length| length.0.abs() <= LIMIT);
-    if !pieces.chain(motions).chain(bodies).all(within) {
+    let stock = set_up.stock.0.window();
+    let stock = [stock.least, stock.most].map(At::of).into_iter().filter(|_| !set_up.stock.0.is_empty());
+    let places = pieces().flat_map(|piece| piece.way.places()).chain(motions).chain(bodies).chain(stock);
+    let all = places.flat_map(|at| [at.z, at.radius]).chain(lengths);
+    if !all.into_iter().all(|length| length.0.abs() <= LIMIT) {
         return Err(Refused::Place { limit: Mm(LIMIT) });
     }
-    match set_up.tools.iter().find(|tool| !is_possible(&tool.cutter)) {
+    match set_up.tools.iter().find(|tool| !is_possible(tool)) {
         Some(tool) => Err(Refused::Tool { tool: tool.designation.clone() }),
         None => Ok(()),
     }
 }
 
 /// Whether lengths are lengths and the insert's edges meet in a point.
-fn is_possible(cutter: &Cutter) -> bool {
-    let lengths = |lengths: &[Mm]| lengths.iter().all(|length| length.0 > 0.0 && length.0 <= LIMIT);
+fn is_possible(tool: &Tool) -> bool {
+    let lengths = |lengths: &[Mm]| lengths.iter().all(|length| length.0 > 0.0 && length.0 <= LARGEST);
     let point = |angle: f64| angle > 0.0 && angle < 180.0;
-    let not_negative = |length: Mm| length.0 >= 0.0 && length.0 <= LIMIT;
-    match *cutter {
+    let not_negative = |length: Mm| length.0 >= 0.0 && length.0 <= LARGEST;
+    let cutter = match tool.cutter {
         Cutter::Insert { lead_angle, trail_angle, nose_radius, edge_length, .. } => {
             let angles = lead_angle.0 > 0.0 && trail_angle.0 >= 0.0 && point(180.0 - lead_angle.0 - trail_angle.0);
             angles && not_negative(nose_radius) && lengths(&[edge_length])
@@ -80,5 +87,11 @@ fn is_possible(cutter: &Cutter) -> bool {
             point_angle.0 > 0.0 && point_angle.0 <= 180.0 && lengths(&[diameter, flute])
         }
         Cutter::CentreDrill { pilot, pilot_length, body } => lengths(&[pilot, pilot_length, body]),
-    }
+    };
+    let holder = match tool.holder {
+        Holder::None => true,
+        Holder::Shank { width, set_back } => lengths(&[width]) && set_back.0.abs() <= LARGEST,
+        Holder::Bar { diameter, stands_out } => lengths(&[diameter]) && stands_out.0.abs() <= LARGEST,
+    };
+    cutter && holder
 }

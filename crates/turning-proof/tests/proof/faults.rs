@@ -19,7 +19,7 @@ fn named(name: &str) -> Option<Figure> {
 #[test]
 fn a_falling_cone_led_by_the_theoretical_point_is_gouged() {
     let angle = 28.6_f64.to_radians();
-    let (fall, up) = (20.0 * angle.tan(), 0.2 / angle.cos());
+    let (fall, up) = (20.0 * libm::tan(angle), 0.2 / libm::cos(angle));
     let part = chain(&[(0.0, 0.0), (0.0, 40.0), (-5.0, 40.0), (-25.0, 40.0 - fall), (-40.0, 40.0 - fall)]);
     let moves = [(Rapid, 2.0, 40.0 + up), (Feed, -5.0, 40.0 + up), (Feed, -25.0, 40.0 - fall + up)];
     let tool = bare(insert(95.0, 52.0, 0.8, Hand::Right, Side::Outside));
@@ -34,11 +34,11 @@ fn a_falling_cone_led_by_the_theoretical_point_is_gouged() {
 #[test]
 fn the_edge_behind_the_nose_gouges_what_falls_steeper() {
     let angle = 10_f64.to_radians();
-    let fall = 30.0 * angle.tan();
+    let fall = 30.0 * libm::tan(angle);
     let part = chain(&[(0.0, 0.0), (0.0, 30.0), (-10.0, 30.0), (-40.0, 30.0 - fall), (-50.0, 30.0 - fall)]);
     // The nose touches the cone where the theoretical point is r(1 − cos α + sin α)/cos α over it.
-    let up = 0.8 * (1.0 - angle.cos() + angle.sin()) / angle.cos();
-    let moves = [(Rapid, -9.0, 32.0), (Feed, -10.0, 30.0 + up), (Feed, -35.0, 30.0 + up - 25.0 * angle.tan())];
+    let up = 0.8 * (1.0 - libm::cos(angle) + libm::sin(angle)) / libm::cos(angle);
+    let moves = [(Rapid, -9.0, 32.0), (Feed, -10.0, 30.0 + up), (Feed, -35.0, 30.0 + up - 25.0 * libm::tan(angle))];
     let tool = bare(insert(95.0, 5.0, 0.8, Hand::Right, Side::Outside));
     let faults = wrong(&bar_work(part, 30.5, (-80.0, 0.0), tool, program(0, (-9.0, 40.0), &moves)));
     let [Fault::Gouge { surface, depth, .. }, ..] = &faults[..] else { panic!("{faults:?}") };
@@ -129,7 +129,7 @@ fn a_bar_touches_the_far_wall() {
 /// A live centre of 60° in its hole: facing goes into it.
 #[test]
 fn facing_hits_the_tailstock_centre() {
-    let half = 30_f64.to_radians().tan();
+    let half = libm::tan(30_f64.to_radians());
     let outline = [(-4.0, 0.0), (20.0, 24.0 * half), (60.0, 24.0 * half), (60.0, 0.0)].map(|(z, r)| at(z, r)).to_vec();
     let centre = Body { name: Figure::word("centre"), outline };
     // At Z0 the centre has a radius of 4 · tan 30° = 2.31, so facing ends at Ø6 or strikes.
@@ -164,7 +164,7 @@ fn a_drill_leaves_its_cone_over_a_flat_floor() {
     let thickest = thickest.fold(0.0, f64::max);
     assert!((thickest - 3.754).abs() < 0.2 && thickest < 3.755, "{thickest} {faults:?}");
     // A floor drawn as the cone is finished.
-    let cone = 10.0 / 59_f64.to_radians().tan();
+    let cone = 10.0 / libm::tan(59_f64.to_radians());
     work.profile.bore = chain(&[(0.0, 10.0), (cone - 30.0, 10.0), (-30.0, 0.0)]);
     assert_eq!(proven(&work).faults, []);
     // Sideways a drill does not cut.

@@ -1,8 +1,11 @@
 //! The proof of turned parts: by hand, by a law, and what it says.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
+
 mod clean;
 mod faults;
 mod laws;
 mod made;
+mod speed;
 mod tools;
 mod words;

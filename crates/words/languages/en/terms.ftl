@@ -102,3 +102,4 @@ word-grooving = grooving tool
 word-relief-grooving = tool for corner reliefs
 word-face-grooving = face grooving tool
 word-threading = threading tool
+word-surface-without-name = a surface without a name

@@ -102,3 +102,4 @@ word-grooving = канавковий різець
 word-relief-grooving = кутовий канавковий різець
 word-face-grooving = торцевий канавковий різець
 word-threading = різевий різець
+word-surface-without-name = поверхня без назви

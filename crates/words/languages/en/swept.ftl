@@ -1,0 +1,36 @@
+# What a program of a lathe does to the stock that it must not do, or leaves.
+swept-gouge = { $surface }: cut { $depth } mm too deep at Z{ $z } Ø{ $diameter }, block { $block }; { $count } { $count ->
+        [one] place
+       *[other] places
+    } in all
+swept-rapid = { $tool } goes through metal at rapid at Z{ $z } Ø{ $diameter }, block { $block }: { $width } mm where it is narrowest; { $count } { $count ->
+        [one] motion
+       *[other] motions
+    } in all
+swept-holder = the holder of { $tool } goes into metal at feed at Z{ $z } Ø{ $diameter }, block { $block }: { $width } mm where it is narrowest; { $count } { $count ->
+        [one] motion
+       *[other] motions
+    } in all
+swept-holder-rapid = the holder of { $tool } goes into metal at rapid at Z{ $z } Ø{ $diameter }, block { $block }: { $width } mm where it is narrowest; { $count } { $count ->
+        [one] motion
+       *[other] motions
+    } in all
+swept-struck = { $tool } strikes { $body } at Z{ $z } Ø{ $diameter }, block { $block }: { $width } mm where it is narrowest; { $count } { $count ->
+        [one] motion
+       *[other] motions
+    } in all
+swept-off-axis = { $tool } cuts beside the axis, block { $block }, Z{ $z } Ø{ $diameter }: a drill is fed along the axis only; { $count } { $count ->
+        [one] motion
+       *[other] motions
+    } in all
+swept-stands = { $surface }: up to { $thickness } mm of metal is left between Z{ $from } and Z{ $to }, most at Z{ $z } Ø{ $diameter }
+swept-corner = { $surface }: an inner corner keeps the round of the nose, r = { $radius } mm, { $left } mm from its sides at Z{ $z } Ø{ $diameter }; { $count } { $count ->
+        [one] corner
+       *[other] corners
+    } in all
+swept-thread-shallow = { $surface }: the deepest pass of the thread ends { $left } mm before its root
+# What cannot be followed at all.
+swept-no-contour = the proof of the program has no outer contour of the part
+swept-no-tool = block { $block } moves a tool that the set-up does not have
+swept-far = a place is farther than { $limit } mm from zero, or is no number: such a set-up is not proven
+swept-tool = { $tool }: no tool has such lengths or angles

@@ -1,0 +1,43 @@
+# What a program of a lathe does to the stock that it must not do, or leaves.
+swept-gouge = { $surface }: підрізано на { $depth } мм у точці Z{ $z } Ø{ $diameter }, кадр { $block }; усього { $count } { $count ->
+        [one] місце
+        [few] місця
+       *[many] місць
+    }
+swept-rapid = { $tool } проходить крізь метал на швидкому ході в точці Z{ $z } Ø{ $diameter }, кадр { $block }: { $width } мм у найвужчому місці; усього { $count } { $count ->
+        [one] переміщення
+        [few] переміщення
+       *[many] переміщень
+    }
+swept-holder = державка інструмента { $tool } врізається в метал на робочій подачі в точці Z{ $z } Ø{ $diameter }, кадр { $block }: { $width } мм у найвужчому місці; усього { $count } { $count ->
+        [one] переміщення
+        [few] переміщення
+       *[many] переміщень
+    }
+swept-holder-rapid = державка інструмента { $tool } врізається в метал на швидкому ході в точці Z{ $z } Ø{ $diameter }, кадр { $block }: { $width } мм у найвужчому місці; усього { $count } { $count ->
+        [one] переміщення
+        [few] переміщення
+       *[many] переміщень
+    }
+swept-struck = { $tool } зачіпає: { $body }, у точці Z{ $z } Ø{ $diameter }, кадр { $block }: { $width } мм у найвужчому місці; усього { $count } { $count ->
+        [one] переміщення
+        [few] переміщення
+       *[many] переміщень
+    }
+swept-off-axis = { $tool } ріже збоку від осі, кадр { $block }, Z{ $z } Ø{ $diameter }: свердло подають лише вздовж осі; усього { $count } { $count ->
+        [one] переміщення
+        [few] переміщення
+       *[many] переміщень
+    }
+swept-stands = { $surface }: лишається до { $thickness } мм металу від Z{ $from } до Z{ $to }, найбільше в точці Z{ $z } Ø{ $diameter }
+swept-corner = { $surface }: у внутрішньому куті лишається заокруглення вершини різця r = { $radius } мм, { $left } мм від його сторін у точці Z{ $z } Ø{ $diameter }; усього { $count } { $count ->
+        [one] кут
+        [few] кути
+       *[many] кутів
+    }
+swept-thread-shallow = { $surface }: найглибший прохід різі не доходить до її западини на { $left } мм
+# What cannot be followed at all.
+swept-no-contour = для доведення програми немає зовнішнього контуру деталі
+swept-no-tool = кадр { $block } переміщує інструмент, якого в установі немає
+swept-far = точка лежить далі ніж за { $limit } мм від нуля або не є числом: такий установ не доводиться
+swept-tool = { $tool }: інструмента з такими довжинами чи кутами не буває
