@@ -12,7 +12,17 @@
 //! | threading | the sharp point of the profile |
 //! | centre drill, drill | its point on the axis |
 
+mod clock;
+pub mod groove;
+mod limits;
+mod refused;
+mod site;
+
 use serde::Serialize;
+
+pub use clock::time;
+pub use refused::NoJob;
+pub use site::Site;
 
 use crate::note::{Because, Note};
 use crate::turning::contour::{Contour, Side, SurfaceName};

@@ -1,0 +1,40 @@
+# Why a job is not made.
+job-needs-lathe = no lathe is named (`machine:`), so speed and feed are not known
+job-no-tool = { $surface }: the catalog has no tool for it
+job-bore-too-small = { $surface }: the bore of Ø{ $bore } is narrower than Ø{ $least }, the smallest that the bar enters
+job-bar-too-short = { $surface }: it ends { $depth } mm deep, and the bar reaches { $reach } mm
+job-overloaded = { $tool }: more than it bears: { $bound }
+groove-no-valley = { $surface }: it is not a groove of two walls and a floor
+groove-too-narrow = { $surface }: { $room } mm of room at the floor, and the narrowest blade is { $width } mm wide
+groove-beyond-blade = { $surface }: the tool must reach { $depth } mm deep, and it reaches { $reach } mm
+groove-face-too-small = { $surface }: its outer diameter { $diameter } mm is less than { $least } mm, for which the blade is curved
+groove-faces-chuck = { $surface }: it is in a face towards the chuck, where no tool of this set-up comes
+groove-undercut = { $surface }: it lies under both of its neighbours: φ ≥ { $main }° and φ1 ≥ { $secondary }° are needed, and with the angle of an insert that is more than 180°
+    .help = a form tool that is fed in at 45° cuts it; write its pass by hand
+thread-no-insert = the catalog has threading inserts for pitches of { $least } to { $most } mm whose nose is known, none for { $pitch } mm
+thread-no-passes = the table of passes ends before the pitch of { $pitch } mm
+thread-too-quick = a pitch of { $pitch } mm at { $spindle } 1/min, the slowest of the spindle, is { $rate } mm/min, and the feed goes to { $most } mm/min
+thread-no-entry = { $surface }: the tool needs { $needs } mm before the thread, and there are { $room } mm
+thread-no-run-out = { $surface }: the tool needs { $needs } mm behind the thread, and there are { $room } mm
+    .help = give the thread a wider relief, or end it earlier
+thread-relief-shallow = { $surface }: the relief behind it has Ø{ $relief }, and the roots are at Ø{ $root }
+thread-on-no-cylinder = { $surface }: only threads on a cylinder are cut
+# What is done.
+groove-plunges = { $surface }: plunges of the blade: { $count }, its leading corner at { $places }; then both sides and the floor ({ $tool })
+groove-one-plunge = { $surface }: one plunge, because the blade is as wide as the floor; the tool does not wait at the floor, because the toolpath has no dwell ({ $tool })
+groove-by-nose = { $surface }: no blade is narrow enough, so { $tool } goes along its contour
+groove-pecked = { $surface }: a deep groove; the blade goes in by steps, { $steps } of them, and draws back after each
+groove-corner-kept = { $surface }: corners of the floor keep the radius of the edge, { $radius } mm, in place of { $wanted } mm
+groove-width-of-blade = { $surface }: its width is that of the blade: measure the insert
+job-tool-taken = { $tool } is taken
+job-limit = { $name } = { $value }
+grooving-practice = the maker of the blade: { $feed-min } to { $feed-max } mm/rev, at least { $speed } m/min at a width of { $width } mm
+thread-passes = { $surface }: { $thread } by { $tool }, { $depth } mm deep, passes: { $passes }, then as many at the last depth: { $springs }; fed in at { $angle }°
+thread-ways = { $surface }: the tool begins { $entry } mm before the thread and ends { $run-out } mm behind it
+thread-pulled-out = { $surface }: nothing is cut away behind the thread, so over { $length } mm the tool is drawn out of the metal; full depth ends before
+thread-crests = { $surface }: for 6g by ISO 965-1 turn it to between Ø{ $least } and Ø{ $most } first
+thread-infeed = infeed { $angle }° from the perpendicular to the axis
+thread-speed = { $wanted } m/min wanted, { $speed } m/min at { $spindle } 1/min
+thread-feed-follows = the feed goes to { $most } mm/min, so a pitch of { $pitch } mm is cut at { $spindle } 1/min at most
+threading-passes = passes for a pitch of { $pitch } mm: { $passes }
+threading-first-pass = the first pass at most { $depth } mm deep, passes more: { $more }

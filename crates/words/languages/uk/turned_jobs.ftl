@@ -1,0 +1,40 @@
+# Чому роботу не виконано.
+job-needs-lathe = верстата не вказано (`machine:`), тож швидкість і подача невідомі
+job-no-tool = { $surface }: у каталозі немає різця для неї
+job-bore-too-small = { $surface }: отвір Ø{ $bore } менший за Ø{ $least }, найменший, у який входить борштанга
+job-bar-too-short = { $surface }: кінець на глибині { $depth } мм, а борштанга дістає на { $reach } мм
+job-overloaded = { $tool }: перевищено допустиме: { $bound }
+groove-no-valley = { $surface }: це не канавка з двома стінками і дном
+groove-too-narrow = { $surface }: на дні { $room } мм, а найвужче лезо має ширину { $width } мм
+groove-beyond-blade = { $surface }: різець має дістати на глибину { $depth } мм, а дістає на { $reach } мм
+groove-face-too-small = { $surface }: зовнішній діаметр { $diameter } мм менший за { $least } мм, від якого придатне зігнуте лезо
+groove-faces-chuck = { $surface }: канавка в торці з боку патрона, куди в цьому установі різець не підходить
+groove-undercut = { $surface }: канавка підрізає обидві сусідні поверхні: потрібно φ ≥ { $main }° і φ1 ≥ { $secondary }°, а разом із кутом пластини це понад 180°
+    .help = її прорізає фасонний різець, поданий під 45°; запишіть цей перехід вручну
+thread-no-insert = у каталозі є різеві пластини з відомою вершиною для кроку від { $least } до { $most } мм, для { $pitch } мм немає
+thread-no-passes = таблиця проходів закінчується раніше за крок { $pitch } мм
+thread-too-quick = крок { $pitch } мм за { $spindle } об/хв, найменшої частоти шпинделя, дає { $rate } мм/хв, а подача сягає { $most } мм/хв
+thread-no-entry = { $surface }: перед різзю потрібно { $needs } мм, а є { $room } мм
+thread-no-run-out = { $surface }: за різзю потрібно { $needs } мм, а є { $room } мм
+    .help = зробіть ширшу проточку або закінчіть різь раніше
+thread-relief-shallow = { $surface }: проточка за нею має Ø{ $relief }, а западини різі – Ø{ $root }
+thread-on-no-cylinder = { $surface }: різь нарізають лише на циліндрі
+# Що зроблено.
+groove-plunges = { $surface }: врізань леза: { $count }, провідна вершина на { $places }; потім обидві стінки і дно ({ $tool })
+groove-one-plunge = { $surface }: одне врізання, бо ширина леза дорівнює ширині дна; витримки на дні немає, бо траєкторія її не має ({ $tool })
+groove-by-nose = { $surface }: жодне лезо не досить вузьке, тож { $tool } проходить уздовж контуру
+groove-pecked = { $surface }: глибока канавка; лезо врізається за таку кількість кроків: { $steps }, відходячи після кожного
+groove-corner-kept = { $surface }: кути дна мають радіус вершини { $radius } мм замість { $wanted } мм
+groove-width-of-blade = { $surface }: ширина канавки така, як ширина леза: виміряйте пластину
+job-tool-taken = взято { $tool }
+job-limit = { $name } = { $value }
+grooving-practice = виробник леза: від { $feed-min } до { $feed-max } мм/об, щонайменше { $speed } м/хв за ширини { $width } мм
+thread-passes = { $surface }: { $thread }, { $tool }, глибина { $depth } мм, проходів { $passes }, потім на останній глибині ще { $springs }; врізання під { $angle }°
+thread-ways = { $surface }: різець починає за { $entry } мм перед різзю і закінчує за { $run-out } мм за нею
+thread-pulled-out = { $surface }: за різзю немає проточки, тож на довжині { $length } мм різець виходить із металу; повна глибина закінчується раніше
+thread-crests = { $surface }: для 6g за ISO 965-1 спершу обточіть до діаметра від { $least } до { $most } мм
+thread-infeed = врізання під { $angle }° до перпендикуляра до осі
+thread-speed = потрібно { $wanted } м/хв, виходить { $speed } м/хв за { $spindle } об/хв
+thread-feed-follows = подача сягає { $most } мм/хв, тож крок { $pitch } мм ріжуть щонайбільше за { $spindle } об/хв
+threading-passes = проходів для кроку { $pitch } мм: { $passes }
+threading-first-pass = перший прохід не глибший за { $depth } мм, додаткових проходів: { $more }
