@@ -17,6 +17,7 @@ pub mod groove;
 mod limits;
 mod refused;
 mod site;
+pub mod thread;
 
 use serde::Serialize;
 
