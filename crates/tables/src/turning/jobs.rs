@@ -119,6 +119,8 @@ rows! {
         cone_depth: Micrometres,
         protected_depth: Micrometres,
         part_diameter: Micrometres,
+        drill: &'t str,
+        protecting_drill: &'t str,
         body: Micrometres,
         protected_body: Micrometres,
     }

@@ -14,7 +14,9 @@
 
 mod clock;
 pub mod groove;
+pub mod hole;
 mod limits;
+pub mod part_off;
 mod refused;
 mod site;
 pub mod thread;

@@ -32,6 +32,7 @@ use super::refused::NoJob;
 use super::site::{self, Site};
 use super::{Job, JobTool, Work};
 use blades::Chosen;
+pub(super) use blades::blade_pace;
 use valley::{Lie, Valley};
 use ways::{Division, Ways};
 
