@@ -11,6 +11,7 @@ use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 use super::card::CardDoubt;
 use super::factors::{ByDepth, Factor};
 use super::feed::{self, Feed};
+use super::figures::Asking;
 use super::laws::{self, LoadLaw, SpeedLaw};
 use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, card, factors};
 
@@ -91,10 +92,10 @@ pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<DraftCo
 }
 
 /// Kv = Kmv·Kpv·Klv, and what the cards leave out of it. A row that stands in is that of its own reference material; the factor of ours would not fit it.
-pub(super) fn speed_corrections(
+pub(super) fn speed_corrections<'k>(
     cut: &Cut,
     own_row: bool,
-    shop: &Shop<'_>,
+    shop: &impl Asking<'k>,
 ) -> Tried<(Vec<Factor>, Option<CardDoubt>), Uncut> {
     let (mut corrections, mut doubt) = (Vec::new(), None);
     if own_row {

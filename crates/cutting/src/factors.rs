@@ -153,16 +153,16 @@ pub(super) struct ByDepth {
 }
 
 /// Klv: how the depth of the hole, in diameters, moves the speed.
-pub(super) fn speed_by_depth(operation: Coefficients, cut: &Cut, shop: &Shop<'_>) -> Tried<ByDepth, Uncut> {
+pub(super) fn speed_by_depth<'k>(operation: Coefficients, cut: &Cut, shop: &impl Asking<'k>) -> Tried<ByDepth, Uncut> {
     let depth_ratio = depth_ratio(cut);
-    let found = figures::within_reach(&DepthSpeedFactorFor { operation, depth_ratio }, shop.knowledge)?;
+    let found = figures::within_reach(&DepthSpeedFactorFor { operation, depth_ratio }, shop.knowledge())?;
     by_depth(DepthSpeedFactorFor::TABLE, depth_ratio, found.map(|(row, cited)| (row.factor, cited)), shop)
 }
 
 /// Kls: how the depth of the hole, in diameters, moves the feed.
-pub(super) fn feed_by_depth(cut: &Cut, shop: &Shop<'_>) -> Tried<ByDepth, Uncut> {
+pub(super) fn feed_by_depth<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<ByDepth, Uncut> {
     let depth_ratio = depth_ratio(cut);
-    let found = figures::within_reach(&DepthFeedFactorFor { depth_ratio }, shop.knowledge)?;
+    let found = figures::within_reach(&DepthFeedFactorFor { depth_ratio }, shop.knowledge())?;
     by_depth(DepthFeedFactorFor::TABLE, depth_ratio, found.map(|(row, cited)| (row.factor, cited)), shop)
 }
 
@@ -178,18 +178,18 @@ fn by_depth<'k>(
     table: &'static str,
     depth_ratio: f64,
     found: Option<(f64, RowRef<'k>)>,
-    shop: &Shop<'k>,
+    shop: &impl Asking<'k>,
 ) -> Tried<ByDepth, Uncut> {
     let (factor, row) = match found {
         Some(found) => found,
         None => {
-            let asked = shop.knowledge.ask(&DepthBeyondFor { of_table: table, depth_ratio })?;
+            let asked = shop.knowledge().ask(&DepthBeyondFor { of_table: table, depth_ratio })?;
             let too_deep = || Refusal::Not(Uncut::TooDeep { table: table.to_owned(), ratio: depth_ratio });
             let beyond = asked.winner()?.ok_or_else(too_deep)?;
             (beyond.factor, beyond.row)
         }
     };
-    if shop.method == CuttingMethod::Card && factor < 1.0 {
+    if shop.method() == CuttingMethod::Card && factor < 1.0 {
         let doubt = CardDoubt::WithoutDepth { table: table.to_owned(), ratio: depth_ratio, factor };
         return Ok(ByDepth { factor: (1.0, Because::row(row, doubt.note())), left_out: Some(doubt) });
     }
@@ -197,7 +197,11 @@ fn by_depth<'k>(
 }
 
 /// Tool life by the handbook's table, by `tool-life-beyond` where that has no cell, or by a stand-in.
-pub(crate) fn tool_life(operation: Coefficients, cut: &Cut, shop: &Shop<'_>) -> Tried<(Minutes, Vec<Because>), Uncut> {
+pub(crate) fn tool_life<'k>(
+    operation: Coefficients,
+    cut: &Cut,
+    shop: &impl Asking<'k>,
+) -> Tried<(Minutes, Vec<Because>), Uncut> {
     let &Cut { tool_material, diameter, .. } = cut;
     let question = |material_group| ToolLifeFor { operation, material_group, tool_material, diameter };
     let beyond = |material_group| ToolLifeBeyondFor { operation, material_group, tool_material, diameter };

@@ -6,7 +6,6 @@ use crate::knowledge::{Column, Question, Table};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Uncut;
-use crate::shop::Shop;
 use crate::tables::cutting::{
     CoreDrillingFeedFor, CounterboringFeedFor, DrillingFeedFor, FeedCondition, FeedFactor, FeedStep, ReamingFeedFor,
 };
@@ -15,7 +14,7 @@ use crate::units::{Micrometres, MillimetresPerRev};
 
 use super::card::CardDoubt;
 use super::factors::ByDepth;
-use super::figures::Figures;
+use super::figures::{Asking, Figures};
 use super::{Cut, factors, figures};
 
 /// A feed and the rows behind it.
@@ -34,9 +33,9 @@ impl Feed {
 }
 
 /// The tabulated feed of a drill, core drill or reamer with its corrections.
-pub(super) fn tabulated(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
-    let knowledge = shop.knowledge;
-    let question = FeedChoiceFor { operation: cut.operation, method: shop.method };
+pub(super) fn tabulated<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Uncut> {
+    let knowledge = shop.knowledge();
+    let question = FeedChoiceFor { operation: cut.operation, method: shop.method() };
     let choice = knowledge.ask(&question)?.need(cut.operation.name())?;
     let multiple = choice.multiple;
     let multiple = knowledge.need(multiple.name(), |step: &FeedStep<'_>| step.name == multiple)?.factor;
@@ -68,8 +67,8 @@ pub(super) fn tabulated(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
 type Upper<'k> = (Figures<'k, MillimetresPerRev>, Option<Micrometres>);
 
 /// The upper end of the feeds of the table that a choice names.
-fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &Shop<'k>) -> Tried<Upper<'k>, Uncut> {
-    let hardness = Brinell(shop.material.hardness);
+fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &impl Asking<'k>) -> Tried<Upper<'k>, Uncut> {
+    let hardness = Brinell(shop.material().hardness);
     match choice.feed_table {
         FeedTable::Drilling => at(
             DrillingFeedFor::diameter,
@@ -100,14 +99,14 @@ fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &Shop<'k>) -> Tried<Upper
 }
 
 /// The feed of one table; `column` is that of the diameter.
-fn at<'k, Q: Question>(
+fn at<'k, Q: Question, A: Asking<'k>>(
     column: impl Fn(&Table) -> Option<&Column>,
     question: impl Fn(&'k str, Micrometres) -> Q,
     feed: impl FnOnce(Q::Row<'k>) -> MillimetresPerRev,
-    (cut, shop): (&Cut, &Shop<'k>),
+    (cut, shop): (&Cut, &A),
 ) -> Tried<Upper<'k>, Uncut> {
     let diameter = cut.feed_diameter.unwrap_or(cut.diameter);
-    let first = first_above(diameter, column(shop.knowledge.table(Q::TABLE)?));
+    let first = first_above(diameter, column(shop.knowledge().table(Q::TABLE)?));
     let figures = figures::ask(|group| question(group, first.unwrap_or(diameter)), shop)?;
     Ok((figures.map(feed), first))
 }

@@ -7,7 +7,7 @@ use crate::knowledge::vocabulary::ToolMaterial;
 use crate::knowledge::{Knowledge, RowRef};
 use crate::material::Material;
 use crate::note::{Because, Figure, Note};
-use crate::plan::Operation;
+use crate::plan::{CuttingMethod, Operation};
 use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::rules::{StandInMaterial, StandInMaterialFor, StandInOperationFor, StandInToolMaterialFor};
@@ -18,6 +18,10 @@ pub trait Asking<'k> {
     fn knowledge(&self) -> &'k Knowledge;
     /// What is cut.
     fn material(&self) -> &Material<'k>;
+    /// How feed and speed are found.
+    fn method(&self) -> CuttingMethod {
+        CuttingMethod::default()
+    }
 }
 
 impl<'k> Asking<'k> for Shop<'k> {
@@ -27,6 +31,10 @@ impl<'k> Asking<'k> for Shop<'k> {
 
     fn material(&self) -> &Material<'k> {
         &self.material
+    }
+
+    fn method(&self) -> CuttingMethod {
+        self.method
     }
 }
 

@@ -4,13 +4,13 @@ use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Uncut;
-use crate::shop::Shop;
 use crate::units::{MillimetresPerRev, Minutes};
 
 use crate::tables::cutting::{Coefficients, Process};
 
+use super::figures::Asking;
 use super::laws::{self, LoadLaw, SpeedLaw};
-use super::{Cut, drilling, factors};
+use super::{Cut, drilling, factors, feed};
 
 /// The formulas of one transition, with the corrections for its material, surface and depth.
 #[derive(Clone, Debug)]
@@ -45,7 +45,7 @@ pub fn operation_of(operation: Operation) -> Option<Coefficients> {
 ///
 /// # Errors
 /// The tables have no figure for this material or diameter, or the knowledge cannot answer at all.
-pub fn tool_life(cut: &Cut, shop: &Shop<'_>) -> Tried<Option<(Minutes, Vec<Because>)>, Uncut> {
+pub fn tool_life<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Option<(Minutes, Vec<Because>)>, Uncut> {
     operation_of(cut.operation).map(|operation| factors::tool_life(operation, cut, shop)).transpose()
 }
 
@@ -54,7 +54,7 @@ pub fn tool_life(cut: &Cut, shop: &Shop<'_>) -> Tried<Option<(Minutes, Vec<Becau
 ///
 /// # Errors
 /// As of [`tool_life`].
-pub fn formulas(cut: &Cut, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Option<Handbook>, Uncut> {
+pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) -> Tried<Option<Handbook>, Uncut> {
     let Some(operation) = operation_of(cut.operation) else { return Ok(None) };
     let reams = operation == Coefficients::Ream;
     let (speed, figures) = laws::speed(operation, cut.tool_material, feed, shop)?;
@@ -79,4 +79,13 @@ pub fn formulas(cut: &Cut, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Op
         }
     }
     Ok(Some(Handbook { speed, speed_factor, speed_because, loads, load_factor, loads_because }))
+}
+
+/// The feed of a transition by the tables, with the rows behind it.
+///
+/// # Errors
+/// As of [`tool_life`].
+pub fn feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<(MillimetresPerRev, Vec<Because>), Uncut> {
+    let found = feed::tabulated(cut, shop)?;
+    Ok((found.feed, found.because))
 }

@@ -3,11 +3,10 @@
 use crate::error::Tried;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::reason::Uncut;
-use crate::shop::Shop;
 use crate::tables::cutting::{Coefficients, CuttingSpeed, CuttingSpeedFor, TorqueAndThrust, TorqueAndThrustFor};
 use crate::units::MillimetresPerRev;
 
-use super::figures::{self, Figures};
+use super::figures::{self, Asking, Figures};
 
 /// V = Cv·D^q / (T^m·t^x·s^y), m/min (Косилова/Мещеряков т.2, tables 28 and 29; facts 1.1, 1.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +66,7 @@ pub(super) fn speed<'k>(
     operation: Coefficients,
     tool_material: ToolMaterial,
     feed: MillimetresPerRev,
-    shop: &Shop<'k>,
+    shop: &impl Asking<'k>,
 ) -> Tried<(SpeedLaw, Figures<'k, CuttingSpeed<'k>>), Uncut> {
     let question = |material_group| CuttingSpeedFor { operation, material_group, tool_material, feed };
     let figures = figures::ask(question, shop)?;
@@ -79,7 +78,7 @@ pub(super) fn speed<'k>(
 pub(super) fn loads<'k>(
     operation: Coefficients,
     tool_material: ToolMaterial,
-    shop: &Shop<'k>,
+    shop: &impl Asking<'k>,
 ) -> Tried<(LoadLaw, LoadLaw, Figures<'k, TorqueAndThrust<'k>>), Uncut> {
     let question = |material_group| TorqueAndThrustFor { operation, material_group, tool_material };
     let figures = figures::ask(question, shop)?;

@@ -98,11 +98,12 @@ rows! {
         grades: Option<Vec<&'t str>>,
         width: Option<Micrometres>,
         groove_depth: Option<Micrometres>,
+        face_diameter_min: Option<Micrometres>,
         shank_height: Option<Micrometres>,
         shank_width: Option<Micrometres>,
         pitch_min: Option<Micrometres>,
         pitch_max: Option<Micrometres>,
-    } shown { length, face_diameter_min }
+    } shown { length }
 
     /// Which of the turning tools that fit.
     pub struct TurningToolOrder of One("turning-tool-order") asked by TurningToolOrderFor {

@@ -13,9 +13,21 @@
 //! | centre drill, drill | its point on the axis |
 
 pub mod along;
+mod clock;
+pub mod groove;
+pub mod hole;
+mod limits;
 pub mod pace;
+pub mod part_off;
+mod refused;
+mod site;
+pub mod thread;
 
 use serde::Serialize;
+
+pub use clock::time;
+pub use refused::NoJob;
+pub use site::Site;
 
 use crate::note::{Because, Note};
 use crate::turning::contour::{Side, SurfaceName};

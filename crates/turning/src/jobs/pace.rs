@@ -1,6 +1,5 @@
 //! How fast a job goes, and how long it takes.
 
-use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::transitions;
@@ -26,35 +25,36 @@ pub enum Pace {
 }
 
 impl Pace {
-    /// The rate of a move that ends at a point; none for a rapid. At a constant cutting speed the spindle turns by the
-    /// radius at the end of the move, up to its limit.
-    fn rate(&self, purpose: Purpose, at: Point) -> Option<MillimetresPerMinute> {
-        if purpose == Purpose::Rapid {
-            return None;
+    /// Its feeds per revolution, where it has them.
+    pub const fn feeds(&self) -> Option<Feeds> {
+        match self {
+            Self::PerRev { feeds, .. } => Some(*feeds),
+            Self::PerMinute { .. } => None,
         }
-        Some(match self {
-            Self::PerMinute { rates, .. } => rates.rate(purpose),
-            Self::PerRev { speed, feeds } => {
-                let rpm = match speed {
-                    Speed::Spindle(rpm) => rpm.0,
-                    Speed::Cutting { speed, limit } => {
-                        let around = std::f64::consts::PI * 2.0 * at.radius.to_mm().abs();
-                        if around > 0.0 { limit.0.min(speed.0 * 1000.0 / around) } else { limit.0 }
-                    }
-                };
-                MillimetresPerMinute(feeds.of(purpose)?.0 * rpm)
-            }
-        })
+    }
+
+    /// How its spindle turns, where conditions say so.
+    pub const fn speed(&self) -> Option<Speed> {
+        match self {
+            Self::PerRev { speed, .. } => Some(*speed),
+            Self::PerMinute { spindle, .. } => match spindle {
+                Some(rpm) => Some(Speed::Spindle(*rpm)),
+                None => None,
+            },
+        }
     }
 
     /// The time of a toolpath; a rapid moves both axes at once, so its time is that of the longer motion.
     pub fn time(&self, path: &Toolpath, rapid: MillimetresPerMinute) -> Minutes {
-        let each = path.pieces().map(|(piece, purpose)| match self.rate(purpose, piece.to) {
-            Some(rate) => piece.length_mm() / rate.0,
-            None => {
-                let chord = piece.chord();
-                chord.z.abs().max(chord.radius.abs()) / rapid.0
-            }
+        let rates = match self {
+            Self::PerRev { speed, feeds } => return super::clock::time(path, *speed, feeds, rapid),
+            Self::PerMinute { rates, .. } => rates,
+        };
+        let each = path.pieces().map(|(piece, purpose)| {
+            let chord = piece.chord();
+            let length =
+                if purpose == Purpose::Rapid { chord.z.abs().max(chord.radius.abs()) } else { piece.length_mm() };
+            length / if purpose == Purpose::Rapid { rapid.0 } else { rates.rate(purpose).0 }
         });
         Minutes(round_to(each.sum(), 4))
     }

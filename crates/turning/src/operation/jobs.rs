@@ -6,6 +6,7 @@ use crate::note::{Finding, Note, Severity};
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind, SurfaceName};
 use crate::turning::elements::{Element, steepness};
 use crate::turning::jobs::along::{Clearance, along, dip};
+use crate::turning::jobs::hole::{self, Hole, HoleEnd};
 use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::nose::tightest;
@@ -15,12 +16,12 @@ use crate::turning::tooling::{Spindle, TurningTool};
 use crate::turning::toolpath::Toolpath;
 use crate::turning::zones::fit::reaches;
 use crate::turning::zones::{Feed, Needs, SetUp, TurnedSide};
-use crate::units::{Degrees, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
+use crate::units::{Degrees, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 
 use super::depth::{self, Task};
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
-use super::{SideWork, clip};
+use super::{SideWork, clip, features};
 use crate::turning::cutting::{Direction, TurningConditions};
 
 /// The jobs of a set-up.
@@ -46,10 +47,12 @@ pub(super) fn jobs(
         }
     }
     for side in sides {
+        jobs.extend(drilled(side, sides, bench, findings)?);
         jobs.extend(finish(set_up, side, bench, findings)?);
         for hollow in &side.hollows {
             jobs.extend(finish_hollow(set_up, side, hollow, bench, findings)?);
         }
+        jobs.extend(features::features(set_up, side, bench, findings)?);
     }
     jobs.sort_by_key(|job| order(job.work));
     Ok(jobs)
@@ -67,6 +70,29 @@ const fn order(work: JobWork) -> u8 {
         JobWork::Thread => 6,
         JobWork::PartOff => 7,
     }
+}
+
+/// The spot and the hole that is drilled before a bore into solid metal.
+fn drilled(
+    side: &SideWork,
+    sides: &[SideWork],
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<Job>, KnowledgeError> {
+    let (Some(drilled), Some(start)) = (&side.layers.drilled_first, side.layers.rough.start()) else {
+        return Ok(Vec::new());
+    };
+    let outside = sides.iter().find(|other| other.side == Side::Outer);
+    let face = outside.and_then(|outer| outer.layers.rough.start()).map_or(start.z, |outer| outer.z);
+    let is_blind = side.layers.part.end().is_some_and(|end| end.radius == Half::ZERO);
+    let end = if is_blind { HoleEnd::Blind(drilled.depth_mm) } else { HoleEnd::Through(drilled.depth_mm) };
+    let (diameter, from) = (drilled.diameter_mm, Micrometres::ZERO);
+    let task = Hole { diameter, from, face, end, surfaces: Vec::new() };
+    let mut jobs = Vec::new();
+    for made in [hole::spot(diameter, face, bench), hole::drill(&task, bench)] {
+        jobs.extend(features::made(made, findings)?);
+    }
+    Ok(jobs)
 }
 
 /// A part of a zone as the taken scheme clears it, with its place among the zones of the side; none if nothing clears it, which is a finding elsewhere.
@@ -222,7 +248,7 @@ fn finish_hollow(
 }
 
 /// The contour of a side in a set-up.
-const fn stretch(set_up: &SetUp, side: Side) -> Option<&TurnedSide> {
+pub(super) const fn stretch(set_up: &SetUp, side: Side) -> Option<&TurnedSide> {
     match side {
         Side::Outer => set_up.outer.as_ref(),
         Side::Inner => set_up.inner.as_ref(),
@@ -353,7 +379,7 @@ fn main_surfaces(stretch: &TurnedSide) -> Vec<&Surface> {
 }
 
 /// The largest diameter of a contour.
-fn largest(contour: &Contour) -> crate::units::Micrometres {
+fn largest(contour: &Contour) -> Micrometres {
     contour.radii().map_or(Half::ZERO, |(_, most)| most).diameter()
 }
 

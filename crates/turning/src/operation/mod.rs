@@ -17,6 +17,7 @@ mod clip;
 pub mod depth;
 mod doubts;
 pub mod drill;
+mod features;
 mod jobs;
 pub mod layers;
 mod level;

@@ -58,6 +58,8 @@ pub struct TurningTool<'k> {
     pub width: Option<Micrometres>,
     /// The deepest groove.
     pub groove_depth: Option<Micrometres>,
+    /// The smallest outer diameter of a groove in a face.
+    pub face_diameter: Option<Micrometres>,
     /// Least and largest pitch of a threading tool.
     pub pitch: Option<(Micrometres, Micrometres)>,
     /// Carbide grades of its inserts, in the names of `tool-material-factor`; empty if the row has none.
@@ -105,6 +107,7 @@ impl<'k> TurningTool<'k> {
             min_bore: tool.min_bore,
             width: tool.width,
             groove_depth: tool.groove_depth,
+            face_diameter: tool.face_diameter_min,
             pitch: tool.pitch_min.zip(tool.pitch_max),
             grades: tool.grades.unwrap_or_default(),
         }

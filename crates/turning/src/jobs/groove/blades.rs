@@ -1,0 +1,347 @@
+//! Which tool cuts a groove: of the blades that go in, the widest; of a groove with a tolerance the widest that is
+//! narrower than the floor, so that both walls are turned. A relief too narrow for every blade is followed by a turning
+//! tool whose edges clear its walls.
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::Question;
+use crate::note::{Because, Note};
+use crate::tables::cutting::{GroovingFeedFor, GroovingSpeedFor};
+use crate::tables::turning::jobs::{GroovingPracticeFor, JobLimit};
+use crate::turning::contour::Surface;
+use crate::turning::cutting::{Cut, CuttingRefusal, Direction, conditions, finish_feed};
+use crate::turning::length::Half;
+use crate::turning::operation::tools::Bench;
+use crate::turning::program::{Feeds, Speed};
+use crate::turning::tooling::{Hand, Place, Shank, ToolKind, TurningTool};
+use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
+use technolog_cutting::rpm_at;
+
+use super::super::limits::Limits;
+use super::super::refused::NoJob;
+use super::super::site::{self, Site};
+use super::valley::{Lie, Valley};
+use super::ways::{self, Edge, Ways};
+use super::{division, not, taken};
+
+/// A tool with its way and its pace.
+pub(super) struct Chosen<'k> {
+    pub tool: TurningTool<'k>,
+    pub ways: Ways,
+    pub speed: Speed,
+    pub feeds: Feeds,
+    pub because: Vec<Because>,
+    /// Whether it is a turning tool.
+    pub by_nose: bool,
+}
+
+/// The first tool that does it; otherwise why the last of them does not.
+pub(super) fn choose<'k>(
+    site: Site<'_>,
+    surface: &Surface,
+    valley: &Valley,
+    limits: &mut Limits<'k>,
+    bench: &Bench<'_, 'k>,
+) -> Tried<Chosen<'k>, NoJob> {
+    let mut why = NoJob::NoTool { surface: surface.name.clone() };
+    for tool in blades(surface, valley, bench)? {
+        match Refusal::split(by_blade(site, surface, valley, tool, limits, bench))? {
+            Ok(chosen) => return Ok(chosen),
+            Err(other) => why = later(why, other),
+        }
+    }
+    if valley.lie != Lie::Face {
+        for tool in noses(valley, bench)? {
+            if let Ok(chosen) = Refusal::split(by_nose(site, surface, valley, tool, limits, bench))? {
+                return Ok(chosen);
+            }
+        }
+    }
+    not(why)
+}
+
+/// Of two reasons that of the tool which came further: narrower blades are tried later, and that they are too wide as
+/// well says more than that a wide one is.
+fn later(one: NoJob, other: NoJob) -> NoJob {
+    match (&one, &other) {
+        (NoJob::TooNarrow { .. } | NoJob::NoTool { .. }, _) => other,
+        (_, NoJob::TooNarrow { .. }) => one,
+        _ => other,
+    }
+}
+
+/// The blades for a groove in the order in which they are tried.
+fn blades<'k>(
+    surface: &Surface,
+    valley: &Valley,
+    bench: &Bench<'_, 'k>,
+) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
+    let wanted = match valley.lie {
+        Lie::Outside => (ToolKind::Grooving, Place::Outer),
+        Lie::Inside => (ToolKind::Grooving, Place::Inner),
+        Lie::Face => (ToolKind::FaceGrooving, Place::Face),
+    };
+    let mut tools = TurningTool::all(bench.knowledge)?;
+    tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.width.is_some() && tool.nose_radius.is_some());
+    tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+    let exact = |tool: &TurningTool<'_>| {
+        let at_once = edge(tool).and_then(|edge| valley.centres(edge.corner).map(|way| edge.room(&way) < 0.002));
+        surface.grade.is_some() && at_once.unwrap_or_default()
+    };
+    tools.sort_by_key(|tool| {
+        let width = tool.width.unwrap_or_default();
+        (exact(tool), std::cmp::Reverse(width), tool.hand == Hand::L)
+    });
+    Ok(tools)
+}
+
+/// The turning tools whose edges clear the walls: φ1 behind the tip on the way down, φ on the way up.
+fn noses<'k>(valley: &Valley, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
+    let wanted = match valley.lie {
+        Lie::Outside => (ToolKind::Turning, Place::Outer),
+        _ => (ToolKind::Boring, Place::Inner),
+    };
+    let (fall, rise) = valley.steepest();
+    let mut tools = TurningTool::all(bench.knowledge)?;
+    tools.retain(|tool| (tool.kind, tool.works, tool.hand) == (wanted.0, wanted.1, Hand::R));
+    tools.retain(|tool| tool.nose_radius.is_some() && tool.insert.is_some());
+    // Rounded ends of pieces may lean by a little more than the drawing.
+    tools.retain(|tool| tool.trail_angle.to_f64() + 0.06 >= fall && tool.lead_angle.to_f64() + 0.06 >= rise);
+    tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+    tools.sort_by_key(|tool| tool.nose_radius);
+    Ok(tools)
+}
+
+/// The edge of a tool.
+fn edge(tool: &TurningTool<'_>) -> Option<Edge> {
+    let corner = tool.nose_radius?.to_mm();
+    Some(Edge { width: tool.width.map_or(2.0 * corner, Micrometres::to_mm), corner })
+}
+
+fn by_blade<'k>(
+    site: Site<'_>,
+    surface: &Surface,
+    valley: &Valley,
+    tool: TurningTool<'k>,
+    limits: &mut Limits<'k>,
+    bench: &Bench<'_, 'k>,
+) -> Tried<Chosen<'k>, NoJob> {
+    let name = || surface.name.clone();
+    let (Some(edge), Some(width)) = (edge(&tool), tool.width) else { return not(NoJob::NoTool { surface: name() }) };
+    enters(site, surface, valley, &tool, bench)?;
+    let mut division = division(Half::from(edge.corner), limits, bench.knowledge)?;
+    division.approach = division.approach.min(play(site, valley, &tool));
+    let Some(ways) = ways::blade(valley, edge, division) else {
+        let room = valley.centres(edge.corner).map_or(0.0, |way| edge.room(&way));
+        return not(NoJob::TooNarrow { surface: name(), room: Half::from((edge.width + room).max(0.0)), width });
+    };
+    let deep = deep(site, valley, &tool, &ways);
+    if let Some(reach) = tool.groove_depth.filter(|reach| Half::of(*reach) < deep) {
+        return not(NoJob::TooDeep { surface: name(), depth: deep, reach });
+    }
+    let (direction, diameter) = match valley.lie {
+        Lie::Face => (Direction::Longitudinal, widest(valley)),
+        Lie::Outside => (Direction::Transverse, valley.mouth.diameter()),
+        // The floor is the widest place of a groove in a bore.
+        Lie::Inside => (Direction::Transverse, (Half::ZERO - valley.floor).diameter()),
+    };
+    let held = reaching(&tool, valley, division.approach);
+    let cut = site::cut(&held, diameter, direction, bench)?;
+    let Pace { rpm, plunge, mut because } = pace(&cut, width, valley.lie, limits)?;
+    let along = along_walls(&cut, surface, width, plunge, limits)?;
+    because.insert(0, taken(&tool));
+    let feeds = Feeds { finish: along, ..Feeds::all(plunge) };
+    Ok(Chosen { ways, speed: Speed::Spindle(rpm), feeds, because, by_nose: false, tool })
+}
+
+fn by_nose<'k>(
+    site: Site<'_>,
+    surface: &Surface,
+    valley: &Valley,
+    tool: TurningTool<'k>,
+    limits: &mut Limits<'k>,
+    bench: &Bench<'_, 'k>,
+) -> Tried<Chosen<'k>, NoJob> {
+    let name = || surface.name.clone();
+    let Some(edge) = edge(&tool) else { return not(NoJob::NoTool { surface: name() }) };
+    let most = limits.length(JobLimit::GrooveFinishDepth)?;
+    if valley.depth() > Half::of(most) {
+        return not(NoJob::TooDeep { surface: name(), depth: valley.depth(), reach: most });
+    }
+    enters(site, surface, valley, &tool, bench)?;
+    let mut division = division(Half::from(edge.corner), limits, bench.knowledge)?;
+    division.approach = division.approach.min(play(site, valley, &tool));
+    let Some(ways) = ways::nose(valley, edge, division) else {
+        let width = Micrometres::from_mm_rounded(edge.width);
+        return not(NoJob::TooNarrow { surface: name(), room: Half::ZERO, width });
+    };
+    let diameter = if valley.lie == Lie::Inside { Half::ZERO - valley.floor } else { valley.mouth }.diameter();
+    let held = reaching(&tool, valley, division.approach);
+    let cut = site::cut(&held, diameter, Direction::Longitudinal, bench)?;
+    let found = conditions(&cut, valley.depth().rounded_up(), surface.roughness).map_err(of_cutting)?;
+    if let Some(bound) = found.exceeded.first() {
+        return not(NoJob::Overloaded { tool: tool.designation.to_owned(), bound: *bound });
+    }
+    let mut because = vec![taken(&tool)];
+    because.extend(found.because);
+    let (speed, feeds) = (Speed::Spindle(found.spindle_rpm), Feeds::all(found.feed_mm_per_rev));
+    Ok(Chosen { ways, speed, feeds, because, by_nose: true, tool })
+}
+
+fn of_cutting(refusal: Refusal<CuttingRefusal>) -> Refusal<NoJob> {
+    refusal.map(NoJob::Cutting)
+}
+
+/// How long the blade must be: from the floor to the highest that stands beside it as far as its holder reaches. The
+/// shank of a right-hand tool lies towards the free end, that of a left-hand one towards the chuck; a bar passes all
+/// that lies before the groove.
+fn deep(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>, ways: &Ways) -> Half {
+    if valley.lie == Lie::Face {
+        return valley.depth();
+    }
+    let (mut from, mut to) = (Half::new(i64::MAX), Half::new(i64::MIN));
+    for one in &ways.path.moves {
+        (from, to) = (from.min(one.to.z), to.max(one.to.z));
+    }
+    from = from - Half::of(tool.width.unwrap_or_default());
+    match (tool.shank, tool.hand) {
+        (Some(Shank::Square { width, .. }), Hand::L) => to = to + Half::of(width),
+        (Some(Shank::Square { width, .. }), _) => from = from - Half::of(width),
+        // As far as the bar reaches to the free end.
+        _ => from = Half::new(i64::MIN / 4),
+    }
+    // A shoulder at the wall itself does not stand in the way of the blade.
+    (from, to) = (from + Half::new(1), to - Half::new(1));
+    let heights = site.profile.surfaces.iter().flat_map(|surface| &surface.pieces).flat_map(|piece| {
+        let piece = valley.lie.piece(*piece);
+        piece.extremes().into_iter().chain(piece.at_z(from)).chain(piece.at_z(to)).collect::<Vec<_>>()
+    });
+    let beside = heights.filter(|at| at.z >= from && at.z <= to).map(|at| at.radius);
+    beside.max().map_or(valley.mouth, |high| high.max(valley.mouth)) - valley.floor
+}
+
+/// The outer diameter of a groove in a face.
+fn widest(valley: &Valley) -> Micrometres {
+    valley.pieces.first().map_or(Micrometres::ZERO, |piece| (Half::ZERO - piece.from.z).diameter())
+}
+
+/// Whether a bar goes into the bore and to the groove, and a curved blade into the face.
+fn enters(
+    site: Site<'_>,
+    surface: &Surface,
+    valley: &Valley,
+    tool: &TurningTool<'_>,
+    bench: &Bench<'_, '_>,
+) -> Tried<(), NoJob> {
+    let name = || surface.name.clone();
+    let end = valley.pieces.last().map_or(Half::ZERO, |piece| piece.to.z);
+    match valley.lie {
+        Lie::Outside => {}
+        Lie::Inside => {
+            let bore = site.narrowest(end);
+            if let Some(least) = tool.min_bore.filter(|least| bore < *least) {
+                return not(NoJob::BoreTooSmall { surface: name(), bore, least });
+            }
+            if let Some((reach, _)) = site::bar_reach(tool, bench)?
+                && end > reach
+            {
+                return not(NoJob::BarTooShort { surface: name(), depth: end, reach });
+            }
+        }
+        Lie::Face => {
+            let diameter = widest(valley);
+            if let Some(least) = tool.face_diameter.filter(|least| diameter < *least) {
+                return not(NoJob::FaceTooSmall { surface: name(), diameter, least });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A bar is clamped as short as the groove lets it.
+fn reaching<'k>(tool: &TurningTool<'k>, valley: &Valley, approach: Half) -> TurningTool<'k> {
+    let end = valley.pieces.last().map_or(Half::ZERO, |piece| piece.to.z);
+    let inside = valley.lie == Lie::Inside && tool.reach.is_none();
+    TurningTool { reach: if inside { Some((end + approach).rounded_up()) } else { tool.reach }, ..tool.clone() }
+}
+
+/// How far a tool in a bore may draw back from its wall: half of what the bore is wider than it must be for the bar, so
+/// that the bar does not touch the other side. Outside without a bound.
+fn play(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>) -> Half {
+    /// Enough to come off the wall.
+    const LEAST: Half = Half::new(400);
+    let end = valley.pieces.last().map_or(Half::ZERO, |piece| piece.to.z);
+    match (valley.lie, tool.min_bore) {
+        (Lie::Inside, Some(least)) => Half::radius_of(site.narrowest(end) - least).max(LEAST),
+        _ => Half::new(i64::MAX / 4),
+    }
+}
+
+/// Spindle speed and feed of a blade straight in.
+pub(in super::super) struct Pace {
+    pub rpm: RevsPerMinute,
+    pub plunge: MillimetresPerRev,
+    pub because: Vec<Because>,
+}
+
+/// By the handbook, with the feed of the blade's maker as its upper end; by the maker alone where the handbook has no
+/// figures of the material's own. Slower in a bore and in a face.
+fn pace(cut: &Cut<'_, '_>, width: Micrometres, lie: Lie, limits: &mut Limits<'_>) -> Tried<Pace, NoJob> {
+    let mut pace = blade_pace(cut, width)?;
+    if lie != Lie::Outside {
+        let share = limits.ratio(JobLimit::InnerGroovingSpeed)?;
+        pace.rpm = cut.lathe.spindle.at_most(RevsPerMinute(pace.rpm.0 * share));
+    }
+    Ok(pace)
+}
+
+/// The same without the factor of bore and face; for parting too.
+pub(in super::super) fn blade_pace(cut: &Cut<'_, '_>, width: Micrometres) -> Tried<Pace, NoJob> {
+    let (knowledge, material_group) = (cut.knowledge, cut.material.group);
+    let asked = knowledge.ask(&GroovingPracticeFor { material_group, width })?;
+    let maker = asked.need(&width.to_string())?;
+    let note = Note::new("grooving-practice").with("feed-min", maker.feed_min.0).with("feed-max", maker.feed_max.0);
+    let mut because = vec![Because::answer(&asked.answer, note.with("speed", maker.speed_min.0).with("width", width))];
+    let diameter = cut.diameter;
+    let has_speed = knowledge.ask(&GroovingSpeedFor { material_group })?.winner()?.is_some();
+    let has_feed = figures_of(&GroovingFeedFor { material_group, diameter }, cut)?;
+    if has_speed && has_feed {
+        let found = conditions(cut, width, None).map_err(of_cutting)?;
+        if let Some(bound) = found.exceeded.first() {
+            return not(NoJob::Overloaded { tool: cut.tool.designation.to_owned(), bound: *bound });
+        }
+        because.extend(found.because);
+        let plunge = MillimetresPerRev(found.feed_mm_per_rev.0.min(maker.feed_max.0));
+        return Ok(Pace { rpm: found.spindle_rpm, plunge, because });
+    }
+    let rpm = cut.lathe.spindle.at_most(rpm_at(maker.speed_min, diameter)).rounded(2);
+    let (_, most) = if cut.direction == Direction::Transverse { cut.lathe.feed_x } else { cut.lathe.feed_z };
+    let plunge = MillimetresPerRev(maker.feed_min.0.min(most.0 / rpm.0));
+    Ok(Pace { rpm, plunge, because })
+}
+
+/// Whether a table has figures of the material's own.
+fn figures_of<Q: Question>(question: &Q, cut: &Cut<'_, '_>) -> Result<bool, KnowledgeError> {
+    Ok(technolog_cutting::figures::within_reach(question, cut.knowledge)?.is_some())
+}
+
+/// The feed along walls and floor: at most a share of the blade's width, what the blade bears sideways, that of the
+/// roughness, and never above that straight in.
+fn along_walls(
+    cut: &Cut<'_, '_>,
+    surface: &Surface,
+    width: Micrometres,
+    plunge: MillimetresPerRev,
+    limits: &mut Limits<'_>,
+) -> Tried<MillimetresPerRev, NoJob> {
+    let share = limits.ratio(JobLimit::SideFeed)? * width.to_mm();
+    let load = limits.ratio(JobLimit::SideLoad)? * width.to_mm() * width.to_mm();
+    let deepest = limits.length(JobLimit::GrooveFinishDepth)?.to_mm();
+    let mut feed = plunge.0.min(share).min(load / deepest);
+    if let Some(roughness) = surface.roughness
+        && let Ok(finish) = Refusal::split(finish_feed(cut, roughness))?
+    {
+        feed = feed.min(finish.feed.0);
+        limits.because.extend(finish.because);
+    }
+    Ok(MillimetresPerRev(round_to(feed, 4)))
+}

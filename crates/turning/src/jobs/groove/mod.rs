@@ -1,0 +1,142 @@
+//! Grooves and reliefs: outside, in a bore and in a face, by grooving tools; narrow reliefs by a turning tool whose
+//! edges reach.
+//!
+//! - `valley` is the shape of a groove, seen from its mouth;
+//! - `ways` is how an edge goes through it;
+//! - `blades` finds the tool, the widest blade that does it first;
+//! - [`groove`] makes the job.
+//!
+//! The finished profile is never cut below: corners tighter than those of the blade keep the radius of the blade.
+
+mod blades;
+mod valley;
+mod ways;
+
+#[cfg(test)]
+mod tests;
+
+use crate::error::{Refusal, Tried};
+use crate::knowledge::Knowledge;
+use crate::note::{Because, Figure, Note};
+use crate::tables::turning::jobs::JobLimit;
+use crate::turning::contour::Surface;
+use crate::turning::length::Half;
+use crate::turning::operation::tools::Bench;
+use crate::turning::point::Point;
+use crate::turning::schemes::rates;
+use crate::turning::toolpath::{Move, Purpose, Toolpath};
+
+use super::clock::time;
+use super::limits::Limits;
+use super::refused::NoJob;
+use super::site::{self, Site};
+use super::{Job, JobTool, Pace, Work};
+use blades::Chosen;
+pub(super) use blades::blade_pace;
+use valley::{Lie, Valley};
+use ways::{Division, Ways};
+
+/// The job of a groove or a relief.
+///
+/// # Errors No tool makes it, with the inequality that fails; or the knowledge base lacks a table.
+pub fn groove(site: Site<'_>, surface: &Surface, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
+    let lathe = site::lathe(bench)?;
+    let valley = Valley::of(surface, site.side())?;
+    let mut limits = Limits::of(bench.knowledge);
+    let Chosen { tool, ways, speed, feeds, mut because, by_nose } =
+        blades::choose(site, surface, &valley, &mut limits, bench)?;
+    let (rates, _) = rates::of_table(bench.knowledge)?;
+    let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
+    let path = in_set_up(&ways.path, &valley, site, Half::of(rates.approach));
+    because.extend(limits.because);
+    let corner = Half::of(tool.nose_radius.unwrap_or_default());
+    let name = &surface.name;
+    let mut notes = vec![told(&ways, by_nose).with("surface", name).with("tool", tool.designation)];
+    if ways.steps > 1 {
+        notes.push(Note::new("groove-pecked").with("surface", name).with("steps", ways.steps));
+    }
+    if valley.corner() < corner {
+        let note = Note::new("groove-corner-kept").with("surface", name);
+        notes.push(note.with("wanted", valley.corner()).with("radius", corner));
+    }
+    if surface.grade.is_some() && ways.at_once {
+        notes.push(Note::new("groove-width-of-blade").with("surface", name));
+    }
+    Ok(Job {
+        work: Work::Groove,
+        side: site.side(),
+        tool: JobTool::of(&tool),
+        surfaces: vec![name.clone()],
+        time_min: time(&path, speed, &feeds, rapid),
+        path,
+        pace: Pace::PerRev { speed, feeds },
+        conditions: None,
+        thread: None,
+        zone: None,
+        notes,
+        because,
+    })
+}
+
+/// How the groove is cut.
+fn told(ways: &Ways, by_nose: bool) -> Note {
+    if by_nose {
+        return Note::new("groove-by-nose");
+    }
+    if ways.at_once {
+        return Note::new("groove-one-plunge");
+    }
+    let places = ways.plunges.iter().map(|place| Figure::number(place.to_string()));
+    Note::new("groove-plunges").with("count", ways.plunges.len()).with("places", Figure::list(places))
+}
+
+/// What the constants of the tables make of a division; `corner` is that of the blade.
+fn division(corner: Half, limits: &mut Limits<'_>, knowledge: &Knowledge) -> Tried<Division, NoJob> {
+    let (rates, _) = rates::of_table(knowledge)?;
+    let allowance = limits.ratio(JobLimit::GrooveAllowance)? * corner.to_mm();
+    Ok(Division {
+        step: limits.ratio(JobLimit::PlungeStep)?,
+        allowance,
+        finish: limits.length(JobLimit::GrooveFinishDepth)?.to_mm(),
+        peck: (
+            limits.ratio(JobLimit::PeckFrom)?,
+            limits.ratio(JobLimit::PeckStep)?,
+            limits.length(JobLimit::PeckRetract)?.to_mm(),
+        ),
+        approach: Half::of(rates.approach),
+    })
+}
+
+/// A way seen from the mouth, in the set-up: from where the tool is clear, and back.
+fn in_set_up(ways: &Toolpath, valley: &Valley, site: Site<'_>, approach: Half) -> Toolpath {
+    let lie = valley.lie;
+    let (from, to) = (lie.seen(ways.from), lie.seen(ways.end()));
+    let clear = site.clear;
+    let over = |at: Point| match lie {
+        Lie::Outside | Lie::Inside => Point { radius: clear.radius, z: at.z },
+        Lie::Face => Point { radius: at.radius, z: clear.z.min(Half::ZERO - valley.mouth - approach) },
+    };
+    let mut path = Toolpath::at(match lie {
+        Lie::Outside | Lie::Face => over(from),
+        Lie::Inside => clear,
+    });
+    path.go(over(from), Purpose::Rapid);
+    path.go(from, Purpose::Rapid);
+    for (piece, purpose) in ways.pieces() {
+        let piece = lie.piece(piece);
+        path.moves.push(Move { to: piece.to, curve: piece.curve, purpose });
+    }
+    path.go(over(to), Purpose::Rapid);
+    path.go(path.from, Purpose::Rapid);
+    path
+}
+
+/// That a tool does not do it.
+fn not<T>(why: NoJob) -> Tried<T, NoJob> {
+    Err(Refusal::Not(why))
+}
+
+/// The rows behind a choice, in words.
+fn taken(tool: &crate::turning::tooling::TurningTool<'_>) -> Because {
+    Because::row(tool.row, Note::new("job-tool-taken").with("tool", tool.designation))
+}

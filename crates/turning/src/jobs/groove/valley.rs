@@ -1,0 +1,284 @@
+//! The shape of a groove seen from its mouth: `z` along the mouth, `radius` out of the metal, so that grooves outside,
+//! inside and in a face are one; and where the centre of a round corner goes that touches it.
+
+use crate::error::{Refusal, Tried};
+use crate::turning::contour::{Curve, Piece, Side, Surface, SurfaceKind, Turn};
+use crate::turning::length::Half;
+use crate::turning::point::{Point, Vector};
+
+use super::super::refused::NoJob;
+
+/// How a groove lies in the set-up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lie {
+    /// In a cylinder, cut from outside.
+    Outside,
+    /// In a bore.
+    Inside,
+    /// In a face towards the free end.
+    Face,
+}
+
+impl Lie {
+    /// A point of the set-up as seen from the mouth, and back: the mapping is its own inverse. The corner of the blade
+    /// that leads, towards the chuck or towards the axis, lies at the greater `z`.
+    pub fn seen(self, point: Point) -> Point {
+        match self {
+            Self::Outside => point,
+            Self::Inside => point.inside_out(Half::ZERO),
+            Self::Face => Point { radius: Half::ZERO - point.z, z: Half::ZERO - point.radius },
+        }
+    }
+
+    /// A piece likewise.
+    pub fn piece(self, piece: Piece) -> Piece {
+        piece.mapped(self != Self::Outside, |point| self.seen(point))
+    }
+}
+
+/// A groove: a wall down, a floor, a wall up, with hollow corners. Seen from its mouth.
+#[derive(Clone, Debug)]
+pub(super) struct Valley {
+    pub lie: Lie,
+    /// In the order of `z`.
+    pub pieces: Vec<Piece>,
+    /// How high its mouth lies.
+    pub mouth: Half,
+    /// How high its floor lies.
+    pub floor: Half,
+}
+
+/// Less than this two ends of pieces are apart by rounding only, mm.
+const APART: f64 = 0.002;
+
+impl Valley {
+    /// The groove of a surface.
+    ///
+    /// # Errors It faces the chuck, goes under its own mouth, or is no valley.
+    pub fn of(surface: &Surface, side: Side) -> Tried<Self, NoJob> {
+        let name = || surface.name.clone();
+        let lie = match (surface.kind, side) {
+            (SurfaceKind::FaceGroove, Side::Outer) => Lie::Face,
+            // The bottom of a bore is faced from within it, where no holder of the catalogs goes.
+            (SurfaceKind::FaceGroove, Side::Inner) => return Err(Refusal::Not(NoJob::NoTool { surface: name() })),
+            (_, Side::Outer) => Lie::Outside,
+            (_, Side::Inner) => Lie::Inside,
+        };
+        let mut pieces: Vec<Piece> = surface.pieces.iter().map(|piece| lie.piece(*piece)).collect();
+        let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else {
+            return Err(Refusal::Not(NoJob::NotAValley { surface: name() }));
+        };
+        if lie == Lie::Face {
+            // Outwards the face is towards the free end; seen from the mouth that is from the greater `z` to the less.
+            if last.to.z >= first.from.z {
+                return Err(Refusal::Not(NoJob::FacesChuck { surface: name() }));
+            }
+            pieces = pieces.into_iter().rev().map(Piece::reversed).collect();
+        }
+        let back: Vec<&Piece> = pieces.iter().filter(|piece| piece.to.z < piece.from.z).collect();
+        if !back.is_empty() {
+            // Both mouths lead under the metal: the main edge must lean as far as the piece that runs back.
+            let falls = pieces.iter().map(|piece| -piece.chord().degrees()).fold(0.0, f64::max);
+            let rises = back.iter().map(|piece| piece.chord().degrees()).fold(90.0, f64::max);
+            return Err(Refusal::Not(NoJob::Undercut { surface: name(), main: rises, secondary: falls }));
+        }
+        let ends = pieces.first().zip(pieces.last()).map(|(first, last)| (first.from.radius, last.to.radius));
+        let floor = pieces.iter().map(|piece| piece.radii().0).min();
+        let (Some((from, to)), Some(floor)) = (ends, floor) else {
+            return Err(Refusal::Not(NoJob::NotAValley { surface: name() }));
+        };
+        let bends_out = |piece: &Piece| matches!(piece.curve, Curve::Arc { turn: Turn::Right, .. });
+        let corners = pieces.iter().zip(pieces.iter().skip(1));
+        let ridge = |(one, next): (&Piece, &Piece)| one.direction_at_end().cross(next.direction_at_start()) < -0.01;
+        if floor >= from.min(to) || pieces.iter().any(bends_out) || corners.into_iter().any(ridge) {
+            return Err(Refusal::Not(NoJob::NotAValley { surface: name() }));
+        }
+        Ok(Self { lie, pieces, mouth: from.max(to), floor })
+    }
+
+    /// From the mouth to the floor.
+    pub fn depth(&self) -> Half {
+        self.mouth - self.floor
+    }
+
+    /// The steepest fall and the steepest rise of its walls, degrees.
+    pub fn steepest(&self) -> (f64, f64) {
+        let directions = self.pieces.iter().flat_map(|piece| [piece.direction_at_start(), piece.direction_at_end()]);
+        let degrees: Vec<f64> = directions.map(Vector::degrees).collect();
+        (
+            degrees.iter().fold(0.0, |most: f64, one| most.max(-one)),
+            degrees.iter().fold(0.0, |most: f64, one| most.max(*one)),
+        )
+    }
+
+    /// The least radius of the corners of its floor; zero for a sharp one.
+    pub fn corner(&self) -> Half {
+        let is_line = |piece: &Piece| piece.curve == Curve::Line;
+        let sharp = self.pieces.iter().zip(self.pieces.iter().skip(1)).any(|(one, next)| {
+            is_line(one) && is_line(next) && one.direction_at_end().cross(next.direction_at_start()) > 0.01
+        });
+        let radii = self.pieces.iter().filter_map(|piece| match piece.curve {
+            Curve::Arc { radius, .. } => Some(radius),
+            Curve::Line => None,
+        });
+        if sharp { Half::ZERO } else { radii.min().unwrap_or(Half::ZERO) }
+    }
+
+    /// The way of the centre of a round corner of a radius that touches the groove all along; none if it is too large.
+    /// Walls go on beyond the mouth by that radius, because a shoulder may stand over them, and because the edge of a
+    /// groove that is less deep than the corner must not be rounded.
+    pub fn centres(&self, corner: f64) -> Option<Way> {
+        let mut way: Vec<Span> = Vec::new();
+        let last = self.pieces.len().saturating_sub(1);
+        for (index, piece) in self.pieces.iter().enumerate() {
+            let Some(mut next) = Span::beside(*piece, corner) else { continue };
+            let line = next.arc.is_none();
+            if index == 0 && line {
+                next.from = next.from.minus(piece.direction_at_start().times(corner));
+            }
+            if index == last && line {
+                next.to = next.to.plus(piece.direction_at_end().times(corner));
+            }
+            loop {
+                let Some(last) = way.last_mut() else {
+                    way.push(next);
+                    break;
+                };
+                if last.to.minus(next.from).length() < APART {
+                    next.from = last.to;
+                    way.push(next);
+                    break;
+                }
+                let (Some(mine), Some(own)) = (last.line(), next.line()) else { return None };
+                // Where both lines cross, in lengths of each.
+                let turn = mine.cross(own);
+                if turn <= 0.0 {
+                    return None;
+                }
+                let between = next.from.minus(last.from);
+                let (along_last, along_next) = (between.cross(own) / turn, between.cross(mine) / turn);
+                if along_next > 1.0 {
+                    // The corner never touches this piece.
+                    break;
+                }
+                if along_last < 0.0 {
+                    way.pop();
+                    continue;
+                }
+                let cross = last.from.plus(mine.times(along_last));
+                (last.to, next.from) = (cross, cross);
+                way.push(next);
+                break;
+            }
+        }
+        let low = way.iter().flat_map(|span| [span.from.radius, span.to.radius]).fold(f64::INFINITY, f64::min);
+        Some(Way { spans: way, low }).filter(|way| !way.spans.is_empty())
+    }
+}
+
+/// A stretch of a way: a line, or an arc about a centre that is hollow as the corner it comes of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    pub from: Vector,
+    pub to: Vector,
+    /// Radius of an arc, mm.
+    pub arc: Option<f64>,
+}
+
+impl Span {
+    /// Beside a piece, out of the metal; none of a hollow arc that is no larger than the corner.
+    fn beside(piece: Piece, corner: f64) -> Option<Self> {
+        let (from, to) = (piece.from.vector(), piece.to.vector());
+        let off = |at: Vector, along: Vector| at.plus(along.left().times(corner));
+        let (start, end) = (off(from, piece.direction_at_start()), off(to, piece.direction_at_end()));
+        let arc = match piece.curve {
+            Curve::Line => None,
+            Curve::Arc { radius, .. } if radius.to_mm() - corner < APART / 2.0 => return None,
+            Curve::Arc { radius, .. } => Some(radius.to_mm() - corner),
+        };
+        Some(Self { from: start, to: end, arc })
+    }
+
+    fn line(&self) -> Option<Vector> {
+        self.arc.is_none().then(|| self.to.minus(self.from))
+    }
+
+    /// As a piece, moved.
+    fn piece(&self, by: Vector) -> Piece {
+        let (from, to) = (Point::at(self.from.plus(by)), Point::at(self.to.plus(by)));
+        let curve = match self.arc {
+            None => Curve::Line,
+            Some(radius) => Curve::Arc { radius: Half::from(radius), turn: Turn::Left },
+        };
+        Piece { from, to, curve }
+    }
+
+    /// Its height at a place along the mouth.
+    fn height(&self, z: f64) -> Option<f64> {
+        if z < self.from.z || z > self.to.z {
+            return None;
+        }
+        match self.arc {
+            None if self.to.z - self.from.z < 1e-9 => Some(self.from.radius.min(self.to.radius)),
+            None => {
+                let share = (z - self.from.z) / (self.to.z - self.from.z);
+                Some(self.from.radius + (self.to.radius - self.from.radius) * share)
+            }
+            Some(radius) => {
+                let piece = self.piece(Vector::default());
+                let centre = piece.centre()?;
+                let off = z - centre.z;
+                Some(centre.radius - libm::sqrt((radius * radius - off * off).max(0.0)))
+            }
+        }
+    }
+}
+
+/// The way of a centre over a groove, from one end of the mouth to the other.
+#[derive(Clone, Debug)]
+pub(super) struct Way {
+    spans: Vec<Span>,
+    /// How low it goes, mm.
+    low: f64,
+}
+
+impl Way {
+    /// Where it runs along the floor, from and to, mm.
+    pub fn floor(&self) -> (f64, f64) {
+        let low = |at: &Vector| at.radius < self.low + APART / 2.0;
+        let ends = self.spans.iter().flat_map(|span| [span.from, span.to]).filter(low);
+        ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), at| (from.min(at.z), to.max(at.z)))
+    }
+
+    /// Its ends along the mouth, mm.
+    pub fn ends(&self) -> (f64, f64) {
+        let (first, last) = (self.spans.first(), self.spans.last());
+        (first.map_or(0.0, |span| span.from.z), last.map_or(0.0, |span| span.to.z))
+    }
+
+    /// How high the centre stands at least at a place along the mouth, mm; none beyond its ends.
+    pub fn height(&self, z: f64) -> Option<f64> {
+        self.spans.iter().filter_map(|span| span.height(z)).reduce(f64::min)
+    }
+
+    /// The part down to the floor, in its order, moved; and the part from the other mouth down to the floor.
+    pub fn halves(&self, left: Vector, right: Vector) -> (Vec<Piece>, Vec<Piece>) {
+        let on_floor = |span: &&Span| {
+            span.arc.is_none()
+                && (span.from.radius - self.low).abs() < APART
+                && (span.to.radius - self.low).abs() < APART
+        };
+        let down = self.spans.iter().take_while(|span| span.to.radius < span.from.radius && !on_floor(span));
+        let up = self.spans.iter().rev().take_while(|span| span.to.radius > span.from.radius && !on_floor(span));
+        let pieces = |piece: Piece| (!piece.is_nothing()).then_some(piece);
+        (
+            down.filter_map(|span| pieces(span.piece(left))).collect(),
+            up.filter_map(|span| pieces(span.piece(right).reversed())).collect(),
+        )
+    }
+
+    /// All of it, moved.
+    pub fn whole(&self, by: Vector) -> Vec<Piece> {
+        self.spans.iter().map(|span| span.piece(by)).filter(|piece| !piece.is_nothing()).collect()
+    }
+}

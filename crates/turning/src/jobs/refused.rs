@@ -1,0 +1,126 @@
+//! Why a job cannot be made: the inequality that fails.
+
+use crate::note::{Figure, Note};
+use crate::turning::contour::SurfaceName;
+use crate::turning::cutting::{Bound, CuttingRefusal};
+use crate::turning::length::Half;
+use crate::units::{Micrometres, MillimetresPerMinute, Newtons, RevsPerMinute, round_to};
+
+/// Why a job cannot be made.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // the figures have the names of those of the sentences
+pub enum NoJob {
+    /// Speed and feed need a lathe.
+    NoLathe,
+    /// No tool of the kind works there at all.
+    NoTool { surface: SurfaceName },
+    /// Speed or feed is not known.
+    Cutting(CuttingRefusal),
+    /// It is no valley of walls and a floor.
+    NotAValley { surface: SurfaceName },
+    /// Even the narrowest blade is wider than the room at the floor.
+    TooNarrow { surface: SurfaceName, room: Half, width: Micrometres },
+    /// The blade is too short.
+    TooDeep { surface: SurfaceName, depth: Half, reach: Micrometres },
+    /// The tool is too thick for the bore.
+    BoreTooSmall { surface: SurfaceName, bore: Micrometres, least: Micrometres },
+    /// The bar is too short.
+    BarTooShort { surface: SurfaceName, depth: Half, reach: Half },
+    /// The blade of a face groove is curved for larger diameters.
+    FaceTooSmall { surface: SurfaceName, diameter: Micrometres, least: Micrometres },
+    /// Its mouth does not face the free end.
+    FacesChuck { surface: SurfaceName },
+    /// It goes under both sides of its mouth: no insert has both angles.
+    Undercut { surface: SurfaceName, main: f64, secondary: f64 },
+    /// The tool or the lathe does not bear it.
+    Overloaded { tool: String, bound: Bound },
+    /// No insert has that pitch.
+    NoPitch { pitch: Micrometres, least: Micrometres, most: Micrometres },
+    /// The table of passes has no such pitch.
+    NoPasses { pitch: Micrometres },
+    /// The feed of the lathe is too slow for the pitch even at its slowest spindle.
+    PitchTooQuick { pitch: Micrometres, spindle: RevsPerMinute, rate: MillimetresPerMinute, most: MillimetresPerMinute },
+    /// There is no room before the thread.
+    NoEntry { surface: SurfaceName, needs: Half, room: Half },
+    /// There is no room behind the thread.
+    NoRunOut { surface: SurfaceName, needs: Half, room: Half },
+    /// The relief is not as deep as the thread.
+    ReliefTooShallow { surface: SurfaceName, relief: Micrometres, root: Micrometres },
+    /// The thread does not lie on a cylinder.
+    ThreadOnNoCylinder { surface: SurfaceName },
+    /// No drill of the catalogs is so small, or reaches so deep.
+    NoDrill { diameter: Micrometres, depth: Half },
+    /// The spindle or the drive of Z does not bear the drill at the least feed.
+    DrillTooStrong { diameter: Micrometres, force: Newtons, most: Newtons },
+    /// No centre hole is so small.
+    NoCentreHole { diameter: Micrometres, least: Micrometres },
+    /// The blade stands too near the jaws.
+    JawsTooNear { gap: Half, least: Micrometres },
+    /// The blade is not long enough for the bar.
+    PartingTooDeep { depth: Half, reach: Micrometres },
+}
+
+impl NoJob {
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        let new = Note::new;
+        match self {
+            Self::NoLathe => new("job-needs-lathe"),
+            Self::NoTool { surface } => new("job-no-tool").with("surface", surface),
+            Self::Cutting(why) => why.note(),
+            Self::NotAValley { surface } => new("groove-no-valley").with("surface", surface),
+            Self::TooNarrow { surface, room, width } => {
+                new("groove-too-narrow").with("surface", surface).with("room", room).with("width", width)
+            }
+            Self::TooDeep { surface, depth, reach } => {
+                new("groove-beyond-blade").with("surface", surface).with("depth", depth).with("reach", reach)
+            }
+            Self::BoreTooSmall { surface, bore, least } => {
+                new("job-bore-too-small").with("surface", surface).with("bore", bore).with("least", least)
+            }
+            Self::BarTooShort { surface, depth, reach } => {
+                new("job-bar-too-short").with("surface", surface).with("depth", depth).with("reach", reach)
+            }
+            Self::FaceTooSmall { surface, diameter, least } => {
+                new("groove-face-too-small").with("surface", surface).with("diameter", diameter).with("least", least)
+            }
+            Self::FacesChuck { surface } => new("groove-faces-chuck").with("surface", surface),
+            Self::Undercut { surface, main, secondary } => new("groove-undercut")
+                .with("surface", surface)
+                .with("main", round_to(*main, 2))
+                .with("secondary", round_to(*secondary, 2)),
+            Self::Overloaded { tool, bound } => {
+                new("job-overloaded").with("tool", tool).with("bound", Figure::word(bound.name()))
+            }
+            Self::NoPitch { pitch, least, most } => {
+                new("thread-no-insert").with("pitch", pitch).with("least", least).with("most", most)
+            }
+            Self::NoPasses { pitch } => new("thread-no-passes").with("pitch", pitch),
+            Self::PitchTooQuick { pitch, spindle, rate, most } => new("thread-too-quick")
+                .with("pitch", pitch)
+                .with("spindle", spindle.0)
+                .with("rate", round_to(rate.0, 1))
+                .with("most", most.0),
+            Self::NoEntry { surface, needs, room } => {
+                new("thread-no-entry").with("surface", surface).with("needs", needs).with("room", room)
+            }
+            Self::NoRunOut { surface, needs, room } => {
+                new("thread-no-run-out").with("surface", surface).with("needs", needs).with("room", room)
+            }
+            Self::ReliefTooShallow { surface, relief, root } => {
+                new("thread-relief-shallow").with("surface", surface).with("relief", relief).with("root", root)
+            }
+            Self::ThreadOnNoCylinder { surface } => new("thread-on-no-cylinder").with("surface", surface),
+            Self::NoDrill { diameter, depth } => new("job-no-drill").with("diameter", diameter).with("depth", depth),
+            Self::DrillTooStrong { diameter, force, most } => new("job-drill-too-strong")
+                .with("diameter", diameter)
+                .with("force", round_to(force.0, 0))
+                .with("most", most.0),
+            Self::NoCentreHole { diameter, least } => {
+                new("job-no-centre-hole").with("diameter", diameter).with("least", least)
+            }
+            Self::JawsTooNear { gap, least } => new("part-off-near-jaws").with("gap", gap).with("least", least),
+            Self::PartingTooDeep { depth, reach } => new("part-off-too-deep").with("depth", depth).with("reach", reach),
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Where a job works: a side of a set-up, and where a tool is clear of everything.
+
+use crate::error::{Refusal, Tried};
+use crate::knowledge::vocabulary::Surface;
+use crate::note::{Because, Figure, Note};
+use crate::tables::turning::tools::{Limit, TurningLimits};
+use crate::turning::contour::{Contour, Profile, Side};
+use crate::turning::cutting::{Cut, Direction};
+use crate::turning::length::Half;
+use crate::turning::operation::tools::Bench;
+use crate::turning::point::Point;
+use crate::turning::tooling::{Lathe, Shank, TurningTool};
+use crate::units::Micrometres;
+
+use super::refused::NoJob;
+
+/// A side of a set-up as it is when the job begins: turned to its finished contour, but for what the job makes.
+#[derive(Clone, Copy, Debug)]
+pub struct Site<'a> {
+    /// The finished surfaces from the free end, in the coordinates of the set-up.
+    pub profile: &'a Profile,
+    /// Clear of everything: outside the radius over which, inside the radius under which the tool goes by, and a Z
+    /// before the free face.
+    pub clear: Point,
+}
+
+impl Site<'_> {
+    /// Outside or inside.
+    pub const fn side(&self) -> Side {
+        self.profile.side
+    }
+
+    /// The narrowest diameter of a bore from the free end to a Z.
+    pub(super) fn narrowest(&self, to: Half) -> Micrometres {
+        let contour: Contour = self.profile.contour();
+        let start = contour.start().map_or(Half::ZERO, |start| start.z);
+        contour.near(start, to).radii().map_or(Micrometres::ZERO, |(least, _)| least.diameter())
+    }
+}
+
+/// The lathe that speeds are for.
+pub(super) fn lathe<'a, 'k>(bench: &'a Bench<'_, 'k>) -> Tried<&'a Lathe<'k>, NoJob> {
+    bench.lathe.ok_or(Refusal::Not(NoJob::NoLathe))
+}
+
+/// A cut into turned metal.
+pub(super) fn cut<'a, 'k>(
+    tool: &'a TurningTool<'k>,
+    diameter: Micrometres,
+    direction: Direction,
+    bench: &'a Bench<'_, 'k>,
+) -> Tried<Cut<'a, 'k>, NoJob> {
+    let (knowledge, material) = (bench.knowledge, &bench.material);
+    Ok(Cut { knowledge, lathe: lathe(bench)?, tool, material, diameter, direction, surface: Surface::None })
+}
+
+/// How far a bar reaches into a bore: its row, otherwise by the ratio of `turning-limits` to its diameter. None for a
+/// tool without a bar.
+pub(super) fn bar_reach(tool: &TurningTool<'_>, bench: &Bench<'_, '_>) -> Tried<Option<(Half, Because)>, NoJob> {
+    let Some(Shank::Round { diameter }) = tool.shank else { return Ok(None) };
+    if let Some(reach) = tool.reach {
+        return Ok(Some((Half::of(reach), Because::row(tool.row, Note::new("overhang").with("length", reach)))));
+    }
+    let name = Limit::BarOverhangRatio;
+    let row = bench.knowledge.need(name.name(), |row: &TurningLimits<'_>| row.name == name)?;
+    let ratio = row.ratio.unwrap_or_default();
+    let note = Note::new("turning-limit").with("name", Figure::word(name.name())).with("value", ratio);
+    Ok(Some((Half::from(diameter.to_mm() * ratio), Because::row(row.row, note))))
+}

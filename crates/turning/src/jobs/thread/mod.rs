@@ -1,0 +1,302 @@
+//! Metric threads, outside and in a bore, turned pass by pass towards the chuck: right-hand threads with a right-hand
+//! tool.
+//!
+//! How deep: the flanks lie where the profile of ISO 68-1 has them, whatever the nose of the insert. From the crests to
+//! the sharp point of the flanks it is 7/8 H outside and 3/4 H in a bore, with H = √3/2 · P; a round tip of radius r ends
+//! r before that point. Inserts of full profile have r = H/6 outside, so 17/24 H = 0.6134 P, and H/12 in a bore, so
+//! 2/3 H = 0.5774 P: as makers' tables of passes have it.
+
+mod passes;
+mod room;
+
+#[cfg(test)]
+mod tests;
+
+use crate::error::{Refusal, Tried};
+use crate::note::{Because, Note};
+use crate::tables::turning::jobs::{
+    JobLimit, ThreadingFirstPassFor, ThreadingInfeedFor, ThreadingPasses, ThreadingSpeedFor,
+};
+use crate::turning::contour::{Side, Surface};
+use crate::turning::length::Half;
+use crate::turning::operation::tools::Bench;
+use crate::turning::point::Point;
+use crate::turning::program::{Feeds, Speed};
+use crate::turning::tooling::{Hand, Lathe, Place, Spindle, ToolKind, TurningTool};
+use crate::turning::toolpath::{Purpose, Toolpath};
+use crate::turning::workpiece::Thread;
+use crate::units::{MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
+use technolog_cutting::{rpm_at, speed_at};
+
+use super::clock::time;
+use super::limits::Limits;
+use super::refused::NoJob;
+use super::site::{self, Site};
+use super::{Job, JobTool, Pace, ThreadCut, Work};
+use passes::Divided;
+pub use passes::Passes;
+use room::Room;
+
+/// The height of the triangle of the profile over the pitch, H/P (ISO 68-1).
+const TRIANGLE: f64 = 0.866_025_403_784;
+
+/// The job of a thread.
+///
+/// # Errors No insert has the pitch, nothing is free before or behind the thread, with the inequality that fails; or the
+/// knowledge base lacks a table.
+pub fn thread(
+    site: Site<'_>,
+    surface: &Surface,
+    thread: &Thread,
+    passes: Passes,
+    bench: &Bench<'_, '_>,
+) -> Tried<Job, NoJob> {
+    let lathe = site::lathe(bench)?;
+    let name = || surface.name.clone();
+    let [piece] = surface.pieces.as_slice() else {
+        return Err(Refusal::Not(NoJob::ThreadOnNoCylinder { surface: name() }));
+    };
+    if !piece.is_cylinder() {
+        return Err(Refusal::Not(NoJob::ThreadOnNoCylinder { surface: name() }));
+    }
+    let mut limits = Limits::of(bench.knowledge);
+    let side = site.side();
+    let tool = insert(site, surface, thread.pitch, piece.to.z, bench)?;
+    let (crest, root) = radii(side, thread, piece.from.radius, &tool)?;
+    let (rpm, mut because) = spindle(thread, lathe, bench)?;
+    because.insert(0, Because::row(tool.row, Note::new("job-tool-taken").with("tool", tool.designation)));
+    let lost = thread.pitch.to_mm() * rpm.0 / limits.ratio(JobLimit::ThreadRunOut)?;
+    let entry =
+        (limits.ratio(JobLimit::ThreadRunIn)? * lost).max(limits.ratio(JobLimit::ThreadEntry)? * thread.pitch.to_mm());
+    let lift = Half::of(limits.length(JobLimit::ThreadLift)?);
+    let asked = Room {
+        thread: *piece,
+        root,
+        lift,
+        entry: Half::from(entry),
+        run_out: Half::from(lost),
+        side_of_insert: Half::of(limits.length(JobLimit::ThreadInsertSide)?),
+    };
+    let found = asked.find(site, surface)?;
+    let Divided { depths, springs, because: of_passes } =
+        divided(thread, side, root.max(crest) - root.min(crest), passes, &mut limits, bench)?;
+    because.extend(of_passes);
+    let group = bench.material.group;
+    let infeed = bench.knowledge.ask(&ThreadingInfeedFor { pitch: thread.pitch, material_group: group })?;
+    let angle = infeed.need(&thread.pitch.to_string())?.angle;
+    because.push(Because::answer(&infeed.answer, Note::new("thread-infeed").with("angle", angle.0)));
+    let cut = ThreadCut {
+        pitch_mm: thread.pitch,
+        from_z_mm: found.from,
+        to_z_mm: found.to,
+        crest_radius_mm: crest,
+        root_radius_mm: root,
+        depths_mm: depths
+            .iter()
+            .copied()
+            .chain(std::iter::repeat_n(root.max(crest) - root.min(crest), springs))
+            .collect(),
+        infeed_angle_deg: angle,
+    };
+    let path = way(&cut, side, lift, found.pull_out.then_some(piece.to.z), site);
+    let (speed, feeds) = (Speed::Spindle(rpm), Feeds::all(MillimetresPerRev(thread.pitch.to_mm())));
+    let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
+    let mut notes = vec![
+        Note::new("thread-passes")
+            .with("surface", &surface.name)
+            .with("thread", thread.written.as_str())
+            .with("tool", tool.designation)
+            .with("passes", depths.len())
+            .with("springs", springs)
+            .with("depth", root.max(crest) - root.min(crest))
+            .with("angle", angle.0),
+        Note::new("thread-ways")
+            .with("surface", &surface.name)
+            .with("entry", piece.from.z - found.from)
+            .with("run-out", found.to - piece.to.z),
+    ];
+    if found.pull_out {
+        notes.push(Note::new("thread-pulled-out").with("surface", &surface.name).with("length", found.to - piece.to.z));
+    }
+    notes.extend(crests(side, thread, &surface.name));
+    because.extend(limits.because);
+    Ok(Job {
+        work: Work::Thread,
+        side,
+        tool: JobTool::of(&tool),
+        surfaces: vec![surface.name.clone()],
+        time_min: time(&path, speed, &feeds, rapid),
+        path,
+        pace: Pace::PerRev { speed, feeds },
+        conditions: None,
+        thread: Some(cut),
+        zone: None,
+        notes,
+        because,
+    })
+}
+
+/// An insert for a pitch that works there: of full profile first, because it cuts the crests too.
+fn insert<'k>(
+    site: Site<'_>,
+    surface: &Surface,
+    pitch: Micrometres,
+    end: Half,
+    bench: &Bench<'_, 'k>,
+) -> Tried<TurningTool<'k>, NoJob> {
+    let place = if site.side() == Side::Outer { Place::Outer } else { Place::Inner };
+    let mut tools = TurningTool::all(bench.knowledge)?;
+    tools.retain(|tool| (tool.kind, tool.works) == (ToolKind::Threading, place) && tool.hand == Hand::R);
+    tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+    // How deep an insert of an unknown nose must go is not known.
+    tools.retain(|tool| tool.nose_radius.is_some());
+    let ranges = || tools.iter().filter_map(|tool| tool.pitch);
+    let bounds = ranges().map(|(least, _)| least).min().zip(ranges().map(|(_, most)| most).max());
+    let Some((least, most)) = bounds else {
+        return Err(Refusal::Not(NoJob::NoTool { surface: surface.name.clone() }));
+    };
+    tools.retain(|tool| tool.pitch.is_some_and(|(least, most)| (least..=most).contains(&pitch)));
+    tools.sort_by_key(|tool| !is_full(tool));
+    let mut why = NoJob::NoPitch { pitch, least, most };
+    for tool in tools {
+        if site.side() == Side::Inner {
+            let bore = site.narrowest(end);
+            if let Some(least) = tool.min_bore.filter(|least| bore < *least) {
+                why = NoJob::BoreTooSmall { surface: surface.name.clone(), bore, least };
+                continue;
+            }
+            if let Some((reach, _)) = site::bar_reach(&tool, bench)?
+                && end > reach
+            {
+                why = NoJob::BarTooShort { surface: surface.name.clone(), depth: end, reach };
+                continue;
+            }
+        }
+        return Ok(tool);
+    }
+    Err(Refusal::Not(why))
+}
+
+/// Whether an insert is of full profile: for one pitch only.
+fn is_full(tool: &TurningTool<'_>) -> bool {
+    tool.pitch.is_some_and(|(least, most)| least == most)
+}
+
+/// The radii of crests and roots. Crests are where the surface was turned; roots follow from the basic profile.
+fn radii(side: Side, thread: &Thread, turned: Half, tool: &TurningTool<'_>) -> Tried<(Half, Half), NoJob> {
+    let triangle = TRIANGLE * thread.pitch.to_mm();
+    let nominal = thread.size.to_mm() / 2.0;
+    let tip = match (is_full(tool), side) {
+        (true, Side::Outer) => triangle / 6.0,
+        (true, Side::Inner) => triangle / 12.0,
+        (false, _) => tool.nose_radius.unwrap_or_default().to_mm(),
+    };
+    let root = match side {
+        Side::Outer => nominal - (7.0 / 8.0 * triangle - tip),
+        // D1 lies 5/8 H within D.
+        Side::Inner => nominal - 5.0 / 8.0 * triangle + (3.0 / 4.0 * triangle - tip),
+    };
+    Ok((turned, Half::from(root)))
+}
+
+/// The spindle speed of a thread, with the rows behind it: the speed of threading on the nominal diameter, as fast as the
+/// feed of the lathe follows.
+fn spindle(thread: &Thread, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<(RevsPerMinute, Vec<Because>), NoJob> {
+    let asked = bench.knowledge.ask(&ThreadingSpeedFor { material_group: bench.material.group })?;
+    let speed = asked.need(bench.material.group)?.speed;
+    let pitch = thread.pitch;
+    let (_, most) = lathe.feed_z;
+    let follows = RevsPerMinute(most.0 / pitch.to_mm());
+    let wanted = rpm_at(speed, thread.size);
+    let rpm = lathe.spindle.at_most(RevsPerMinute(wanted.0.min(follows.0)));
+    let rate = MillimetresPerMinute(rpm.0 * pitch.to_mm());
+    if rate.0 > most.0 {
+        return Err(Refusal::Not(NoJob::PitchTooQuick { pitch, spindle: rpm, rate, most }));
+    }
+    let rpm = match lathe.spindle {
+        Spindle::Steps(_) => rpm,
+        // Whole revolutions, as a program writes them; rounded down, so that the feed follows.
+        Spindle::Range { min, .. } => RevsPerMinute(rpm.0.floor().max(min.0)),
+    };
+    let MetresPerMinute(used) = speed_at(rpm, thread.size).rounded(1);
+    let note = Note::new("thread-speed").with("wanted", speed.0).with("speed", used).with("spindle", rpm.0);
+    let mut because = vec![Because::answer(&asked.answer, note)];
+    if follows.0 < wanted.0 {
+        let note = Note::new("thread-feed-follows").with("most", most.0).with("spindle", rpm.0).with("pitch", pitch);
+        because.push(Because::row(lathe.row(crate::tables::lathes::LatheQuantity::FeedMaxZ)?, note));
+    }
+    Ok((rpm, because))
+}
+
+/// The depths of the passes.
+fn divided(
+    thread: &Thread,
+    side: Side,
+    depth: Half,
+    passes: Passes,
+    limits: &mut Limits<'_>,
+    bench: &Bench<'_, '_>,
+) -> Tried<Divided, NoJob> {
+    let pitch = thread.pitch;
+    let rows = bench.knowledge.rows::<ThreadingPasses<'_>>()?;
+    // Between two pitches of the table the passes of the coarser.
+    let coarser = rows.into_iter().filter(|row| row.side == side && row.pitch >= pitch).min_by_key(|row| row.pitch);
+    let Some(row) = coarser else { return Err(Refusal::Not(NoJob::NoPasses { pitch })) };
+    let asked = bench.knowledge.ask(&ThreadingFirstPassFor { material_group: bench.material.group })?;
+    let first = asked.need(bench.material.group)?;
+    let least = Half::of(limits.length(JobLimit::ThreadLastPass)?);
+    let springs = limits.ratio(JobLimit::ThreadSpringPasses)?;
+    let wanted = usize::try_from(row.passes + first.more).unwrap_or(1).max(1);
+    let depths = passes.depths(depth, wanted, Half::of(first.depth), least);
+    let note = Note::new("threading-passes").with("pitch", row.pitch).with("passes", row.passes);
+    let mut because = vec![Because::row(row.row, note)];
+    let note = Note::new("threading-first-pass").with("depth", first.depth).with("more", first.more);
+    because.push(Because::answer(&asked.answer, note));
+    Ok(Divided { depths, springs: springs.round().max(0.0) as usize, because })
+}
+
+/// From before the thread, pass by pass, and back. Fed in at an angle, a shallower pass begins so much before the last
+/// as the tool still goes in along the flank.
+fn way(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site: Site<'_>) -> Toolpath {
+    let out = |radius: Half, by: Half| if side == Side::Outer { radius + by } else { radius - by };
+    let above = out(cut.crest_radius_mm, lift);
+    let deepest = cut.depths_mm.last().copied().unwrap_or_default();
+    let slope = libm::tan(cut.infeed_angle_deg.0.to_radians());
+    let start = match side {
+        Side::Outer => Point { radius: site.clear.radius, z: cut.from_z_mm },
+        Side::Inner => site.clear,
+    };
+    let mut path = Toolpath::at(start);
+    path.go(Point { radius: start.radius, z: cut.from_z_mm }, Purpose::Rapid);
+    for depth in &cut.depths_mm {
+        let at = out(cut.crest_radius_mm, Half::ZERO - *depth);
+        let before = cut.from_z_mm - Half::from((deepest - *depth).to_mm() * slope);
+        path.go(Point { radius: above, z: before }, Purpose::Rapid);
+        path.go(Point { radius: at, z: before }, Purpose::Rapid);
+        if let Some(end) = pulls_out_at {
+            path.go(Point { radius: at, z: end }, Purpose::Thread);
+        }
+        let at = if pulls_out_at.is_some() { above } else { at };
+        path.go(Point { radius: at, z: cut.to_z_mm }, Purpose::Thread);
+        path.go(Point { radius: above, z: cut.to_z_mm }, Purpose::Rapid);
+    }
+    path.go(Point { radius: above, z: cut.from_z_mm }, Purpose::Rapid);
+    path.go(Point { radius: start.radius, z: cut.from_z_mm }, Purpose::Rapid);
+    path.go(start, Purpose::Rapid);
+    path
+}
+
+/// What ISO 965-1 makes of the crests of an outer thread of tolerance 6g: it is turned so much smaller than its nominal
+/// diameter, by the fundamental deviation es = −(15 + 11 P) µm and the tolerance Td = 180·P^(2/3) − 3.15/√P µm.
+fn crests(side: Side, thread: &Thread, surface: &crate::turning::contour::SurfaceName) -> Option<Note> {
+    if side == Side::Inner || !(thread.written.ends_with("6g") || !thread.written.contains('-')) {
+        return None;
+    }
+    let pitch = thread.pitch.to_mm();
+    let upper = -(15.0 + 11.0 * pitch) / 1000.0;
+    let tolerance = (180.0 * libm::cbrt(pitch * pitch) - 3.15 / libm::sqrt(pitch)) / 1000.0;
+    let round = |length: f64| Micrometres::new((length * 100.0).round() as i64 * 10);
+    let note =
+        Note::new("thread-crests").with("surface", surface).with("least", thread.size + round(upper - tolerance));
+    Some(note.with("most", thread.size + round(upper)))
+}

@@ -1,0 +1,69 @@
+//! What is cut into the finished contour of a side: grooves, reliefs, threads.
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::note::{Finding, Severity};
+use crate::turning::contour::{Side, SurfaceKind};
+use crate::turning::jobs::groove::groove;
+use crate::turning::jobs::thread::{Passes, thread};
+use crate::turning::jobs::{Job, NoJob, Site};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::schemes::rates;
+use crate::turning::zones::SetUp;
+
+use super::SideWork;
+use super::jobs::stretch;
+use super::tools::Bench;
+
+/// The jobs of the grooves and threads of a side. What cannot be cut is a finding with the inequality that fails.
+///
+/// # Errors The knowledge base lacks a table.
+pub(super) fn features(
+    set_up: &SetUp,
+    side: &SideWork,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<Job>, KnowledgeError> {
+    let mut jobs = Vec::new();
+    let Some(stretch) = stretch(set_up, side.side) else { return Ok(jobs) };
+    let (table, _) = rates::of_table(bench.knowledge)?;
+    let (approach, retract) = bench
+        .workpiece
+        .rates
+        .map_or((table.approach, table.retract), |rates| (rates.main.approach, rates.main.retract));
+    let (approach, retract) = (Half::of(approach), Half::of(retract));
+    let start = side.layers.rough.start().map_or(Half::ZERO, |start| start.z);
+    let walls = stretch.profile.surfaces.iter().flat_map(|surface| &surface.pieces).filter(|piece| !piece.is_face());
+    let radius = match side.side {
+        Side::Outer => side.layers.blank.radii().map_or(Half::ZERO, |(_, most)| most) + approach,
+        Side::Inner => {
+            let narrowest = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min();
+            narrowest.unwrap_or_default() - retract
+        }
+    };
+    let site = Site { profile: &stretch.profile, clear: Point { radius, z: start - approach } };
+    for surface in &stretch.profile.surfaces {
+        if surface.kind == SurfaceKind::Thread {
+            let name = surface.name.to_string();
+            if let Some(cut) = bench.workpiece.threads.iter().find(|thread| thread.surface == name) {
+                jobs.extend(made(thread(site, surface, cut, Passes::Area, bench), findings)?);
+            }
+        } else if surface.kind.is_additional() {
+            jobs.extend(made(groove(site, surface, bench), findings)?);
+        }
+    }
+    Ok(jobs)
+}
+
+/// A job, or the finding why there is none.
+///
+/// # Errors The knowledge base lacks a table.
+pub(super) fn made(tried: Tried<Job, NoJob>, findings: &mut Vec<Finding>) -> Result<Option<Job>, KnowledgeError> {
+    match Refusal::split(tried)? {
+        Ok(job) => Ok(Some(job)),
+        Err(why) => {
+            findings.push(Finding::of_part(Severity::Wrong, why.note()));
+            Ok(None)
+        }
+    }
+}
