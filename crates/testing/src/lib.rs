@@ -14,7 +14,6 @@ pub mod patterns;
 pub mod proof_bench;
 pub mod section;
 pub mod shafts;
-pub mod side;
 pub mod spoilt;
 pub mod turned;
 

@@ -100,6 +100,17 @@ impl Nose {
     }
 }
 
+/// A bore whose bottom is followed no nearer to the axis than this; what lies nearer stays.
+#[must_use]
+pub fn up_to(mut bore: Contour, nearest: Option<Half>) -> Contour {
+    let Some(nearest) = nearest.filter(|_| bore.side == Side::Inner) else { return bore };
+    if let Some(bottom) = bore.pieces.last_mut().filter(|last| last.is_face() && last.to.radius < nearest) {
+        bottom.to.radius = nearest.min(bottom.from.radius);
+    }
+    bore.pieces.retain(|piece| !piece.is_nothing());
+    bore
+}
+
 /// A point moved along the axis and not beyond it: a cone that is extended ends on the axis.
 fn beyond(from: Point, by: Vector) -> Point {
     let radius = from.radius.to_mm();

@@ -1,5 +1,5 @@
-//! The whole operation, worked off on paper: what a reader of its programs would see on the lathe. The way of metal is
-//! reckoned by columns (`crates/testing/src/section.rs`, `crates/testing/src/side.rs`) that share nothing with what makes the ways.
+//! The whole operation, carried through the proof of turning (`crates/turning-proof`), which shares nothing with what
+//! makes its toolpaths.
 
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -13,9 +13,9 @@ use technolog::turning::toolpath::Purpose;
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned, read_workpiece};
 use technolog::turning::zones::Feed;
 use technolog::units::{RevsPerMinute, round_to};
-use technolog_testing::oracle_json::told_piece;
-use technolog_testing::side::{Fault, work_off};
+use technolog::turning::operation::proof::prove;
 use technolog_testing::{KNOWLEDGE, shafts, turned};
+use technolog_turning_proof::Fault;
 
 fn example(name: &str) -> Workpiece {
     let path = format!("{}/examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
@@ -67,9 +67,28 @@ fn silent(operation: &Operation) -> Vec<String> {
     found
 }
 
-fn told(faults: &[Fault]) -> String {
-    let line = |fault: &Fault| format!("{}: {:.4} mm at Z {:.3}, {}", fault.law, fault.by, fault.z, fault.at);
-    faults.iter().map(line).collect::<Vec<_>>().join("\n")
+/// What of an operation would spoil the part or hit something; and why it could not be proven.
+fn spoilt(operation: &Operation) -> Vec<String> {
+    let mut found = Vec::new();
+    for one in prove(operation) {
+        match one.proof {
+            Ok(proof) => {
+                let stays = |fault: &&Fault| {
+                    matches!(fault, Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. })
+                };
+                let faults = proof.faults.iter().filter(|fault| !stays(fault));
+                found.extend(faults.map(|fault| format!("set-up {}: {fault:?}", one.set_up)));
+            }
+            Err(refused) => found.push(format!("set-up {}: {refused:?}", one.set_up)),
+        }
+    }
+    found
+}
+
+/// What stands over a surface that a job has finished.
+fn unfinished(operation: &Operation) -> Vec<String> {
+    let finds = |code: &str| operation.findings.iter().filter(move |finding| finding.note.code() == code);
+    finds("swept-stands").map(|finding| format!("{:?}", finding.note)).collect()
 }
 
 #[test]
@@ -86,9 +105,9 @@ fn the_examples_are_worked_off_whole() {
         "shaft-forging",
     ] {
         let operation = planned(&example(name));
-        let (faults, silent) = (work_off(&operation), silent(&operation));
+        let (faults, silent) = (spoilt(&operation), silent(&operation));
         if !faults.is_empty() || !silent.is_empty() {
-            wrong.push_str(&format!("{name}:\n{}\n{}\n", told(&faults), silent.join("\n")));
+            wrong.push_str(&format!("{name}:\n{}\n{}\n", faults.join("\n"), silent.join("\n")));
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
@@ -108,7 +127,7 @@ fn what_once_went_wrong_goes_right() {
         let workpiece =
             read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{path:?} {mistakes:?}"));
         let operation = planned(&workpiece);
-        let mut said = vec![told(&work_off(&operation)), silent(&operation).join("\n")];
+        let mut said = vec![spoilt(&operation).join("\n"), silent(&operation).join("\n")];
         said.retain(|one| !one.is_empty());
         if operation.zones().any(|(_, _, zone)| zone.works.is_empty()) {
             let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
@@ -166,8 +185,8 @@ proptest! {
         let operation = planned(&read.unwrap());
         let silent = silent(&operation);
         prop_assert!(silent.is_empty(), "{}", silent.join("\n"));
-        let faults = work_off(&operation);
-        prop_assert!(faults.is_empty(), "{}", told(&faults));
+        let faults = spoilt(&operation);
+        prop_assert!(faults.is_empty(), "{}", faults.join("\n"));
     }
 
     /// The short form, whose diameters are those after roughing.
@@ -175,8 +194,8 @@ proptest! {
     fn any_stepped_shaft_is_worked_off_whole(shaft in shafts::shafts(40)) {
         let operation = planned(&Workpiece::from(&shaft));
         prop_assert!(silent(&operation).is_empty());
-        let faults = work_off(&operation);
-        prop_assert!(faults.is_empty(), "{:?}\n{}", shaft, told(&faults));
+        let faults = [spoilt(&operation), unfinished(&operation)].concat();
+        prop_assert!(faults.is_empty(), "{:?}\n{}", shaft, faults.join("\n"));
     }
 
     /// Nothing of a plan depends on what is not in the file.
@@ -196,15 +215,9 @@ proptest! {
         for control in ["linuxcnc", "sinumerik", "nc-201"] {
             for form in [Form::Motions, Form::Cycles] {
                 let written = programs(&operation, control, form, rpm.map(RevsPerMinute), &KNOWLEDGE).unwrap();
-                let cleared = operation.zones().filter(|(_, _, zone)| zone.works.iter().all(|work| work.transition().is_some()));
-                let zones: Vec<(u8, Side, usize)> = written
-                    .iter()
-                    .flat_map(|one| one.zones.iter().map(|zone| (one.set_up, one.side, *zone)))
-                    .collect();
-                for (set_up, side, zone) in cleared.filter(|(_, _, zone)| !zone.works.is_empty()) {
-                    let key = (set_up.set_up.number, side.side, zone.zone.number);
-                    prop_assert!(zones.contains(&key), "{control}: {key:?} has neither a program nor a reason");
-                }
+                let worked = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty());
+                let numbers: Vec<u8> = worked.map(|set_up| set_up.set_up.number).collect();
+                prop_assert_eq!(written.iter().map(|one| one.set_up).collect::<Vec<_>>(), numbers);
                 for file in written.iter().flat_map(|one| one.files.iter().flatten()) {
                     prop_assert!(!file.text.is_empty() && !file.name.is_empty());
                 }
@@ -226,9 +239,9 @@ fn variable(name: &str, otherwise: usize) -> usize {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
 }
 
-/// The programs of random parts with their ways, one JSON object on a line, for the interpreter of LinuxCNC:
+/// The programs of random parts, one JSON object on a line, for the interpreter of LinuxCNC:
 /// `CASES=100 OUT=/tmp/parts.jsonl cargo test --test turning operation::programs_for_rs274 -- --ignored`, then
-/// `python3 tests/oracles/lathe.py /tmp/parts.jsonl`.
+/// `python3 tests/oracles/lathe.py /tmp/parts.jsonl`. Each set-up has the ways of its jobs, tool after tool.
 #[test]
 #[ignore = "for the comparison with rs274: OUT says where to write"]
 fn programs_for_rs274() {
@@ -238,80 +251,15 @@ fn programs_for_rs274() {
     for (number, text) in parts(variable("CASES", 100), u8::try_from(variable("SEED", 1)).unwrap()).iter().enumerate() {
         let Ok(workpiece) = read_workpiece("part", text, &KNOWLEDGE) else { continue };
         let operation = planned(&workpiece);
-        let works = |set_up: u8, side: Side, zones: &[usize]| -> Vec<(&ZoneWork, &Work)> {
-            let mine = operation
-                .zones()
-                .filter(|(a, b, c)| a.set_up.number == set_up && b.side == side && zones.contains(&c.zone.number));
-            mine.flat_map(|(_, _, zone)| zone.works.iter().map(move |work| (zone, work))).collect()
-        };
         for written in programs(&operation, "linuxcnc", Form::Motions, Some(rpm), &KNOWLEDGE).unwrap() {
-            let name = format!("part {number} set-up {} {:?} zones {:?}", written.set_up, written.side, written.zones);
-            let files = match written.files {
-                Ok(files) => files,
-                Err(refused) => {
-                    lines.push_str(&format!("{}\n", json!({"name": name, "refused": format!("{refused:?}")})));
-                    continue;
+            let name = format!("part {number} set-up {}", written.set_up);
+            let line = match written.files {
+                Ok(files) => {
+                    let program = files.iter().map(|file| file.text.as_str()).collect::<String>();
+                    json!({"name": name, "kind": "whole", "program": program, "part": text})
                 }
+                Err(refused) => json!({"name": name, "refused": format!("{refused:?}")}),
             };
-            let mine = works(written.set_up, written.side, &written.zones);
-            let of = |(zone, work): &&(&ZoneWork, &Work)| {
-                let place = zone.works.iter().position(|one| std::ptr::eq(one, *work)).unwrap();
-                written.works.contains(&(zone.zone.number, place))
-            };
-            let ways: Vec<Value> = mine
-                .iter()
-                .filter(of)
-                .filter_map(|(_, work)| Some((work, work.transition()?)))
-                .map(|(work, transition)| {
-                    let moves: Vec<Value> = transition
-                        .path
-                        .pieces()
-                        .map(|(piece, purpose)| {
-                            let mut told = told_piece(piece);
-                            let rate = work.pace.feeds.rate(purpose).0 / rpm.0;
-                            told["feed"] = json!((purpose != Purpose::Rapid).then_some(round_to(rate, 4)));
-                            told
-                        })
-                        .collect();
-                    json!({"from": [transition.path.from.radius.to_mm(), transition.path.from.z.to_mm()], "moves": moves})
-                })
-                .collect();
-            let program = files.iter().map(|file| file.text.as_str()).collect::<String>();
-            lines.push_str(&format!(
-                "{}\n",
-                json!({"name": name, "kind": "ways", "ways": ways, "program": program, "part": text})
-            ));
-        }
-        let mut seen: Vec<(u8, Side, Vec<usize>)> = Vec::new();
-        for written in programs(&operation, "linuxcnc", Form::Cycles, Some(rpm), &KNOWLEDGE).unwrap() {
-            let key = (written.set_up, written.side, written.zones.clone());
-            let place = seen.iter().filter(|one| **one == key).count();
-            let all = works(written.set_up, written.side, &written.zones);
-            let (zone, work) = all[place];
-            seen.push(key);
-            let name = format!(
-                "part {number} set-up {} {:?} zone {:?} work {place}",
-                written.set_up, written.side, written.zones
-            );
-            let blank = &work.stock.blank;
-            let (least, most) = blank.radii().unwrap();
-            let corner = if written.side == Side::Outer { most } else { least };
-            let mut line = json!({
-                "name": name,
-                "kind": "cycle",
-                "direction": if zone.zone.feed == Feed::Along { "longitudinal" } else { "facing" },
-                "outer": written.side == Side::Outer,
-                "corner": [corner.to_mm(), blank.start().unwrap().z.to_mm()],
-                "clearance": work.pace.approach_mm.to_mm(),
-                "depth": work.levels.depth.to_mm(),
-                "feed": round_to(work.pace.feeds.main.0 / rpm.0, 4),
-                "pieces": work.stock.rough.pieces.iter().map(|piece| told_piece(*piece)).collect::<Vec<_>>(),
-                "part": text,
-            });
-            match written.files {
-                Ok(files) => line["program"] = json!(files.first().map(|file| &file.text)),
-                Err(refused) => line["refused"] = json!(format!("{refused:?}")),
-            }
             lines.push_str(&format!("{line}\n"));
         }
     }
@@ -347,7 +295,7 @@ fn survey() {
             Ok(workpiece) => {
                 let made = std::panic::catch_unwind(|| {
                     let operation = planned(&workpiece);
-                    let faults = work_off(&operation);
+                    let faults = spoilt(&operation);
                     let silent = silent(&operation);
                     let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
                     let grave: Vec<String> = grave.map(|finding| finding.note.code().to_owned()).collect();
@@ -362,20 +310,9 @@ fn survey() {
                     Err(_) => note("PANIC".to_owned(), &text),
                     Ok((faults, silent, grave)) => {
                         note("read".to_owned(), &text);
-                        let scheme = |at: &str| {
-                            at.split(' ')
-                                .skip(2)
-                                .take(4)
-                                .filter(|word| word.parse::<f64>().is_err())
-                                .take(3)
-                                .collect::<Vec<_>>()
-                                .join(" ")
-                        };
                         for fault in &faults {
-                            note(
-                                format!("FAULT {} {}", fault.law, scheme(&fault.at)),
-                                &format!("# {}\n{text}", told(std::slice::from_ref(fault))),
-                            );
+                            let kind = fault.split([':', '{', '(']).nth(1).unwrap_or_default().trim().to_owned();
+                            note(format!("FAULT {kind}"), &format!("# {fault}\n{text}"));
                         }
                         for one in silent {
                             note("SILENT".to_owned(), &format!("# {one}\n{text}"));

@@ -9,7 +9,7 @@ use crate::turning::jobs::along::{Clearance, along, dip};
 use crate::turning::jobs::hole::{self, Hole, HoleEnd};
 use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
-use crate::turning::nose::tightest;
+use crate::turning::nose::{tightest, up_to};
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::shaft::Holding;
 use crate::turning::tooling::{Spindle, TurningTool};
@@ -282,13 +282,16 @@ struct Finishing<'a> {
 }
 
 impl Finishing<'_> {
+    /// The narrowest diameter of a bore. The bottom of a blind one is no passage.
+    fn narrowest(&self) -> Option<Micrometres> {
+        let walls = self.contour.pieces.iter().filter(|piece| self.side == Side::Inner && !piece.is_face());
+        walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min().map(Half::diameter)
+    }
+
     /// Its tool: the first that reaches everything, with a nose that fits into the hollows before one that leaves metal
     /// in them.
     fn tool<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Option<TurningTool<'k>>, KnowledgeError> {
-        // The bottom of a blind bore is no passage.
-        let walls = self.contour.pieces.iter().filter(|piece| !piece.is_face());
-        let narrowest = || walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min().map(Half::diameter);
-        let passage = (self.side == Side::Inner).then(narrowest).flatten();
+        let passage = self.narrowest();
         let mut candidates = tools::candidates(self.side, bench)?;
         candidates.retain(|tool| reaches(self.needs, passage, &tools::angles(tool)));
         let tight = tightest(self.contour);
@@ -316,7 +319,10 @@ impl Finishing<'_> {
         let nose = tools::nose(&tool);
         let seen = nose.seen(self.contour).and_then(|contour| Ok((contour, nose.seen(self.standing)?)));
         let (seen, standing) = match seen {
-            Ok(seen) => seen,
+            Ok((seen, standing)) => {
+                let bore = self.narrowest().and_then(|bore| tools::nearest_to_axis(&tool, Half::radius_of(bore)));
+                (up_to(seen, bore), standing)
+            }
             Err(error) => {
                 let note = Note::new("no-contour-of-nose").with("tool", tool.designation).with("why", error);
                 findings.push(Finding::of_part(Severity::Wrong, note));

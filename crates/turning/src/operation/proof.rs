@@ -78,6 +78,7 @@ pub fn findings(operation: &Operation, proven: &[Proven], said: &[Finding]) -> V
             .map(|surface| (&surface.name).told())
             .collect();
         let told = |fault: &&Fault| match fault {
+            Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
             Fault::Stands { surface, .. } | Fault::Corner { surface, .. } | Fault::ThreadShallow { surface, .. } => {
                 surface.as_ref().is_none_or(|surface| own.contains(surface))
             }
@@ -95,6 +96,22 @@ pub fn findings(operation: &Operation, proven: &[Proven], said: &[Finding]) -> V
         }
     }
     findings
+}
+
+/// Whether what is cut is only the allowance beside the mouth of a groove or a thread: its wall goes on through the
+/// allowance that stays for another machine.
+fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) -> bool {
+    let Some(surface) = surface else { return false };
+    let of = operation.elsewhere.iter().find(|one| (&one.surface).told() == *surface);
+    let Some(allowance) = of.map(|one| one.allowance_mm.to_mm()) else { return false };
+    let profiles = operation.set_ups.iter().flat_map(|set_up| [&set_up.set_up.outer, &set_up.set_up.inner]);
+    let cut_in = profiles.flatten().flat_map(|side| &side.profile.surfaces).filter(|one| one.kind.is_additional());
+    let mut mouths = cut_in.flat_map(|one| &one.pieces).flat_map(|piece| [piece.from, piece.to]);
+    let near = 2.0 * allowance + 0.01;
+    depth.0 <= allowance + ROUNDING
+        && mouths.any(|mouth| {
+            (mouth.z.to_mm() + at.z.0).abs() < near && (mouth.radius.to_mm() - at.radius.0).abs() < near
+        })
 }
 
 /// The blank from the axis or its bore at the free end; a bar that is drawn by its cylinder alone gets its face.
@@ -202,7 +219,8 @@ fn thread(surface: &Surface, workpiece: &Workpiece) -> Option<proof::Thread> {
     let crest = surface.pieces.first()?.from.radius.to_mm();
     let nominal = thread.size.to_mm() / 2.0;
     let inside = crest < nominal - 1e-6;
-    let root = if inside { nominal } else { nominal - 0.6134 * thread.pitch.to_mm() };
+    let root =
+        if inside { nominal + ROUNDING } else { nominal - 0.6134 * thread.pitch.to_mm() - ROUNDING };
     Some(proof::Thread { crest: Mm(crest), root: Mm(root) })
 }
 
@@ -273,6 +291,9 @@ fn tool(tool: &JobTool) -> proof::Tool {
     };
     proof::Tool { designation: tool.designation.clone(), cutter, holder }
 }
+
+/// What rounding of a path may add to a depth, mm.
+const ROUNDING: f64 = 0.002;
 
 /// The edge of an insert whose row has none, mm.
 const EDGE: f64 = 10.0;

@@ -150,6 +150,20 @@ pub fn nose(tool: &TurningTool<'_>) -> Nose {
     Nose { radius, tip: jobs::tip(tool.kind, tool.works, tool.hand) }
 }
 
+/// How near the axis the point of a boring tool goes in a bore, so that its bar keeps off the wall on the other side: the
+/// bar lies between the point and that wall. None for a tool without a bar.
+///
+/// A bar stands back from its point by four fifths of what its smallest bore is wider than it (ISO 6261: 3 of 4 mm for
+/// 16 in 20, 6 of 8 for 32 in 40).
+pub fn nearest_to_axis(tool: &TurningTool<'_>, bore: Half) -> Option<Half> {
+    /// What stays free between bar and wall, mm.
+    const FREE: f64 = 0.25;
+    let (Some(Shank::Round { diameter }), Some(least)) = (tool.shank, tool.min_bore) else { return None };
+    let bar = diameter.to_mm();
+    let back = bar + 0.8 * (least.to_mm() - bar);
+    Some(Half::from(back + FREE - bore.to_mm()))
+}
+
 /// The tool that is taken for the most zones, the first among equals.
 pub fn most_used(taken: &[Option<usize>]) -> Option<usize> {
     let count = |tool: usize| taken.iter().filter(|other| **other == Some(tool)).count();

@@ -10,6 +10,7 @@ use crate::turning::contour::{Contour, Profile, Side};
 use crate::turning::cutting::Direction;
 use crate::turning::elements::{Main, Valley};
 use crate::turning::length::Half;
+use crate::turning::nose::up_to;
 use crate::turning::point::Point;
 use crate::turning::tooling::TurningTool;
 use crate::turning::transitions::check::{MOST_PASSES, Unsuited};
@@ -232,7 +233,10 @@ impl ZoneContours {
                 contour.clone()
             })
         };
-        Self { rough: seen(&self.rough), blank: seen(&self.blank) }
+        let walls = self.rough.pieces.iter().filter(|piece| !piece.is_face());
+        let narrowest = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min();
+        let nearest = narrowest.and_then(|bore| tools::nearest_to_axis(tool, bore));
+        Self { rough: up_to(seen(&self.rough), nearest), blank: seen(&self.blank) }
     }
 }
 
