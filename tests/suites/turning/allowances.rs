@@ -91,7 +91,8 @@ fn new_elements_replace_those_finished_elsewhere() {
     assert_eq!(operation.elsewhere[0].allowance_mm, Half::from(0.2));
     let layers = &operation.set_ups[0].sides[0].layers;
     // Its neighbours reach up to it, over the bridged groove too; the rest is as it was.
-    let left = [(0.0, 0.0), (18.2, 0.0), (18.2, 33.0), (25.0, 33.0), (25.0, 63.0)];
+    // At its end the tool runs on by the approach of 2 mm.
+    let left = [(0.0, 0.0), (18.2, 0.0), (18.2, 33.0), (25.0, 33.0), (25.0, 65.0)];
     let left: Vec<Point> = left.into_iter().map(|(radius, z)| at(radius, z)).collect();
     assert_eq!(layers.left, Contour::through(Side::Outer, &left));
     // The finishing allowance of the table, 1.0 on the diameter, comes over the new element.

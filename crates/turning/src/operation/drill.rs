@@ -24,6 +24,14 @@ pub struct Drilled {
 }
 
 impl Drilled {
+    /// How deep it has its full diameter: the point of the drill, of 118°, ends at its depth. A bar has no room to bore
+    /// away what the point leaves, because it would meet the wall on the other side.
+    pub(super) fn full_depth(&self) -> Half {
+        /// Half the angle of the point, degrees (ГОСТ 10903).
+        const HALF_POINT: f64 = 59.0;
+        self.depth_mm - Half::from(self.diameter_mm.to_mm() / 2.0 / libm::tan(HALF_POINT.to_radians()))
+    }
+
     /// Its wall, from where the rough bore begins.
     pub(super) fn contour(&self, rough: &Contour) -> Contour {
         let radius = Half::radius_of(self.diameter_mm);

@@ -10,10 +10,11 @@ use crate::turning::jobs::hole::{self, Hole, HoleEnd};
 use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::nose::{tightest, up_to};
+use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::shaft::Holding;
 use crate::turning::tooling::{Spindle, TurningTool};
-use crate::turning::toolpath::Toolpath;
+use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::zones::fit::reaches;
 use crate::turning::zones::{Feed, Needs, SetUp, TurnedSide};
 use crate::units::{Degrees, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
@@ -111,7 +112,7 @@ fn rough(
     if is_face {
         pace = constant_speed(pace, work.pace.conditions.as_ref(), bench);
     }
-    let path = transition.path.clone();
+    let path = eased(&transition.path, work.levels.depth + work.pace.retract_mm);
     Ok(Some(Job {
         work: if is_face { JobWork::Face } else { JobWork::Rough },
         side,
@@ -126,6 +127,25 @@ fn rough(
         notes: Vec::new(),
         because: vec![chosen.because.clone(), transition.because.clone()],
     }))
+}
+
+/// A path that leaves a wall at its feed as high as a pass is deep, and at rapid only then: an edge that leans back has
+/// left metal there before its tip.
+fn eased(path: &Toolpath, height: Half) -> Toolpath {
+    let mut eased = Toolpath::at(path.from);
+    let mut along = false;
+    for (piece, purpose) in path.pieces() {
+        let upright = piece.from.z == piece.to.z && piece.from.radius != piece.to.radius;
+        if purpose == Purpose::Rapid && upright && along {
+            let out = piece.to.radius > piece.from.radius;
+            let far = if out { piece.from.radius + height } else { piece.from.radius - height };
+            let radius = if out { far.min(piece.to.radius) } else { far.max(piece.to.radius) };
+            eased.go(Point { radius, z: piece.to.z }, Purpose::Return);
+        }
+        along = purpose != Purpose::Rapid && piece.to.z > piece.from.z;
+        eased.follow(Piece { from: eased.end(), ..piece }, purpose);
+    }
+    eased
 }
 
 /// The pace of a job by the pace of its passes: the spindle step of its conditions with feeds per revolution, or rates

@@ -119,6 +119,17 @@ pub fn layers(
     let part = stretch.profile.contour();
     let mut areas = areas(&blank, &rough, main, &part);
     areas.finish = finish;
+    if let Some(drilled) = drilled_first.as_ref().filter(|_| left.end().is_some_and(|end| end.radius == Half::ZERO)) {
+        let bottom = drilled.full_depth();
+        let note = Note::new("bore-bottom-stands").with("diameter", drilled.diameter_mm).with("z", Half::ZERO - bottom);
+        findings.push(Finding::of_part(Severity::Wrong, note));
+        let short = |contour: &Contour| match contour.start() {
+            Some(start) => super::clip::between(contour, start.z, bottom),
+            None => contour.clone(),
+        };
+        let (blank, rough, left) = (short(&blank), short(&rough), short(&left));
+        return Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }));
+    }
     let by = run_out(&left, set_up, bench)?;
     let (blank, rough, left) = (longer(blank, by), longer(rough, by), longer(left, by));
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
@@ -165,7 +176,8 @@ fn left(
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Option<Vec<(Piece, Option<usize>)>> {
-    let main = &stretch.main.contour;
+    let whole = &stretch.main.contour;
+    let main = &if bench.elsewhere.is_empty() { whole.clone() } else { parted(whole, &stretch.profile, bench) };
     let along = along(&stretch.profile);
     let surfaces: Vec<Option<usize>> =
         main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile, &along)).collect();
@@ -232,12 +244,49 @@ fn method(allowances: &Allowances) -> Method {
     }
 }
 
+/// A contour with its lines parted where a surface ends on them: two cylinders of one diameter are one line of the main
+/// contour, but one may be ground later and the other not.
+fn parted(contour: &Contour, profile: &Profile, bench: &Bench<'_, '_>) -> Contour {
+    let later = |surface: &Surface| bench.elsewhere.iter().any(|one| one.surface == surface.name);
+    let beside = profile.surfaces.iter().zip(profile.surfaces.iter().skip(1));
+    let differ = beside
+        .filter(|(one, next)| !one.kind.is_additional() && !next.kind.is_additional() && later(one) != later(next));
+    let ends: Vec<Point> = differ.filter_map(|(one, _)| one.pieces.last()).map(|piece| piece.to).collect();
+    let mut pieces = Vec::new();
+    for piece in &contour.pieces {
+        let mut from = piece.from;
+        if piece.is_cylinder() {
+            let inside = |end: &&Point| end.radius == piece.from.radius && piece.from.z < end.z && end.z < piece.to.z;
+            let mut cuts: Vec<Point> = ends.iter().filter(inside).copied().collect();
+            cuts.sort_by_key(|cut| cut.z);
+            cuts.dedup();
+            for cut in cuts {
+                pieces.push(piece.between(from, cut));
+                from = cut;
+            }
+        }
+        pieces.push(piece.between(from, piece.to));
+    }
+    Contour { side: contour.side, pieces }
+}
+
 /// The index of the surface of a piece of the main contour: the first one that touches it and has a piece on the same
 /// line or circle.
 fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usize> {
     let lies_on = |other: &Piece| touches(piece, other) && same_carrier(piece, other);
-    let mut near = along.touching(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z));
-    near.find(|index| profile.surfaces.get(*index).is_some_and(|surface| surface.pieces.iter().any(lies_on)))
+    // Two surfaces of one line both touch at their end: the one over the middle of the piece comes first.
+    let over_middle = |other: &Piece| {
+        let (least, most) = (other.from.z.min(other.to.z), other.from.z.max(other.to.z));
+        let middle = Half::new((piece.from.z.halves() + piece.to.z.halves()) / 2);
+        least <= middle && middle <= most && lies_on(other)
+    };
+    let near: Vec<usize> =
+        along.touching(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z)).into_iter().collect();
+    let of = |test: &dyn Fn(&Piece) -> bool| {
+        let has = |index: &usize| profile.surfaces.get(*index).is_some_and(|one| one.pieces.iter().any(test));
+        near.iter().copied().find(has)
+    };
+    of(&over_middle).or_else(|| of(&lies_on))
 }
 
 /// The stretches of the surfaces of a profile, by the ends of their pieces.

@@ -109,9 +109,8 @@ fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) 
     let mut mouths = cut_in.flat_map(|one| &one.pieces).flat_map(|piece| [piece.from, piece.to]);
     let near = 2.0 * allowance + 0.01;
     depth.0 <= allowance + ROUNDING
-        && mouths.any(|mouth| {
-            (mouth.z.to_mm() + at.z.0).abs() < near && (mouth.radius.to_mm() - at.radius.0).abs() < near
-        })
+        && mouths
+            .any(|mouth| (mouth.z.to_mm() + at.z.0).abs() < near && (mouth.radius.to_mm() - at.radius.0).abs() < near)
 }
 
 /// The blank from the axis or its bore at the free end; a bar that is drawn by its cylinder alone gets its face.
@@ -219,8 +218,7 @@ fn thread(surface: &Surface, workpiece: &Workpiece) -> Option<proof::Thread> {
     let crest = surface.pieces.first()?.from.radius.to_mm();
     let nominal = thread.size.to_mm() / 2.0;
     let inside = crest < nominal - 1e-6;
-    let root =
-        if inside { nominal + ROUNDING } else { nominal - 0.6134 * thread.pitch.to_mm() - ROUNDING };
+    let root = if inside { nominal + ROUNDING } else { nominal - 0.6134 * thread.pitch.to_mm() - ROUNDING };
     Some(proof::Thread { crest: Mm(crest), root: Mm(root) })
 }
 

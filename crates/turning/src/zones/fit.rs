@@ -8,7 +8,7 @@ use crate::turning::length::Half;
 use crate::units::{Degrees, Micrometres, round_to};
 
 use super::parts::Needs;
-use super::{Feed, Zone, ZoneKind};
+use super::{Zone, ZoneKind};
 
 /// How far an angle of a contour of rounded points may be above that of the tool, degrees: half a micrometre over half
 /// a millimetre.
@@ -55,14 +55,13 @@ pub struct Fit {
     pub refused: Vec<RefusedTool>,
 }
 
-/// Compares tools with a zone. Every tool fits the face of the free end: its passes run out on both sides.
+/// Compares tools with a zone. The face of the free end asks for an edge that does not lead its tip.
 pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
     let mut compared = Fit { fitting: Vec::new(), refused: Vec::new() };
     let closed = |part: &&super::Part| part.kind == ZoneKind::Closed;
     let floor = zone.parts.iter().filter(closed).map(|part| part.floor_length).min();
     for tool in tools {
-        let mut why =
-            if zone.feed == Feed::Across { Vec::new() } else { refusals(zone.needs, zone.passage, floor, tool) };
+        let mut why = refusals(zone.needs, zone.passage, floor, tool);
         if tool.width.is_some() && zone.kind != ZoneKind::Closed {
             why.push(Note::new("tool-only-for-grooves").with("kind", Figure::word(zone.kind.name())));
         }

@@ -17,6 +17,9 @@ use crate::units::{Degrees, round_to};
 use super::kind::{Bounds, ZoneKind, alone};
 use super::{NOTHING, Stock};
 
+/// A right angle.
+const UPRIGHT: Degrees = Degrees(90.0);
+
 /// The angles that a zone requires of a tool that feeds from its beginning to its end; 0 if it requires none.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Needs {
@@ -279,7 +282,8 @@ fn face(rough: &Contour, blank: &Contour, knowledge: &Knowledge) -> Result<Optio
         least_radius: raw.radius.max(Half::ZERO),
         greatest_radius: most,
         kind: classified.kind,
-        needs: Needs { main: NOTHING, secondary: NOTHING },
+        // An edge that leads its tip would cut into the face beside it.
+        needs: Needs { main: UPRIGHT, secondary: NOTHING },
         floor_length: Half::ZERO,
         contour: Vec::new(),
         because: classified.because,
