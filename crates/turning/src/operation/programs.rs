@@ -20,7 +20,7 @@ use crate::units::RevsPerMinute;
 use super::jobs::per_rev;
 use super::unfinished::reaches_axis;
 use super::work::ZoneWork;
-use super::{Operation, SetUpWork};
+use super::{Operation, SetUpWork, proof};
 
 /// What is written of an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +91,8 @@ pub fn programs(
         let number = set_up.set_up.number;
         let files = if between_centres && set_up.jobs.iter().any(hits_centre) {
             Err(NotWritten::ThroughCentre)
+        } else if let Some(why) = proof::rejects(operation, number) {
+            Err(NotWritten::Unsafe { why: why.clone() })
         } else {
             sections(set_up, &stations, form, spindle)
                 .and_then(|sections| program::whole(&control, &operation.workpiece.name, number, &sections))

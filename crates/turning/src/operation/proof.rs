@@ -98,6 +98,23 @@ pub fn findings(operation: &Operation, proven: &[Proven], said: &[Finding]) -> V
     findings
 }
 
+/// The first finding of the proof for which no program of a set-up is written: it would spoil the part, or hit it, a
+/// holder or what stands beside it.
+pub fn rejects(operation: &Operation, set_up: u8) -> Option<&Note> {
+    const UNSAFE: [&str; 7] = [
+        "swept-gouge",
+        "swept-rapid",
+        "swept-holder",
+        "swept-holder-rapid",
+        "swept-struck",
+        "swept-off-axis",
+        "turning-not-proven",
+    ];
+    let of_it = |note: &&Note| note.figure_text("number").is_some_and(|number| number == set_up.to_string());
+    let mut notes = operation.findings.iter().map(|finding| &finding.note);
+    notes.find(|note| UNSAFE.contains(&note.code()) && of_it(note))
+}
+
 /// Whether what is cut is only the allowance beside the mouth of a groove or a thread: its wall goes on through the
 /// allowance that stays for another machine.
 fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) -> bool {

@@ -94,6 +94,11 @@ pub enum NotWritten {
     },
     /// The tool would go to the axis, where the tailstock centre stands.
     ThroughCentre,
+    /// The proof found that it would spoil the part or hit something.
+    Unsafe {
+        /// What it found first.
+        why: Note,
+    },
     /// The cycle does not leave an allowance.
     Allowance {
         /// The control.
@@ -138,6 +143,7 @@ impl NotWritten {
                 Note::new("lathe-bore-too-narrow").with("bore", bore.diameter()).with("clearance", clearance)
             }
             Self::ThroughCentre => Note::new("lathe-through-centre"),
+            Self::Unsafe { why } => Note::new("lathe-unsafe").with("why", why.clone()),
             Self::Allowance { control } => Note::new("lathe-allowance").with("control", control),
         }
     }

@@ -32,3 +32,6 @@ nose-fills-hollow = the nose of radius { $nose } mm fills the hollow of radius {
 roughness-taken = no roughness is given; { $roughness } is taken
 bore-bottom-stands = the drill of Ø{ $diameter } has its full diameter down to Z { $z }; below that the bore keeps the cone of its point, and a boring bar has no room to cut it away
     .help = draw the bore with the cone of a drill at its bottom, make it a through hole, or finish the bottom with a flat drill
+lathe-unsafe = its program is not written, because the proof rejects it: { $why }
+    .help = the page of the operation lists every finding; change the part, its blank, tool or scheme until there is none
+turning-not-proven = set-up { $number }: what it does to the stock could not be proven: { $why }
