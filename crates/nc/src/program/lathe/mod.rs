@@ -19,12 +19,12 @@ mod rules;
 mod run;
 mod siemens;
 mod state;
+#[cfg(test)]
+mod tests;
 mod text;
 mod threads;
 mod time;
 pub mod trace;
-#[cfg(test)]
-mod tests;
 mod words;
 
 pub use crate::tables::controls::lathe_reading::LatheReader;

@@ -118,7 +118,7 @@ impl Way<'_> {
         }
         let crossings = leg.crossings(level);
         // A ball falls behind its top, a fillet before its bottom.
-        let falls = if round.ccw { self.at.z <= round.centre.z } else { self.at.z > round.centre.z };
+        let falls = if round.ccw { self.at.z <= round.centre.z + SAME } else { self.at.z > round.centre.z + SAME };
         if !falls {
             return Ok(Down::Rises);
         }
@@ -148,13 +148,13 @@ impl Way<'_> {
                 None if leg.to.x < leg.from.x => return Some(index),
                 None => self.put(Stroke::Line(leg.to)),
                 Some(round) if !round.ccw => {
-                    if self.at.z > round.centre.z {
+                    if self.at.z > round.centre.z + SAME {
                         return Some(index);
                     }
                     self.arc(round, leg.to, false);
                 }
                 Some(round) => {
-                    if self.at.z < round.centre.z {
+                    if self.at.z < round.centre.z - SAME {
                         return Some(index);
                     }
                     let radius = leg.from.to(round.centre);

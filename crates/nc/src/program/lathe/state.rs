@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::control::LatheLanguage;
 use super::expression::Parameters;
-use super::motion::{LatheFeed, LatheModes, LathePlace, LatheSpeed, LatheTool};
+use super::motion::{LatheFeed, LatheModes, LathePlace, LathePoint, LatheSpeed, LatheTool};
 use crate::motion::{Side, Turning};
 use crate::tables::controls::lathe_reading::{Does, LatheGroup};
 use crate::units::{MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
@@ -40,6 +40,8 @@ pub(super) struct State {
     pub first: FirstBlocks,
     /// R of G92, which holds with it.
     pub box_taper: f64,
+    /// The end of G92, whose X and Z hold with it, too.
+    pub box_end: Option<LathePoint>,
     /// The lead of G32 and G92, which holds with them.
     pub lead: Option<f64>,
     /// Whether something has moved.
@@ -63,6 +65,7 @@ impl State {
             parameters: BTreeMap::new(),
             first: FirstBlocks::default(),
             box_taper: 0.0,
+            box_end: None,
             lead: None,
             moved: false,
         }

@@ -5,7 +5,7 @@ use super::block::{Maker, spot};
 use super::motion::{LatheAct, LathePlace, LathePoint};
 use super::words::{BlockWords, Value};
 use crate::program::Span;
-use crate::tables::controls::lathe_reading::Form;
+use crate::tables::controls::lathe_reading::{Does, Form};
 use crate::units::MillimetresPerRev;
 
 /// The most passes of a thread.
@@ -160,7 +160,7 @@ impl Maker<'_> {
         let height = self.thousandths(words.take("P").cloned());
         let first = self.thousandths(words.take("Q").cloned());
         let taper = words.take("R").cloned().map_or(0.0, |it| self.millimetres(&it));
-        let Some((begin, end)) = self.ends_of_thread(words, span) else { return };
+        let Some((begin, end)) = self.ends_of_thread(words, None, span) else { return };
         if height <= 0.0 || first <= 0.0 || allowance >= height {
             self.tell_with("lathe-cycle-value", span, "field", if first <= 0.0 { "Q" } else { "P" });
             return;
@@ -195,13 +195,23 @@ impl Maker<'_> {
     }
 
     /// X or U, Z or W of a thread: where it begins and ends.
-    fn ends_of_thread(&mut self, words: &BlockWords, span: Span) -> Option<(LathePoint, LathePoint)> {
+    ///
+    /// `kept` is the end of the block before, and whether this one gives X and Z anew.
+    fn ends_of_thread(
+        &mut self,
+        words: &BlockWords,
+        kept: Option<(LathePoint, bool, bool)>,
+        span: Span,
+    ) -> Option<(LathePoint, LathePoint)> {
         let Some(begin) = self.state.at.point() else {
             self.tell("lathe-place-unknown", span);
             return None;
         };
-        let shape = self.shape(words, crate::tables::controls::lathe_reading::Does::Rapid, span)?;
-        let end = shape.to.point()?;
+        let mut end = self.shape(words, Does::Rapid, span)?.to.point()?;
+        if let Some((kept, x, z)) = kept {
+            end.radius_mm = if x { end.radius_mm } else { kept.radius_mm };
+            end.z_mm = if z { end.z_mm } else { kept.z_mm };
+        }
         if spot(begin).to(spot(end)) < 1e-9 || (begin.radius_mm - end.radius_mm).abs() < 1e-9 {
             self.tell_with("lathe-cycle-value", span, "field", "X");
             return None;
@@ -246,7 +256,18 @@ impl Maker<'_> {
             self.tell("lathe-no-lead", span);
             return;
         };
-        let Some((begin, end)) = self.ends_of_thread(words, span) else { return };
+        let said = words.doing(Does::ThreadBox).is_some();
+        let kept = self.state.box_end.filter(|_| !said);
+        let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
+        let (x, z) = (given("X", "U"), given("Z", "W"));
+        let Some((begin, end)) = self.ends_of_thread(words, kept.filter(|_| !x || !z).map(|end| (end, x, z)), span)
+        else {
+            return;
+        };
+        self.state.box_end = Some(end);
+        if said {
+            self.state.box_taper = words.look("R").map_or(0.0, |taper| taper.value);
+        }
         self.of_cycle = true;
         self.tell_with("lathe-cycle-from-memory", span, "word", "G92");
         self.thread_pass(begin, begin.z_mm, (end, self.state.box_taper), 0.0, (lead, 0.0), span);
