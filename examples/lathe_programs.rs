@@ -56,8 +56,8 @@ fn setting(dice: &mut Dice) -> Setting {
         semi_finish: feed(0.25),
         finish: feed(0.1),
         back: feed(0.6),
-        plunge: feed(0.05),
-        thread: feed(1.5),
+        plunge: feed(0.1),
+        thread: feed(1.0),
     };
     Setting { name: "Вал".to_owned(), tool: 1, speed, feeds, coolant: dice.below(2) == 0 }
 }

@@ -13,6 +13,7 @@ use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
 use technolog::note::{Figure, Note};
+use technolog::program::lathe::LatheLanguage;
 use technolog::program::proof::PlannedJob;
 use technolog::program::{Fault, Language, Setting, is_run};
 use technolog::report;
@@ -20,21 +21,26 @@ use technolog::units::Minutes;
 use technolog::words::say;
 
 use super::diagnostics::Texts;
-use super::{CliError, Context, Format, Lang, Outcome, control, kind, knowledge, problems, proof};
+use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind, knowledge, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
 #[derive(Debug, clap::Args)]
 pub struct Args {
     #[arg(value_name = "PROGRAM")]
-    program: PathBuf,
-    #[arg(long, value_parser = Language::NAMES)]
-    control: Option<String>,
+    pub(super) program: PathBuf,
+    #[arg(long, value_parser = controls())]
+    pub(super) control: Option<String>,
     #[arg(long, value_name = "ID")]
-    machine: Option<String>,
+    pub(super) machine: Option<String>,
     #[arg(long, value_name = "FILE.yaml")]
     setting: Option<PathBuf>,
     #[arg(long, value_name = "PART.yaml")]
-    part: Option<PathBuf>,
+    pub(super) part: Option<PathBuf>,
+}
+
+/// The controls whose programs are read: of mills, then of lathes.
+fn controls() -> clap::builder::PossibleValuesParser {
+    Language::NAMES.into_iter().chain(LatheLanguage::NAMES).collect::<Vec<_>>().into()
 }
 
 /// The answer for programs.
@@ -54,7 +60,7 @@ struct Answer<'a> {
 }
 
 #[derive(Serialize)]
-struct Finding<'a> {
+pub(super) struct Finding<'a> {
     message: String,
     help: Option<String>,
     #[serde(flatten)]
@@ -66,6 +72,9 @@ struct Finding<'a> {
 /// # Errors
 /// The program, the setting or the machine cannot be used.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    if let Some(control) = args.control.as_deref().filter(|control| LatheLanguage::NAMES.contains(control)) {
+        return check_lathe::run(args, control, context);
+    }
     let format = context.format("check", &[Format::Text, Format::Json, Format::Svg, Format::Markdown, Format::Html])?;
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
@@ -106,14 +115,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let serious = held.as_ref().map(PlannedJob::serious).unwrap_or_default();
     match format {
         Format::Json => {
-            let findings = faults
-                .iter()
-                .map(|fault| Finding {
-                    message: context.lang.say(&fault.note),
-                    help: context.lang.remedy(&fault.note),
-                    fault,
-                })
-                .collect();
+            let findings = findings(&faults, context);
             context.emit_json(&Answer {
                 program: &shown,
                 control,
@@ -161,6 +163,15 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     Ok(if unproven || faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })
 }
 
+/// Faults with their words.
+pub(super) fn findings<'a>(faults: &'a [Fault], context: &Context) -> Vec<Finding<'a>> {
+    let told = |fault: &'a Fault| {
+        let (message, help) = (context.lang.say(&fault.note), context.lang.remedy(&fault.note));
+        Finding { message, help, fault }
+    };
+    faults.iter().map(told).collect()
+}
+
 /// The answer for people: mistakes with their lines, what is made of the part, the trace, the times.
 fn page(
     program: &str,
@@ -201,7 +212,7 @@ fn motion(step: &MotionStep, lang: Lang) -> String {
 }
 
 /// How many findings there are of each severity.
-fn total(counts: [usize; 3], lang: Lang) -> String {
+pub(super) fn total(counts: [usize; 3], lang: Lang) -> String {
     let codes = ["check-errors", "check-warnings", "check-notes"];
     let some = codes.into_iter().zip(counts).filter(|(_, count)| *count > 0);
     let told: Vec<String> = some.map(|(code, count)| lang.say(&Note::new(code).with("count", count))).collect();

@@ -10,6 +10,7 @@
 
 mod audit;
 mod check;
+mod check_lathe;
 mod control;
 mod diagnostics;
 mod format;

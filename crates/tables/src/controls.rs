@@ -3,6 +3,7 @@
 pub mod control_2c42_65;
 pub mod iso;
 pub mod lathe;
+pub mod lathe_reading;
 
 use technolog_knowledge::contract::{FromValue, Holds};
 use technolog_knowledge::value::Value;

@@ -36,6 +36,7 @@ pub fn all() -> Vec<&'static Contract> {
         controls::control_2c42_65::CONTRACTS,
         controls::iso::CONTRACTS,
         controls::lathe::CONTRACTS,
+        controls::lathe_reading::CONTRACTS,
         cutting::CONTRACTS,
         holders::CONTRACTS,
         holes::CONTRACTS,

@@ -27,6 +27,9 @@ trace-on = on
 trace-off = off
 trace-left = left
 trace-right = right
+trace-lead = lead
+trace-away = away
+trace-thread = thread
 trace-optional = optional
 check-errors = { $count } { $count ->
         [one] error
@@ -42,6 +45,9 @@ check-notes = { $count } { $count ->
     }
 check-times = Time, min
 check-times-of = { $total } (feed { $feed }, rapid { $rapid }, dwell { $dwell }, tool change { $change })
+check-lathe-times = feed { $feed }, dwell { $dwell }; rapids and tool changes are not counted: name a lathe with --machine
+check-lathe-times-of = { $total } (feed { $feed }, rapid { $rapid }, dwell { $dwell }); tool changes and { $left } rapids of unknown length are not counted
+check-lathe-trace = Motions: line, motion, position (diameter, Z) in mm
 # The knowledge base that was checked.
 lint-title = Check of the knowledge base
 lint-documentation = Columns and rows for readers only

@@ -27,6 +27,9 @@ trace-on = увімкнено
 trace-off = вимкнено
 trace-left = ліворуч
 trace-right = праворуч
+trace-lead = крок
+trace-away = в-нуль
+trace-thread = різь
 trace-optional = за-потреби
 check-errors = { $count } { $count ->
         [one] помилка
@@ -45,6 +48,9 @@ check-notes = { $count } { $count ->
     }
 check-times = Час, хв
 check-times-of = { $total } (робоча подача – { $feed }, прискорені переміщення – { $rapid }, паузи – { $dwell }, заміна інструмента – { $change })
+check-lathe-times = подача { $feed }, витримки { $dwell }; прискорених ходів і змін інструмента не враховано: назвіть верстат через --machine
+check-lathe-times-of = { $total } (подача { $feed }, прискорено { $rapid }, витримки { $dwell }); не враховано зміни інструмента та прискорені ходи невідомої довжини: { $left }
+check-lathe-trace = Рухи: рядок, рух, положення (діаметр, Z) у мм
 # The knowledge base that was checked.
 lint-title = Перевірка бази знань
 lint-documentation = Графи й рядки лише для читача

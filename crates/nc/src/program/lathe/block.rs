@@ -1,0 +1,546 @@
+//! One block, on a copy of the state: words are read, everything is checked while motions are made, and only when nothing
+//! is wrong the motions go out.
+//!
+//! The order within a block: modes; feed, speed, tool; spindle and coolant; dwell; the motion or the cycle; stop and end.
+
+use super::LatheReader;
+use super::contour::Spot;
+use super::control::LatheLanguage;
+use super::motion::{LatheAct, LatheMotion, LathePlace, LathePoint, LatheTool};
+use super::rules::fault;
+use super::state::State;
+use super::words::{BlockWords, Value};
+use crate::motion::{Sense, Turning};
+use crate::note::Told;
+use crate::program::{Fault, Span};
+use crate::tables::controls::lathe_reading::{Does, LatheGroup};
+use crate::units::{MillimetresPerRev, Seconds};
+
+/// A block on its way.
+pub(super) struct Maker<'a> {
+    pub language: &'a LatheLanguage,
+    pub state: State,
+    pub motions: Vec<LatheMotion>,
+    pub faults: Vec<Fault>,
+    pub span: Span,
+    pub number: Option<u32>,
+    /// Whether a cycle makes the motions.
+    pub of_cycle: bool,
+    /// Motions that may still be made.
+    pub budget: usize,
+}
+
+/// What a block asks for beside its motions.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum After {
+    Next,
+    Return,
+    End,
+}
+
+/// How a line or an arc runs: what a motion and a piece of a contour have in common.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape {
+    pub to: LathePlace,
+    /// Centre and whether it is counterclockwise.
+    pub round: Option<(Spot, bool)>,
+}
+
+/// How far the radii at both ends of an arc may differ, mm, and as a part of the radius.
+const ARC_TOLERANCE: (f64, f64) = (0.005, 0.001);
+
+impl Maker<'_> {
+    /// Tells a breach of a rule.
+    pub fn tell(&mut self, code: &'static str, span: Span) {
+        self.faults.push(fault(code, span, self.number));
+    }
+
+    pub fn tell_with(&mut self, code: &'static str, span: Span, name: &'static str, value: impl Told) {
+        self.faults.push(fault(code, span, self.number).with(name, value));
+    }
+
+    pub fn broken(&self) -> bool {
+        self.faults.iter().any(Fault::is_error)
+    }
+
+    pub fn is(&self, kind: LatheReader) -> bool {
+        self.language.kind == kind
+    }
+
+    /// Lets a motion out of the block.
+    pub fn put(&mut self, act: LatheAct, to: LathePlace) {
+        let (from, modes, line, of_cycle) = (self.state.at, self.state.lathe_modes(), self.span.line, self.of_cycle);
+        self.motions.push(LatheMotion { act, from, to, modes, line, of_cycle });
+        self.state.at = to;
+    }
+
+    fn put_here(&mut self, act: LatheAct) {
+        self.put(act, self.state.at);
+    }
+
+    /// Modes, feed, speed, tool, spindle, coolant and dwell: everything before the motion.
+    pub fn before_motion(&mut self, words: &BlockWords) {
+        self.modes(words);
+        let limit = words.doing(Does::SpeedLimit).map(|function| function.span);
+        if let Some(span) = limit {
+            match words.take("S").map(|value| value.value).filter(|value| *value > 0.0) {
+                Some(value) => self.state.limit = Some(value),
+                None => self.tell("lathe-limit-without-speed", span),
+            }
+        }
+        if let Some(value) = words.take("LIMS") {
+            self.state.limit = Some(value.value);
+        }
+        if words.doing(Does::CuttingSpeed).is_some() && self.is(LatheReader::LinuxCnc) {
+            self.state.limit = words.take("D").map(|value| value.value);
+        }
+        if let Some(function) = words.doing(Does::CuttingSpeed)
+            && self.state.turning != Turning::Stopped
+            && self.state.limit.is_none()
+        {
+            self.tell("lathe-no-limit", function.span);
+        }
+        self.feed_and_speed(words, limit.is_some());
+        self.tool(words);
+        self.machine(words);
+        self.dwell(words);
+    }
+
+    fn modes(&mut self, words: &BlockWords) {
+        for function in &words.functions {
+            match function.group {
+                LatheGroup::OneShot | LatheGroup::Machine | LatheGroup::Free => continue,
+                LatheGroup::System => {
+                    let other = self.state.system.as_ref().is_some_and(|known| *known != function.code);
+                    if other && self.state.moved {
+                        self.state.at = LathePlace::default();
+                    }
+                    self.state.system = Some(function.code.clone());
+                }
+                LatheGroup::Length => {
+                    if let Some(tool) = &mut self.state.tool {
+                        let given = words.take("H").map(|value| value.value as u32);
+                        tool.offset = (function.does == Does::Offset).then(|| given.unwrap_or(tool.number));
+                    }
+                }
+                LatheGroup::SpeedMode if !self.state.is(LatheGroup::SpeedMode, function.does) => {
+                    self.state.speed = None;
+                }
+                LatheGroup::FeedMode if !self.state.is(LatheGroup::FeedMode, function.does) => self.state.feed = None,
+                _ => {}
+            }
+            if function.does == Does::Inches {
+                self.tell("lathe-inches", function.span);
+            }
+            if matches!(function.does, Does::CompensationLeft | Does::CompensationRight) {
+                self.tell_with("lathe-compensation", function.span, "word", function.code.clone());
+            }
+            self.state.modes.insert(function.group, function.does);
+            self.state.said.insert(function.group);
+        }
+    }
+
+    fn feed_and_speed(&mut self, words: &BlockWords, limit: bool) {
+        let thread = matches!(self.state.modes.get(&LatheGroup::Motion), Some(Does::Thread | Does::ThreadBox))
+            || words.doing(Does::ThreadCycle).is_some();
+        let dwell = words.doing(Does::Dwell).is_some();
+        // The lead of a thread is no feed, and Sinumerik counts the time of G4 with F.
+        if !(thread && self.is(LatheReader::Fanuc))
+            && !dwell
+            && let Some(feed) = words.take("F")
+        {
+            let (value, span) = (feed.value, feed.span);
+            if value <= 0.0 {
+                self.tell("feed-zero", span);
+            }
+            self.state.feed = Some(value);
+        }
+        if limit {
+            return;
+        }
+        if let Some(speed) = words.take("S") {
+            self.state.speed = Some(speed.value);
+            if self.state.turning != Turning::Stopped {
+                self.put_here(LatheAct::Spindle);
+            }
+        }
+    }
+
+    fn tool(&mut self, words: &BlockWords) {
+        let change = words.doing(Does::ToolChange).is_some();
+        let given = words.take("T").cloned();
+        if let Some(given) = &given {
+            let whole = given.value >= 0.0 && given.value < 1e6 && (given.value % 1.0).abs() < 1e-9;
+            if !whole {
+                self.tell_with("number-not-whole", given.span, "address", "T");
+                return;
+            }
+            let number = given.value as u32;
+            if self.is(LatheReader::Fanuc) {
+                // T0101: two digits of the tool, two of its offset.
+                let offset = (number % 100 != 0).then_some(number % 100);
+                self.state.tool = Some(LatheTool { number: number / 100, offset });
+                self.put_here(LatheAct::ToolChange);
+            } else {
+                self.state.wanted = Some(number);
+            }
+        }
+        let turret = self.is(LatheReader::Sinumerik) && given.is_some();
+        if (change || turret)
+            && let Some(number) = self.state.wanted
+        {
+            // Sinumerik takes D1 with a new tool.
+            let offset = self.is(LatheReader::Sinumerik).then_some(1);
+            self.state.tool = Some(LatheTool { number, offset });
+            let length = words.doing(Does::Offset).is_some();
+            if length && let Some(tool) = &mut self.state.tool {
+                tool.offset = Some(words.take("H").map_or(number, |value| value.value as u32));
+            }
+            if self.is(LatheReader::LinuxCnc) {
+                self.state.turning = Turning::Stopped;
+            }
+            self.put_here(LatheAct::ToolChange);
+        }
+        if self.is(LatheReader::Sinumerik)
+            && let Some(edge) = words.take("D")
+            && let Some(tool) = &mut self.state.tool
+        {
+            tool.offset = (edge.value > 0.0).then_some(edge.value as u32);
+        }
+    }
+
+    fn machine(&mut self, words: &BlockWords) {
+        for function in &words.functions {
+            let turning = match function.does {
+                Does::SpindleClockwise => Turning::Clockwise,
+                Does::SpindleCounterclockwise => Turning::Counterclockwise,
+                Does::SpindleStop => Turning::Stopped,
+                Does::CoolantOn | Does::CoolantOff => {
+                    self.state.coolant = function.does == Does::CoolantOn;
+                    self.put_here(LatheAct::Coolant);
+                    continue;
+                }
+                _ => continue,
+            };
+            if turning != Turning::Stopped && self.state.speed.is_none_or(|speed| speed <= 0.0) {
+                self.tell("spindle-without-speed", function.span);
+            }
+            let cutting = self.state.is(LatheGroup::SpeedMode, Does::CuttingSpeed);
+            if turning != Turning::Stopped && cutting && self.state.limit.is_none() {
+                self.tell("lathe-no-limit", function.span);
+            }
+            self.state.turning = turning;
+            self.put_here(LatheAct::Spindle);
+        }
+    }
+
+    fn dwell(&mut self, words: &BlockWords) {
+        let Some(function) = words.doing(Does::Dwell) else { return };
+        let span = function.span;
+        let time = match self.language.kind {
+            LatheReader::LinuxCnc => words.take("P").map(|value| value.value),
+            // P in milliseconds, X and U in seconds.
+            LatheReader::Fanuc => words
+                .take("P")
+                .map(|value| value.value / 1000.0)
+                .or_else(|| words.take("X").or_else(|| words.take("U")).map(|value| value.value)),
+            // F in seconds, S in turns of the spindle, which are no time here.
+            LatheReader::Sinumerik => words.take("F").map(|value| value.value),
+        };
+        match time.filter(|time| *time >= 0.0) {
+            Some(time) => self.put_here(LatheAct::Dwell { seconds: Seconds(time) }),
+            None => self.tell_with("dwell-time-missing", span, "words", "G4"),
+        }
+    }
+
+    /// Stop, return and end.
+    pub fn after_motion(&mut self, words: &BlockWords) -> After {
+        for function in &words.functions {
+            match function.does {
+                Does::Stop => self.put_here(LatheAct::Stop),
+                Does::End => {
+                    self.state.turning = Turning::Stopped;
+                    self.put_here(LatheAct::End);
+                    return After::End;
+                }
+                Does::Return => return After::Return,
+                _ => {}
+            }
+        }
+        After::Next
+    }
+
+    /// Words that nothing asked for.
+    pub fn unused(&mut self, words: &BlockWords) {
+        if self.broken() {
+            return;
+        }
+        for value in words.unused() {
+            self.tell_with("word-unused", value.span, "word", value.name);
+        }
+    }
+
+    /// The way to a reference point, to a position of the machine, or a motion of the group.
+    pub fn motion(&mut self, words: &BlockWords) {
+        let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
+        let away = words.doing(Does::Away).or_else(|| words.doing(Does::MachinePosition)).map(|it| it.span);
+        if let Some(span) = away {
+            self.away(words, axes, span);
+            return;
+        }
+        let Some(mode) = self.state.modes.get(&LatheGroup::Motion).copied() else {
+            if axes {
+                self.tell("motion-missing", self.span);
+            }
+            return;
+        };
+        let asked = words.of_group(LatheGroup::Motion).is_some();
+        let circle = matches!(mode, Does::Clockwise | Does::Counterclockwise)
+            && ["I", "K"].into_iter().any(|name| words.look(name).is_some());
+        if !axes && !circle {
+            return;
+        }
+        let span = if asked { words.of_group(LatheGroup::Motion).map_or(self.span, |it| it.span) } else { self.span };
+        if mode == Does::ThreadBox {
+            self.before_moving(span, true);
+            self.thread_box(words, span);
+            return;
+        }
+        let Some(shape) = self.shape(words, mode, span) else { return };
+        self.before_moving(span, mode != Does::Rapid);
+        match mode {
+            Does::Rapid => self.put(LatheAct::Rapid, shape.to),
+            Does::Thread => self.thread(words, shape.to, span),
+            _ => self.cut(shape, span),
+        }
+    }
+
+    /// To where the system of the part does not reach: the axes that are named are unknown behind it.
+    fn away(&mut self, words: &BlockWords, axes: bool, span: Span) {
+        self.start_said(span);
+        let mut to = self.state.at;
+        let named = |names: [&str; 2]| {
+            let mut any = false;
+            for name in names {
+                any |= words.take(name).is_some();
+            }
+            any
+        };
+        let (x, z) = (named(["X", "U"]), named(["Z", "W"]));
+        // G28 of LinuxCNC without axes moves all of them.
+        if x || !axes {
+            to.radius_mm = None;
+        }
+        if z || !axes {
+            to.z_mm = None;
+        }
+        self.put(LatheAct::Away, to);
+        self.state.moved = true;
+    }
+
+    /// What must be true before anything moves, and before anything cuts.
+    pub fn before_moving(&mut self, span: Span, cuts: bool) {
+        self.start_said(span);
+        if self.state.modes.get(&LatheGroup::Plane).is_some_and(|plane| *plane != Does::PlaneZx) {
+            self.tell("lathe-plane", span);
+        }
+        if !cuts {
+            return;
+        }
+        match self.state.tool {
+            None => self.tell("lathe-no-tool-yet", span),
+            Some(LatheTool { number: 0, .. }) => self.tell("lathe-no-tool-yet", span),
+            Some(LatheTool { offset: None, .. }) => self.tell("lathe-no-offset", span),
+            Some(_) => {}
+        }
+        if self.state.turning == Turning::Stopped {
+            self.tell("feed-without-spindle", span);
+        }
+    }
+
+    fn start_said(&mut self, span: Span) {
+        if std::mem::replace(&mut self.state.moved, true) {
+            return;
+        }
+        let said = &self.state.said;
+        let unsaid: Vec<String> = self
+            .language
+            .must_be_said
+            .iter()
+            .filter(|(group, _)| !said.contains(group))
+            .map(|(_, code)| code.clone())
+            .collect();
+        if !unsaid.is_empty() {
+            self.tell_with("lathe-start-unsaid", span, "words", unsaid.join(" "));
+        }
+    }
+
+    /// A line or an arc at feed.
+    fn cut(&mut self, shape: Shape, span: Span) {
+        let Some(feed) = self.state.feed() else {
+            self.tell("feed-zero", span);
+            return;
+        };
+        if self.state.at.point().is_none() || shape.to.point().is_none() {
+            self.tell("lathe-place-unknown", span);
+            return;
+        }
+        let act = match shape.round {
+            None => LatheAct::Feed { feed },
+            Some((centre, ccw)) => LatheAct::Arc { feed, centre: point(centre), sense: sense(ccw) },
+        };
+        self.put(act, shape.to);
+    }
+
+    /// G33 with K (and I), G32 with F.
+    fn thread(&mut self, words: &BlockWords, to: LathePlace, span: Span) {
+        let lead = match self.language.kind {
+            LatheReader::Fanuc => {
+                self.state.lead = words.take("F").map(|value| value.value).or(self.state.lead);
+                self.state.lead
+            }
+            _ => words.take("K").or_else(|| words.take("I")).map(|value| value.value),
+        };
+        if self.is(LatheReader::Sinumerik) {
+            // The angle of the start.
+            words.take("SF");
+        }
+        let Some(lead) = lead.filter(|lead| *lead > 0.0) else {
+            self.tell("lathe-no-lead", span);
+            return;
+        };
+        let (Some(from), Some(end)) = (self.state.at.point(), to.point()) else {
+            self.tell("lathe-place-unknown", span);
+            return;
+        };
+        self.thread_to(from, end, lead, span);
+    }
+
+    /// A line bound to the spindle; LinuxCNC counts the lead along the line, the others along its longer axis.
+    pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, lead: f64, span: Span) {
+        if self.state.is(LatheGroup::SpeedMode, Does::CuttingSpeed) {
+            self.tell("lathe-thread-at-cutting-speed", span);
+        }
+        let (dx, dz) = ((to.radius_mm - from.radius_mm).abs(), (to.z_mm - from.z_mm).abs());
+        let along = match self.language.kind {
+            LatheReader::LinuxCnc => lead,
+            _ if dx.max(dz) > 0.0 => lead * libm::hypot(dx, dz) / dx.max(dz),
+            _ => lead,
+        };
+        self.put(LatheAct::Thread { lead: MillimetresPerRev(along) }, to.into());
+    }
+
+    /// Where the words lead, and of an arc its centre; none where something is wrong.
+    pub fn shape(&mut self, words: &BlockWords, mode: Does, span: Span) -> Option<Shape> {
+        let to = self.target(words)?;
+        if !matches!(mode, Does::Clockwise | Does::Counterclockwise) {
+            return Some(Shape { to, round: None });
+        }
+        let (Some(from), Some(end)) = (self.state.at.point(), to.point()) else {
+            self.tell("lathe-place-unknown", span);
+            return None;
+        };
+        let (from, end) = (spot(from), spot(end));
+        let ccw = mode == Does::Counterclockwise;
+        let radius = words.take(if self.is(LatheReader::Sinumerik) { "CR" } else { "R" }).cloned();
+        let centre = match radius {
+            Some(radius) => self.centre_of_radius(from, end, ccw, &radius)?,
+            None => self.centre_of_distances(words, from, end, span)?,
+        };
+        Some(Shape { to, round: Some((centre, ccw)) })
+    }
+
+    fn centre_of_radius(&mut self, from: Spot, to: Spot, ccw: bool, given: &Value) -> Option<Spot> {
+        let (chord, radius) = (from.to(to), given.value);
+        if chord < 1e-9 || radius.abs() < 1e-9 {
+            self.tell("arc-radius-alone", given.span);
+            return None;
+        }
+        // A radius written to its last place may fall short of half the chord by a rounding.
+        let half = chord / 2.0;
+        if radius.abs() + 0.001 < half {
+            let problem = fault("arc-radius-short", given.span, self.number).with("radius", shown(radius.abs()));
+            self.faults.push(problem.with("needed", shown(half)));
+            return None;
+        }
+        let height = libm::sqrt((radius * radius - half * half).max(0.0));
+        // The centre of an arc of at most half a circle lies left of the way of a counterclockwise one.
+        let left = if ccw == (radius > 0.0) { 1.0 } else { -1.0 };
+        let (dz, dx) = ((to.z - from.z) / chord, (to.x - from.x) / chord);
+        Some(Spot { z: (from.z + to.z) / 2.0 - left * height * dx, x: (from.x + to.x) / 2.0 + left * height * dz })
+    }
+
+    fn centre_of_distances(&mut self, words: &BlockWords, from: Spot, to: Spot, span: Span) -> Option<Spot> {
+        let distance = |name: &str| words.take(name).map(|value| value.value);
+        let (i, k) = (distance("I"), distance("K"));
+        if i.is_none() && k.is_none() {
+            self.tell("arc-without-centre", span);
+            return None;
+        }
+        let centre = Spot { z: from.z + k.unwrap_or_default(), x: from.x + i.unwrap_or_default() };
+        let (begin, end) = (from.to(centre), to.to(centre));
+        let allowed = ARC_TOLERANCE.0.max(ARC_TOLERANCE.1 * begin).min(ARC_TOLERANCE.0 * 10.0);
+        if (begin - end).abs() > allowed || begin < 1e-9 {
+            let problem = fault("arc-radius", span, self.number).with("start", shown(begin));
+            self.faults.push(problem.with("end", shown(end)).with("tolerance", shown(allowed)));
+            return None;
+        }
+        Some(centre)
+    }
+
+    /// Where the axis words of a block lead.
+    fn target(&mut self, words: &BlockWords) -> Option<LathePlace> {
+        let incremental = self.state.is(LatheGroup::Distance, Does::Incremental);
+        let measure = self.state.modes.get(&LatheGroup::Measure).copied();
+        let fanuc = self.is(LatheReader::Fanuc);
+        let diameter = match measure {
+            _ if fanuc => true,
+            Some(Does::Diameters) => true,
+            Some(Does::DiametersAbsolute) => !incremental,
+            _ => false,
+        };
+        let scale = if diameter { 0.5 } else { 1.0 };
+        let mut to = self.state.at;
+        for (name, step, is_x) in [("X", "U", true), ("Z", "W", false)] {
+            let (absolute, relative) =
+                (words.take(name).cloned(), if fanuc { words.take(step).cloned() } else { None });
+            if let (Some(_), Some(relative)) = (&absolute, &relative) {
+                self.tell_with("word-twice", relative.span, "address", step);
+                return None;
+            }
+            let axis = if is_x { &mut to.radius_mm } else { &mut to.z_mm };
+            let here = *axis;
+            let by = if is_x { scale } else { 1.0 };
+            match (absolute, relative) {
+                (Some(value), _) if !incremental => *axis = Some(value.value * by),
+                (Some(value), _) | (None, Some(value)) => {
+                    let Some(here) = here else {
+                        self.tell("lathe-place-unknown", value.span);
+                        return None;
+                    };
+                    *axis = Some(here + value.value * by);
+                }
+                (None, None) => {}
+            }
+        }
+        Some(to)
+    }
+}
+
+/// A length in messages, mm.
+pub(super) fn shown(mm: f64) -> String {
+    let rounded = libm::round(mm * 10_000.0) / 10_000.0;
+    format!("{rounded}")
+}
+
+pub(super) const fn spot(point: LathePoint) -> Spot {
+    Spot { z: point.z_mm, x: point.radius_mm }
+}
+
+pub(super) const fn point(spot: Spot) -> LathePoint {
+    LathePoint { radius_mm: spot.x, z_mm: spot.z }
+}
+
+pub(super) const fn sense(ccw: bool) -> Sense {
+    if ccw { Sense::Counterclockwise } else { Sense::Clockwise }
+}

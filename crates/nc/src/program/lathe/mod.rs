@@ -1,0 +1,47 @@
+//! Programs of lathes read back: LinuxCNC, Fanuc (0i-TF, system A) and Sinumerik. docs/lathe-programs-read.md tells what of
+//! the three languages is carried out. Nothing here is shared with who writes such programs.
+//!
+//! - `control` the language as data, from the tables lathe-functions and lathe-read-cycles;
+//! - `text` blocks with their places, `expression` numbers that depend on parameters, `words` the words of a block;
+//! - `block` one block and the motions it makes, `state` what stays from block to block;
+//! - `contour` pieces of contours and the frame of passes, `roughing` passes over them, `cycles` the cycles that make
+//!   passes of a contour, `threads` those that cut threads;
+//! - `run` the way through the blocks; `motion` what comes of it; `time` how long it takes; `rules` every rule.
+
+mod block;
+mod contour;
+mod control;
+mod cycles;
+mod expression;
+mod motion;
+mod roughing;
+mod rules;
+mod run;
+mod siemens;
+mod state;
+#[cfg(test)]
+mod tests;
+mod text;
+mod threads;
+mod time;
+pub mod trace;
+mod words;
+
+pub use crate::tables::controls::lathe_reading::LatheReader;
+pub use control::LatheLanguage;
+pub use motion::{LatheAct, LatheFeed, LatheModes, LatheMotion, LathePlace, LathePoint, LatheSpeed, LatheTool};
+pub use run::{LatheRun, Subprogram, read};
+pub use time::{LatheRates, LatheTimes, times};
+
+use super::{Fault, Span};
+
+/// What is told of a program that was to be held against a turned part: nothing was. Whoever connects a proof of turned
+/// parts tells its findings in this one's place.
+pub fn not_held(part: &str) -> Fault {
+    rules::fault("lathe-not-held", Span { line: 1, column: 1, width: 1 }, None).with("part", part.to_owned())
+}
+
+/// Whether a fault is one with which a program is not to be run on a machine.
+pub fn is_serious(fault: &Fault) -> bool {
+    matches!(fault.severity, crate::note::Severity::Error | crate::note::Severity::Wrong)
+}

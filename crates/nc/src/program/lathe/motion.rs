@@ -1,0 +1,163 @@
+//! What a program of a lathe does, whatever its control: the motions of the tool in the half-plane of the part.
+//!
+//! Positions are those of the programmed point of the tool in the system of the part: the radius (never the diameter) and
+//! Z, mm, as the program has it. Seen with Z to the right and the radius upwards.
+
+use serde::Serialize;
+
+use crate::motion::{Sense, Side, Turning};
+use crate::units::{MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Seconds};
+
+/// A place of the tool, mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct LathePoint {
+    /// Distance from the axis, mm.
+    pub radius_mm: f64,
+    /// Along the axis, mm.
+    pub z_mm: f64,
+}
+
+/// A place of which an axis may be unknown: before the first motion, at a reference point, at a position of the machine.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct LathePlace {
+    /// Distance from the axis, mm.
+    pub radius_mm: Option<f64>,
+    /// Along the axis, mm.
+    pub z_mm: Option<f64>,
+}
+
+impl LathePlace {
+    /// The place, where both axes are known.
+    pub fn point(self) -> Option<LathePoint> {
+        self.radius_mm.zip(self.z_mm).map(|(radius_mm, z_mm)| LathePoint { radius_mm, z_mm })
+    }
+}
+
+impl From<LathePoint> for LathePlace {
+    fn from(point: LathePoint) -> Self {
+        Self { radius_mm: Some(point.radius_mm), z_mm: Some(point.z_mm) }
+    }
+}
+
+/// A feed as the program gives it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LatheFeed {
+    /// G95, G99 of Fanuc.
+    PerRevolution(MillimetresPerRev),
+    /// G94, G98 of Fanuc.
+    PerMinute(MillimetresPerMinute),
+}
+
+/// How fast the spindle turns.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LatheSpeed {
+    /// G96: constant cutting speed.
+    Cutting {
+        /// At the radius where the tool is, m/min.
+        speed: MetresPerMinute,
+        /// The most that the spindle may turn; none where the program sets none.
+        limit: Option<RevsPerMinute>,
+    },
+    /// G97.
+    Spindle(RevsPerMinute),
+}
+
+/// A tool of the turret with its offset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct LatheTool {
+    /// Its number.
+    pub number: u32,
+    /// The number of its offset; none where none is in force.
+    pub offset: Option<u32>,
+}
+
+/// What holds during a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct LatheModes {
+    /// The tool.
+    pub tool: Option<LatheTool>,
+    /// Whether and how the spindle turns.
+    pub turning: Turning,
+    /// How fast it turns, or would.
+    pub speed: Option<LatheSpeed>,
+    /// Whether coolant flows.
+    pub coolant: bool,
+    /// On which side of the contour the control would keep the nose (G41, G42): **not** carried out in the positions.
+    pub compensation: Side,
+}
+
+/// What a motion is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum LatheAct {
+    /// Both axes at their rapid rate; the path is no straight line in general.
+    Rapid,
+    /// To a reference point or a position of the machine: where that is in the system of the part is not known.
+    Away,
+    /// A straight line at feed.
+    Feed {
+        /// The feed.
+        feed: LatheFeed,
+    },
+    /// An arc at feed.
+    Arc {
+        /// The feed.
+        feed: LatheFeed,
+        /// Its centre.
+        centre: LathePoint,
+        /// Its sense, seen with Z to the right and the radius upwards.
+        sense: Sense,
+    },
+    /// A line bound to the spindle.
+    Thread {
+        /// The way along the line in one turn.
+        lead: MillimetresPerRev,
+    },
+    /// The axes wait.
+    Dwell {
+        /// How long.
+        seconds: Seconds,
+    },
+    /// The spindle starts, stops or changes its speed: the modes say how it turns now.
+    Spindle,
+    /// Another tool or offset is in force: the modes have it.
+    ToolChange,
+    /// The coolant is switched: the modes say how.
+    Coolant,
+    /// A planned stop: M0, M1.
+    Stop,
+    /// The end of the program.
+    End,
+}
+
+impl LatheAct {
+    /// Whether it cuts: a line, an arc or a thread.
+    pub const fn cuts(self) -> bool {
+        matches!(self, Self::Feed { .. } | Self::Arc { .. } | Self::Thread { .. })
+    }
+
+    /// Whether axes move.
+    pub const fn moves(self) -> bool {
+        self.cuts() || matches!(self, Self::Rapid | Self::Away)
+    }
+}
+
+/// One thing that a lathe does.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct LatheMotion {
+    /// What it is.
+    #[serde(flatten)]
+    pub act: LatheAct,
+    /// Where it begins.
+    pub from: LathePlace,
+    /// Where the tool stands after it.
+    pub to: LathePlace,
+    /// What holds meanwhile.
+    pub modes: LatheModes,
+    /// The line of the program that makes it, from 1; of a cycle, the line of its call.
+    pub line: u32,
+    /// Whether a cycle makes it.
+    pub of_cycle: bool,
+}

@@ -1,0 +1,257 @@
+//! Passes of roughing over a contour, in the frame of [`super::contour`].
+//!
+//! [`hollows`] is the way of G71 and G72 of LinuxCNC 2.9, found out by running its own interpreter and from its published
+//! behaviour: from the beginning downwards level by level; at each level at feed to the contour, at rapid back; where a
+//! falling piece ends, on along what rises behind it, and into the next hollow in the same way.
+//! [`levels`] is the plain way of G71 of Fanuc, type I, and of CYCLE95: level by level from one beginning.
+
+use super::contour::{Leg, Round, SAME, Spot, Stroke};
+
+/// What keeps passes from being made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NoPasses {
+    /// More strokes than the budget.
+    TooMany,
+    /// A level lies above the piece that leads to it.
+    Above,
+}
+
+/// How passes are made.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passes {
+    /// From one level to the next.
+    pub depth: f64,
+    /// Away from the cut, along both axes.
+    pub retract: f64,
+    /// The most strokes.
+    pub budget: usize,
+}
+
+/// The passes over a contour with hollows; the first piece leads from the beginning down to the contour.
+pub(super) fn hollows(legs: &[Leg], passes: Passes) -> Result<Vec<Stroke>, NoPasses> {
+    let Some(first) = legs.first() else { return Ok(Vec::new()) };
+    let mut way = Way {
+        legs,
+        passes,
+        strokes: vec![Stroke::Rapid(first.from)],
+        at: first.from,
+        top: first.from.x,
+        left: passes.budget,
+    };
+    let mut from = Some(0);
+    // Each turn takes one hollow; behind it the walk along the contour finds the next.
+    while let Some(index) = from {
+        from = way.hollow(index)?;
+    }
+    Ok(way.strokes)
+}
+
+/// What the walk down a piece came to.
+enum Down {
+    /// It does not fall.
+    Rises,
+    /// It fell to its end or to the level.
+    Fell,
+}
+
+struct Way<'a> {
+    legs: &'a [Leg],
+    passes: Passes,
+    strokes: Vec<Stroke>,
+    at: Spot,
+    top: f64,
+    left: usize,
+}
+
+impl Way<'_> {
+    fn put(&mut self, stroke: Stroke) {
+        self.strokes.push(stroke);
+        self.at = stroke.end();
+    }
+
+    fn spend(&mut self) -> Result<(), NoPasses> {
+        self.left = self.left.checked_sub(1).ok_or(NoPasses::TooMany)?;
+        Ok(())
+    }
+
+    /// Cuts a hollow out, then goes up behind it; the piece that falls into the next.
+    fn hollow(&mut self, mut index: usize) -> Result<Option<usize>, NoPasses> {
+        let mut level = self.top;
+        while index < self.legs.len() {
+            while level > self.at.x {
+                self.spend()?;
+                level -= self.passes.depth;
+            }
+            self.spend()?;
+            if matches!(self.down(index, level)?, Down::Rises) {
+                return Ok(self.up(index));
+            }
+            if self.at.x > level + SAME || self.at.x < level - SAME {
+                index += 1;
+                continue;
+            }
+            if self.pass(&mut index) {
+                level -= self.passes.depth;
+            }
+        }
+        Ok(None)
+    }
+
+    /// Down a piece as far as the level; its first piece at rapid.
+    fn down(&mut self, index: usize, level: f64) -> Result<Down, NoPasses> {
+        let Some(leg) = self.legs.get(index).copied() else { return Ok(Down::Rises) };
+        let Some(round) = leg.round else {
+            if leg.from.x <= leg.to.x {
+                return Ok(Down::Rises);
+            }
+            let end = if level < leg.to.x {
+                leg.to
+            } else {
+                let z = leg.crossings(level).first().copied().ok_or(NoPasses::Above)?;
+                Spot { z, x: level }
+            };
+            self.put(if index == 0 { Stroke::Rapid(end) } else { Stroke::Line(end) });
+            return Ok(Down::Fell);
+        };
+        if self.at.to(leg.to) < 1e-3 {
+            return Ok(Down::Fell);
+        }
+        let crossings = leg.crossings(level);
+        // A ball falls behind its top, a fillet before its bottom.
+        let falls = if round.ccw { self.at.z <= round.centre.z + SAME } else { self.at.z > round.centre.z + SAME };
+        if !falls {
+            return Ok(Down::Rises);
+        }
+        let met = if round.ccw {
+            crossings.last().copied().filter(|z| *z <= round.centre.z)
+        } else {
+            crossings.first().copied().filter(|z| *z >= round.centre.z)
+        };
+        let end = met.map_or(leg.to, |z| Spot { z, x: level });
+        self.arc(round, end, met.is_none());
+        Ok(Down::Fell)
+    }
+
+    /// An arc, unless it is shorter than can be told.
+    fn arc(&mut self, round: Round, end: Spot, always: bool) {
+        if always || self.at.to(end) > 1e-3 {
+            self.strokes.push(Stroke::Arc(round, end));
+        }
+        self.at = end;
+    }
+
+    /// Along the contour from here; the piece on which it falls again.
+    fn up(&mut self, from: usize) -> Option<usize> {
+        for index in from..self.legs.len() {
+            let leg = *self.legs.get(index)?;
+            match leg.round {
+                None if leg.to.x < leg.from.x => return Some(index),
+                None => self.put(Stroke::Line(leg.to)),
+                Some(round) if !round.ccw => {
+                    if self.at.z > round.centre.z + SAME {
+                        return Some(index);
+                    }
+                    self.arc(round, leg.to, false);
+                }
+                Some(round) => {
+                    if self.at.z < round.centre.z - SAME {
+                        return Some(index);
+                    }
+                    let radius = leg.from.to(round.centre);
+                    let over = leg.to.z < round.centre.z;
+                    let top = Spot { z: round.centre.z, x: round.centre.x + radius };
+                    self.arc(round, if over { top } else { leg.to }, false);
+                    return Some(index);
+                }
+            }
+        }
+        None
+    }
+
+    /// One pass at the level to what stands behind it; whether it was made.
+    fn pass(&mut self, index: &mut usize) -> bool {
+        let here = self.at;
+        for ahead in *index..self.legs.len() {
+            let crossings = self.legs.get(ahead).map(|leg| leg.crossings(here.x)).unwrap_or_default();
+            let met = if ahead == *index { crossings.last() } else { crossings.first() };
+            let Some(z) = met.copied() else { continue };
+            let distance = (z - here.z).abs();
+            if distance < SAME {
+                if ahead == *index {
+                    continue;
+                }
+                *index += 1;
+                return false;
+            }
+            self.put(Stroke::Line(Spot { z, x: here.x }));
+            // A short pass draws back by half of itself at most.
+            let back = self.passes.retract * (distance / 2.0 / self.passes.retract).min(1.0);
+            self.put(Stroke::Rapid(Spot { z: z + back, x: here.x + back }));
+            self.put(Stroke::Rapid(Spot { z: here.z - back, x: here.x + back }));
+            self.put(if *index == 0 { Stroke::Rapid(here) } else { Stroke::Line(here) });
+            return true;
+        }
+        // Nothing stands behind: the walk goes on with the next piece.
+        *index += 1;
+        false
+    }
+}
+
+/// What is done between two levels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Between {
+    /// Whether the tool goes down to a level at rapid.
+    pub down_at_rapid: bool,
+    /// Whether it goes along the contour up to the level before.
+    pub along_contour: bool,
+}
+
+/// Passes level by level from one beginning to a contour that only rises, all of them open to the beginning.
+///
+/// `lowest` is the height below which nothing is cut by passes.
+pub(super) fn levels(
+    begin: Spot,
+    legs: &[Leg],
+    lowest: f64,
+    passes: Passes,
+    between: Between,
+) -> Result<Vec<Stroke>, NoPasses> {
+    let mut strokes = Vec::new();
+    let mut before = begin.x;
+    while before - passes.depth > lowest + SAME {
+        let level = before - passes.depth;
+        let here = Spot { z: begin.z, x: level };
+        // The contour is met first by the piece with the largest z.
+        let met = legs.iter().enumerate().find_map(|(index, leg)| {
+            let z = leg
+                .crossings(level)
+                .into_iter()
+                .filter(|z| *z < begin.z - SAME)
+                .fold(None, |most: Option<f64>, z| Some(most.map_or(z, |most| most.max(z))))?;
+            Some((index, z))
+        });
+        let Some((index, z)) = met else { break };
+        strokes.push(if between.down_at_rapid { Stroke::Rapid(here) } else { Stroke::Line(here) });
+        strokes.push(Stroke::Line(Spot { z, x: level }));
+        let mut at = Spot { z, x: level };
+        if between.along_contour {
+            for leg in legs.iter().skip(index) {
+                let end = leg.crossings(before).first().map_or(leg.to, |z| Spot { z: *z, x: before });
+                if at.to(end) > SAME {
+                    strokes.push(leg.round.map_or(Stroke::Line(end), |round| Stroke::Arc(round, end)));
+                }
+                at = end;
+                if (at.x - before).abs() < SAME {
+                    break;
+                }
+            }
+        }
+        strokes.push(Stroke::Rapid(Spot { z: at.z + passes.retract, x: at.x + passes.retract }));
+        strokes.push(Stroke::Rapid(Spot { z: begin.z, x: at.x + passes.retract }));
+        if strokes.len() > passes.budget {
+            return Err(NoPasses::TooMany);
+        }
+        before = level;
+    }
+    Ok(strokes)
+}

@@ -1,0 +1,78 @@
+//! Every rule that a program of a lathe is checked against: its code, how grave a breach is, and the section of
+//! docs/lathe-programs-read.md that tells it.
+
+use crate::note::Severity;
+use crate::program::{Fault, Rule, Span};
+
+use Severity::{Doubtful, Error, Note, Wrong};
+
+/// Code, severity, section.
+pub(super) const RULES: &[Rule] = &[
+    // What is written.
+    ("unknown-character", Error, "text"),
+    ("cyrillic-letter", Error, "text"),
+    ("unknown-word", Error, "words"),
+    ("number-missing", Error, "text"),
+    ("number-without-point", Note, "text"),
+    ("lathe-decimal-comma", Error, "text"),
+    ("lathe-expression", Error, "text"),
+    ("lathe-parameter-unknown", Error, "text"),
+    ("lathe-two-calls", Error, "text"),
+    ("lathe-call-open", Error, "text"),
+    ("comment-open", Error, "text"),
+    ("empty-program", Error, "text"),
+    ("too-many-blocks", Error, "text"),
+    ("word-twice", Error, "words"),
+    ("word-unused", Error, "words"),
+    ("group-exclusive", Error, "words"),
+    ("number-not-whole", Error, "text"),
+    ("subprogram-missing", Error, "calls"),
+    ("sub-without-pair", Error, "calls"),
+    ("program-without-end", Error, "calls"),
+    ("return-without-call", Error, "calls"),
+    ("calls-too-deep", Error, "calls"),
+    ("run-too-long", Error, "calls"),
+    // The part.
+    ("lathe-not-held", Doubtful, "part"),
+    // How it begins.
+    ("lathe-start-unsaid", Wrong, "start"),
+    ("lathe-inches", Error, "start"),
+    ("lathe-plane", Error, "start"),
+    ("lathe-no-tool-yet", Error, "start"),
+    ("lathe-no-offset", Wrong, "start"),
+    // Spindle and feed.
+    ("spindle-without-speed", Error, "spindle"),
+    ("feed-without-spindle", Error, "spindle"),
+    ("feed-zero", Error, "spindle"),
+    ("lathe-no-limit", Wrong, "spindle"),
+    ("lathe-limit-without-speed", Error, "spindle"),
+    ("lathe-thread-at-cutting-speed", Doubtful, "spindle"),
+    // Motions.
+    ("motion-missing", Error, "motions"),
+    ("dwell-time-missing", Error, "motions"),
+    ("lathe-place-unknown", Error, "motions"),
+    ("arc-without-centre", Error, "motions"),
+    ("arc-radius", Error, "motions"),
+    ("arc-radius-alone", Error, "motions"),
+    ("arc-radius-short", Error, "motions"),
+    ("lathe-no-lead", Error, "motions"),
+    ("lathe-compensation", Doubtful, "motions"),
+    // Cycles.
+    ("lathe-cycle-field", Error, "cycles"),
+    ("lathe-cycle-fields-too-many", Error, "cycles"),
+    ("lathe-cycle-value", Error, "cycles"),
+    ("lathe-cycle-not-read", Error, "cycles"),
+    ("lathe-cycle-first-block", Error, "cycles"),
+    ("lathe-contour-missing", Error, "cycles"),
+    ("lathe-contour-short", Error, "cycles"),
+    ("lathe-contour-word", Error, "cycles"),
+    ("lathe-not-monotone", Error, "cycles"),
+    ("lathe-cycle-begins-inside", Error, "cycles"),
+    ("lathe-cycle-from-memory", Doubtful, "cycles"),
+    ("lathe-arc-unsaid", Error, "cycles"),
+];
+
+/// A breach of a rule.
+pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
+    Fault::of(RULES, code, span, block)
+}

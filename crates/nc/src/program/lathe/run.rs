@@ -1,0 +1,439 @@
+//! The execution of a program: its blocks, calls and the blocks of contours.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+use super::LatheReader;
+use super::block::{After, Maker};
+use super::contour::{Leg, Round};
+use super::control::LatheLanguage;
+use super::expression::Parameters;
+use super::motion::{LatheMotion, LathePlace, LathePoint};
+use super::rules::fault;
+use super::state::State;
+use super::text::{self, Argument, Block, Head};
+use super::words::BlockWords;
+use crate::program::{Fault, Span};
+use crate::tables::controls::lathe_reading::{Does, LatheGroup};
+
+/// Blocks and motions that a run carries out.
+const BUDGET: usize = crate::program::running::BUDGET;
+
+/// How deep subprograms call each other.
+const DEPTH: usize = 10;
+
+/// A subprogram in a file of its own, as Sinumerik keeps contours.
+#[derive(Clone, Copy, Debug)]
+pub struct Subprogram<'a> {
+    /// Its name, without ending.
+    pub name: &'a str,
+    /// Its text.
+    pub text: &'a str,
+}
+
+/// What a program does and what is wrong with it.
+#[derive(Clone, Debug, Default)]
+pub struct LatheRun {
+    /// Everything it does, in order.
+    pub motions: Vec<LatheMotion>,
+    /// What is wrong, by place.
+    pub faults: Vec<Fault>,
+}
+
+/// Reads a program and runs it.
+///
+/// A text with errors is not run. A block with an error makes no motion, its modes hold all the same, and the run goes on,
+/// so that every mistake is reported at once.
+pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> LatheRun {
+    let (mut blocks, mut faults) = text::blocks(text, language.kind);
+    let main = blocks.len();
+    let mut programs = Programs { end: main, ..Programs::default() };
+    for file in files {
+        let begin = blocks.len();
+        let (more, wrong) = text::blocks(file.text, language.kind);
+        // Places of another file would be looked for in this one: its faults are told by its call.
+        programs.unread.extend((!wrong.is_empty()).then(|| file.name.to_ascii_uppercase()));
+        blocks.extend(more);
+        programs.named.insert(file.name.to_ascii_uppercase(), begin..blocks.len());
+    }
+    programs.find(&blocks, main, language.kind, &mut faults);
+    if main == 0 {
+        faults.push(fault("empty-program", Span { line: 1, column: 1, width: 1 }, None));
+    }
+    let mut run = Run {
+        blocks: &blocks,
+        programs: &programs,
+        language,
+        state: State::power_on(language),
+        motions: Vec::new(),
+        faults: Vec::new(),
+        told: BTreeSet::new(),
+        left: BUDGET,
+    };
+    if !faults.iter().any(Fault::is_error) {
+        run.main();
+    }
+    faults.append(&mut run.faults);
+    faults.sort_by_key(|fault| fault.span);
+    LatheRun { motions: run.motions, faults }
+}
+
+/// Where programs stand in the blocks.
+#[derive(Debug, Default)]
+struct Programs {
+    named: BTreeMap<String, Range<usize>>,
+    /// Subprograms of LinuxCNC by the block that begins them: the block behind.
+    passed: BTreeMap<usize, usize>,
+    end: usize,
+    unread: Vec<String>,
+}
+
+impl Programs {
+    fn find(&mut self, blocks: &[Block], main: usize, kind: LatheReader, faults: &mut Vec<Fault>) {
+        let mut open: Option<(usize, String)> = None;
+        let mut heads = Vec::new();
+        for (index, block) in blocks.iter().enumerate().take(main) {
+            match &block.head {
+                Some(Head::Program(name)) if kind != LatheReader::LinuxCnc => heads.push((index, name.clone())),
+                Some(Head::Sub(name)) if open.is_none() => open = Some((index, name.clone())),
+                Some(Head::EndSub(name)) if open.as_ref().is_some_and(|(_, opened)| opened == name) => {
+                    if let Some((start, name)) = open.take() {
+                        self.named.insert(name, start + 1..index);
+                        self.passed.insert(start, index + 1);
+                    }
+                }
+                Some(Head::Sub(_) | Head::EndSub(_)) => {
+                    faults.push(fault("sub-without-pair", block.span, block.number));
+                }
+                _ => {}
+            }
+        }
+        if let Some((start, _)) = open
+            && let Some(block) = blocks.get(start)
+        {
+            faults.push(fault("sub-without-pair", block.span, block.number));
+        }
+        for (place, (start, name)) in heads.iter().enumerate() {
+            let end = heads.get(place + 1).map_or(main, |next| next.0);
+            if *start > 0 {
+                self.named.insert(name.clone(), *start..end);
+                self.end = self.end.min(*start);
+            }
+        }
+    }
+}
+
+struct Run<'a> {
+    blocks: &'a [Block],
+    programs: &'a Programs,
+    language: &'a LatheLanguage,
+    state: State,
+    motions: Vec<LatheMotion>,
+    faults: Vec<Fault>,
+    told: BTreeSet<(u32, u32, &'static str)>,
+    left: usize,
+}
+
+/// Where the run goes after a block.
+enum Way {
+    On,
+    To(usize),
+    Back,
+    Out,
+}
+
+impl Run<'_> {
+    fn main(&mut self) {
+        if matches!(self.program(0..self.programs.end, 0), Way::On) {
+            let last = self.blocks.get(self.programs.end.wrapping_sub(1));
+            if let Some((span, number)) = last.map(|block| (block.span, block.number)) {
+                self.tell(fault("program-without-end", span, number));
+            }
+        }
+    }
+
+    fn tell(&mut self, fault: Fault) {
+        if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
+            self.faults.push(fault);
+        }
+    }
+
+    fn program(&mut self, range: Range<usize>, depth: usize) -> Way {
+        let mut index = range.start;
+        while index < range.end {
+            if let Some(behind) = self.programs.passed.get(&index) {
+                index = *behind;
+                continue;
+            }
+            match self.block(index, depth) {
+                Way::On => index += 1,
+                Way::To(next) => index = next,
+                way => return way,
+            }
+        }
+        Way::On
+    }
+
+    fn block(&mut self, index: usize, depth: usize) -> Way {
+        let Some(block) = self.blocks.get(index) else { return Way::Out };
+        if self.left == 0 {
+            self.tell(fault("run-too-long", block.span, block.number).with("budget", BUDGET));
+            return Way::Out;
+        }
+        self.left -= 1;
+        for (name, value, span) in &block.sets {
+            match value.value(&self.state.parameters) {
+                Some(value) => {
+                    self.state.parameters.insert(name.clone(), value);
+                }
+                None => {
+                    let problem = fault("lathe-parameter-unknown", *span, block.number).with("word", name.clone());
+                    self.tell(problem);
+                }
+            }
+        }
+        let mut faults = Vec::new();
+        let words = BlockWords::read(block, self.language, &self.state.parameters, &mut faults);
+        let mut maker = Maker {
+            language: self.language,
+            state: self.state.clone(),
+            motions: Vec::new(),
+            faults,
+            span: block.span,
+            number: block.number,
+            of_cycle: false,
+            budget: self.left,
+        };
+        maker.points(&words);
+        maker.before_motion(&words);
+        let mut next = Way::On;
+        let cycle = words
+            .functions
+            .iter()
+            .find(|it| matches!(it.does, Does::RoughAlong | Does::RoughAcross | Does::Finish | Does::ThreadCycle));
+        if let Some(function) = cycle {
+            maker.of_cycle = true;
+            if function.does == Does::ThreadCycle {
+                maker.thread_cycle(&words, function.span);
+            } else if let Some(way) = self.contour_cycle(&mut maker, &words, function.does, function.span, index) {
+                next = way;
+            }
+        } else if let Some((name, arguments, span)) = &block.call {
+            maker.of_cycle = true;
+            self.call_of_siemens(&mut maker, name, arguments, *span);
+        } else if words.doing(Does::SpeedLimit).is_none()
+            && words.doing(Does::Dwell).is_none()
+            && words.doing(Does::Call).is_none()
+        {
+            maker.motion(&words);
+        }
+        let after = maker.after_motion(&words);
+        let call = self.call(block, &words);
+        maker.unused(&words);
+        let Maker { state, motions, faults, .. } = maker;
+        // Nothing of a block that is not good, but its modes.
+        if !faults.iter().any(Fault::is_error) {
+            self.left = self.left.saturating_sub(motions.len());
+            self.motions.extend(motions);
+        }
+        self.state = state;
+        faults.into_iter().for_each(|fault| self.tell(fault));
+        match after {
+            After::End => return Way::Out,
+            After::Return if depth == 0 => {
+                self.tell(fault("return-without-call", block.span, block.number));
+                return Way::Out;
+            }
+            After::Return => return Way::Back,
+            After::Next => {}
+        }
+        match call {
+            Some((name, times, span)) => self.run_call(&name, times, span, block.number, depth),
+            None => next,
+        }
+    }
+
+    /// What a block calls: its name, how often, where.
+    fn call(&self, block: &Block, words: &BlockWords) -> Option<(String, u32, Span)> {
+        if let Some(Head::Call(name, _)) = &block.head {
+            return Some((name.clone(), 1, block.span));
+        }
+        if let Some(function) = words.doing(Does::Call) {
+            let number = words.take("P").map_or(0.0, |value| value.value).max(0.0) as u64;
+            let times = words.take("L").map(|value| value.value.max(0.0) as u32);
+            let (number, packed) = if number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
+            let packed = u32::try_from(packed).unwrap_or(1);
+            return Some((number.to_string(), times.unwrap_or(packed), function.span));
+        }
+        words.names.first().map(|(name, span)| (name.clone(), 1, *span))
+    }
+
+    fn run_call(&mut self, name: &str, times: u32, span: Span, number: Option<u32>, depth: usize) -> Way {
+        let Some(range) = self.programs.named.get(name).cloned() else {
+            let is_word = self.language.kind == LatheReader::Sinumerik;
+            let (code, key) = if is_word { ("unknown-word", "word") } else { ("subprogram-missing", "number") };
+            self.tell(fault(code, span, number).with(key, name.to_owned()));
+            return Way::On;
+        };
+        if depth >= DEPTH {
+            self.tell(fault("calls-too-deep", span, number).with("limit", DEPTH));
+            return Way::Out;
+        }
+        for _ in 0..times {
+            if matches!(self.program(range.clone(), depth + 1), Way::Out) {
+                return Way::Out;
+            }
+        }
+        Way::On
+    }
+
+    /// G70, G71, G72 with the blocks of their contour; where the run goes on.
+    fn contour_cycle(
+        &mut self,
+        maker: &mut Maker<'_>,
+        words: &BlockWords,
+        does: Does,
+        span: Span,
+        index: usize,
+    ) -> Option<Way> {
+        if self.language.kind == LatheReader::LinuxCnc {
+            let name = words.take("Q").map_or(0.0, |value| value.value).max(0.0) as u64;
+            let Some(range) = self.programs.named.get(&name.to_string()).cloned() else {
+                maker.tell_with("lathe-contour-missing", span, "name", name.to_string());
+                return None;
+            };
+            let begin = maker.begin_of_words(words, span)?;
+            let legs = self.legs(maker, range, begin, false)?;
+            maker.linuxcnc_cycle(words, does, span, begin, legs);
+            return None;
+        }
+        // Fanuc: the first block of G71 and G72 has no P.
+        if words.look("P").is_none() && does != Does::Finish {
+            maker.first_block(words, does, span);
+            return None;
+        }
+        let (Some(first), Some(last)) = (words.take("P").map(|it| it.value), words.take("Q").map(|it| it.value)) else {
+            maker.tell_with("lathe-cycle-field", span, "field", "P, Q");
+            return None;
+        };
+        let find = |number: f64| self.blocks.iter().position(|it| it.number.is_some_and(|it| f64::from(it) == number));
+        let (Some(from), Some(to)) = (find(first), find(last)) else {
+            maker.tell_with("lathe-contour-missing", span, "name", format!("N{first} … N{last}"));
+            return None;
+        };
+        let Some(begin) = maker.state.at.point() else {
+            maker.tell("lathe-place-unknown", span);
+            return None;
+        };
+        let legs = self.legs(maker, from..to + 1, begin, true)?;
+        let type_two =
+            self.blocks.get(from).is_some_and(|block| names_axis(block, "X", "U") && names_axis(block, "Z", "W"));
+        maker.fanuc_cycle(words, does, span, begin, legs, type_two);
+        // The control goes on behind the contour where the call stands before it.
+        (does != Does::Finish && to > index).then_some(Way::To(to + 1))
+    }
+
+    /// CYCLE95, CYCLE97 and MSG.
+    fn call_of_siemens(&mut self, maker: &mut Maker<'_>, name: &str, arguments: &[Argument], span: Span) {
+        match name {
+            "MSG" | "SETMS" => maker.of_cycle = false,
+            "CYCLE97" => maker.cycle97(arguments, span),
+            "CYCLE95" => {
+                let Some(Argument::Text(contour)) = arguments.first() else {
+                    maker.tell_with("lathe-cycle-field", span, "field", "NPP");
+                    return;
+                };
+                let contour = contour.trim_end_matches(".SPF");
+                let marked = contour.split_once(':').and_then(|(from, to)| {
+                    let find =
+                        |name: &str| self.blocks.iter().position(|it| it.head == Some(Head::Mark(name.to_owned())));
+                    Some(find(from)? + 1..find(to)?)
+                });
+                let range = marked.or_else(|| self.programs.named.get(contour).cloned());
+                let Some(range) = range.filter(|_| !self.programs.unread.iter().any(|name| name == contour)) else {
+                    maker.tell_with("lathe-contour-missing", span, "name", contour.to_owned());
+                    return;
+                };
+                let nowhere = LathePoint { radius_mm: f64::NAN, z_mm: f64::NAN };
+                if let Some(legs) = self.legs(maker, range, nowhere, true) {
+                    maker.cycle95(arguments, span, legs);
+                }
+            }
+            _ => maker.tell_with("lathe-cycle-not-read", span, "word", name.to_owned()),
+        }
+    }
+
+    /// The pieces of a contour; its blocks are read and nothing of them is carried out.
+    fn legs(&self, maker: &mut Maker<'_>, range: Range<usize>, begin: LathePoint, finite: bool) -> Option<Vec<Leg>> {
+        let known = begin.radius_mm.is_finite();
+        let mut state = maker.state.clone();
+        state.at = if known { begin.into() } else { LathePlace::default() };
+        state.modes.remove(&LatheGroup::Motion);
+        let parameters: Parameters = state.parameters.clone();
+        let (mut legs, before) = (Vec::new(), maker.faults.len());
+        for block in self.blocks.get(range)?.iter() {
+            let mut inner = Maker {
+                language: self.language,
+                state: state.clone(),
+                motions: Vec::new(),
+                faults: Vec::new(),
+                span: block.span,
+                number: block.number,
+                of_cycle: true,
+                budget: 0,
+            };
+            let words = BlockWords::read(block, self.language, &parameters, &mut inner.faults);
+            let feed = words.take("F").map(|value| value.value);
+            let modes = [LatheGroup::Motion, LatheGroup::Plane, LatheGroup::Distance, LatheGroup::Compensation];
+            for function in &words.functions {
+                match function.does {
+                    Does::Return => break,
+                    Does::Thread | Does::ThreadBox => {
+                        inner.tell_with("lathe-contour-word", function.span, "word", function.code.clone())
+                    }
+                    _ if modes.contains(&function.group) => {
+                        inner.state.modes.insert(function.group, function.does);
+                    }
+                    _ if finite && function.group != LatheGroup::OneShot => {}
+                    _ => inner.tell_with("lathe-contour-word", function.span, "word", function.code.clone()),
+                }
+            }
+            for name in ["S", "T"] {
+                words.take(name);
+            }
+            let mode = inner.state.modes.get(&LatheGroup::Motion).copied();
+            let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
+            if axes {
+                let said = words.of_group(LatheGroup::Motion).is_some();
+                let round = matches!(mode, Some(Does::Clockwise | Does::Counterclockwise));
+                // The reader of contours of LinuxCNC takes an arc that does not say its word for G2.
+                if round && !said && self.language.kind == LatheReader::LinuxCnc {
+                    inner.tell("lathe-arc-unsaid", block.span);
+                }
+                let Some(mode) = mode else {
+                    maker.faults.push(fault("motion-missing", block.span, block.number));
+                    return None;
+                };
+                if let Some(shape) = inner.shape(&words, mode, block.span) {
+                    if let (Some(from), Some(to)) = (inner.state.at.point(), shape.to.point()) {
+                        let (from, to) = (super::block::spot(from), super::block::spot(to));
+                        if from.to(to) > 0.0 {
+                            let round = shape.round.map(|(centre, ccw)| Round { centre, ccw });
+                            let (rapid, line) = (mode == Does::Rapid, block.span.line);
+                            legs.push(Leg { from, to, round, rapid, feed, line });
+                        }
+                    }
+                    inner.state.at = shape.to;
+                }
+                inner.unused(&words);
+            }
+            state = inner.state;
+            maker.faults.append(&mut inner.faults);
+        }
+        (maker.faults[before..].iter().all(|fault| !fault.is_error())).then_some(legs)
+    }
+}
+
+fn names_axis(block: &Block, absolute: &str, relative: &str) -> bool {
+    block.words.iter().any(|word| word.name == absolute || word.name == relative)
+}

@@ -1,0 +1,275 @@
+//! Cycles that cut threads: G76 of LinuxCNC and of Fanuc, G92 of Fanuc.
+
+use super::LatheReader;
+use super::block::{Maker, spot};
+use super::motion::{LatheAct, LathePlace, LathePoint};
+use super::words::{BlockWords, Value};
+use crate::program::Span;
+use crate::tables::controls::lathe_reading::{Does, Form};
+use crate::units::MillimetresPerRev;
+
+/// The most passes of a thread.
+const MOST_PASSES: usize = 2000;
+
+/// Where a run-out or run-in of LinuxCNC stands.
+#[derive(Clone, Copy)]
+struct Tapers {
+    length: f64,
+    entry: bool,
+    exit: bool,
+}
+
+fn at(radius_mm: f64, z_mm: f64) -> LathePlace {
+    LathePoint { radius_mm, z_mm }.into()
+}
+
+impl Maker<'_> {
+    /// G76.
+    pub(super) fn thread_cycle(&mut self, words: &BlockWords, span: Span) {
+        match self.language.kind {
+            LatheReader::Fanuc if words.look("F").is_none() => self.first_of_thread(words, span),
+            LatheReader::Fanuc => self.fanuc_thread(words, span),
+            _ => self.linuxcnc_thread(words, span),
+        }
+    }
+
+    /// G76 of LinuxCNC: passes of depth J·n^(1/R) up to K beyond the crest, which lies by I beyond the drive line; the whole
+    /// of a pass is shifted by what is still to be cut, so that the last one begins on the drive line. Seen in rs274.
+    fn linuxcnc_thread(&mut self, words: &BlockWords, span: Span) {
+        self.before_moving(span, true);
+        if !self.fields(words, "G76", Form::One, span) {
+            return;
+        }
+        let scale = if self.diameters() { 0.5 } else { 1.0 };
+        let number = |name: &str| words.take(name).cloned();
+        let lead = self.above_zero(number("P"), 0.0, span);
+        let first = self.above_zero(number("J"), 0.0, span) * scale;
+        let full = self.above_zero(number("K"), 0.0, span) * scale;
+        let crest = number("I").map_or(0.0, |it| it.value) * scale;
+        let end = number("Z").map_or(0.0, |it| it.value);
+        let power = number("R").map_or(1.0, |it| it.value).max(1.0);
+        let angle = number("Q").map_or(0.0, |it| it.value);
+        let springs = number("H").map_or(0.0, |it| it.value).clamp(0.0, 1000.0) as usize;
+        let length = number("E").map_or(0.0, |it| it.value);
+        let which = number("L").map_or(0.0, |it| it.value);
+        let tapers = Tapers { length, entry: which == 1.0 || which == 3.0, exit: which == 2.0 || which == 3.0 };
+        let Some(drive) = self.state.at.point() else {
+            self.tell("lathe-place-unknown", span);
+            return;
+        };
+        if self.broken() {
+            return;
+        }
+        if crest == 0.0 || first > full || !(0.0..90.0).contains(&angle) {
+            let field = if crest == 0.0 {
+                "I"
+            } else if first > full {
+                "J"
+            } else {
+                "Q"
+            };
+            self.tell_with("lathe-cycle-value", span, "field", field);
+            return;
+        }
+        let slope = libm::tan(angle.to_radians());
+        let mut depths: Vec<f64> = (1..=MOST_PASSES)
+            .map(|pass| first * libm::pow(pass as f64, 1.0 / power))
+            .take_while(|depth| *depth < full)
+            .collect();
+        if depths.len() == MOST_PASSES {
+            self.tell_with("run-too-long", span, "budget", MOST_PASSES);
+            return;
+        }
+        depths.extend(std::iter::repeat_n(full, springs + 1));
+        let lead_of_taper = lead * libm::hypot(length, full) / length.max(f64::MIN_POSITIVE);
+        // Outwards is away from the thread: up outside, down inside.
+        let out = if crest < 0.0 { 1.0 } else { -1.0 };
+        for depth in depths {
+            let safe = drive.radius_mm + out * (full - depth);
+            let cut = drive.radius_mm + crest - out * depth;
+            let (from, to) = (drive.z_mm - depth * slope, end + (full - depth) * slope);
+            self.rapid(at(safe, from));
+            let thread = |lead: f64| LatheAct::Thread { lead: MillimetresPerRev(lead) };
+            if tapers.entry {
+                self.put(thread(lead_of_taper), at(cut + out * full, from));
+                self.put(thread(lead_of_taper), at(cut, from - tapers.length));
+            } else {
+                self.rapid(at(cut, from));
+            }
+            if tapers.exit {
+                self.put(thread(lead), at(cut, to + tapers.length));
+                self.put(thread(lead_of_taper), at(cut + out * full, to));
+            } else {
+                self.put(thread(lead), at(cut, to));
+            }
+            self.rapid(at(safe, to));
+        }
+        self.rapid(at(drive.radius_mm, end));
+    }
+
+    /// A rapid that goes somewhere.
+    fn rapid(&mut self, to: LathePlace) {
+        if self.state.at != to {
+            self.put(LatheAct::Rapid, to);
+        }
+    }
+
+    /// The first block of G76 of Fanuc.
+    fn first_of_thread(&mut self, words: &BlockWords, span: Span) {
+        if !self.fields(words, "G76", Form::First, span) {
+            return;
+        }
+        let code = words.take("P").map_or(0.0, |it| it.value);
+        let least = self.thousandths(words.take("Q").cloned());
+        let allowance = words.take("R").cloned().map_or(0.0, |it| self.millimetres(&it));
+        let whole = code.clamp(0.0, 999_999.0) as u32;
+        let (passes, run_out, angle) = (whole / 10_000, whole / 100 % 100, whole % 100);
+        if ![80, 60, 55, 30, 29, 0].contains(&angle) || passes == 0 {
+            self.tell_with("lathe-cycle-value", span, "field", "P");
+        }
+        let values = [f64::from(passes), f64::from(run_out) / 10.0, f64::from(angle), least, allowance];
+        self.state.first.thread = Some(values);
+    }
+
+    /// P and Q of G76: thousandths of a millimetre, which have no point.
+    fn thousandths(&mut self, given: Option<Value>) -> f64 {
+        let Some(given) = given else { return 0.0 };
+        if given.point {
+            self.tell_with("number-not-whole", given.span, "address", given.name.clone());
+        }
+        given.value / 1000.0
+    }
+
+    /// R of the first block: thousandths without a point, millimetres with one.
+    fn millimetres(&self, given: &Value) -> f64 {
+        if given.point { given.value } else { given.value / 1000.0 }
+    }
+
+    /// The second block of G76 of Fanuc: passes of depth d·√n, none shallower than the least, down to the finishing
+    /// allowance, and then so many at the full depth. From memory of the manual.
+    fn fanuc_thread(&mut self, words: &BlockWords, span: Span) {
+        self.before_moving(span, true);
+        let Some([finishes, run_out, angle, least, allowance]) = self.state.first.thread else {
+            self.tell_with("lathe-cycle-first-block", span, "word", "G76");
+            return;
+        };
+        if !self.fields(words, "G76", Form::Second, span) {
+            return;
+        }
+        let lead = self.above_zero(words.take("F").cloned(), 0.0, span);
+        let height = self.thousandths(words.take("P").cloned());
+        let first = self.thousandths(words.take("Q").cloned());
+        let taper = words.take("R").cloned().map_or(0.0, |it| self.millimetres(&it));
+        let Some((begin, end)) = self.ends_of_thread(words, None, span) else { return };
+        if height <= 0.0 || first <= 0.0 || allowance >= height {
+            self.tell_with("lathe-cycle-value", span, "field", if first <= 0.0 { "Q" } else { "P" });
+            return;
+        }
+        if self.broken() {
+            return;
+        }
+        self.tell_with("lathe-cycle-from-memory", span, "word", "G76");
+        let (mut depths, mut depth) = (Vec::new(), 0.0_f64);
+        for pass in 1..=MOST_PASSES {
+            let next = (first * libm::sqrt(pass as f64)).max(depth + least);
+            if next >= height - allowance {
+                break;
+            }
+            depth = next;
+            depths.push(depth);
+        }
+        depths.push(height - allowance);
+        depths.extend(std::iter::repeat_n(
+            height,
+            if allowance > 0.0 { finishes as usize } else { finishes as usize - 1 },
+        ));
+        let slope = libm::tan((angle / 2.0).to_radians());
+        let way = if end.z_mm < begin.z_mm { -1.0 } else { 1.0 };
+        for depth in depths {
+            // The root is where the block leads; a pass stands above it by what is still to be cut.
+            let z = begin.z_mm + way * depth * slope;
+            self.rapid(at(begin.radius_mm, z));
+            self.thread_pass(begin, z, (end, taper), height - depth, (lead, run_out), span);
+        }
+        self.rapid(begin.into());
+    }
+
+    /// X or U, Z or W of a thread: where it begins and ends.
+    ///
+    /// `kept` is the end of the block before, and whether this one gives X and Z anew.
+    fn ends_of_thread(
+        &mut self,
+        words: &BlockWords,
+        kept: Option<(LathePoint, bool, bool)>,
+        span: Span,
+    ) -> Option<(LathePoint, LathePoint)> {
+        let Some(begin) = self.state.at.point() else {
+            self.tell("lathe-place-unknown", span);
+            return None;
+        };
+        let mut end = self.shape(words, Does::Rapid, span)?.to.point()?;
+        if let Some((kept, x, z)) = kept {
+            end.radius_mm = if x { end.radius_mm } else { kept.radius_mm };
+            end.z_mm = if z { end.z_mm } else { kept.z_mm };
+        }
+        if spot(begin).to(spot(end)) < 1e-9 || (begin.radius_mm - end.radius_mm).abs() < 1e-9 {
+            self.tell_with("lathe-cycle-value", span, "field", "X");
+            return None;
+        }
+        Some((begin, end))
+    }
+
+    /// Down, the thread with its run-out under 45°, out and back to where the cycle began.
+    fn thread_pass(
+        &mut self,
+        begin: LathePoint,
+        from_z: f64,
+        (end, taper): (LathePoint, f64),
+        above: f64,
+        (lead, run_out): (f64, f64),
+        span: Span,
+    ) {
+        let out = if begin.radius_mm > end.radius_mm { 1.0 } else { -1.0 };
+        let root = end.radius_mm + out * above;
+        let back = run_out * lead * if end.z_mm < begin.z_mm { 1.0 } else { -1.0 };
+        self.rapid(at(root + taper, from_z));
+        let from = LathePoint { radius_mm: root + taper, z_mm: from_z };
+        let straight = LathePoint { radius_mm: root, z_mm: end.z_mm + back };
+        self.thread_to(from, straight, lead, span);
+        if back != 0.0 {
+            let over = LathePoint { radius_mm: root + out * back.abs(), z_mm: end.z_mm };
+            self.thread_to(straight, over, lead, span);
+        }
+        self.rapid(at(begin.radius_mm, end.z_mm));
+        self.rapid(begin.into());
+    }
+
+    /// G92 of Fanuc: one pass, and back. Its run-out is a parameter of the machine: none is made here.
+    pub(super) fn thread_box(&mut self, words: &BlockWords, span: Span) {
+        if let Some(lead) = words.take("F") {
+            self.state.lead = Some(lead.value);
+        }
+        if let Some(taper) = words.take("R") {
+            self.state.box_taper = taper.value;
+        }
+        let Some(lead) = self.state.lead.filter(|lead| *lead > 0.0) else {
+            self.tell("lathe-no-lead", span);
+            return;
+        };
+        let said = words.doing(Does::ThreadBox).is_some();
+        let kept = self.state.box_end.filter(|_| !said);
+        let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
+        let (x, z) = (given("X", "U"), given("Z", "W"));
+        let Some((begin, end)) = self.ends_of_thread(words, kept.filter(|_| !x || !z).map(|end| (end, x, z)), span)
+        else {
+            return;
+        };
+        self.state.box_end = Some(end);
+        if said {
+            self.state.box_taper = words.look("R").map_or(0.0, |taper| taper.value);
+        }
+        self.of_cycle = true;
+        self.tell_with("lathe-cycle-from-memory", span, "word", "G92");
+        self.thread_pass(begin, begin.z_mm, (end, self.state.box_taper), 0.0, (lead, 0.0), span);
+    }
+}

@@ -1,0 +1,129 @@
+//! `technolog check` of a program of a lathe: its mistakes, its trace and its time.
+
+use std::borrow::Cow;
+use std::path::Path;
+use std::sync::Arc;
+
+use serde::Serialize;
+use technolog::document::{Block, Document};
+use technolog::knowledge::{Diagnostic, Severity};
+use technolog::note::Figure;
+use technolog::program::Fault;
+use technolog::program::lathe::{
+    LatheLanguage, LatheMotion, LatheRates, LatheRun, LatheTimes, Subprogram, is_serious, not_held, read, times, trace,
+};
+use technolog::turning::tooling::Lathe;
+use technolog::units::Minutes;
+use technolog::words::say;
+
+use super::check::{Args, Finding, diagnostic, findings, total};
+use super::diagnostics::Texts;
+use super::{CliError, Context, Format, Lang, Outcome, knowledge, problems, proof};
+
+/// The answer for programs.
+#[derive(Serialize)]
+struct Answer<'a> {
+    program: &'a str,
+    control: &'a str,
+    findings: Vec<Finding<'a>>,
+    trace: &'a [LatheMotion],
+    time: LatheTimes,
+}
+
+/// Checks a program of a lathe.
+///
+/// # Errors
+/// The program, a contour beside it or the lathe cannot be used.
+pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("check", &[Format::Text, Format::Json, Format::Markdown, Format::Html])?;
+    let knowledge = knowledge::load(context)?;
+    let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
+    let language = LatheLanguage::read(control, knowledge).map_err(at_fault)?;
+    let lathe = args.machine.as_deref().map(|id| Lathe::find(knowledge, id)).transpose().map_err(at_fault)?;
+    let rates = lathe.map(|lathe| LatheRates { rapid_z: lathe.rapid_z, rapid_x: None });
+    let shown = args.program.display().to_string();
+    let text = context.text(&args.program)?;
+    let beside = contours(&args.program, &text, context)?;
+    let files: Vec<Subprogram<'_>> = beside.iter().map(|(name, text)| Subprogram { name, text }).collect();
+    let mut run = read(&text, &language, &files);
+    if let Some(part) = &args.part {
+        let told = held_against(part, &run);
+        run.faults.extend(told);
+    }
+    let time = times(&run.motions, rates);
+    match format {
+        Format::Json => {
+            let findings = findings(&run.faults, context);
+            context.emit_json(&Answer { program: &shown, control, findings, trace: &run.motions, time })?;
+        }
+        _ => {
+            let file: Arc<str> = Arc::from(shown.as_str());
+            let (told, more) = context.amount.of(run.faults.iter().collect(), |fault| fault.severity);
+            let problems: Vec<Diagnostic> = told.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
+            let all: Vec<Severity> = run.faults.iter().map(|fault| proof::shown(fault.severity)).collect();
+            let counts = [Severity::Error, Severity::Warning, Severity::Note]
+                .map(|severity| all.iter().filter(|one| **one == severity).count());
+            let blocks = problems::blocks(problems, more, &texts, format, context);
+            let page = page(&shown, (counts, blocks), &run.motions, time, context.lang);
+            context.emit_document(&problems::untitled(page, format), format)?;
+        }
+    }
+    Ok(if run.faults.iter().any(is_serious) { Outcome::Findings } else { Outcome::Done })
+}
+
+/// What the program makes of a turned part: the place where its proof is asked. There is none yet, and that is told.
+fn held_against(part: &Path, _run: &LatheRun) -> Vec<Fault> {
+    vec![not_held(&part.display().to_string())]
+}
+
+/// The contours that CYCLE95 names and that stand in files of their own beside the program: `NAME.SPF`.
+fn contours(program: &Path, text: &str, context: &Context) -> Result<Vec<(String, String)>, CliError> {
+    let mut found: Vec<(String, String)> = Vec::new();
+    for call in text.split("CYCLE95").skip(1) {
+        let name = call.split('"').nth(1).unwrap_or_default();
+        let is_name = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        if !is_name || found.iter().any(|(known, _)| known == name) {
+            continue;
+        }
+        let beside = program.with_file_name(format!("{name}.SPF"));
+        if beside.is_file() {
+            found.push((name.to_owned(), context.text(&beside)?.to_string()));
+        }
+    }
+    Ok(found)
+}
+
+/// The answer for people.
+fn page(
+    program: &str,
+    (counts, problems): ([usize; 3], Vec<Block>),
+    motions: &[LatheMotion],
+    times: LatheTimes,
+    lang: Lang,
+) -> Document {
+    let mut page = Document::new(lang.tag(), say!(lang, "check-title", program = program));
+    page.blocks.extend(problems);
+    if !motions.is_empty() {
+        page.heading(2, lang.word("check-lathe-trace"));
+        let word = |word: &'static str| lang.find(&format!("trace-{word}")).unwrap_or(word);
+        page.push(Block::Code(motions.iter().map(|motion| trace::line_in(motion, &word) + "\n").collect()));
+        page.heading(2, lang.word("check-times"));
+        let minutes = |minutes: Minutes| Figure::fixed(minutes.0, 2);
+        let (feed, dwell) = (minutes(times.feed_min), minutes(times.dwell_min));
+        page.paragraph(match times.rapid_min {
+            None => say!(lang, "check-lathe-times", feed = feed, dwell = dwell),
+            Some(rapid) => say!(
+                lang,
+                "check-lathe-times-of",
+                total = minutes(times.total_min),
+                feed = feed,
+                rapid = minutes(rapid),
+                dwell = dwell,
+                left = times.rapids_not_counted
+            ),
+        });
+    }
+    page.paragraph(total(counts, lang));
+    page
+}
