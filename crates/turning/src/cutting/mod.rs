@@ -3,6 +3,7 @@
 //!
 //! - [`Cut`] says what cuts what on which lathe; everything here starts from it;
 //! - `laws` makes power laws of depth and speed from the coefficient tables, for one cut and one feed;
+//! - `speed` holds the formula of the speed against what shops drive;
 //! - [`rough_feed`] and [`finish_feed`] take feeds from their tables;
 //! - `bounds` is what tool and lathe can carry, [`limiting_depth`] the largest depth within all of it;
 //! - [`conditions`] is feed, speed, spindle step and forces at a given depth.
@@ -15,6 +16,7 @@ mod feed;
 mod laws;
 mod limit;
 mod refusal;
+mod speed;
 
 use crate::error::Tried;
 use crate::knowledge::Knowledge;

@@ -21,6 +21,9 @@ internal-factor = speed × { $factor }: in a bore
 angle-speed-factor = speed × { $factor }: angle { $angle } degrees
 angle-force-factor = force × { $factor }: angle { $angle } degrees
 rake-force-factor = force × { $factor }: rake { $angle } degrees
+practice-range = public tables drive { $low } to { $high } m/min; the handbook has no formula for this material
+specific-force = specific cutting force of group { $group } of VDI 3323: kc1 = { $kc } MPa, mc = { $mc }
+force-share = × { $factor }: share of the main force
 lathe-limit = the lathe gives { $limit }
 turning-limit = { $name } = { $value }
 overhang = overhang { $length } mm

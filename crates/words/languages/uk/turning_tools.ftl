@@ -21,6 +21,9 @@ internal-factor = швидкість × { $factor }: в отворі
 angle-speed-factor = швидкість × { $factor }: кут { $angle }°
 angle-force-factor = сила × { $factor }: кут { $angle }°
 rake-force-factor = сила × { $factor }: передній кут { $angle }°
+practice-range = за цеховими таблицями { $low }–{ $high } м/хв; формули для цього матеріалу довідник не має
+specific-force = питома сила різання групи { $group } за VDI 3323: kc1 = { $kc } МПа, mc = { $mc }
+force-share = × { $factor }: частка від головної складової сили
 lathe-limit = верстат дає { $limit }
 turning-limit = { $name } = { $value }
 overhang = виліт { $length } мм
