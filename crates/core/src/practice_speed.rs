@@ -7,8 +7,8 @@ use crate::material::Material;
 use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::tables::practice::{
-    CarbideSpeedFor, CarbideWork, Coating, GroovingPracticeFor, HssSpeedFor, HssWork, PracticeGroup, PracticeGroupFor, RoughOrFinish,
-    SharedWork, SpeedShareFor, TapSpeedFor,
+    CarbideSpeedFor, CarbideWork, Coating, GroovingPracticeFor, HssSpeedFor, HssWork, PracticeGroup, PracticeGroupFor,
+    RoughOrFinish, SharedWork, SpeedShareFor, TapSpeedFor,
 };
 use crate::units::{Brinell, MetresPerMinute};
 
@@ -136,7 +136,11 @@ impl<'k> PracticeSpeed<'k> {
     }
 
     /// Of operations that have no rows of their own: a share of drilling or turning.
-    fn share(operation: SharedWork, of: Option<Self>, knowledge: &'k Knowledge) -> Result<Option<Self>, KnowledgeError> {
+    fn share(
+        operation: SharedWork,
+        of: Option<Self>,
+        knowledge: &'k Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
         let Some(row) = knowledge.ask(&SpeedShareFor { operation })?.winner()? else { return Ok(None) };
         Ok(of.map(|of| of.times(row.share_low, row.share, row.share_high)))
     }

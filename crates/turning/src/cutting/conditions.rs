@@ -7,6 +7,7 @@ use crate::error::{Refusal, Tried};
 use crate::note::{Because, Finding, Note};
 use crate::tables::lathes::LatheQuantity;
 use crate::tables::practice::RoughOrFinish;
+use crate::tables::turning::tools::Limit;
 use crate::turning::tooling::Spindle;
 use crate::units::{
     Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
@@ -91,9 +92,13 @@ pub fn conditions(
     if depth <= Micrometres::ZERO {
         return Err(Refusal::Not(CuttingRefusal::NothingToCut(NonPositive::Depth(depth))));
     }
+    bounds::bar_reaches(cut)?;
     let (mut feed, mut because) = feed_of(cut, depth, roughness)?;
     positive(cut, feed)?;
     let pass = if roughness.is_some() { RoughOrFinish::Finish } else { RoughOrFinish::Rough };
+    if roughness.is_some() {
+        feed = within_part(cut, depth, feed, &mut because)?;
+    }
     let law = of_figures(cut.named(speed::speed(cut, feed, pass)))?;
     because.extend(law.because.iter().cloned());
     let taken = law.at(depth.to_mm(), cut)?;
@@ -151,6 +156,42 @@ pub fn conditions(
         missing,
         because,
     })
+}
+
+/// A finishing feed cut back until the part bends within its share of the tolerance, in hundredths of a millimetre, but
+/// not below the least of `turning-limits`; what is then still too much stands among the bounds exceeded.
+fn within_part(
+    cut: &Cut<'_, '_>,
+    depth: Micrometres,
+    feed: MillimetresPerRev,
+    because: &mut Vec<Because>,
+) -> Tried<MillimetresPerRev, CuttingRefusal> {
+    if cut.part.is_none() {
+        return Ok(feed);
+    }
+    let (least, _) = bounds::constant_length(cut, Limit::FinishFeedLeast)?;
+    let mut held = feed;
+    loop {
+        let forces = Forces::of(cut, held)?;
+        let (checks, _) = bounds::checks(cut, &forces)?;
+        let law = of_figures(cut.named(speed::speed(cut, held, RoughOrFinish::Finish)))?;
+        let speed = law.at(depth.to_mm(), cut)?.speed;
+        let Some(check) = checks.into_iter().find(|check| check.bound == Bound::PartStiffness) else {
+            return Ok(feed);
+        };
+        if check.load(cut, &forces, depth, speed).is_none_or(|load| load.within(check.capacity)) {
+            if held != feed {
+                let note = Note::new("feed-within-part").with("feed", held.0).with("before", feed.0);
+                because.extend(check.because.into_iter().map(|one| Because { note: note.clone(), ..one }).next_back());
+            }
+            return Ok(held);
+        }
+        let next = ((held.0 - 0.01) * 100.0).round() / 100.0;
+        if next < least.to_mm() {
+            return Ok(held);
+        }
+        held = MillimetresPerRev(next);
+    }
 }
 
 /// The feed of finishing if a roughness is required, but never above that of roughing if the tables have one.

@@ -106,9 +106,7 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
         let rpm = match (self.speed, &self.law) {
             (Speed::Spindle(rpm), _) => rpm,
             (Speed::Surface(speed), _) => spindle.at_most(rpm_at(speed, self.cut.diameter)),
-            (_, Some(law)) => {
-                spindle.at_most(rpm_at(law.at(depth.to_mm(), self.cut)?.speed, self.cut.diameter))
-            }
+            (_, Some(law)) => spindle.at_most(rpm_at(law.at(depth.to_mm(), self.cut)?.speed, self.cut.diameter)),
             (_, None) => spindle.ends().0,
         };
         let slower = self.power.filter(|_| self.speed == Speed::WithinPower);
@@ -138,6 +136,7 @@ pub fn limiting_depth(
         return Err(Refusal::Not(CuttingRefusal::NoDepth { tool: cut.tool.designation.to_owned() }));
     }
     positive(cut, feed)?;
+    bounds::bar_reaches(cut)?;
     let forces = Forces::of(cut, feed)?;
     let (checks, missing) = bounds::checks(cut, &forces)?;
     // The length of the edge alone does not limit the load of shank and spindle.

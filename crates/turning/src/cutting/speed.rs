@@ -81,9 +81,7 @@ impl SpeedLaw<'_> {
             .with("low", round_to(practice.low.0, 1))
             .with("high", round_to(practice.high.0, 1));
         let range = match self.formula {
-            Some(_) => {
-                range.with("formula", round_to(computed.0, 1)).with("percent", round_to(share * 100.0, 0))
-            }
+            Some(_) => range.with("formula", round_to(computed.0, 1)).with("percent", round_to(share * 100.0, 0)),
             None => range,
         };
         let mut because = vec![Because::row(practice.row, range)];

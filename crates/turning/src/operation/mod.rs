@@ -16,6 +16,7 @@ mod clip;
 pub mod depth;
 mod doubts;
 pub mod drill;
+pub mod held;
 pub mod layers;
 mod level;
 mod pocket;
@@ -120,6 +121,7 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
         workpiece,
         lathe: lathe.as_ref(),
         material: Material::find(knowledge, &workpiece.material)?,
+        held: None,
         elsewhere: &elsewhere,
         knowledge,
     };
@@ -136,6 +138,8 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
             let note = Note::new("far-face-cut-away").with("number", set_up.number).with("length", length);
             findings.push(Finding::of_part(Severity::Note, note));
         }
+        let held = held::Held::of(&set_up, workpiece, &bench.material, knowledge)?;
+        let bench = Bench { held, ..bench.clone() };
         let sides = sides(&set_up, &bench, &mut findings)?;
         done.push(SetUpWork { set_up, sides });
     }
