@@ -19,6 +19,7 @@ pub fn shaft(bar: i64, steps: &[(i64, i64)], longitudinal: i64, transverse: i64,
     Shaft {
         shaft: "shaft".to_owned(),
         material: "steel-45".to_owned(),
+        material_state: None,
         blank: Blank { kind: BlankKind::Bar, diameter: Micrometres::new(bar), length: Micrometres::new(length) },
         blank_steps: Vec::new(),
         holding: Holding::Chuck,

@@ -120,7 +120,7 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     let bench = Bench {
         workpiece,
         lathe: lathe.as_ref(),
-        material: Material::find(knowledge, &workpiece.material)?,
+        material: stated(workpiece, knowledge)?,
         held: None,
         elsewhere: &elsewhere,
         knowledge,
@@ -149,6 +149,15 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     findings.extend(doubts::doubts(&operation));
     operation.findings = merged(findings);
     Ok(operation)
+}
+
+/// The material in the state that the file says.
+fn stated<'k>(workpiece: &Workpiece, knowledge: &'k Knowledge) -> Result<Material<'k>, KnowledgeError> {
+    let material = Material::find(knowledge, &workpiece.material)?;
+    match workpiece.material_state {
+        Some(state) => material.in_state(state, knowledge),
+        None => Ok(material),
+    }
 }
 
 /// The outside of a set-up, then its bore: the part is faced before it is bored.

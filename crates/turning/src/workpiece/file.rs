@@ -6,6 +6,7 @@
 
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
+use technolog_core::part::file::MaterialField;
 use technolog_knowledge::forms;
 
 use crate::turning::shaft::Holding;
@@ -46,8 +47,9 @@ forms! {
     pub struct WorkpieceFile {
         /// Name of the part.
         pub shaft: String,
-        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
-        pub material: String,
+        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`); with its
+        /// state `{grade: 40Х, hardness: 250}`.
+        pub material: MaterialField,
         /// What it is made from.
         pub blank: BlankFile,
         /// The id of a lathe.

@@ -27,6 +27,7 @@ mod walk_groove;
 
 use serde::{Serialize, Serializer};
 
+use crate::material::MaterialState;
 use crate::note::Finding;
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
@@ -57,6 +58,9 @@ pub struct Workpiece {
     pub name: String,
     /// The id of its material in the catalog `materials`.
     pub material: String,
+    /// How hard or strong it is, if the file says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material_state: Option<MaterialState>,
     /// What it is made from.
     pub blank: Blank,
     /// The id of a lathe, as in the file; it is not checked here.
