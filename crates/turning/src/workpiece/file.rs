@@ -23,6 +23,7 @@ pub fn schema() -> Schema {
 /// A part to be turned by `technolog turn`. All lengths are in mm.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
+#[expect(clippy::large_enum_variant, reason = "it stands for the schema only")]
 pub enum TurnedFile {
     /// The short form, by steps.
     Stepped(ShaftFile),

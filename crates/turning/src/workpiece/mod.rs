@@ -44,6 +44,7 @@ pub use read::{read_turned, read_turned_node, read_workpiece};
 /// What a file of a turned part holds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
+#[expect(clippy::large_enum_variant, reason = "a file holds one, and nobody keeps many")]
 pub enum Turned {
     /// The short form, by steps.
     Stepped(Shaft),
