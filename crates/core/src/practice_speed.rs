@@ -2,12 +2,13 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::vocabulary::ToolMaterial;
-use crate::knowledge::{QueryError, RowRef};
+use crate::knowledge::{Knowledge, QueryError, RowRef};
+use crate::material::Material;
 use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::tables::practice::{
-    CarbideSpeedFor, CarbideWork, Coating, HssSpeedFor, HssWork, PracticeGroup, PracticeGroupFor, RoughOrFinish,
-    SharedWork, SpeedShareFor, TapSpeedFor,
+    CarbideSpeedFor, CarbideWork, Coating, GroovingPracticeFor, HssSpeedFor, HssWork, PracticeGroup, PracticeGroupFor,
+    RoughOrFinish, SharedWork, SpeedShareFor, TapSpeedFor,
 };
 use crate::units::{Brinell, MetresPerMinute};
 
@@ -44,63 +45,103 @@ impl<'k> PracticeSpeed<'k> {
     /// # Errors
     /// The tables cannot answer.
     pub fn of(operation: Operation, tool: ToolMaterial, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
-        let Some(group) = practice_group(shop)?.map(|row| row.group) else { return Ok(None) };
+        let Some(group) = practice_group(&shop.material, shop.knowledge)?.map(|row| row.group) else {
+            return Ok(None);
+        };
+        let knowledge = shop.knowledge;
         let steel = tool == ToolMaterial::HighSpeedSteel;
         match operation {
-            Operation::Drill if steel => Self::hss(HssWork::Drill, group, shop),
-            Operation::CentreDrill if steel => Self::of_drill(SharedWork::CentreDrill, group, shop),
-            Operation::DrillOut if steel => Self::of_drill(SharedWork::DrillOut, group, shop),
-            Operation::CoreDrill if steel => Self::of_drill(SharedWork::CoreDrill, group, shop),
-            Operation::Counterbore if steel => Self::of_drill(SharedWork::Counterbore, group, shop),
+            Operation::Drill if steel => Self::hss(HssWork::Drill, group, knowledge),
+            Operation::CentreDrill if steel => Self::of_drill(SharedWork::CentreDrill, group, knowledge),
+            Operation::DrillOut if steel => Self::of_drill(SharedWork::DrillOut, group, knowledge),
+            Operation::CoreDrill if steel => Self::of_drill(SharedWork::CoreDrill, group, knowledge),
+            Operation::Counterbore if steel => Self::of_drill(SharedWork::Counterbore, group, knowledge),
             Operation::Countersink | Operation::Chamfer if steel => {
-                Self::of_drill(SharedWork::Countersink, group, shop)
+                Self::of_drill(SharedWork::Countersink, group, knowledge)
             }
-            Operation::RoughReam | Operation::FinishReam if steel => Self::hss(HssWork::Ream, group, shop),
+            Operation::RoughReam | Operation::FinishReam if steel => Self::hss(HssWork::Ream, group, knowledge),
             Operation::RoughReam | Operation::FinishReam => {
-                Self::carbide(CarbideWork::Ream, RoughOrFinish::Finish, group, shop)
+                Self::carbide(CarbideWork::Ream, Coating::Uncoated, RoughOrFinish::Finish, group, knowledge)
             }
             Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => {
                 let rough = operation == Operation::RoughBore;
                 let pass = if rough { RoughOrFinish::Rough } else { RoughOrFinish::Finish };
                 let turned = match steel {
-                    true => Self::hss(HssWork::Turn, group, shop)?,
-                    false => Self::carbide(CarbideWork::Turn, pass, group, shop)?,
+                    true => Self::hss(HssWork::Turn, group, knowledge)?,
+                    false => Self::carbide(CarbideWork::Turn, Coating::Uncoated, pass, group, knowledge)?,
                 };
-                Self::share(SharedWork::Bore, turned, shop)
+                Self::share(SharedWork::Bore, turned, knowledge)
             }
-            Operation::Mill if steel => Self::hss(HssWork::Mill, group, shop),
+            Operation::Mill if steel => Self::hss(HssWork::Mill, group, knowledge),
             Operation::Tap if steel => {
-                let row = shop.knowledge.ask(&TapSpeedFor { group })?.winner()?;
+                let row = knowledge.ask(&TapSpeedFor { group })?.winner()?;
                 Ok(row.map(|row| Self::new(row.speed_low, row.speed_high, row.row)))
             }
             _ => Ok(None),
         }
     }
 
-    fn hss(operation: HssWork, group: &str, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
-        let row = shop.knowledge.ask(&HssSpeedFor { operation, group })?.winner()?;
+    /// What shops drive with a carbide insert on a lathe; of a bar in a bore a share of it. Nothing where the tables have
+    /// no figure.
+    ///
+    /// The usual speed and the lower end are those of uncoated carbide, of which the catalogs' tools are; the upper end
+    /// is that of coated carbide where that is faster, because the pages on uncoated grades are of an older generation.
+    ///
+    /// # Errors
+    /// The tables cannot answer.
+    pub fn of_turning(
+        pass: RoughOrFinish,
+        inner: bool,
+        material: &Material<'k>,
+        knowledge: &'k Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        let Some(group) = practice_group(material, knowledge)?.map(|row| row.group) else { return Ok(None) };
+        let of = |coating| Self::carbide(CarbideWork::Turn, coating, pass, group, knowledge);
+        let (uncoated, coated) = (of(Coating::Uncoated)?, of(Coating::Coated)?);
+        let turned = match (uncoated, coated) {
+            (Some(one), Some(other)) if other.high.0 > one.high.0 => Some(Self { high: other.high, ..one }),
+            (uncoated, coated) => uncoated.or(coated),
+        };
+        if inner { Self::share(SharedWork::Bore, turned, knowledge) } else { Ok(turned) }
+    }
+
+    /// What shops drive with the blade of a grooving insert; nothing where the table has no figure.
+    ///
+    /// # Errors
+    /// The table cannot answer.
+    pub fn of_grooving(material: &Material<'k>, knowledge: &'k Knowledge) -> Result<Option<Self>, KnowledgeError> {
+        let row = knowledge.ask(&GroovingPracticeFor { material_group: material.group })?.winner()?;
+        Ok(row.map(|row| Self::new(row.speed_low, row.speed_high, row.row)))
+    }
+
+    fn hss(operation: HssWork, group: &str, knowledge: &'k Knowledge) -> Result<Option<Self>, KnowledgeError> {
+        let row = knowledge.ask(&HssSpeedFor { operation, group })?.winner()?;
         Ok(row.map(|row| Self { low: row.speed_low, typical: row.speed, high: row.speed_high, row: row.row }))
     }
 
-    fn of_drill(operation: SharedWork, group: &str, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
-        Self::share(operation, Self::hss(HssWork::Drill, group, shop)?, shop)
+    fn of_drill(operation: SharedWork, group: &str, knowledge: &'k Knowledge) -> Result<Option<Self>, KnowledgeError> {
+        Self::share(operation, Self::hss(HssWork::Drill, group, knowledge)?, knowledge)
     }
 
-    /// The bars and reamers of the catalogs are not coated.
     fn carbide(
         operation: CarbideWork,
+        coating: Coating,
         cut: RoughOrFinish,
         group: &str,
-        shop: &Shop<'k>,
+        knowledge: &'k Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
-        let question = CarbideSpeedFor { operation, coating: Coating::Uncoated, cut, group };
-        let row = shop.knowledge.ask(&question)?.winner()?;
+        let question = CarbideSpeedFor { operation, coating, cut, group };
+        let row = knowledge.ask(&question)?.winner()?;
         Ok(row.map(|row| Self::new(row.speed_low, row.speed_high, row.row)))
     }
 
     /// Of operations that have no rows of their own: a share of drilling or turning.
-    fn share(operation: SharedWork, of: Option<Self>, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
-        let Some(row) = shop.knowledge.ask(&SpeedShareFor { operation })?.winner()? else { return Ok(None) };
+    fn share(
+        operation: SharedWork,
+        of: Option<Self>,
+        knowledge: &'k Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        let Some(row) = knowledge.ask(&SpeedShareFor { operation })?.winner()? else { return Ok(None) };
         Ok(of.map(|of| of.times(row.share_low, row.share, row.share_high)))
     }
 }
@@ -109,9 +150,12 @@ impl<'k> PracticeSpeed<'k> {
 ///
 /// # Errors
 /// The rule `practice-group` cannot answer.
-pub fn practice_group<'k>(shop: &Shop<'k>) -> Result<Option<PracticeGroup<'k>>, KnowledgeError> {
-    let question = PracticeGroupFor { material: shop.material.id, hardness: Brinell(shop.material.hardness) };
-    match shop.knowledge.ask(&question) {
+pub fn practice_group<'k>(
+    material: &Material<'k>,
+    knowledge: &'k Knowledge,
+) -> Result<Option<PracticeGroup<'k>>, KnowledgeError> {
+    let question = PracticeGroupFor { material: material.id, hardness: Brinell(material.hardness) };
+    match knowledge.ask(&question) {
         Err(KnowledgeError::Query(QueryError::OutOfDomain { .. } | QueryError::IllTyped { .. })) => Ok(None),
         asked => Ok(asked?.winner()?),
     }

@@ -32,7 +32,7 @@ pub(crate) fn spring(
     shop: &Shop<'_>,
 ) -> Result<Option<Micrometres>, KnowledgeError> {
     let Some((reach, bar)) = bar(transition, shop)? else { return Ok(None) };
-    let Some(group) = practice_group(shop)? else { return Ok(None) };
+    let Some(group) = practice_group(&shop.material, shop.knowledge)? else { return Ok(None) };
     let Some(force) = shop.knowledge.ask(&SpecificCuttingForceFor { vdi: group.vdi })?.winner()? else {
         return Ok(None);
     };

@@ -542,6 +542,14 @@ rows! {
         reference: Reference,
     }
 
+    /// Components of the cutting force as shares of the main one.
+    pub struct TurningForceShare of One("turning-force-share") asked by TurningForceShareFor {
+        process: LatheProcess,
+        component: Component,
+    } {
+        share: f64,
+    }
+
     /// Feed of rough turning.
     pub struct TurningRoughFeed of One("turning-rough-feed") asked by TurningRoughFeedFor<'t> {
         material_group: &'t str,

@@ -12,6 +12,7 @@ vocabulary! {
         SpindlePower = "spindle-power",
         SpindleEfficiency = "spindle-efficiency",
         SpindleTorqueMax = "spindle-torque-max",
+        DiameterOverBed = "diameter-over-bed",
         DiameterOverCarriage = "diameter-over-carriage",
         LengthBetweenCentres = "length-between-centres",
         FeedMinZ = "feed-min-z",
@@ -23,10 +24,20 @@ vocabulary! {
         FeedForceX = "feed-force-x",
         CuttingForceMax = "cutting-force-max",
         ShankHeight = "shank-height",
+        ToolChangeTime = "tool-change-time",
         ItOuter = "it-outer",
         ItInner = "it-inner",
         ItFace = "it-face",
         RaBest = "ra-best",
+    }
+
+    /// A figure of chuck and tailstock.
+    pub enum WorkholdingFigure {
+        ChuckDiameterShare = "chuck-diameter-share",
+        JawShare = "jaw-share",
+        CentreAngle = "centre-angle",
+        QuillShare = "quill-share",
+        ToolChangeTime = "tool-change-time",
     }
 }
 
@@ -36,6 +47,12 @@ rows! {
         name: Named<'t, LatheQuantity>,
         use_ as "use": Use,
     } shown { unit, required }
+
+    /// Chuck and tailstock where the record of a lathe has none.
+    pub struct LatheWorkholding of One("chuck-and-tailstock") complete name {
+        name: Named<'t, WorkholdingFigure>,
+        value: f64,
+    } shown { used }
 
     /// A characteristic of a lathe. The law `record` has proven its unit.
     pub struct LatheRecord of Record("lathe-quantities") {

@@ -162,6 +162,15 @@ rows! {
         take: Taken,
     }
 
+    /// When the speed of turning is that of practice.
+    pub struct TurningSecondOpinion of One("turning-second-opinion") asked by TurningSecondOpinionFor {
+        cut: LatheCut,
+        formula: Formula,
+        share: f64,
+    } {
+        take: Taken,
+    }
+
     /// Lead angle of a reamer.
     pub struct ReamerLead of One("reamer-lead") asked by ReamerLeadFor<'t> {
         material_group: &'t str,

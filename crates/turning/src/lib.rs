@@ -41,7 +41,7 @@ pub mod zones;
 
 // This crate and those below it, under the names that the whole program uses.
 use crate as turning;
-use technolog_core::{error, material, note, reason};
+use technolog_core::{error, material, note, practice_speed, reason};
 use technolog_knowledge::{self as knowledge, units};
 #[cfg(test)]
 use technolog_shipped as shipped;

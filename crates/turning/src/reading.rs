@@ -4,10 +4,11 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity};
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
-use crate::material;
+use crate::material::{self, MaterialState};
 use crate::note::Note;
 use crate::turning::tooling::Lathe;
 use crate::units::Micrometres;
+use technolog_core::part::stated;
 
 /// The largest length or diameter of a file, mm: sums of passes stay exact.
 pub(super) const LARGEST: Micrometres = Micrometres::from_mm(100_000);
@@ -103,6 +104,13 @@ impl<'a> Reader<'a> {
             return self.fault(mistake!("empty-name"), &node.place);
         }
         Some(text.to_owned())
+    }
+
+    /// A material by its name, or by its name and state.
+    pub(super) fn stated_material(&mut self, node: &Node) -> Option<(String, Option<MaterialState>)> {
+        let grade = stated::grade(node).and_then(|node| self.material(node));
+        let state = stated::state(node, grade.as_deref(), &mut self.problems, self.knowledge)?;
+        Some((grade?, state))
     }
 
     /// The id of a material, from the id itself or an alias.

@@ -3,9 +3,8 @@
 
 use std::collections::BTreeSet;
 
-use technolog::knowledge::contract::Named;
 use technolog::knowledge::{Input, Knowledge, Value};
-use technolog::tables::lathes::LatheRecord;
+use technolog::tables::lathes::{LatheQuantity, LatheRecord};
 use technolog::turning::tooling::{Hand, Lathe, Place, Shank, Spindle, ToolKind, TurningTool};
 use technolog::units::{Decimal, Micrometres, RevsPerMinute};
 use technolog_testing::{KNOWLEDGE, number};
@@ -186,7 +185,7 @@ fn every_lathe_is_read_and_hangs_together() {
         let lathe = Lathe::find(knowledge, id).unwrap();
         assert_eq!(lathe.id(), id);
         let rows: Vec<LatheRecord<'_>> = lathe.table.rows().map(Result::unwrap).collect();
-        let over_bed = rows.iter().find(|row| row.name == Named::Other("diameter-over-bed")).unwrap();
+        let over_bed = rows.iter().find(|row| row.name.is(LatheQuantity::DiameterOverBed)).unwrap();
         let over_bed = over_bed.value.as_ref().unwrap()[0];
         assert!(lathe.over_carriage.to_mm() < over_bed, "{id}: the carriage takes room");
         assert!(lathe.feed_z.0.0 < lathe.feed_z.1.0 && lathe.feed_x.0.0 < lathe.feed_x.1.0, "{id}: feeds");

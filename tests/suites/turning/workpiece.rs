@@ -70,6 +70,27 @@ fn the_examples_read() {
 }
 
 /// 12.1-1: Z is the axis of rotation, X lies in a face.
+/// A material in a state, as in files of plates: hardness and strength as said, of either form of the file.
+#[test]
+fn a_material_may_be_in_a_state() {
+    let of = |material: &str| text("turned-pin").replace("material: steel-45", &format!("material: {material}"));
+    let state = read(&of("{grade: steel-45, hardness: 250}")).material_state.unwrap();
+    assert_eq!((state.hardness, state.strength), (Some(250.0), None));
+    assert_eq!(read(&of("steel-45")).material_state, None);
+    for wrong in ["{grade: steel-45}", "{grade: steel-45, hardness: 2500}", "{hardness: 250}"] {
+        assert!(read_turned("part", &of(wrong), &KNOWLEDGE).is_err(), "{wrong}");
+    }
+    let stepped = text("shaft").replace("material: ", "material: {grade: ");
+    let stepped: Vec<String> = stepped
+        .lines()
+        .map(|line| if line.starts_with("material: ") { format!("{line}, strength: 900}}") } else { line.to_owned() })
+        .collect();
+    let Ok(Turned::Stepped(shaft)) = read_turned("shaft", &stepped.join("\n"), &KNOWLEDGE) else {
+        panic!("{stepped:?}")
+    };
+    assert_eq!(shaft.material_state.unwrap().strength, Some(900.0));
+}
+
 #[test]
 fn statement_12_1_1_the_origin_lies_on_the_axis_in_the_finished_face() {
     let ball = example("turned-ball");

@@ -15,6 +15,7 @@ mod read_features;
 mod read_holes;
 mod read_pattern;
 mod read_steps;
+pub mod stated;
 mod thread;
 mod tolerance;
 

@@ -6,19 +6,15 @@ use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, NodeKind, Problems, parse};
 use crate::machine::Machine;
 use crate::material::{self, MaterialState};
-use crate::tables::materials::{ClampScrew, DeliveryState};
+use crate::tables::materials::ClampScrew;
 use crate::units::{Decimal, Micrometres};
 use technolog_note::note;
 
 use super::check;
-use super::file::{self, PartFile, StatedMaterial};
+use super::file::{self, PartFile};
 use super::limits::Counted;
+use super::stated;
 use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
-
-/// The hardness that the cutting tables know, HB.
-const STATE_HARDNESS_HB: (f64, f64) = (40.0, 450.0);
-/// The strength that the cutting tables know, MPa.
-const STATE_STRENGTH_MPA: (f64, f64) = (100.0, 2000.0);
 
 /// Reads a part file.
 ///
@@ -119,17 +115,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {
-        let text = self.problems.text(node)?;
-        if let Some((_, value)) = choices.iter().find(|(name, _)| *name == text) {
-            return Some(*value);
-        }
-        let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-        let message = note!("part-known-here", text = text);
-        let help = match nearest(text, names.iter().copied()) {
-            Some(near) => note!("cli-did-you-mean", name = near),
-            None => note!("part-may", names = names.join(", ")),
-        };
-        self.problems.error_help("bad-value", message, &node.place, help)
+        choice(node, choices, self.problems)
     }
 
     /// A length above zero.
@@ -167,49 +153,9 @@ impl Reader<'_> {
 
     /// A material by its name, or by its name and state.
     fn stated_material(&mut self, node: &Node) -> Option<(String, Option<MaterialState>)> {
-        if !matches!(node.kind, NodeKind::Map(_)) {
-            return Some((self.material(node)?, None));
-        }
-        let mut fields = self.problems.map::<StatedMaterial>(node)?;
-        let grade = fields.need(StatedMaterial::grade, self.problems);
-        let stated = fields.take(StatedMaterial::state);
-        let hardness = fields.take(StatedMaterial::hardness);
-        let strength = fields.take(StatedMaterial::strength);
-        fields.finish(self.problems);
-        let grade = grade.and_then(|node| self.material(node));
-        if stated.is_some() == hardness.or(strength).is_some() {
-            return self.problems.error("bad-value", note!("part-hardness-or-strength"), &node.place);
-        }
-        if let Some(stated) = stated {
-            let word = self.choice(stated, DeliveryState::NAMES)?;
-            let (grade, place) = (grade?, &stated.place);
-            let state = material::delivered(self.knowledge, &grade, word);
-            return match state {
-                Some(state) => Some((grade, Some(state))),
-                None => self.problems.error_help(
-                    "bad-value",
-                    note!("part-state-unknown", material = grade, state = word.name()),
-                    place,
-                    note!("part-state-by-hardness"),
-                ),
-            };
-        }
-        let state = MaterialState {
-            hardness: hardness.and_then(|node| self.figure_of_state(node, STATE_HARDNESS_HB)),
-            strength: strength.and_then(|node| self.figure_of_state(node, STATE_STRENGTH_MPA)),
-        };
-        Some((grade?, Some(state)))
-    }
-
-    /// A hardness or a strength within what the cutting tables know.
-    fn figure_of_state(&mut self, node: &Node, (low, high): (f64, f64)) -> Option<f64> {
-        let figure: Decimal = self.problems.scalar(node)?;
-        let value = figure.to_f64();
-        if !(low..=high).contains(&value) {
-            let message = note!("part-state-outside", value = figure, low = low, high = high);
-            return self.problems.error("bad-value", message, &node.place);
-        }
-        Some(value)
+        let grade = stated::grade(node).and_then(|node| self.material(node));
+        let state = stated::state(node, grade.as_deref(), self.problems, self.knowledge)?;
+        Some((grade?, state))
     }
 
     /// The id of a material, by itself or by an alias.
@@ -536,4 +482,19 @@ holes:
             assert_eq!((problems[0].code, &problems[0].help), ("unknown-key", &Some(meant)), "{typed}");
         }
     }
+}
+
+/// The value that a word stands for.
+pub(super) fn choice<T: Copy>(node: &Node, choices: &[(&str, T)], problems: &mut Problems) -> Option<T> {
+    let text = problems.text(node)?;
+    if let Some((_, value)) = choices.iter().find(|(name, _)| *name == text) {
+        return Some(*value);
+    }
+    let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+    let message = note!("part-known-here", text = text);
+    let help = match nearest(text, names.iter().copied()) {
+        Some(near) => note!("cli-did-you-mean", name = near),
+        None => note!("part-may", names = names.join(", ")),
+    };
+    problems.error_help("bad-value", message, &node.place, help)
 }

@@ -201,6 +201,19 @@ vocabulary! {
         FinishAfterRough = "finish-after-rough",
     }
 
+    /// What a lathe tool does, as far as speeds tell it apart.
+    pub enum LatheCut {
+        Rough = "rough",
+        Finish = "finish",
+        Groove = "groove",
+    }
+
+    /// Whether the handbook has a formula with figures for the material.
+    pub enum Formula {
+        Own = "own",
+        None = "none",
+    }
+
     /// Which speed is taken.
     pub enum Taken {
         Formula = "formula",

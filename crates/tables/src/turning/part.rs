@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use technolog_knowledge::units::{Degrees, Micrometres, Microns};
+use technolog_knowledge::units::{Degrees, Megapascals, Micrometres, Microns};
 pub use technolog_knowledge::vocabulary::{Place, StockKind};
 use technolog_knowledge::{rows, vocabulary};
 
@@ -74,6 +74,26 @@ vocabulary! {
         Valley = "valley",
         /// It lies behind a fall that never rises again.
         Beyond = "beyond",
+    }
+
+    /// How a part is held against bending.
+    pub enum PartSupport {
+        /// In the chuck alone.
+        Chuck = "chuck",
+        /// Between centres.
+        Centres = "centres",
+        /// In the chuck and at a centre.
+        ChuckAndCentre = "chuck-and-centre",
+    }
+
+    /// What a part asks for that gives way too far.
+    pub enum SupportAsked {
+        /// Another set-up.
+        SecondSetUp = "second-set-up",
+        /// A centre at its free end.
+        Tailstock = "tailstock",
+        /// A rest between its ends.
+        SteadyRest = "steady-rest",
     }
 
     /// What an element of the contour is to a tool.
@@ -281,6 +301,20 @@ rows! {
         diameter: Micrometres,
     } {
         least_length: Micrometres,
+    }
+
+    /// Modulus of elasticity of the part.
+    pub struct ElasticModulus of One("elastic-modulus") {
+        material_group: &'t str,
+        modulus: Megapascals,
+    }
+
+    /// What a slender part asks for.
+    pub struct TurningSupport of One("turning-support") asked by TurningSupportFor {
+        support: PartSupport,
+        slenderness: f64,
+    } {
+        ask: SupportAsked,
     }
 
     /// Surface of a turned blank, for the speed factor: a word of the table `skin-factor`.

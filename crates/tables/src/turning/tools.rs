@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use technolog_knowledge::units::{Degrees, Megapascals, Micrometres, MillimetresPerRev, Roughness};
+use technolog_knowledge::units::{Degrees, ItGrade, Megapascals, Micrometres, MillimetresPerRev, Roughness};
 pub use technolog_knowledge::vocabulary::Place;
 use technolog_knowledge::{rows, vocabulary};
 
@@ -58,6 +58,24 @@ vocabulary! {
         BarOverhangRatio = "bar-overhang-ratio",
         /// Share of the motor's power that reaches the spindle.
         DriveEfficiency = "drive-efficiency",
+        /// What of a boring bar stands out beyond the depth of the bore.
+        BarClearance = "bar-clearance",
+        /// How far the axis of a part may give way in roughing.
+        PartDeflection = "part-deflection",
+        /// How far it may in finishing, over the tolerance of the diameter.
+        PartDeflectionShare = "part-deflection-share",
+        /// Bending stress of a part over its strength.
+        PartStressShare = "part-stress-share",
+        /// The shallowest pass worth roughing with.
+        LeastSensibleDepth = "least-sensible-depth",
+        /// Real roughness over the one that follows from feed and nose.
+        RoughnessPracticeFactor = "roughness-practice-factor",
+        /// The least depth of finishing over the radius of the nose.
+        FinishDepthShare = "finish-depth-share",
+        /// The least feed of finishing, for each turn.
+        FinishFeedLeast = "finish-feed-least",
+        /// Between the jaws and the end of the tool's way.
+        JawClearance = "jaw-clearance",
         /// To what depths are told.
         DepthStep = "depth-step",
         /// Where feeds and formulas end.
@@ -110,6 +128,20 @@ rows! {
         kind: ToolKind,
     } {
         prefer: Vec<Preference>,
+    }
+
+    /// Whether a tool can cut back.
+    pub struct TurningCutBack of One("turning-cut-back") asked by TurningCutBackFor {
+        trail_angle: Degrees,
+    } {
+        cuts_back: bool,
+    }
+
+    /// Roughness that the drawing does not say.
+    pub struct TurningRoughnessUnsaid of One("turning-roughness-unsaid") asked by TurningRoughnessUnsaidFor {
+        it: Option<ItGrade>,
+    } {
+        roughness: Roughness,
     }
 
     /// Strength factor of the finish turning feed.

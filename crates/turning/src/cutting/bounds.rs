@@ -5,14 +5,15 @@ use serde::{Deserialize, Serialize};
 use technolog_note::note;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, Note, Severity, Told};
 use crate::tables::lathes::LatheQuantity as Q;
 use crate::tables::turning::tools::{InsertEdgeShare, Limit, TurningLimits};
-use crate::turning::tooling::Shank;
+use crate::turning::tooling::{Shank, TurningTool};
 use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons};
 
 use super::laws::{self, Component, ForceLaw};
-use super::{Cut, Direction, MissingFigure};
+use super::{BarTooLong, Cut, CuttingRefusal, Direction, Flexibility, MissingFigure};
 
 /// What bounds the depth of cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -34,6 +35,10 @@ pub enum Bound {
     SpindleTorque,
     /// The main drive has not that power.
     SpindlePower,
+    /// The part bends away too far.
+    PartStiffness,
+    /// The part bends too far for its material.
+    PartStrength,
     /// The outer part has no more radius.
     PartRadius,
     /// The handbook's feeds and formulas end here.
@@ -52,6 +57,8 @@ impl Bound {
             Self::SideForce => "side-force",
             Self::SpindleTorque => "spindle-torque",
             Self::SpindlePower => "spindle-power",
+            Self::PartStiffness => "part-stiffness",
+            Self::PartStrength => "part-strength",
             Self::PartRadius => "part-radius",
             Self::Handbook => "handbook",
         }
@@ -124,6 +131,8 @@ impl UnknownBound {
 #[derive(Clone, Copy, Debug)]
 enum Measure {
     Force(Component),
+    /// The main force and a component across the part, together.
+    Across(Component),
     Torque,
     Power,
     Depth,
@@ -192,6 +201,10 @@ impl Check {
         let main = || forces.at(Component::Main, depth, speed);
         Some(match self.measure {
             Measure::Force(component) => Load::ForceN(forces.at(component, depth, speed)?),
+            Measure::Across(component) => {
+                let (main, across) = (main()?.0, forces.at(component, depth, speed)?.0);
+                Load::ForceN(Newtons(libm::sqrt(main * main + across * across)))
+            }
             Measure::Torque => Load::TorqueNM(torque(main()?, cut.diameter)),
             Measure::Power => Load::PowerKw(power(main()?, speed)),
             Measure::Depth => Load::DepthMm(depth),
@@ -233,6 +246,17 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
         tried.push((Bound::PartRadius, None, Ok(part_radius(cut))));
     }
     let (mut checks, mut missing) = (Vec::new(), Vec::new());
+    if let Some(part) = cut.part.filter(|_| !cut.is_inner()) {
+        let across = across_part(cut);
+        let lacking = [Component::Main, across].into_iter().find_map(|one| forces.law(one).as_ref().err().cloned());
+        for check in [Some(part_stiffness(cut, part, across)?), part_strength(cut, part, across)?].into_iter().flatten()
+        {
+            match &lacking {
+                None => checks.push(check),
+                Some(why) => missing.push(UnknownBound { bound: check.bound, why: why.clone() }),
+            }
+        }
+    }
     for (bound, component, check) in tried {
         // A limit that does not apply to the tool is neither calculated nor missing.
         if bound == Bound::InsertEdge && cut.tool.plunges() {
@@ -250,11 +274,11 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
 
 /// A constant of `turning-limits` with its reason; `of` takes the required figure from the row.
 fn constant<T: Told + Clone>(
-    cut: &Cut<'_, '_>,
+    knowledge: &Knowledge,
     name: Limit,
     of: impl Fn(&TurningLimits<'_>) -> Option<T>,
 ) -> Result<(T, Because), KnowledgeError> {
-    let row = cut.knowledge.need(name.name(), |row: &TurningLimits<'_>| row.name == name)?;
+    let row = knowledge.need(name.name(), |row: &TurningLimits<'_>| row.name == name)?;
     let lacks = || KnowledgeError::lacks(&row.row.table.id, note!("turned-has-no-figure-kind", value = name.name()));
     let value = of(&row).ok_or_else(lacks)?;
     let note = Note::new("turning-limit").with("name", Figure::word(name.name())).with("value", &value);
@@ -263,20 +287,39 @@ fn constant<T: Told + Clone>(
 
 /// A length of `turning-limits`, and why.
 pub(super) fn constant_length(cut: &Cut<'_, '_>, name: Limit) -> Result<(Micrometres, Because), KnowledgeError> {
-    constant(cut, name, |row| row.length)
+    constant(cut.knowledge, name, |row| row.length)
 }
 
-fn ratio(cut: &Cut<'_, '_>, name: Limit) -> Result<(f64, Because), KnowledgeError> {
-    constant(cut, name, |row| row.ratio)
+/// How far the jaws stay from the end of a tool's way.
+///
+/// # Errors `turning-limits` does not have it.
+pub fn jaw_clearance(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    Ok(constant(knowledge, Limit::JawClearance, |row| row.length)?.0)
+}
+
+/// The shallowest pass worth roughing with.
+///
+/// # Errors `turning-limits` does not have it.
+pub fn least_sensible_depth(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    Ok(constant(knowledge, Limit::LeastSensibleDepth, |row| row.length)?.0)
+}
+
+pub(super) fn ratio(knowledge: &Knowledge, name: Limit) -> Result<(f64, Because), KnowledgeError> {
+    constant(knowledge, name, |row| row.ratio)
 }
 
 /// A stress of `turning-limits`, MPa, and why.
 fn stress(cut: &Cut<'_, '_>, name: Limit) -> Result<(f64, Because), KnowledgeError> {
-    constant(cut, name, |row| row.stress.map(|stress| stress.0.to_f64()))
+    constant(cut.knowledge, name, |row| row.stress.map(|stress| stress.0.to_f64()))
 }
 
-/// The overhang, mm: from the tool's row, otherwise by the ratio of `turning-limits` to its height or diameter.
-fn overhang(cut: &Cut<'_, '_>, shank: Shank) -> Result<(f64, Vec<Because>), KnowledgeError> {
+/// The overhang, mm: from the tool's row; of a bar the depth of the bore and a clearance; otherwise by the ratio of
+/// `turning-limits` to its height or diameter.
+fn overhang(cut: &Cut<'_, '_>, shank: Shank) -> Tried<(f64, Vec<Because>), BarTooLong> {
+    if let (Shank::Round { .. }, Some(depth)) = (shank, cut.bore_depth) {
+        let (overhang, because) = bar_overhang(cut.tool, depth, cut.knowledge)?;
+        return Ok((overhang.to_mm(), because));
+    }
     if let Some(reach) = cut.tool.reach {
         let note = Note::new("overhang").with("length", reach);
         return Ok((reach.to_mm(), vec![Because::row(cut.tool.row, note)]));
@@ -285,8 +328,87 @@ fn overhang(cut: &Cut<'_, '_>, shank: Shank) -> Result<(f64, Vec<Because>), Know
         Shank::Square { height, .. } => (height, Limit::OverhangRatio),
         Shank::Round { diameter } => (diameter, Limit::BarOverhangRatio),
     };
-    let (ratio, because) = ratio(cut, name)?;
+    let (ratio, because) = ratio(cut.knowledge, name)?;
     Ok((ratio * size.to_mm(), vec![because]))
+}
+
+/// How far a boring bar stands out to work a bore of a depth: the depth and a clearance (`turning-limits`), and why.
+///
+/// # Errors The bar would stand out farther than its row says, or than `turning-limits` lets a bar of steel of its
+/// diameter: overhang ≤ ratio · d. A tool without a bar has no such bound, and stands out by that sum.
+pub fn bar_overhang(
+    tool: &TurningTool<'_>,
+    bore_depth: Micrometres,
+    knowledge: &Knowledge,
+) -> Tried<(Micrometres, Vec<Because>), BarTooLong> {
+    let (clearance, of_clearance) = constant(knowledge, Limit::BarClearance, |row| row.length)?;
+    let overhang = bore_depth + clearance;
+    let mut because = vec![of_clearance];
+    let most = match (tool.reach, tool.shank) {
+        (Some(reach), _) => Some(reach),
+        (None, Some(Shank::Round { diameter })) => {
+            let (ratio, of_ratio) = ratio(knowledge, Limit::BarOverhangRatio)?;
+            because.push(of_ratio);
+            Some(Micrometres::from_mm_rounded(ratio * diameter.to_mm()))
+        }
+        _ => None,
+    };
+    match most.filter(|most| overhang > *most) {
+        Some(most) => Err(Refusal::Not(BarTooLong { tool: tool.designation.to_owned(), overhang, most })),
+        None => Ok((overhang, because)),
+    }
+}
+
+/// Refuses a cut whose bar would stand out too far.
+pub(super) fn bar_reaches(cut: &Cut<'_, '_>) -> Tried<(), CuttingRefusal> {
+    let (Some(depth), Some(Shank::Round { .. })) = (cut.bore_depth, cut.tool.shank) else { return Ok(()) };
+    let reaches = bar_overhang(cut.tool, depth, cut.knowledge);
+    reaches.map(|_| ()).map_err(|refusal| refusal.map(CuttingRefusal::BarTooLong))
+}
+
+/// The component that bends the part: of turning along the axis and of plunging Py, of facing Px, which lies across it
+/// there.
+fn across_part(cut: &Cut<'_, '_>) -> Component {
+    match cut.direction {
+        Direction::Transverse if !cut.tool.plunges() => Component::Axial,
+        _ => Component::Radial,
+    }
+}
+
+/// Bending of the part: in roughing the force of Pz and Py together ≤ f/c, with f the deflection of `turning-limits` and
+/// c the compliance of the part; in finishing Py ≤ share·T/c, because only what lies across the surface changes the
+/// diameter.
+fn part_stiffness(cut: &Cut<'_, '_>, part: &Flexibility, across: Component) -> Result<Check, KnowledgeError> {
+    let mut because = part.because.clone();
+    let (mm, measure) = match part.tolerance {
+        Some(tolerance) => {
+            let (share, of_share) = ratio(cut.knowledge, Limit::PartDeflectionShare)?;
+            because.push(of_share);
+            (share * tolerance.to_mm(), Measure::Force(across))
+        }
+        None => {
+            let (most, of_most) = constant_length(cut, Limit::PartDeflection)?;
+            because.push(of_most);
+            (most.to_mm(), Measure::Across(across))
+        }
+    };
+    Ok(Check { bound: Bound::PartStiffness, measure, capacity: Load::ForceN(part.force_to_bend(mm)), because })
+}
+
+/// Bending stress of the part ≤ a share of its strength (`turning-limits`); none where its strength is not known.
+fn part_strength(cut: &Cut<'_, '_>, part: &Flexibility, across: Component) -> Result<Option<Check>, KnowledgeError> {
+    if part.strength <= 0.0 {
+        return Ok(None);
+    }
+    let (share, of_share) = ratio(cut.knowledge, Limit::PartStressShare)?;
+    let capacity = Load::ForceN(part.force_to_stress(share * part.strength));
+    let because = vec![of_share];
+    Ok(Some(Check { bound: Bound::PartStrength, measure: Measure::Across(across), capacity, because }))
+}
+
+/// A bar that is too long is refused before its bounds are asked for; here it lacks an overhang.
+fn of_bar<T>(cut: &Cut<'_, '_>, tried: Tried<T, BarTooLong>) -> Tried<T, MissingFigure> {
+    tried.map_err(|refusal| refusal.map(|_| cut.tool_lacks("reach")))
 }
 
 fn shank_of(cut: &Cut<'_, '_>) -> Tried<Shank, MissingFigure> {
@@ -304,7 +426,7 @@ fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
         }
     };
     let (allowed, reason) = stress(cut, Limit::ShankStress)?;
-    let (overhang, mut because) = overhang(cut, shank)?;
+    let (overhang, mut because) = of_bar(cut, overhang(cut, shank))?;
     because.push(reason);
     Ok(main_force(Bound::ShankStrength, Newtons(allowed * modulus / overhang), because))
 }
@@ -324,7 +446,7 @@ fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     };
     let (modulus, of_modulus) = stress(cut, Limit::ShankModulus)?;
     let (bend, of_bend) = constant_length(cut, Limit::ShankDeflection)?;
-    let (overhang, mut because) = overhang(cut, shank)?;
+    let (overhang, mut because) = of_bar(cut, overhang(cut, shank))?;
     because.extend([of_modulus, of_bend]);
     let force = 3.0 * bend.to_mm() * modulus * inertia / (overhang * overhang * overhang);
     Ok(main_force(Bound::ShankStiffness, Newtons(force), because))
@@ -371,7 +493,7 @@ fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
             let note = Note::new("lathe-limit").with("limit", share.0);
             (share.0, Because::row(cut.lathe.row(Q::SpindleEfficiency)?, note))
         }
-        None => ratio(cut, Limit::DriveEfficiency)?,
+        None => ratio(cut.knowledge, Limit::DriveEfficiency)?,
     };
     let power = Kilowatts(cut.lathe.power.0 * share);
     let note = Note::new("lathe-limit").with("limit", cut.lathe.power.0);

@@ -6,6 +6,8 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Finding, Note};
 use crate::tables::lathes::LatheQuantity;
+use crate::tables::practice::RoughOrFinish;
+use crate::tables::turning::tools::Limit;
 use crate::turning::tooling::Spindle;
 use crate::units::{
     Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
@@ -15,8 +17,9 @@ use technolog_cutting::{rpm_at, speed_at};
 
 use super::bounds::{self, Bound, Check, Forces, Load, UnknownBound};
 use super::feed::{finish_feed, rough_feed};
-use super::laws::{self, Component};
+use super::laws::Component;
 use super::limit::positive;
+use super::speed;
 use super::{Cut, CuttingRefusal, Direction, NonPositive, of_figures};
 
 /// Feed, speed and loads of a transition.
@@ -30,7 +33,7 @@ pub struct TurningConditions {
     pub depth_mm: Micrometres,
     /// Feed.
     pub feed_mm_per_rev: MillimetresPerRev,
-    /// The speed of the tool's life.
+    /// The speed of the tool's life; where no formula is for the material the usual one of practice.
     pub computed_speed_m_per_min: MetresPerMinute,
     /// The speed at the spindle's step.
     pub speed_m_per_min: MetresPerMinute,
@@ -38,8 +41,8 @@ pub struct TurningConditions {
     pub spindle_rpm: RevsPerMinute,
     /// The feed rate.
     pub feed_mm_per_min: MillimetresPerMinute,
-    /// Tool life at the spindle's step: T·(V/Vstep)^(1/m).
-    pub tool_life_min: Minutes,
+    /// Tool life at the spindle's step: T·(V/Vstep)^(1/m); absent where no formula is for the material.
+    pub tool_life_min: Option<Minutes>,
     /// Pz; absent where no figures are known.
     pub main_force_n: Option<Newtons>,
     /// Py, across the feed, in grooving against it; absent if no figures are known.
@@ -50,7 +53,7 @@ pub struct TurningConditions {
     pub torque_n_m: Option<NewtonMetres>,
     /// Cutting power; absent if no figures are known.
     pub power_kw: Option<Kilowatts>,
-    /// What limited them: `tool-life`, `spindle-speed-max`, `spindle-speed-min`, `spindle-power`, `feed-max` or
+    /// What limited them: `tool-life`, `practice`, `spindle-speed-max`, `spindle-speed-min`, `spindle-power`, `feed-max` or
     /// `feed-min`.
     pub limited_by: String,
     /// The limits that these conditions exceed: the depth must be reduced.
@@ -70,7 +73,7 @@ impl TurningConditions {
 
 /// Conditions of a cut at a depth. With a roughness the feed is that of finishing, but never above that of roughing.
 ///
-/// The speed is that of the tool life, on the spindle step below it. If the spindle power is not enough, the speed is
+/// The speed is that of the tool life, held against practice, on the spindle step below it. If the spindle power is not enough, the speed is
 /// reduced until it is. Feed rates outside the range of the axis are set to its end. A grooving tool cuts its own
 /// width, whatever depth is given.
 ///
@@ -89,15 +92,21 @@ pub fn conditions(
     if depth <= Micrometres::ZERO {
         return Err(Refusal::Not(CuttingRefusal::NothingToCut(NonPositive::Depth(depth))));
     }
+    bounds::bar_reaches(cut)?;
     let (mut feed, mut because) = feed_of(cut, depth, roughness)?;
     positive(cut, feed)?;
-    let law = of_figures(cut.named(laws::speed(cut, feed)))?;
+    let pass = if roughness.is_some() { RoughOrFinish::Finish } else { RoughOrFinish::Rough };
+    if roughness.is_some() {
+        feed = within_part(cut, depth, feed, &mut because)?;
+    }
+    let law = of_figures(cut.named(speed::speed(cut, feed, pass)))?;
     because.extend(law.because.iter().cloned());
-    let computed = law.at(depth.to_mm());
+    let taken = law.at(depth.to_mm(), cut)?;
+    because.extend(taken.because.iter().cloned());
     let forces = Forces::of(cut, feed)?;
     let (checks, missing) = bounds::checks(cut, &forces)?;
-    let wanted = rpm_at(computed, cut.diameter);
-    let (mut rpm, mut limited_by) = first_speed(cut, wanted);
+    let wanted = rpm_at(taken.speed, cut.diameter);
+    let (mut rpm, mut limited_by) = first_speed(cut, wanted, taken.is_of_practice());
     if let Some(check) = checks.iter().find(|check| check.bound == Bound::SpindlePower)
         && let Some(slower) = within_power(cut, check, &forces, depth, rpm)
     {
@@ -127,17 +136,16 @@ pub fn conditions(
     };
     let main = forces.at(Component::Main, depth, speed);
     let force = |component| forces.at(component, depth, speed).map(|force| force.rounded(0));
-    let life = law.life.0 * libm::pow(computed.0 / speed.0, 1.0 / law.life_exponent);
     Ok(TurningConditions {
         tool: cut.tool.designation.to_owned(),
         lathe: cut.lathe.id().to_owned(),
         depth_mm: depth,
         feed_mm_per_rev: feed.rounded(4),
-        computed_speed_m_per_min: computed.rounded(2),
+        computed_speed_m_per_min: taken.computed.rounded(2),
         speed_m_per_min: speed.rounded(2),
         spindle_rpm: rpm.rounded(2),
         feed_mm_per_min: MillimetresPerMinute(feed.0 * rpm.0).rounded(1),
-        tool_life_min: Minutes(life).rounded(0),
+        tool_life_min: taken.life_at(speed).map(|life| life.rounded(0)),
         main_force_n: force(Component::Main),
         radial_force_n: force(Component::Radial),
         axial_force_n: force(Component::Axial),
@@ -148,6 +156,42 @@ pub fn conditions(
         missing,
         because,
     })
+}
+
+/// A finishing feed cut back until the part bends within its share of the tolerance, in hundredths of a millimetre, but
+/// not below the least of `turning-limits`; what is then still too much stands among the bounds exceeded.
+fn within_part(
+    cut: &Cut<'_, '_>,
+    depth: Micrometres,
+    feed: MillimetresPerRev,
+    because: &mut Vec<Because>,
+) -> Tried<MillimetresPerRev, CuttingRefusal> {
+    if cut.part.is_none() {
+        return Ok(feed);
+    }
+    let (least, _) = bounds::constant_length(cut, Limit::FinishFeedLeast)?;
+    let mut held = feed;
+    loop {
+        let forces = Forces::of(cut, held)?;
+        let (checks, _) = bounds::checks(cut, &forces)?;
+        let law = of_figures(cut.named(speed::speed(cut, held, RoughOrFinish::Finish)))?;
+        let speed = law.at(depth.to_mm(), cut)?.speed;
+        let Some(check) = checks.into_iter().find(|check| check.bound == Bound::PartStiffness) else {
+            return Ok(feed);
+        };
+        if check.load(cut, &forces, depth, speed).is_none_or(|load| load.within(check.capacity)) {
+            if held != feed {
+                let note = Note::new("feed-within-part").with("feed", held.0).with("before", feed.0);
+                because.extend(check.because.into_iter().map(|one| Because { note: note.clone(), ..one }).next_back());
+            }
+            return Ok(held);
+        }
+        let next = ((held.0 - 0.01) * 100.0).round() / 100.0;
+        if next < least.to_mm() {
+            return Ok(held);
+        }
+        held = MillimetresPerRev(next);
+    }
 }
 
 /// The feed of finishing if a roughness is required, but never above that of roughing if the tables have one.
@@ -177,12 +221,14 @@ fn feed_of(
 }
 
 /// The spindle speed for a wanted speed, and what limited it.
-fn first_speed(cut: &Cut<'_, '_>, wanted: RevsPerMinute) -> (RevsPerMinute, &'static str) {
+fn first_speed(cut: &Cut<'_, '_>, wanted: RevsPerMinute, practice: bool) -> (RevsPerMinute, &'static str) {
     let (slowest, fastest) = cut.lathe.spindle.ends();
     let limited_by = if wanted.0 > fastest.0 {
         "spindle-speed-max"
     } else if wanted.0 < slowest.0 {
         "spindle-speed-min"
+    } else if practice {
+        "practice"
     } else {
         "tool-life"
     };

@@ -5,12 +5,14 @@ use crate::knowledge::units::Megapascals;
 use crate::knowledge::{Column, Knowledge, Question};
 use crate::note::{Because, Note};
 use crate::tables::cutting::{BoringFinishFeedFor, GroovingFeedFor, TurningBoringFeedFor, TurningRoughFeedFor};
-use crate::tables::turning::tools::{TurningFinishFeedFor, TurningFinishFeedStrengthFor};
-use crate::turning::tooling::{Shank, ToolKind};
-use crate::units::{Micrometres, MillimetresPerRev, Roughness};
+use crate::tables::turning::tools::{
+    Limit, TurningCutBackFor, TurningFinishFeedFor, TurningFinishFeedStrengthFor, TurningRoughnessUnsaidFor,
+};
+use crate::turning::tooling::{Shank, ToolKind, TurningTool};
+use crate::units::{Degrees, ItGrade, Micrometres, MillimetresPerRev, Roughness};
 use technolog_cutting::figures;
 
-use super::{Cut, CuttingRefusal, of_tables};
+use super::{Cut, CuttingRefusal, bounds, of_tables};
 
 /// A feed and the rows it rests on.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +62,10 @@ pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, CuttingR
 
 /// The feed that leaves a roughness, by the nose radius: nine cells are from `boring-finish-feed`, the others from
 /// `turning-finish-feed`, for steel multiplied by `turning-finish-feed-strength`. Between two columns the finer one,
-/// between two radii the smaller one is taken.
+/// between two radii the smaller one is taken. It is never above what nose and roughness leave by geometry:
+///
+/// s ≤ √(31.2·Ra·r/(1000·k)), mm/rev, with Ra in µm, r in mm and k of `turning-limits`, by which a real surface is rougher
+/// than the geometrical one (Ra = 1000·s²/(31.2·r)).
 ///
 /// # Errors The roughness is finer than the table; the tool's row has no nose radius, or one below the table's;
 /// threads.
@@ -72,6 +77,7 @@ pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Cutti
     let nose_radius = nose_of_table(cut.knowledge, nose)?.ok_or_else(no_nose)?;
     let columns = TurningFinishFeedFor::roughness(rest).map(Column::roughness_points);
     let column = columns.into_iter().flatten().filter(|column| *column <= roughness).max();
+    let asked = roughness;
     let roughness = column.ok_or(Refusal::Not(CuttingRefusal::TooFineToTurn { roughness, process }))?;
     let (mut feed, row) = match rest.ask(&TurningFinishFeedFor { roughness, nose_radius })?.winner()? {
         Some(cell) => (cell.feed.0, cell.row),
@@ -88,7 +94,52 @@ pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Cutti
         feed *= rule.factor;
         because.push(Because::row(rule.row, Note::new("feed-strength-factor").with("factor", rule.factor)));
     }
+    let (factor, of_factor) = bounds::ratio(cut.knowledge, Limit::RoughnessPracticeFactor)?;
+    let most = libm::sqrt(ARC * asked.ra_um() * nose.to_mm() / (1000.0 * factor));
+    if most < feed {
+        // Rounded down, so that the surface is never rougher.
+        feed = (most * 1000.0).floor() / 1000.0;
+        let note = Note::new("feed-of-nose").with("feed", feed).with("radius", nose).with("factor", factor);
+        because.push(Because { note, ..of_factor });
+    }
     Ok(Feed { feed: MillimetresPerRev(feed), because })
+}
+
+/// Ra of a row of arcs: s²/(18·√3·r), so that s² = 31.18·r·Ra; tables of makers print 31.2.
+const ARC: f64 = 31.2;
+
+/// The roughness that is finished to where the drawing has none, by the grade of the surface (rule
+/// `turning-roughness-unsaid`).
+///
+/// # Errors The knowledge base lacks the rule, or a row of it.
+pub fn unsaid_roughness(grade: Option<ItGrade>, knowledge: &Knowledge) -> Result<(Roughness, Because), KnowledgeError> {
+    let asked = knowledge.ask(&TurningRoughnessUnsaidFor { it: grade })?;
+    let roughness = asked.need("this grade")?.roughness;
+    Ok((roughness, Because::answer(&asked.answer, Note::new("roughness-unsaid").with("roughness", roughness))))
+}
+
+/// The least depth of a finishing pass, so that the nose cuts and does not rub: a share of its radius
+/// (`turning-limits`). None of a tool whose row has no nose.
+///
+/// # Errors The table does not have the share.
+pub fn least_finishing_depth(
+    tool: &TurningTool<'_>,
+    knowledge: &Knowledge,
+) -> Result<Option<(Micrometres, Because)>, KnowledgeError> {
+    let (share, because) = bounds::ratio(knowledge, Limit::FinishDepthShare)?;
+    Ok(tool.nose_radius.map(|nose| (Micrometres::from_mm_rounded(share * nose.to_mm()), because)))
+}
+
+/// Whether a tool may cut on its way back (rule `turning-cut-back`): with its second edge, φ1 being its angle then. A
+/// zigzag asks for it.
+///
+/// # Errors The knowledge base lacks the rule, or a row of it.
+pub fn cuts_back(tool: &TurningTool<'_>, knowledge: &Knowledge) -> Result<(bool, Because), KnowledgeError> {
+    let asked = knowledge.ask(&TurningCutBackFor { trail_angle: Degrees(tool.trail_angle.to_f64()) })?;
+    let back = asked.need(tool.designation)?.cuts_back;
+    let note = Note::new(if back { "cuts-back" } else { "cuts-not-back" });
+    let note = note.with("tool", tool.designation).with("angle", tool.trail_angle);
+    Ok((back, Because::answer(&asked.answer, note)))
 }
 
 /// The largest nose radius of the table that is not above the tool's: a smaller nose has a slower feed.

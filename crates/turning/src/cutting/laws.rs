@@ -1,17 +1,17 @@
-//! Speed and forces as power laws of the depth of cut, for one cut and one feed.
+//! Forces as power laws of the depth of cut, for one cut and one feed.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Question;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
+use crate::practice_speed::practice_group;
 use crate::tables::cutting::{
-    BoringForceFor, BoringSpeedFor, GroovingSpeedFor, Process, Reference, ToolMaterialFactor, ToolMaterialFactorFor,
-    TurningForce, TurningForceFor,
+    BoringForceFor, Process, Reference, ToolMaterialFactor, ToolMaterialFactorFor, TurningForce, TurningForceFor,
+    TurningForceShareFor,
 };
-use crate::tables::turning::tools::{
-    InsertRake, TurningForceAngle, TurningForceAngleFor, TurningForceRakeFor, TurningSpeedAngleFor,
-};
-use crate::units::{Decimal, Degrees, MetresPerMinute, MillimetresPerRev, Minutes, Newtons, round_to};
+use crate::tables::practice::SpecificCuttingForceFor;
+use crate::tables::turning::tools::{InsertRake, TurningForceAngle, TurningForceAngleFor, TurningForceRakeFor};
+use crate::units::{Decimal, Degrees, MetresPerMinute, MillimetresPerRev, Newtons, round_to};
 use technolog_cutting::factors;
 use technolog_cutting::figures;
 
@@ -20,30 +20,20 @@ pub(super) use crate::tables::cutting::Component;
 use super::{Cut, FigureOwner, MissingFigure, of_tables};
 
 /// What the tools of this room are of.
-const TOOL_MATERIAL: ToolMaterial = ToolMaterial::Carbide;
+pub(super) const TOOL_MATERIAL: ToolMaterial = ToolMaterial::Carbide;
 
 /// `factor · t^depth · V^speed`, with t in mm and V in m/min; the feed is part of the factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct PowerLaw {
-    factor: f64,
-    depth: f64,
-    speed: f64,
+pub(super) struct PowerLaw {
+    pub factor: f64,
+    pub depth: f64,
+    pub speed: f64,
 }
 
-/// The speed of a tool's life.
-#[derive(Clone, Debug)]
-pub(super) struct SpeedLaw {
-    law: PowerLaw,
-    /// The life it is reckoned for.
-    pub life: Minutes,
-    /// m of V ~ 1/T^m.
-    pub life_exponent: f64,
-    pub because: Vec<Because>,
-}
-
-impl SpeedLaw {
-    pub fn at(&self, depth_mm: f64) -> MetresPerMinute {
-        MetresPerMinute(self.law.factor * libm::pow(depth_mm, self.law.depth))
+impl PowerLaw {
+    /// Its value at a depth, mm, and a speed.
+    pub fn at(self, depth_mm: f64, speed: MetresPerMinute) -> f64 {
+        self.factor * libm::pow(depth_mm, self.depth) * libm::pow(speed.0, self.speed)
     }
 }
 
@@ -56,7 +46,7 @@ pub(super) struct ForceLaw {
 
 impl ForceLaw {
     pub fn at(&self, depth_mm: f64, speed: MetresPerMinute) -> Newtons {
-        Newtons(self.law.factor * libm::pow(depth_mm, self.law.depth) * libm::pow(speed.0, self.law.speed))
+        Newtons(self.law.at(depth_mm, speed))
     }
 
     /// n of P ~ V^n.
@@ -65,48 +55,13 @@ impl ForceLaw {
     }
 }
 
-/// The speed for the tool life of `boring-parameters` (Косилова/Мещеряков т.2):
-///
-/// V = Cv / (T^m · t^x · s^y) · Kmv · Kpv · Kiv · Kφv, and 0.9 of it in a bore; in grooving without t, Kφv and the 0.9.
-///
-/// # Errors A table has no figure for this material or tool.
-pub(super) fn speed(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<SpeedLaw, MissingFigure> {
-    let (life, reason) = factors::single_point_life(cut.knowledge)?;
-    let mut because = vec![reason];
-    let figures = if cut.tool.plunges() {
-        let figures = of_tables(figures::ask(|material_group| GroovingSpeedFor { material_group }, cut))?;
-        figures.map(|row| ([row.cv, row.x, row.y, row.m], row.tool_grade))
-    } else {
-        let figures = of_tables(figures::ask(|material_group| BoringSpeedFor { material_group, feed }, cut))?;
-        figures.map(|row| ([row.cv, row.x, row.y, row.m], row.tool_grade))
-    };
-    let ([cv, x, y, m], tool_grade) = figures.row;
-    because.extend(figures.because(Note::new("speed-coefficients").with("cv", cv)));
-    let mut factor = cv / (libm::pow(life.0, m) * libm::pow(feed.0, y));
-    let mut corrections = vec![of_tables(factors::surface(cut.surface, cut))?];
-    if figures.own() {
-        corrections.push(of_tables(factors::material_speed(Process::Turning, TOOL_MATERIAL, cut))?);
-    }
-    corrections.extend(grade(cut, tool_grade)?);
-    if !cut.tool.plunges() {
-        let question = TurningSpeedAngleFor { lead_angle: degrees(cut.edge_angle()) };
-        corrections.push(angle(cut, &question, |row| row.factor, "angle-speed-factor")?);
-        if cut.is_inner() {
-            corrections.push(factors::internal(cut.knowledge)?);
-        }
-    }
-    for (correction, reason) in corrections {
-        factor *= correction;
-        because.push(reason);
-    }
-    let law = PowerLaw { factor, depth: -x, speed: 0.0 };
-    Ok(SpeedLaw { law, life, life_exponent: m, because })
-}
-
 /// A component of the force (Косилова/Мещеряков т.2 tables 9, 22, 23):
 ///
 /// P = 10 · Cp · t^x · s^y · V^n · Kmp · Kφp · Kγp, N. In grooving t is the width of the blade, and there is no factor
 /// for an angle.
+///
+/// A material whose group has no coefficients of its own is cut with the force of `specific-cutting-force`; only where
+/// its grade has no group of VDI 3323 do the figures of another group stand in, and the reason names that group.
 ///
 /// # Errors A table has no figure for this material, or the tool's row has no insert, so that its rake is unknown.
 pub(super) fn force(
@@ -116,6 +71,11 @@ pub(super) fn force(
 ) -> Tried<ForceLaw, MissingFigure> {
     let tool_material = TOOL_MATERIAL;
     let turning = !cut.tool.plunges();
+    if !has_own(cut, component)?
+        && let Some(law) = specific(cut, component, feed)?
+    {
+        return Ok(law);
+    }
     let of_boring = turning && component == Component::Main;
     // For Pz of turning the factor of the material belongs to the whole process, otherwise to the row.
     let figures = if of_boring {
@@ -151,6 +111,57 @@ pub(super) fn force(
     Ok(ForceLaw { law, because })
 }
 
+/// Whether the handbook has coefficients of the force for the material's own group.
+fn has_own(cut: &Cut<'_, '_>, component: Component) -> Result<bool, KnowledgeError> {
+    let (material_group, tool_material) = (cut.material.group, TOOL_MATERIAL);
+    if component == Component::Main && !cut.tool.plunges() {
+        let question = BoringForceFor { material_group, tool_material };
+        return Ok(figures::within_reach(&question, cut.knowledge)?.is_some());
+    }
+    let question = TurningForceFor { process: cut.process(), component, material_group, tool_material };
+    Ok(figures::within_reach(&question, cut.knowledge)?.is_some())
+}
+
+/// A component by the specific cutting force of VDI 3323 (`specific-cutting-force`), N; none where the grade has no
+/// group there:
+///
+/// P = share · kc1 · h^(−mc) · s · t, with the thickness of the chip h = s · sin φ, mm. The share is that of
+/// `turning-force-share`; the rake of the seat counts beside the 0° that kc1 is for. In grooving φ is 90° and t the
+/// width of the blade.
+fn specific(
+    cut: &Cut<'_, '_>,
+    component: Component,
+    feed: MillimetresPerRev,
+) -> Tried<Option<ForceLaw>, MissingFigure> {
+    let Some(group) = practice_group(cut.material, cut.knowledge)? else { return Ok(None) };
+    let question = TurningForceShareFor { process: cut.process(), component };
+    let Some(share) = cut.knowledge.ask(&question)?.winner()? else { return Ok(None) };
+    let row = cut.knowledge.ask(&SpecificCuttingForceFor { vdi: group.vdi })?.need("this group of VDI 3323")?;
+    let turning = !cut.tool.plunges();
+    let sine = if turning { libm::sin(cut.edge_angle().to_f64().to_radians()) } else { 1.0 };
+    let note = Note::new("specific-force").with("group", group.vdi).with("kc", row.kc1.0).with("mc", row.mc);
+    let mut because = vec![Because::row(row.row, note)];
+    let mut factor = row.kc1.0.to_f64() * libm::pow(feed.0 * sine, -row.mc) * feed.0;
+    let mut corrections = Vec::new();
+    corrections.push((share.share, Because::row(share.row, shown("force-share", share.share))));
+    if turning {
+        if component != Component::Main {
+            let question = TurningForceAngleFor { lead_angle: degrees(cut.edge_angle()) };
+            let factor = |row: TurningForceAngle<'_>| of_component(component, [row.pz, row.py, row.px]);
+            corrections.push(angle(cut, &question, factor, "angle-force-factor")?);
+        }
+        let (own, reason) = rake(cut, component)?;
+        let straight = cut.knowledge.ask(&TurningForceRakeFor { rake: Degrees(0.0) })?.need("a rake of 0°")?;
+        let straight = of_component(component, [straight.pz, straight.py, straight.px]);
+        corrections.push((own / straight, reason));
+    }
+    for (correction, reason) in corrections {
+        factor *= correction;
+        because.push(reason);
+    }
+    Ok(Some(ForceLaw { law: PowerLaw { factor, depth: 1.0, speed: 0.0 }, because }))
+}
+
 /// Kmp of a row of `turning-force`: (σB/750)^n of steel, (HB/190)^n of iron, with the row's own n.
 fn material(cut: &Cut<'_, '_>, row: &TurningForce<'_>) -> (f64, Because) {
     let ratio = match row.reference {
@@ -163,7 +174,7 @@ fn material(cut: &Cut<'_, '_>, row: &TurningForce<'_>) -> (f64, Because) {
 
 /// Kiv: the first grade of the tool that `tool-material-factor` has for the material, relative to the grade of the
 /// coefficients. A tool without a grade, or with that very grade, needs no factor.
-fn grade(cut: &Cut<'_, '_>, reference: &str) -> Tried<Option<(f64, Because)>, MissingFigure> {
+pub(super) fn grade(cut: &Cut<'_, '_>, reference: &str) -> Tried<Option<(f64, Because)>, MissingFigure> {
     if cut.tool.grades.is_empty() || cut.tool.grades.contains(&reference) {
         return Ok(None);
     }
@@ -183,7 +194,7 @@ fn grade(cut: &Cut<'_, '_>, reference: &str) -> Tried<Option<(f64, Because)>, Mi
 }
 
 /// A factor by the angle of the edge that cuts.
-fn angle<'k, Q: Question>(
+pub(super) fn angle<'k, Q: Question>(
     cut: &Cut<'_, 'k>,
     question: &Q,
     factor: impl FnOnce(Q::Row<'k>) -> f64,
@@ -217,7 +228,7 @@ const fn of_component(component: Component, [pz, py, px]: [f64; 3]) -> f64 {
 }
 
 /// An angle for a query of the tables.
-fn degrees(angle: Decimal) -> Degrees {
+pub(super) fn degrees(angle: Decimal) -> Degrees {
     Degrees(angle.to_f64())
 }
 

@@ -4,15 +4,16 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::error::{Refusal, Tried};
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Finding};
+use crate::tables::practice::RoughOrFinish;
 use crate::tables::turning::tools::Limit;
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinute};
 use technolog_cutting::{rpm_at, speed_at};
 
 use super::bounds::{self, Bound, Check, Forces, Load, UnknownBound};
 use super::conditions::within_power;
-use super::laws::{self, SpeedLaw};
+use super::speed::{self, SpeedLaw};
 use super::{Cut, CuttingRefusal, NonPositive, Speed, of_figures};
 
 /// The limiting depth of cut, with every limit that was compared.
@@ -70,7 +71,7 @@ impl LimitingDepth {
 struct Turns<'c, 'a, 'k> {
     cut: &'c Cut<'a, 'k>,
     speed: Speed,
-    law: Option<SpeedLaw>,
+    law: Option<SpeedLaw<'k>>,
     forces: &'c Forces,
     /// The limit of power, if it can be calculated.
     power: Option<&'c Check>,
@@ -86,26 +87,32 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
     ) -> Tried<Self, CuttingRefusal> {
         let power = checks.iter().find(|check| check.bound == Bound::SpindlePower);
         let law = if matches!(speed, Speed::ForToolLife | Speed::WithinPower) {
-            Some(of_figures(cut.named(laws::speed(cut, feed)))?)
+            Some(of_figures(cut.named(speed::speed(cut, feed, RoughOrFinish::Rough)))?)
         } else {
             None
         };
         Ok(Self { cut, speed, law, forces, power })
     }
 
+    /// What practice says of the speed at a depth.
+    fn opinion(&self, depth: Micrometres) -> Result<Vec<Because>, KnowledgeError> {
+        let taken = self.law.as_ref().map(|law| law.at(depth.to_mm(), self.cut)).transpose()?;
+        Ok(taken.map(|taken| taken.because).unwrap_or_default())
+    }
+
     /// Spindle speed and cutting speed at a depth, on a step of the spindle; a given spindle speed is used as it is.
-    fn at(&self, depth: Micrometres) -> (RevsPerMinute, MetresPerMinute) {
+    fn at(&self, depth: Micrometres) -> Result<(RevsPerMinute, MetresPerMinute), KnowledgeError> {
         let spindle = &self.cut.lathe.spindle;
         let rpm = match (self.speed, &self.law) {
             (Speed::Spindle(rpm), _) => rpm,
             (Speed::Surface(speed), _) => spindle.at_most(rpm_at(speed, self.cut.diameter)),
-            (_, Some(law)) => spindle.at_most(rpm_at(law.at(depth.to_mm()), self.cut.diameter)),
+            (_, Some(law)) => spindle.at_most(rpm_at(law.at(depth.to_mm(), self.cut)?.speed, self.cut.diameter)),
             (_, None) => spindle.ends().0,
         };
         let slower = self.power.filter(|_| self.speed == Speed::WithinPower);
         let slower = slower.and_then(|check| within_power(self.cut, check, self.forces, depth, rpm));
         let rpm = slower.unwrap_or(rpm);
-        (rpm, speed_at(rpm, self.cut.diameter))
+        Ok((rpm, speed_at(rpm, self.cut.diameter)))
     }
 }
 
@@ -129,6 +136,7 @@ pub fn limiting_depth(
         return Err(Refusal::Not(CuttingRefusal::NoDepth { tool: cut.tool.designation.to_owned() }));
     }
     positive(cut, feed)?;
+    bounds::bar_reaches(cut)?;
     let forces = Forces::of(cut, feed)?;
     let (checks, missing) = bounds::checks(cut, &forces)?;
     // The length of the edge alone does not limit the load of shank and spindle.
@@ -140,15 +148,22 @@ pub fn limiting_depth(
     let (last, _) = bounds::constant_length(cut, Limit::DepthMax)?;
     let depth_at = |steps: i64| Micrometres::new(step.micrometres().saturating_mul(steps));
     let steps = last.micrometres() / step.micrometres().max(1);
+    let speeds: Vec<MetresPerMinute> =
+        (1..=steps).map(|steps| turns.at(depth_at(steps)).map(|(_, speed)| speed)).collect::<Result<_, _>>()?;
     let allowed = |check: &Check| -> i64 {
-        (1..=steps).take_while(|&steps| holds(check, cut, &forces, depth_at(steps), &turns)).last().unwrap_or(0)
+        let held = (1..).zip(&speeds).take_while(|(steps, speed)| {
+            let load = check.load(cut, &forces, depth_at(*steps), **speed);
+            load.is_some_and(|load| load.within(check.capacity))
+        });
+        held.last().map_or(0, |(steps, _)| steps)
     };
     let allowed_steps: Vec<i64> = checks.iter().map(allowed).collect();
     let least = allowed_steps.iter().copied().min().unwrap_or(0);
     let decided_by =
         checks.iter().zip(&allowed_steps).find(|(_, steps)| **steps == least).map(|(check, _)| check.bound);
     let told_at = depth_at(least.max(1));
-    let (rpm, velocity) = turns.at(told_at);
+    let (rpm, velocity) = turns.at(told_at)?;
+    let opinion = turns.opinion(told_at)?;
     let entry = |(check, steps): (&Check, &i64)| {
         let load = check.load(cut, &forces, told_at, velocity)?;
         Some(BoundTold {
@@ -160,6 +175,7 @@ pub fn limiting_depth(
         })
     };
     let mut because: Vec<Because> = turns.law.iter().flat_map(|law| law.because.clone()).collect();
+    because.extend(opinion);
     because.extend(forces.because());
     because.push(of_step);
     Ok(LimitingDepth {
@@ -176,11 +192,6 @@ pub fn limiting_depth(
         missing,
         because,
     })
-}
-
-fn holds(check: &Check, cut: &Cut<'_, '_>, forces: &Forces, depth: Micrometres, turns: &Turns<'_, '_, '_>) -> bool {
-    let (_, speed) = turns.at(depth);
-    check.load(cut, forces, depth, speed).is_some_and(|load| load.within(check.capacity))
 }
 
 /// A diameter and a feed that can be used in a calculation.

@@ -3,7 +3,9 @@
 //!
 //! - [`Cut`] says what cuts what on which lathe; everything here starts from it;
 //! - `laws` makes power laws of depth and speed from the coefficient tables, for one cut and one feed;
+//! - `speed` holds the formula of the speed against what shops drive;
 //! - [`rough_feed`] and [`finish_feed`] take feeds from their tables;
+//! - `stiffness` is how far a part in chuck or centres gives way;
 //! - `bounds` is what tool and lathe can carry, [`limiting_depth`] the largest depth within all of it;
 //! - [`conditions`] is feed, speed, spindle step and forces at a given depth.
 //!
@@ -15,6 +17,8 @@ mod feed;
 mod laws;
 mod limit;
 mod refusal;
+mod speed;
+pub mod stiffness;
 
 use crate::error::Tried;
 use crate::knowledge::Knowledge;
@@ -27,10 +31,12 @@ use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
 
 pub use bounds::{Bound, Load, UnknownBound};
+pub use bounds::{bar_overhang, jaw_clearance, least_sensible_depth};
 pub use conditions::{TurningConditions, conditions};
-pub use feed::{Feed, finish_feed, rough_feed};
+pub use feed::{Feed, cuts_back, finish_feed, least_finishing_depth, rough_feed, unsaid_roughness};
 pub use limit::{BoundTold, LimitingDepth, limiting_depth};
-pub use refusal::{CuttingRefusal, FigureOwner, MissingFigure, NonPositive, Process};
+pub use refusal::{BarTooLong, CuttingRefusal, FigureOwner, MissingFigure, NonPositive, Process};
+pub use stiffness::{Flexibility, HeldPart, PartSection};
 
 /// What cuts what, on which lathe.
 #[derive(Clone, Copy, Debug)]
@@ -49,6 +55,11 @@ pub struct Cut<'a, 'k> {
     pub direction: Direction,
     /// The surface of the metal before the cut.
     pub surface: Surface,
+    /// How far into a bore the cut goes, from its mouth; none outside, and where it is not known. A bar then stands out as
+    /// far as `turning-limits` lets it.
+    pub bore_depth: Option<Micrometres>,
+    /// How the part gives way there; none where it is not known or does not matter.
+    pub part: Option<&'a Flexibility>,
 }
 
 /// Where the feed goes.

@@ -30,8 +30,29 @@ pub enum CuttingRefusal {
     NoDepth { tool: String },
     /// No load can be calculated; the first limit with a missing figure.
     LimitNotKnown(Option<UnknownBound>),
+    /// A boring bar would stand out too far.
+    BarTooLong(BarTooLong),
     /// No source gives the limiting depth.
     NoLimitingDepth,
+}
+
+/// A boring bar that would stand out too far: overhang > most.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BarTooLong {
+    /// Its designation.
+    pub tool: String,
+    /// How far it would stand out.
+    pub overhang: Micrometres,
+    /// How far it may.
+    pub most: Micrometres,
+}
+
+impl BarTooLong {
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        let Self { tool, overhang, most } = self;
+        Note::new("bar-too-long").with("tool", tool).with("overhang", overhang).with("most", most)
+    }
 }
 
 /// A quantity of a cut that is not above zero, or unreasonably large.
@@ -172,6 +193,7 @@ impl CuttingRefusal {
                 let note = new("limit-not-known");
                 missing.as_ref().map_or_else(|| note.clone(), |missing| missing.noted(note.clone()))
             }
+            Self::BarTooLong(bar) => bar.note(),
             Self::NoLimitingDepth => new("no-limiting-depth"),
         }
     }

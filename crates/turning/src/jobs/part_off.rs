@@ -143,7 +143,7 @@ mod tests {
         let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
         let material = Material::find(&knowledge, &workpiece.material).unwrap();
         let bench =
-            Bench { workpiece: &workpiece, lathe: Some(&lathe), material, elsewhere: &[], knowledge: &knowledge };
+            Bench { workpiece: &workpiece, lathe: Some(&lathe), material, elsewhere: &[], held: None, knowledge: &knowledge };
         let parting = Parting {
             bar: Micrometres::from_mm(bar),
             bore: Micrometres::from_mm(bore),

@@ -51,7 +51,8 @@ pub(super) fn cut<'a, 'k>(
     bench: &'a Bench<'_, 'k>,
 ) -> Tried<Cut<'a, 'k>, NoJob> {
     let (knowledge, material) = (bench.knowledge, &bench.material);
-    Ok(Cut { knowledge, lathe: lathe(bench)?, tool, material, diameter, direction, surface: Surface::None })
+    let (lathe, surface) = (lathe(bench)?, Surface::None);
+    Ok(Cut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth: None, part: None })
 }
 
 /// How far a bar reaches into a bore: its row, otherwise by the ratio of `turning-limits` to its diameter. None for a

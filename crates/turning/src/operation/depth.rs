@@ -6,7 +6,8 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::TurningSkinFor;
 use crate::turning::cutting::{
-    Cut, CuttingRefusal, Direction, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed,
+    Bound, Cut, CuttingRefusal, Direction, Flexibility, LimitingDepth, Speed, TurningConditions, conditions,
+    least_sensible_depth, limiting_depth, rough_feed,
 };
 use crate::turning::length::Half;
 use crate::turning::schemes::rates;
@@ -54,6 +55,10 @@ pub struct Task<'a, 'k> {
     pub direction: Direction,
     /// The most stock over the zone, radial, or axial before a face.
     pub stock: Half,
+    /// How far into a bore the cut goes; none outside.
+    pub bore_depth: Option<Micrometres>,
+    /// How the part gives way there.
+    pub part: Option<&'a Flexibility>,
 }
 
 /// The limiting depth of a zone. If no source gives it, none, with a finding.
@@ -75,6 +80,10 @@ pub fn depth(
         Ok((mut limit, depth)) => {
             limit.because.push(skin);
             findings.extend(limit.findings());
+            if let Some((finding, because)) = asks(&limit, bench)? {
+                findings.push(finding);
+                limit.because.push(because);
+            }
             if depth <= Half::ZERO {
                 let note = Note::new("no-depth-allowed").with("tool", task.tool.designation);
                 let note = note.with("bound", Figure::word(limit.decided_by.name()));
@@ -88,6 +97,17 @@ pub fn depth(
             Ok(None)
         }
     }
+}
+
+/// What the part asks for where its bending leaves no sensible depth.
+///
+/// # Errors The knowledge base lacks a table.
+fn asks(limit: &LimitingDepth, bench: &Bench<'_, '_>) -> Result<Option<(Finding, Because)>, KnowledgeError> {
+    let Some(held) = &bench.held else { return Ok(None) };
+    let bends = matches!(limit.decided_by, Bound::PartStiffness | Bound::PartStrength);
+    let least = least_sensible_depth(bench.knowledge)?;
+    let shallow = bends && limit.depth_mm.is_none_or(|depth| depth < least);
+    shallow.then(|| held.asks(bench.knowledge)).transpose()
 }
 
 /// The search for a depth divides the stock into at most so many passes.
@@ -161,8 +181,8 @@ fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(C
     let note = Note::new("turning-skin").with("kind", Figure::word(stock.name())).with("surface", surface.name());
     let because = Because::answer(&asked.answer, note);
     let (tool, material) = (task.tool, &bench.material);
-    let (diameter, direction) = (task.diameter, task.direction);
-    Ok(Some((Cut { knowledge, lathe, tool, material, diameter, direction, surface }, because)))
+    let (diameter, direction, bore_depth, part) = (task.diameter, task.direction, task.bore_depth, task.part);
+    Ok(Some((Cut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth, part }, because)))
 }
 
 /// Rates and distances at a depth of passes, for finishing with the roughness that the pass must leave: from the file, otherwise from the conditions, otherwise from the table

@@ -23,6 +23,7 @@ use super::depth::{self, Task};
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
 use super::{SideWork, clip, features};
+use technolog_core::part::tolerance_width;
 use crate::turning::cutting::{Direction, TurningConditions};
 
 /// The jobs of a set-up.
@@ -302,6 +303,15 @@ struct Finishing<'a> {
 }
 
 impl Finishing<'_> {
+    /// The tightest tolerance of the diameters that it finishes.
+    fn tolerance(&self, bench: &Bench<'_, '_>) -> Option<Micrometres> {
+        let of = |surface: &&Surface| {
+            let radius = surface.pieces.iter().map(|piece| piece.from.radius.max(piece.to.radius)).max()?;
+            tolerance_width(surface.grade?, radius.diameter(), bench.knowledge).ok()
+        };
+        self.surfaces.iter().filter_map(of).min()
+    }
+
     /// The narrowest diameter of a bore. The bottom of a blind one is no passage.
     fn narrowest(&self) -> Option<Micrometres> {
         let walls = self.contour.pieces.iter().filter(|piece| self.side == Side::Inner && !piece.is_face());
@@ -351,7 +361,11 @@ impl Finishing<'_> {
         };
         let roughness = self.surfaces.iter().filter_map(|surface| surface.roughness).min();
         let direction = Direction::Longitudinal;
-        let task = Task { tool: &tool, diameter: largest(self.contour), direction, stock: self.allowance };
+        let (from, to) = ends(self.contour);
+        let part = bench.held.as_ref().map(|held| held.over(from, to, self.tolerance(bench)));
+        let bore_depth = (self.side == Side::Inner).then(|| to.rounded_up());
+        let (diameter, stock) = (largest(self.contour), self.allowance);
+        let task = Task { tool: &tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
         let paced = depth::pace(task, self.allowance, Some(roughness.unwrap_or(UNSAID)), bench, findings)?;
         let mut notes = Vec::new();
         if let Some(tight) = tightest(self.contour).filter(|tight| nose.radius > *tight) {
@@ -402,6 +416,12 @@ const UNSAID: Roughness = Roughness::from_ra_nanometres(6300);
 fn main_surfaces(stretch: &TurnedSide) -> Vec<&Surface> {
     let both = stretch.profile.surfaces.iter().zip(&stretch.classes);
     both.filter(|(_, class)| class.element == Element::Main).map(|(surface, _)| surface).collect()
+}
+
+/// Z of the ends of a contour.
+fn ends(contour: &Contour) -> (Half, Half) {
+    let z = |end: Option<Point>| end.map_or(Half::ZERO, |end| end.z);
+    (z(contour.start()), z(contour.end()))
 }
 
 /// The largest diameter of a contour.

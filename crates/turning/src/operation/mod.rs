@@ -19,6 +19,7 @@ mod doubts;
 pub mod drill;
 mod features;
 mod jobs;
+pub mod held;
 pub mod layers;
 mod level;
 mod pocket;
@@ -126,7 +127,8 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     let bench = Bench {
         workpiece,
         lathe: lathe.as_ref(),
-        material: Material::find(knowledge, &workpiece.material)?,
+        material: stated(workpiece, knowledge)?,
+        held: None,
         elsewhere: &elsewhere,
         knowledge,
     };
@@ -143,6 +145,8 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
             let note = Note::new("far-face-cut-away").with("number", set_up.number).with("length", length);
             findings.push(Finding::of_part(Severity::Note, note));
         }
+        let held = held::Held::of(&set_up, workpiece, &bench.material, knowledge)?;
+        let bench = Bench { held, ..bench.clone() };
         let sides = sides(&set_up, &bench, &mut findings)?;
         let jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
         done.push(SetUpWork { set_up, sides, jobs });
@@ -155,6 +159,15 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     findings.extend(doubts::doubts(&operation));
     operation.findings = merged(findings);
     Ok(operation)
+}
+
+/// The material in the state that the file says.
+fn stated<'k>(workpiece: &Workpiece, knowledge: &'k Knowledge) -> Result<Material<'k>, KnowledgeError> {
+    let material = Material::find(knowledge, &workpiece.material)?;
+    match workpiece.material_state {
+        Some(state) => material.in_state(state, knowledge),
+        None => Ok(material),
+    }
 }
 
 /// The outside of a set-up, then its bore: the part is faced before it is bored.

@@ -20,6 +20,8 @@ use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::{ToolAngles, Zone, fit};
 use crate::units::{Degrees, Micrometres};
 
+use super::held::Held;
+
 /// What an operation is planned with.
 #[derive(Clone, Debug)]
 pub struct Bench<'a, 'k> {
@@ -29,6 +31,8 @@ pub struct Bench<'a, 'k> {
     pub lathe: Option<&'a Lathe<'k>>,
     /// The material.
     pub material: Material<'k>,
+    /// How the part stands in the set-up; none where it is not held.
+    pub held: Option<Held>,
     /// What is finished on another machine.
     pub elsewhere: &'a [Elsewhere],
     /// Every table.

@@ -272,7 +272,9 @@ fn zone_work(
         Feed::Across => zone.to_z - zone.from_z,
         Feed::Along => zone.greatest_radius - zone.least_radius,
     };
-    let task = Task { tool, diameter, direction, stock };
+    let bore_depth = (ground.rough.side == Side::Inner).then(|| zone.to_z.rounded_up());
+    let part = bench.held.as_ref().map(|held| held.over(zone.from_z, zone.to_z, None));
+    let task = Task { tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
     work.depth = depth::depth(task, bench, findings)?;
     let Some(limit) = work.depth.as_ref().map(|depth| depth.limiting_depth_mm) else { return Ok(work) };
     // Before the levels are made: there may be too many for the memory.

@@ -45,6 +45,7 @@ mod tests {
             shaft: "a".to_owned(),
             material: "steel-45".to_owned(),
             machine: None,
+            material_state: None,
             blank: Blank { kind: BlankKind::Bar, diameter: mm(65.0), length: mm(34.0) },
             blank_steps: Vec::new(),
             holding: Holding::Chuck,

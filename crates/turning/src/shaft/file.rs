@@ -6,6 +6,7 @@
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use technolog_core::part::file::MaterialField;
 use technolog_knowledge::forms;
 
 use super::{BlankKind, Division, Holding, Moves};
@@ -19,10 +20,11 @@ forms! {
     pub struct ShaftFile {
         /// Name of the shaft.
         pub shaft: String,
-        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
-        pub material: String,
         /// The id of a lathe, such as `16k20f3`; without it no speeds and loads are told.
         pub machine: Option<String>,
+        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`); with its
+        /// state `{grade: 40Х, hardness: 250}`.
+        pub material: MaterialField,
         /// What it is made from.
         pub blank: Blank,
         /// How it is held; in the chuck unless said.

@@ -11,6 +11,7 @@ pub(super) mod shape;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::material::MaterialState;
 use crate::tables::turning::part::BlankShape;
 use crate::units::{Micrometres, MillimetresPerMinute};
 
@@ -28,6 +29,9 @@ pub struct Shaft {
     /// The id of a lathe, as in the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub machine: Option<String>,
+    /// How hard or strong it is, if the file says so.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material_state: Option<MaterialState>,
     /// What it is made from.
     pub blank: Blank,
     /// The cylinders of a stepped blank from the free end, none smaller than the one before it; behind them it has the

@@ -45,7 +45,7 @@ impl Reader<'_> {
     pub(crate) fn shaft(&mut self, root: &Node) -> Option<Shaft> {
         let mut fields = self.problems.map(root)?;
         let name = fields.need(ShaftFile::shaft, &mut self.problems).and_then(|node| self.name(node));
-        let material = fields.need(ShaftFile::material, &mut self.problems).and_then(|node| self.material(node));
+        let material = fields.need(ShaftFile::material, &mut self.problems).and_then(|node| self.stated_material(node));
         let blank_node = fields.need(ShaftFile::blank, &mut self.problems);
         let machine = match fields.take(ShaftFile::machine) {
             Some(node) => self.lathe(node).map(Some),
@@ -73,9 +73,11 @@ impl Reader<'_> {
             shape::check(shape, kind, &steps, diameter.as_ref(), length.as_ref(), self);
         }
         let whole = |step: PlacedStep| Some(Step { diameter: step.diameter?.0, length: step.length?.0 });
+        let (material, material_state) = material?;
         let shaft = Shaft {
             shaft: name?,
-            material: material?,
+            material,
+            material_state,
             machine: machine?,
             blank: Blank { kind: kind?, diameter: diameter?.0, length: length?.0 },
             blank_steps: shape.map_or(Some(Vec::new()), |shape| shape.steps.into_iter().map(whole).collect())?,

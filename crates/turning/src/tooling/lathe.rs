@@ -8,7 +8,7 @@ use crate::units::{
     ItGrade, Kilowatts, Micrometres, MillimetresPerMinute, NewtonMetres, Newtons, RevsPerMinute, Roughness,
 };
 
-use super::{Shank, TurningTool};
+use super::{Seconds, Shank, TurningTool};
 
 /// How a spindle turns.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,6 +63,10 @@ pub struct Lathe<'k> {
     pub efficiency: Option<Share>,
     /// Largest torque of the spindle.
     pub torque: Option<NewtonMetres>,
+    /// Largest diameter turned over the bed.
+    pub over_bed: Option<Micrometres>,
+    /// Time of a tool change.
+    pub tool_change: Option<Seconds>,
     /// Largest diameter turned over the carriage.
     pub over_carriage: Micrometres,
     /// Between the centres.
@@ -142,6 +146,8 @@ impl<'k> Lathe<'k> {
             power: Kilowatts(number(Q::SpindlePower)?),
             efficiency: any(Q::SpindleEfficiency).map(Share),
             torque: any(Q::SpindleTorqueMax).map(NewtonMetres),
+            over_bed: any(Q::DiameterOverBed).map(Micrometres::from_mm_rounded),
+            tool_change: any(Q::ToolChangeTime).map(Seconds),
             over_carriage: length(Q::DiameterOverCarriage)?,
             between_centres: length(Q::LengthBetweenCentres)?,
             feed_z: (rate(Q::FeedMinZ)?, rate(Q::FeedMaxZ)?),

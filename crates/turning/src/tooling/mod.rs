@@ -5,6 +5,8 @@
 
 mod lathe;
 mod tool;
+mod workholding;
 
 pub use lathe::{Lathe, Share, Spindle};
 pub use tool::{Hand, Place, Shank, ToolKind, TurningTool};
+pub use workholding::{Seconds, Workholding};

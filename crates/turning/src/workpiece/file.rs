@@ -6,6 +6,7 @@
 
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
+use technolog_core::part::file::MaterialField;
 use technolog_knowledge::forms;
 
 use crate::turning::shaft::Holding;
@@ -22,6 +23,7 @@ pub fn schema() -> Schema {
 /// A part to be turned by `technolog turn`. All lengths are in mm.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
+#[expect(clippy::large_enum_variant, reason = "it stands for the schema only")]
 pub enum TurnedFile {
     /// The short form, by steps.
     Stepped(ShaftFile),
@@ -46,8 +48,9 @@ forms! {
     pub struct WorkpieceFile {
         /// Name of the part.
         pub shaft: String,
-        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
-        pub material: String,
+        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`); with its
+        /// state `{grade: 40Х, hardness: 250}`.
+        pub material: MaterialField,
         /// What it is made from.
         pub blank: BlankFile,
         /// The id of a lathe.

@@ -27,6 +27,7 @@ mod walk_groove;
 
 use serde::{Serialize, Serializer};
 
+use crate::material::MaterialState;
 use crate::note::Finding;
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
@@ -43,6 +44,7 @@ pub use read::{read_turned, read_turned_node, read_workpiece};
 /// What a file of a turned part holds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
+#[expect(clippy::large_enum_variant, reason = "a file holds one, and nobody keeps many")]
 pub enum Turned {
     /// The short form, by steps.
     Stepped(Shaft),
@@ -57,6 +59,9 @@ pub struct Workpiece {
     pub name: String,
     /// The id of its material in the catalog `materials`.
     pub material: String,
+    /// How hard or strong it is, if the file says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material_state: Option<MaterialState>,
     /// What it is made from.
     pub blank: Blank,
     /// The id of a lathe, as in the file; it is not checked here.

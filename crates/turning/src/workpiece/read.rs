@@ -80,7 +80,8 @@ impl Reader<'_> {
     fn workpiece(&mut self, root: &Node) -> Option<Workpiece> {
         let mut fields = self.problems.map(root)?;
         let name = fields.need(WorkpieceFile::shaft, &mut self.problems).and_then(|node| self.name(node));
-        let material = fields.need(WorkpieceFile::material, &mut self.problems).and_then(|node| self.material(node));
+        let material =
+            fields.need(WorkpieceFile::material, &mut self.problems).and_then(|node| self.stated_material(node));
         let blank_node = fields.need(WorkpieceFile::blank, &mut self.problems);
         let machine = match fields.take(WorkpieceFile::machine) {
             Some(node) => self.lathe(node).map(Some),
@@ -132,9 +133,11 @@ impl Reader<'_> {
             None => None,
         };
         let walked = || std::iter::once(&outer).chain(&inner);
+        let (material, material_state) = material?;
         Some(Workpiece {
             name: name?,
-            material: material?,
+            material,
+            material_state,
             blank: blank?,
             machine: machine?,
             holding: holding?,

@@ -29,6 +29,7 @@ impl From<&Shaft> for Workpiece {
         Self {
             name: shaft.shaft.clone(),
             material: shaft.material.clone(),
+            material_state: shaft.material_state,
             blank,
             machine: shaft.machine.clone(),
             holding: shaft.holding,

@@ -21,7 +21,18 @@ internal-factor = speed × { $factor }: in a bore
 angle-speed-factor = speed × { $factor }: angle { $angle } degrees
 angle-force-factor = force × { $factor }: angle { $angle } degrees
 rake-force-factor = force × { $factor }: rake { $angle } degrees
+practice-range = public tables drive { $low } to { $high } m/min; the handbook has no formula for this material
+specific-force = specific cutting force of group { $group } of VDI 3323: kc1 = { $kc } MPa, mc = { $mc }
+force-share = × { $factor }: share of the main force
 lathe-limit = the lathe gives { $limit }
 turning-limit = { $name } = { $value }
 overhang = overhang { $length } mm
 insert-edge = at most { $share } of the edge of { $edge } mm may cut: { $depth } mm of depth
+elastic-modulus = modulus of elasticity { $modulus } MPa
+bar-too-long = { $tool }: the bar would stand out { $overhang } mm, and { $most } mm are allowed
+part-too-slender = the part ({ $support }, { $ratio } diameters long) gives way before a sensible depth of cut; it asks for: { $ask }
+feed-of-nose = feed { $feed } mm/rev: the nose of { $radius } mm leaves no rougher surface, real roughness being { $factor } times the geometrical one
+roughness-unsaid = the drawing says no roughness; finished as { $roughness }
+cuts-back = { $tool }: its second edge cuts on the way back, φ1 = { $angle }°
+cuts-not-back = { $tool }: its second edge would rub on the way back, φ1 = { $angle }°
+feed-within-part = feed { $feed } instead of { $before } mm/rev, so that the part bends within its share of the tolerance

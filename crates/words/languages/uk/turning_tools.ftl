@@ -21,7 +21,18 @@ internal-factor = швидкість × { $factor }: в отворі
 angle-speed-factor = швидкість × { $factor }: кут { $angle }°
 angle-force-factor = сила × { $factor }: кут { $angle }°
 rake-force-factor = сила × { $factor }: передній кут { $angle }°
+practice-range = за цеховими таблицями { $low }–{ $high } м/хв; формули для цього матеріалу довідник не має
+specific-force = питома сила різання групи { $group } за VDI 3323: kc1 = { $kc } МПа, mc = { $mc }
+force-share = × { $factor }: частка від головної складової сили
 lathe-limit = верстат дає { $limit }
 turning-limit = { $name } = { $value }
 overhang = виліт { $length } мм
 insert-edge = у роботі не більше { $share } кромки { $edge } мм: { $depth } мм глибини
+elastic-modulus = модуль пружності { $modulus } МПа
+bar-too-long = { $tool }: виліт борштанги { $overhang } мм більший за допустимі { $most } мм
+part-too-slender = деталь ({ $support }, довжина { $ratio } діаметра) прогинається раніше, ніж досягнуто доцільної глибини різання; потрібно: { $ask }
+feed-of-nose = подача { $feed } мм/об: вершина радіусом { $radius } мм не лишає грубішої поверхні, а справжня шорсткість у { $factor } раза більша за геометричну
+roughness-unsaid = кресленик не називає шорсткості; чистове точіння як для { $roughness }
+cuts-back = { $tool }: допоміжна кромка ріже на зворотному ході, φ1 = { $angle }°
+cuts-not-back = { $tool }: допоміжна кромка на зворотному ході терлася б, φ1 = { $angle }°
+feed-within-part = подача { $feed } замість { $before } мм/об, щоб прогин деталі не перевищив своєї частки допуску

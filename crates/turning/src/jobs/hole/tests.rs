@@ -15,7 +15,7 @@ fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
     let workpiece = read_workpiece("part", &text, &knowledge).unwrap();
     let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
     let material = Material::find(&knowledge, &workpiece.material).unwrap();
-    let bench = Bench { workpiece: &workpiece, lathe: Some(&lathe), material, elsewhere: &[], knowledge: &knowledge };
+    let bench = Bench { workpiece: &workpiece, lathe: Some(&lathe), material, elsewhere: &[], held: None, knowledge: &knowledge };
     of(&bench)
 }
 

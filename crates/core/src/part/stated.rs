@@ -1,0 +1,76 @@
+//! A material in a state, as files of parts write it: `{grade: 40Х, hardness: 250}`.
+
+use crate::knowledge::Knowledge;
+use crate::knowledge::yaml::{Node, NodeKind, Problems};
+use crate::material::{self, MaterialState};
+use crate::tables::materials::DeliveryState;
+use crate::units::Decimal;
+use technolog_note::note;
+
+use super::file::StatedMaterial;
+use super::read::choice;
+
+/// The hardness that the cutting tables know, HB.
+const STATE_HARDNESS_HB: (f64, f64) = (40.0, 450.0);
+/// The strength that the cutting tables know, MPa.
+const STATE_STRENGTH_MPA: (f64, f64) = (100.0, 2000.0);
+
+/// The node that names the grade: the node itself, or its key `grade`; none where that is missing.
+pub fn grade(node: &Node) -> Option<&Node> {
+    match &node.kind {
+        NodeKind::Map(entries) => {
+            let mut entries = entries.iter();
+            entries.find(|(key, _)| key.text == StatedMaterial::grade.name()).map(|(_, value)| value)
+        }
+        _ => Some(node),
+    }
+}
+
+/// The state that a material is said to be in; within it none where the node only names a grade. Mistakes go to
+/// `problems`, with nothing returned.
+pub fn state(
+    node: &Node,
+    grade: Option<&str>,
+    problems: &mut Problems,
+    knowledge: &Knowledge,
+) -> Option<Option<MaterialState>> {
+    if !matches!(node.kind, NodeKind::Map(_)) {
+        return Some(None);
+    }
+    let mut fields = problems.map::<StatedMaterial>(node)?;
+    fields.need(StatedMaterial::grade, problems);
+    let stated = fields.take(StatedMaterial::state);
+    let hardness = fields.take(StatedMaterial::hardness);
+    let strength = fields.take(StatedMaterial::strength);
+    fields.finish(problems);
+    if stated.is_some() == hardness.or(strength).is_some() {
+        return problems.error("bad-value", note!("part-hardness-or-strength"), &node.place);
+    }
+    if let Some(stated) = stated {
+        let word = choice(stated, DeliveryState::NAMES, problems)?;
+        let (grade, place) = (grade?, &stated.place);
+        return match material::delivered(knowledge, grade, word) {
+            Some(state) => Some(Some(state)),
+            None => problems.error_help(
+                "bad-value",
+                note!("part-state-unknown", material = grade, state = word.name()),
+                place,
+                note!("part-state-by-hardness"),
+            ),
+        };
+    }
+    let hardness = hardness.and_then(|node| figure(node, STATE_HARDNESS_HB, problems));
+    let strength = strength.and_then(|node| figure(node, STATE_STRENGTH_MPA, problems));
+    Some(Some(MaterialState { hardness, strength }))
+}
+
+/// A hardness or a strength within what the cutting tables know.
+fn figure(node: &Node, (low, high): (f64, f64), problems: &mut Problems) -> Option<f64> {
+    let figure: Decimal = problems.scalar(node)?;
+    let value = figure.to_f64();
+    if !(low..=high).contains(&value) {
+        let message = note!("part-state-outside", value = figure, low = low, high = high);
+        return problems.error("bad-value", message, &node.place);
+    }
+    Some(value)
+}

@@ -1,0 +1,126 @@
+//! The part as it stands in a set-up, for what bends it.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::material::Material;
+use crate::note::{Because, Figure, Finding, Note, Severity};
+use crate::tables::turning::part::{PartSupport, TurningSupportFor};
+use crate::turning::contour::Contour;
+use crate::turning::cutting::{Flexibility, HeldPart, PartSection, jaw_clearance};
+use crate::turning::length::Half;
+use crate::turning::workpiece::Workpiece;
+use crate::turning::zones::{Hold, SetUp};
+use crate::units::Micrometres;
+
+/// A part in its jaws, or between its centres.
+#[derive(Clone, Debug)]
+pub struct Held {
+    part: HeldPart,
+    /// Z of the jaws, or of the far centre, in the coordinates of the set-up.
+    jaws_at: Half,
+}
+
+impl Held {
+    /// How the part of a set-up stands; none where it is not held, or where its contours are no body.
+    ///
+    /// It is taken as it will be: what the set-up turns with the finished contour, in a second set-up all of it, with its
+    /// bore. So it is never thinner than reckoned, and bends no more. The jaws close behind what is turned, or at the
+    /// beginning of the surface that they grip.
+    ///
+    /// # Errors The knowledge base lacks a table.
+    pub fn of(
+        set_up: &SetUp,
+        workpiece: &Workpiece,
+        material: &Material<'_>,
+        knowledge: &Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        let length = workpiece.length();
+        let in_set_up = |contour: Contour| if set_up.turned_over { contour.turned_over(length) } else { contour };
+        let part = in_set_up(workpiece.outer.contour());
+        let blank = in_set_up(workpiece.blank.outer.clone());
+        let turned = set_up.outer.as_ref().map(|outer| outer.main.contour.clone());
+        let turned_to = turned.as_ref().and_then(Contour::end).map_or(Half::ZERO, |end| end.z);
+        let far = |contour: &Contour| contour.pieces.iter().flat_map(|one| [one.from.z, one.to.z]).max();
+        let Some(end) = far(&blank) else { return Ok(None) };
+        let (support, jaws_at) = match &set_up.holds_at {
+            None => return Ok(None),
+            Some(Hold::Centres) => (PartSupport::Centres, end),
+            Some(Hold::Blank { .. }) => (PartSupport::Chuck, end.min(turned_to + Half::of(jaw_clearance(knowledge)?))),
+            Some(Hold::Surface { name, .. }) => {
+                let of_name = |one: &&crate::turning::contour::Surface| one.name.to_string() == *name;
+                let Some(surface) = workpiece.outer.surfaces.iter().find(of_name) else { return Ok(None) };
+                let zs = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
+                let begins = if set_up.turned_over { zs.max().map(|z| length - z) } else { zs.min() };
+                (PartSupport::Chuck, begins.unwrap_or(end))
+            }
+        };
+        let inner = workpiece.inner.as_ref().map(|inner| in_set_up(inner.contour()));
+        let bore = |from: Half, to: Half| {
+            let within = inner.iter().flat_map(|inner| stretches(inner, from, to));
+            within.map(|(.., radii)| radii.1).max().unwrap_or(Half::ZERO)
+        };
+        // Behind what this set-up turns: the blank, or what the first set-up has made of it.
+        let behind = if set_up.turned_over { &part } else { &blank };
+        let mut along = Vec::new();
+        if let Some(turned) = &turned {
+            along.extend(stretches(turned, Half::ZERO, turned_to));
+        }
+        along.extend(stretches(behind, turned_to, jaws_at));
+        // A point has no thickness at its very end, and nothing there to be bent.
+        let solid = along.into_iter().rev().filter(|(.., (least, _))| *least > Half::ZERO);
+        let sections = solid.map(|(from, to, (radius, _))| PartSection {
+            from: jaws_at - to,
+            to: jaws_at - from,
+            radius,
+            bore: bore(from, to),
+        });
+        let held = HeldPart::of(support, sections.collect(), material, knowledge)?;
+        Ok(held.map(|part| Self { part, jaws_at }))
+    }
+
+    /// How it gives way between two places, Z of the set-up; with a tolerance the cut finishes a diameter of it.
+    pub fn over(&self, from: Half, to: Half, tolerance: Option<Micrometres>) -> Flexibility {
+        self.part.over(self.jaws_at - from, self.jaws_at - to, tolerance)
+    }
+
+    /// What the part asks for where its bending leaves no sensible depth, by the rule `turning-support`.
+    ///
+    /// # Errors The knowledge base lacks the rule, or a row of it.
+    pub fn asks(&self, knowledge: &Knowledge) -> Result<(Finding, Because), KnowledgeError> {
+        let (support, slenderness) = (self.part.support(), self.part.slenderness());
+        let slenderness = crate::units::round_to(slenderness, 1);
+        let asked = knowledge.ask(&TurningSupportFor { support, slenderness })?;
+        let ask = asked.need(support.name())?.ask;
+        let note = Note::new("part-too-slender")
+            .with("support", Figure::word(support.name()))
+            .with("ratio", slenderness)
+            .with("ask", Figure::word(ask.name()));
+        let because = Because::answer(&asked.answer, note.clone());
+        Ok((Finding::of_part(Severity::Wrong, note), because))
+    }
+}
+
+/// Into how many a slope is divided.
+const SLICES: i64 = 8;
+
+/// A stretch from Z to Z with its least and greatest radius.
+type Stretch = (Half, Half, (Half, Half));
+
+/// A contour between two places as stretches; slopes and arcs are divided.
+fn stretches(contour: &Contour, from: Half, to: Half) -> Vec<Stretch> {
+    let mut stretches = Vec::new();
+    for piece in &contour.pieces {
+        let (low, high) = (piece.from.z.min(piece.to.z).max(from), piece.from.z.max(piece.to.z).min(to));
+        let slices = if piece.is_cylinder() { 1 } else { SLICES };
+        let at = |slice: i64| low + Half::new((high - low).halves() * slice / slices);
+        for slice in (0..slices).filter(|_| low < high) {
+            let ends = [at(slice), at(slice + 1)];
+            let radii = ends.iter().flat_map(|z| piece.at_z(*z)).map(|point| point.radius);
+            let (least, most) = (radii.clone().min(), radii.max());
+            if let (Some(least), Some(most), true) = (least, most, ends[0] < ends[1]) {
+                stretches.push((ends[0], ends[1], (least, most)));
+            }
+        }
+    }
+    stretches
+}

@@ -1,0 +1,85 @@
+//! The bodies that hold a part: chuck, jaws, centre and quill, in the half-plane.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure as Figure};
+use crate::units::{Degrees, Micrometres};
+
+use super::Lathe;
+
+/// Seconds.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Seconds(pub f64);
+
+/// What holds a part on a lathe. No body is smaller than the real one (`chuck-and-tailstock`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Workholding {
+    /// Diameter of the chuck.
+    pub chuck_diameter: Micrometres,
+    /// How far the jaws stand out before its face, and at most outwards from what they grip.
+    pub jaw: Micrometres,
+    /// The whole angle of the centre.
+    pub centre_angle: Degrees,
+    /// Diameter of the quill behind the centre.
+    pub quill_diameter: Micrometres,
+}
+
+impl Workholding {
+    /// The diameter that turning jaws sweep when they grip a part from outside.
+    pub fn jaws_sweep(&self, gripped: Micrometres) -> Micrometres {
+        (gripped + self.jaw + self.jaw).min(self.chuck_diameter).max(gripped)
+    }
+}
+
+impl<'k> Lathe<'k> {
+    /// Chuck and tailstock; none where the record has no diameter over the bed.
+    ///
+    /// # Errors The knowledge base lacks the table `chuck-and-tailstock`, or a row of it.
+    pub fn workholding(&self, knowledge: &'k Knowledge) -> Result<Option<Workholding>, KnowledgeError> {
+        let Some(bed) = self.over_bed else { return Ok(None) };
+        let of = |whole: Micrometres, name: Figure| -> Result<Micrometres, KnowledgeError> {
+            Ok(Micrometres::from_mm_rounded(whole.to_mm() * figure(name, knowledge)?))
+        };
+        let chuck_diameter = of(bed, Figure::ChuckDiameterShare)?;
+        Ok(Some(Workholding {
+            chuck_diameter,
+            jaw: of(chuck_diameter, Figure::JawShare)?,
+            centre_angle: Degrees(figure(Figure::CentreAngle, knowledge)?),
+            quill_diameter: of(bed, Figure::QuillShare)?,
+        }))
+    }
+
+    /// How long a tool change takes: of its record, otherwise by `chuck-and-tailstock`.
+    ///
+    /// # Errors The knowledge base lacks that table, or its row.
+    pub fn tool_change(&self, knowledge: &'k Knowledge) -> Result<Seconds, KnowledgeError> {
+        match self.tool_change {
+            Some(time) => Ok(time),
+            None => Ok(Seconds(figure(Figure::ToolChangeTime, knowledge)?)),
+        }
+    }
+}
+
+fn figure(name: Figure, knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
+    Ok(knowledge.need(name.name(), |row: &LatheWorkholding<'_>| row.name.is(name))?.value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 16К20Ф3, 400 over the bed: a chuck of 250; jaws of 75; gripping Ø60 they sweep 60 + 2·75 = 210, gripping Ø200
+    /// not more than the chuck; the quill 90. Its record has no time of a tool change, that of 16М30Ф3 has 4 s.
+    #[test]
+    fn bodies_follow_from_the_size_of_the_lathe() {
+        let knowledge = crate::shipped::knowledge().unwrap();
+        let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
+        let held = lathe.workholding(&knowledge).unwrap().unwrap();
+        let mm = Micrometres::from_mm_rounded;
+        assert_eq!((held.chuck_diameter, held.jaw, held.quill_diameter), (mm(250.0), mm(75.0), mm(90.0)));
+        assert_eq!((held.jaws_sweep(mm(60.0)), held.jaws_sweep(mm(200.0))), (mm(210.0), mm(250.0)));
+        for lathe in ["16k20f3", "16m30f3"] {
+            assert_eq!(Lathe::find(&knowledge, lathe).unwrap().tool_change(&knowledge).unwrap(), Seconds(4.0));
+        }
+    }
+}
