@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::note::{Because, Note, Severity};
 
 use super::quantity::Id;
-use super::stated::{Figure, Stated};
+use super::stated::{Stated, StatedFigure};
 use super::tolerance::Tolerances;
 
 /// A rule that computes a figure.
@@ -218,7 +218,7 @@ impl<'a> Graph<'a> {
     }
 
     /// Whether a stated figure is what it should be, within its tolerance.
-    fn fits(&self, id: Id, stated: &Figure, value: f64, slack: f64) -> bool {
+    fn fits(&self, id: Id, stated: &StatedFigure, value: f64, slack: f64) -> bool {
         (stated.value - value).abs() <= self.tolerances.of(id.quantity, stated, value) + slack
     }
 
@@ -359,7 +359,7 @@ impl<'a> Graph<'a> {
     }
 
     /// Whether some mixture of stated and right inputs gives the stated result; the wrong ones among them.
-    fn explained(&self, id: Id, figure: &Figure, formula: &Formula<'a>) -> Option<BTreeSet<Id>> {
+    fn explained(&self, id: Id, figure: &StatedFigure, formula: &Formula<'a>) -> Option<BTreeSet<Id>> {
         let options: Vec<Vec<(f64, bool)>> = formula.inputs.iter().map(|input| self.options(*input)).collect();
         // Only what differs is worth trying; more than that is no formula of a plan.
         let total: usize = options.iter().map(|one| one.len().max(1)).product();

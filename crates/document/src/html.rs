@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::{Align, Block, Column, Document, Figure, Finding, Inline, Inlines, Item, Table, Words, clean};
+use crate::{Align, Block, Column, Document, Drawing, Finding, Inline, Inlines, Item, Table, Words, clean};
 
 /// Colours for both lights of a screen, and for paper; tables scroll by themselves where a screen is narrow.
 const STYLE: &str = include_str!("html/style.css");
@@ -43,7 +43,7 @@ fn block(page: &mut String, block: &Block, words: &Words) {
         Block::List(items) => list(page, items),
         Block::Table(own) => table(page, own),
         Block::Finding(own) => finding(page, own, words),
-        Block::Figure(own) => figure(page, own),
+        Block::Drawing(own) => figure(page, own),
         Block::Code(code) => page.push_str(&format!("<pre><code>{}</code></pre>\n", escaped_lines(code))),
         Block::Fields(fields) => {
             page.push_str("<dl>\n");
@@ -114,7 +114,7 @@ fn head(column: &Column) -> String {
     }
 }
 
-fn figure(page: &mut String, figure: &Figure) {
+fn figure(page: &mut String, figure: &Drawing) {
     let caption = line(&figure.caption);
     let caption = if caption.is_empty() { caption } else { format!("\n<figcaption>{caption}</figcaption>") };
     let (source, alternative) = (image(&figure.svg), escaped(&figure.alternative));

@@ -392,6 +392,7 @@ pub fn describe(column: &Column) -> Note {
         ColumnType::Length => note!("lint-length-in", unit = column.unit),
         ColumnType::It => note!("lint-tolerance-grade"),
         ColumnType::Roughness => note!("lint-roughness-such-as"),
+        ColumnType::Unit => note!("lint-a-unit"),
         ColumnType::Text => note!("lint-a-text"),
     }
 }

@@ -22,7 +22,10 @@ impl Reader<'_> {
         let (mut rows, mut lines): (Vec<Row>, BTreeMap<u32, u32>) = (Vec::new(), BTreeMap::new());
         for (at, node) in limits::rows(items, |row| &row.place, &mut self.problems).iter().enumerate() {
             let number = u32::try_from(at + 1).unwrap_or(u32::MAX);
-            let Some(row) = self.row(node, number, part) else { continue };
+            let Some(row) = self.row(node, number, part) else {
+                self.rows_unread = true;
+                continue;
+            };
             if let Some(line) = lines.get(&row.number) {
                 let message = note!("planfile-two-rows-number", row = row.number);
                 let help = note!("planfile-other-stands-at-line", line = line);
@@ -126,7 +129,8 @@ impl Reader<'_> {
                 let Some(number) = self.problems.scalar::<u32>(node) else { continue };
                 rows.iter().position(|row| row.number == number).into_iter().collect()
             };
-            if found.is_empty() {
+            // What names a row with a fault of its own is not at fault.
+            if found.is_empty() && !self.rows_unread {
                 let (message, help) = match tool {
                     Some(tool) => (
                         note!("planfile-no-row-route-has-tool", tool = tool),

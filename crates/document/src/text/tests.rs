@@ -1,5 +1,5 @@
 use super::*;
-use crate::{Column, Field, Figure, Keep, Severity, Table};
+use crate::{Column, Drawing, Field, Keep, Severity, Table};
 
 const WORDS: Words =
     Words {
@@ -31,7 +31,7 @@ fn a_page_is_sections_with_what_stands_in_them() {
     finding.details = vec!["підстава: таблиця A.6".into()];
     finding.help = Some("взяти 0,325".into());
     let explained = Item { words: "схема 07".into(), items: vec!["не взято: рядки 1-4".into()] };
-    let figure = Figure { svg: String::new(), caption: "Шлях".into(), alternative: "10 точок".to_owned() };
+    let figure = Drawing { svg: String::new(), caption: "Шлях".into(), alternative: "10 точок".to_owned() };
     let blocks = vec![
         Block::Paragraph("Сталь 45.".into()),
         Block::Heading { level: 2, words: "1. Маршрут".into() },

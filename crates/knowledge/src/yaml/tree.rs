@@ -86,11 +86,9 @@ const OF_LINE: [&str; 5] = ["quoted", "tab", "escape", "anchor", "trailing"];
 
 fn broken(said: &str, place: Place) -> Diagnostic {
     let known = faults::FAULTS.iter().find(|(words, ..)| words.iter().any(|word| said.contains(word)));
-    let (message, help) = match known {
-        Some((_, what, mend)) => (note!("yaml-broken", error = Note::new(*what)), Note::new(*mend)),
-        None => (note!("yaml-broken", error = said), note!("yaml-indent-with-spaces-quote-values")),
-    };
-    Diagnostic::error("yaml", message, place).help(help)
+    let (what, mend) = known
+        .map_or(("yaml-broken-otherwise", "yaml-indent-with-spaces-quote-values"), |(_, what, mend)| (*what, *mend));
+    Diagnostic::error("yaml", note!("yaml-broken", error = Note::new(what)), place).help(Note::new(mend))
 }
 
 fn too_deep(place: Place) -> Diagnostic {
