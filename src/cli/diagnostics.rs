@@ -20,9 +20,9 @@ use super::words::Lang;
 
 /// Lines of files are shown no wider than this.
 const WIDTH: usize = 120;
-/// Of a sentence no more characters are shown: the words of a user that are in it may be his whole file.
+/// The most characters of a sentence that are shown: it may quote a whole file of the user.
 const LONGEST: usize = 4_000;
-/// More problems than this nobody reads: those behind them are counted.
+/// The most problems that are shown; the rest are counted.
 const MOST_SHOWN: usize = 50;
 
 /// How many of many problems are shown.
@@ -130,7 +130,7 @@ fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, w
     let help = problem.help.as_ref().map(|help| format!("{}: {}", lang.word("cli-help"), said(help)));
     let title = folded(&format!("{level}[{}]: {}", problem.code, said(&problem.message)), 2, width);
     let Some(place) = &problem.place else {
-        // Under a line of a file the help hangs on its frame; without one it stands on its own.
+        // Below a line of a file the help belongs to its frame; without one it is a line of its own.
         let help = help.map(|help| folded(&help, 2, width));
         return [Some(title), help].into_iter().flatten().map(|line| line + "\n").collect();
     };

@@ -1,13 +1,13 @@
-//! HTML: one standalone page, nothing loaded from elsewhere, whatever a text holds only shown.
+//! HTML: one standalone page that loads nothing from elsewhere; all text is escaped.
 
 use std::fmt::Write;
 
 use crate::{Align, Block, Column, Document, Drawing, Finding, Inline, Inlines, Item, Table, Words, clean};
 
-/// Colours for both lights of a screen, and for paper; tables scroll by themselves where a screen is narrow.
+/// Colours for light and dark mode and for paper; on narrow screens each table scrolls by itself.
 const STYLE: &str = include_str!("html/style.css");
 
-/// The longest name, in bytes, that a narrow line has room for as a whole.
+/// The longest name, in bytes, that is kept on one line.
 const NAME: usize = 32;
 
 /// The document as a page of its own.
@@ -105,7 +105,7 @@ fn table(page: &mut String, table: &Table) {
     }
 }
 
-/// Heading and unit, which is not broken at its stroke.
+/// Heading and unit; the unit is not broken at its slash.
 fn head(column: &Column) -> String {
     match (line(&column.heading), column.unit.as_str()) {
         (heading, "") => heading,
@@ -121,7 +121,7 @@ fn figure(page: &mut String, figure: &Drawing) {
     page.push_str(&format!("<figure><img src=\"{source}\" alt=\"{alternative}\">{caption}</figure>\n"));
 }
 
-/// A drawing as the address of an image: it runs nothing, and its names do not meet those of another drawing.
+/// A drawing as a data URL of an image: no scripts run in it, and its ids do not collide with those of another drawing.
 pub fn image(svg: &str) -> String {
     let kept = |byte| matches!(byte, b'-' | b'.' | b'_' | b'=' | b'/' | b',' | b':' | b';');
     format!("data:image/svg+xml,{}", clean::percent(svg, kept))

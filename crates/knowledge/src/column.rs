@@ -58,7 +58,7 @@ impl ColumnType {
         matches!(self, Self::Int | Self::Number | Self::Length | Self::Angle | Self::It | Self::Roughness)
     }
 
-    /// The unit of a column that names none; nothing when it must name one.
+    /// The unit of a column that names none; `None` if it must name one.
     pub const fn default_unit(self) -> Option<Unit> {
         match self {
             Self::Number | Self::Length => None,
@@ -101,7 +101,7 @@ pub struct Label {
 }
 
 impl Label {
-    /// The name in the language of that tag; tables name things in English for languages that they do not speak.
+    /// The name in the language of that tag; English for languages that tables do not have.
     pub fn of(&self, tag: &str) -> &str {
         if tag == "uk" { &self.uk } else { &self.en }
     }

@@ -1,4 +1,4 @@
-//! Every figure of a file taken as far as its reader admits it.
+//! Every figure of a file pushed to the limits that its reader accepts.
 
 /// A figure of a file: where it stands in its text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

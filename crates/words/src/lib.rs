@@ -142,7 +142,7 @@ impl Lang {
     pub fn place(self, source: &str) -> String {
         let known = self.0.places();
         let english = with_latin_table_names(source);
-        // An address or an id is one word, whatever stands within it.
+        // An address or an id is one word, whatever characters it contains.
         let inside = |letter: char| letter.is_alphanumeric() || "_/-@".contains(letter);
         let mut said = String::with_capacity(english.len());
         let (mut rest, mut before) = (&*english, ' ');

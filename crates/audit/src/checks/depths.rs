@@ -1,5 +1,5 @@
 //! How deep the transitions of a hole go where no formula of the route says it: what follows the drill goes as deep as
-//! the hole, centring as deep as its spot is wide, and nothing goes through a part that the drawing closes.
+//! the hole, centring goes as deep as its spot requires, and nothing cuts through a blind hole.
 
 use crate::error::KnowledgeError;
 use crate::note::{self, Note, Severity};

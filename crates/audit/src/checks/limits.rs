@@ -108,7 +108,7 @@ fn correctors(context: &Context<'_>, findings: &mut Vec<Finding>) {
     for (place, (at, number, figure)) in own.iter().enumerate() {
         let others = || own.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, one)| one);
         let twin = others().find(|(_, _, other)| other.value == figure.value);
-        // Of two the slip is of the one whose number it is not, else of the later one.
+        // Of two tools the one whose number it is not has the slip, otherwise the later one.
         let theirs = |other: &&(usize, u32, &StatedFigure)| is_own(other.1, other.2) || other.0 < *at;
         let field = context.field(Id::new(Scope::Tool(*at), Q::Corrector));
         let finding = if let Some(other) = twin.filter(theirs).filter(|_| !is_own(*number, figure)) {

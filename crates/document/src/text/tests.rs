@@ -159,7 +159,7 @@ fn colours_say_what_words_say_too() {
     assert_eq!(page, "\u{1b}[1mA\u{1b}[0m\n\u{1b}[1;31mпомилка:\u{1b}[0m Ø\n");
 }
 
-/// A narrow column is shown where a wide one of the same rank had to go, and how wide a window shows all is told truly.
+/// A narrow column is shown where a wide one of the same rank had to go, and the width named is wide enough for all.
 #[test]
 fn a_column_that_fits_is_shown_and_the_width_for_all_is_told() {
     let words = Words { see_all: "COLUMNS=<width>", ..WORDS };

@@ -1,6 +1,6 @@
-//! What the parser of YAML says of broken text, in words that name what to do: its own are English, and of its trade.
+//! Messages for broken YAML that say what to do. They replace the parser's own, which are English and technical.
 
-/// Words of the parser, what they mean to whoever wrote the file, and what to do. The first that fits is told.
+/// Phrases of the parser's messages, our message for them, and our remedy. The first match is used.
 pub(super) const FAULTS: &[(&[&str], &str, &str)] = &[
     (&["tab"], "yaml-broken-tab", "yaml-mend-tab"),
     (&["mapping values are not allowed", "illegal placement of ':'"], "yaml-broken-colon", "yaml-mend-colon"),

@@ -22,7 +22,7 @@ pub(super) struct Seen {
     figures: BTreeMap<Name, DeviationFigure>,
     /// The function that a fault is about.
     function: Option<String>,
-    /// Whether the control does not carry the program out as it is written.
+    /// Whether the control does not run the program as it is written.
     broken: bool,
 }
 
