@@ -272,7 +272,7 @@ mod tests {
         };
         let (some, last) = places(Amount::Some);
         assert_eq!(some, (1..=48).chain([100, 200]).collect::<Vec<_>>());
-        assert_eq!(last, "and 150 more: --all-problems shows all");
+        assert_eq!(last, "and 150 more: `--all-problems` shows all");
         assert_eq!(places(Amount::All).0, (1..=200).collect::<Vec<_>>());
         assert_eq!(render(vec![], &texts, Amount::Some, Lang::EN), "");
     }

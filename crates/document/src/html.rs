@@ -9,6 +9,8 @@ const STYLE: &str = include_str!("html/style.css");
 
 /// The longest name, in bytes, that is kept on one line.
 const NAME: usize = 32;
+/// The longest word, in characters, that is kept beside a number as its unit.
+const UNIT: usize = 6;
 
 /// The document as a page of its own.
 pub fn html(document: &Document, words: &Words) -> String {
@@ -147,13 +149,27 @@ fn line(inlines: &Inlines) -> String {
     shown
 }
 
-/// A text whose short names and numbers with a dash, `2И20-5-80`, are not broken at it.
+/// A text in which lines are broken neither at the dash of a short name or number, `2И20-5-80`, nor between a number and
+/// its unit.
 fn unbroken(text: &str) -> String {
-    let word = |word: &str| {
+    let mut shown: Vec<String> = Vec::new();
+    let mut words = text.split(' ').peekable();
+    while let Some(word) = words.next() {
         let name = word.contains('-') && word.contains(|sign: char| sign.is_ascii_digit()) && word.len() <= NAME;
-        if name { format!("<span>{}</span>", escaped(word)) } else { escaped(word) }
-    };
-    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
+        shown.push(match words.next_if(|next| is_quantity(word, next)) {
+            Some(unit) => format!("<span>{} {}</span>", escaped(word), escaped(unit)),
+            None if name => format!("<span>{}</span>", escaped(word)),
+            None => escaped(word),
+        });
+    }
+    shown.join(" ")
+}
+
+/// Whether the second word looks like the unit of the first: `90 мм`, `0.25 mm/rev`, `5 %`.
+fn is_quantity(number: &str, unit: &str) -> bool {
+    number.ends_with(|sign: char| sign.is_ascii_digit())
+        && unit.starts_with(|sign: char| sign.is_alphabetic() || "%°".contains(sign))
+        && unit.chars().count() <= UNIT
 }
 
 /// A text as it is shown, in a page or between quotes of an attribute, whatever signs are in it.

@@ -96,7 +96,8 @@ pub(crate) fn nearest_few<'a>(typed: &str, known: impl IntoIterator<Item = &'a s
     let typed: Vec<char> = typed.chars().collect();
     // One slip in three letters, and one more in a long word, which few others resemble: a wrong hint is worse than
     // none.
-    let limit = (typed.len() / 3).max(1) + usize::from(typed.len() >= LONG);
+    // Of a single letter nothing is left by a slip.
+    let limit = (typed.len() / 3).max(usize::from(typed.len() > 1)) + usize::from(typed.len() >= LONG);
     let mut near: Vec<(usize, &str)> =
         known.into_iter().filter_map(|name| Some((edit_distance(&typed, name, limit)?, name))).collect();
     near.sort_unstable();

@@ -183,6 +183,20 @@ fn every_word_of_an_enum_has_a_name() {
     assert!(lacks.is_empty(), "name them in page-values.ftl: {lacks:#?}");
 }
 
+/// Every column has a name for people, its table's or one that languages have for such columns: sentences say it.
+#[test]
+fn every_column_has_a_name() {
+    let mut lacks = BTreeSet::new();
+    for (table, column) in KNOWLEDGE.tables().flat_map(|table| table.columns.iter().map(move |column| (table, column)))
+    {
+        let key = format!("table-column-{}", column.name);
+        if column.label.is_none() && (Lang::UK.find(&key).is_none() || Lang::EN.find(&key).is_none()) {
+            lacks.insert(format!("{}: {}", table.id, column.name));
+        }
+    }
+    assert!(lacks.is_empty(), "give them a `label`: {lacks:#?}");
+}
+
 fn text(cell: &Cell) -> Option<&str> {
     match cell {
         Cell::Value(value) => value.as_text(),

@@ -97,7 +97,7 @@ fn read_tree(
         problems: Problems(diagnostics),
         texts: Vec::new(),
         file,
-        rows_unread: false,
+        unread_rows: Vec::new(),
     };
     let stated = root.and_then(|root| {
         // Only `technolog plan` writes holes at the top; a part file has them too, but no tools.
@@ -125,8 +125,8 @@ struct Reader<'a> {
     problems: Problems,
     texts: Vec<NamedText>,
     file: &'a str,
-    /// Whether a row of the route has a fault for which it is not among those read.
-    rows_unread: bool,
+    /// The numbers and the tools of rows of the route that have a fault for which they are not among those read.
+    unread_rows: Vec<(u32, Option<u32>)>,
 }
 
 impl Reader<'_> {
