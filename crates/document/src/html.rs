@@ -9,8 +9,8 @@ const STYLE: &str = include_str!("html/style.css");
 
 /// The longest name, in bytes, that is kept on one line.
 const NAME: usize = 32;
-/// The longest word, in characters, that is kept beside a number as its unit.
-const UNIT: usize = 6;
+/// The longest word without a stroke, in characters, that is kept beside a number as its unit.
+const UNIT: usize = 3;
 
 /// The document as a page of its own.
 pub fn html(document: &Document, words: &Words) -> String {
@@ -156,7 +156,7 @@ fn unbroken(text: &str) -> String {
     let mut words = text.split(' ').peekable();
     while let Some(word) = words.next() {
         let name = word.contains('-') && word.contains(|sign: char| sign.is_ascii_digit()) && word.len() <= NAME;
-        shown.push(match words.next_if(|next| is_quantity(word, next)) {
+        shown.push(match words.next_if(|next| !name && is_quantity(word, next)) {
             Some(unit) => format!("<span>{} {}</span>", escaped(word), escaped(unit)),
             None if name => format!("<span>{}</span>", escaped(word)),
             None => escaped(word),
@@ -169,7 +169,7 @@ fn unbroken(text: &str) -> String {
 fn is_quantity(number: &str, unit: &str) -> bool {
     number.ends_with(|sign: char| sign.is_ascii_digit())
         && unit.starts_with(|sign: char| sign.is_alphabetic() || "%°".contains(sign))
-        && unit.chars().count() <= UNIT
+        && (unit.contains(['/', '·']) || unit.trim_end_matches([',', ';', '.', ':', ')']).chars().count() <= UNIT)
 }
 
 /// A text as it is shown, in a page or between quotes of an attribute, whatever signs are in it.

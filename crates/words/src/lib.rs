@@ -222,8 +222,12 @@ fn stored(name: &str, text: &str) -> Figure {
         let between = if text.contains(" + ") { " + " } else { ", " };
         Figure::List(text.split(between).map(|part| one(part.to_owned())).collect(), between)
     };
-    if text.parse::<f64>().is_ok() {
+    let is_number = |text: &str| text.parse::<f64>().is_ok() && !is_designation(text);
+    let parameter = text.split_once(' ').filter(|(name, number)| ["Ra", "Rz"].contains(name) && is_number(number));
+    if is_number(text) {
         Figure::number(text.to_owned())
+    } else if let Some((name, number)) = parameter {
+        Figure::List(vec![Figure::Text(name.to_owned().into()), Figure::number(number.to_owned())], " ")
     } else if OPERATIONS.contains(&name) {
         list(Figure::operation)
     } else if WORDS.contains(&name) {
@@ -231,6 +235,11 @@ fn stored(name: &str, text: &str) -> Figure {
     } else {
         Figure::Text(text.to_owned().into())
     }
+}
+
+/// Whether digits are a name, such as that of the scheme `07`.
+fn is_designation(digits: &str) -> bool {
+    digits.len() > 1 && digits.starts_with('0') && !digits.contains('.')
 }
 
 /// Whether the messages of a file are words of pages and commands, not what notes say.
