@@ -158,7 +158,7 @@ fn variants(found: &Sequences, lang: Lang) -> Table {
 fn passes(variant: &Variant, lang: Lang) -> Table {
     let mm = say!(lang, "unit-mm");
     let columns = [
-        Column::number("№", ""),
+        Column::number(lang.word("cli-row-number"), ""),
         Column::text(say!(lang, "turn-direction")),
         span("Ø", mm),
         span("Z", mm),

@@ -18,7 +18,7 @@ pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     // Without transitions there is nothing but loading and unloading the part.
     if rows.len() > 2 {
         let mut table = Table::new([
-            Column { align: Align::Right, ..Column::text("№") },
+            Column { align: Align::Right, ..Column::text(lang.word("cli-row-number")) },
             Column::text(say!(lang, "plan-step-head")).least(22),
             Column::text(say!(lang, "plan-scheme")),
             Column::text("T"),

@@ -15,7 +15,7 @@ help-lookup-query = What is known, by the names of columns: it=7 diameter=12 rou
 help-lookup-all = Every rejected row on its own, however many there are
 help-plan = The whole plan of a part: route, tools, conditions, clamping, corrections, times; with --format hand, as people write one
 help-plan-part = The part file
-help-plan-prefer = Which route is taken: the best one, or the tables' own scheme (A.8 to A.10) wherever it can be carried out
+help-plan-prefer = Which route is taken: the best one, or the tables' own scheme (A.8 to A.10) wherever it is possible
 help-plan-cutting = Cutting conditions by formula or by the worked example's card
 help-explain = Why a hole is machined this way and not another
 help-explain-part = The part file

@@ -26,7 +26,7 @@ audit-load-low = { $share } % від { $load }, що дають формули �
 audit-load-high = { $share } % від { $load }, що дають формули довідника за подачі { $feed } мм/об
 # Designations.
 named = рядок каталогу
-audit-designation-misprinted = позначення { $tool } у каталогах немає; мабуть, це { $known } без початку
+audit-designation-misprinted = позначення { $tool } у каталогах немає; можливо, це { $known } без початку
 audit-designation-unknown = позначення { $tool } у каталогах немає; найближче { $known }
 audit-designation-alien = позначення { $tool } у каталогах немає
 audit-dimensions-of = розміри не { $tool }, а { $known }
