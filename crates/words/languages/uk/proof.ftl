@@ -1,7 +1,8 @@
 # What is made and what is not.
 not-made = { $hole }: { $operation } (T{ $tool }) не виконано в { $count ->
         [one] { $count } точці
-       *[other] { $count } точках
+        [few] { $count } точках
+       *[many] { $count } точках
     }: { $points }
     .help = додайте ці точки
 cut-again = зайве: в { $at } T{ $tool } ще раз іде до Z{ $z }, а це вже зроблено
