@@ -20,9 +20,9 @@ use super::words::Lang;
 
 /// Lines of files are shown no wider than this.
 const WIDTH: usize = 120;
-/// Of a sentence no more characters are shown: the words of a user that are in it may be his whole file.
+/// The most characters of a sentence that are shown: it may quote a whole file of the user.
 const LONGEST: usize = 4_000;
-/// More problems than this nobody reads: those behind them are counted.
+/// The most problems that are shown; the rest are counted.
 const MOST_SHOWN: usize = 50;
 
 /// How many of many problems are shown.
@@ -104,18 +104,23 @@ pub fn below(more: usize, lang: Lang) -> String {
 
 /// Every problem, one under the other, with an empty line between, in the language of the reader.
 pub fn render_all(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
+    render_within(usize::MAX, problems, texts, lang)
+}
+
+/// As [`render_all`]; sentences wider than so many columns go on below, lines of files are cut to [`WIDTH`] as ever.
+pub fn render_within(width: usize, problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
     let mut lines: BTreeMap<&str, Lines<'_>> = BTreeMap::new();
     for place in problems.iter().filter_map(|problem| problem.place.as_ref()) {
         if let Some((file, text)) = texts.0.get_key_value(place.file.as_ref()) {
             lines.entry(file).or_insert_with(|| Lines::of(&text.content));
         }
     }
-    let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, &lines, lang)).collect();
+    let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, &lines, width, lang)).collect();
     shown.join("\n")
 }
 
 /// A problem: what is wrong, where, the line itself with a mark under the place, and what to do.
-fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, lang: Lang) -> String {
+fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, width: usize, lang: Lang) -> String {
     let level = lang.word(match problem.severity {
         Severity::Error => "cli-error",
         Severity::Warning => "cli-warning",
@@ -123,9 +128,10 @@ fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, l
     });
     let said = |note: &Note| cleaned(&lang.say(note)).chars().take(LONGEST).collect::<String>();
     let help = problem.help.as_ref().map(|help| format!("{}: {}", lang.word("cli-help"), said(help)));
-    let title = format!("{level}[{}]: {}", problem.code, said(&problem.message));
+    let title = folded(&format!("{level}[{}]: {}", problem.code, said(&problem.message)), 2, width);
     let Some(place) = &problem.place else {
-        // Under a line of a file the help hangs on its frame; without one it stands on its own.
+        // Below a line of a file the help belongs to its frame; without one it is a line of its own.
+        let help = help.map(|help| folded(&help, 2, width));
         return [Some(title), help].into_iter().flatten().map(|line| line + "\n").collect();
     };
     let number = place.line.to_string();
@@ -138,9 +144,29 @@ fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, l
         shown.extend([format!("{margin} |"), format!("{number} | {line}"), format!("{margin} | {mark}")]);
     }
     if let Some(help) = help {
-        shown.extend([format!("{margin} |"), format!("{margin} = {help}")]);
+        let frame = format!("{margin} = ");
+        shown.extend([format!("{margin} |"), folded(&format!("{frame}{help}"), frame.len(), width)]);
     }
     shown.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// A sentence on lines of no more than so many columns, those after the first indented.
+fn folded(sentence: &str, indent: usize, width: usize) -> String {
+    let mut shown = String::with_capacity(sentence.len());
+    let mut room = width;
+    for (at, word) in sentence.split(' ').enumerate() {
+        let more = word.width() + usize::from(at > 0);
+        if at > 0 && more > room {
+            shown.push('\n');
+            shown.push_str(&" ".repeat(indent));
+            room = width.saturating_sub(indent);
+        } else if at > 0 {
+            shown.push(' ');
+        }
+        shown.push_str(word);
+        room = room.saturating_sub(more);
+    }
+    shown
 }
 
 /// A line of a file, and the mark under what is meant.
@@ -214,6 +240,14 @@ mod tests {
     }
 
     #[test]
+    fn sentences_wider_than_the_screen_go_on_below_and_lines_of_files_do_not() {
+        let text = "a line of a file that is long, and no screen's matter";
+        let place = Place { file: "a.yaml".into(), line: 1, column: 3, width: 4 };
+        let problem = Diagnostic::error("x", "one two three four five", Some(place)).help("six seven eight");
+        insta::assert_snapshot!(render_within(20, &[problem], &texts(text), Lang::EN), @"");
+    }
+
+    #[test]
     fn a_place_outside_its_text_still_says_where() {
         let texts = texts("a: 1\n");
         for (line, column) in [(1, 1), (1, 5), (1, 6), (1, 400), (2, 1), (0, 0), (u32::MAX, u32::MAX)] {
@@ -238,7 +272,7 @@ mod tests {
         };
         let (some, last) = places(Amount::Some);
         assert_eq!(some, (1..=48).chain([100, 200]).collect::<Vec<_>>());
-        assert_eq!(last, "and 150 more: --all-problems shows all");
+        assert_eq!(last, "and 150 more: `--all-problems` shows all");
         assert_eq!(places(Amount::All).0, (1..=200).collect::<Vec<_>>());
         assert_eq!(render(vec![], &texts, Amount::Some, Lang::EN), "");
     }

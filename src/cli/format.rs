@@ -68,7 +68,7 @@ impl Format {
     }
 }
 
-/// Endings that promise what no command writes: whoever opens such a file would find text in it.
+/// Endings of formats that no command writes: such a file would contain text.
 const OTHERS: &[&str] = &[
     ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
     ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",

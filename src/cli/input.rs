@@ -1,4 +1,4 @@
-//! The files that a command reads: no more of them than a bound, and each remembered, so that no answer replaces it.
+//! The files that a command reads: limited in size, and remembered so that no answer overwrites them.
 
 use std::fs::File;
 use std::io;
@@ -17,7 +17,7 @@ use super::{CliError, Context};
 pub struct Inputs(Mutex<Vec<PathBuf>>);
 
 impl Context {
-    /// The text of a file that the command line names. It may be what the shell has opened: standard input, `<(…)`.
+    /// The text of a file that the command line names. It may be a pipe of the shell: standard input, `<(…)`.
     ///
     /// # Errors
     /// It cannot be read, is too large, is no text, or no file.
@@ -31,7 +31,7 @@ impl Context {
         self.inputs.0.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
     }
 
-    /// Sees to it that `-o` replaces nothing that the answer rests on, by whatever path or link it is named.
+    /// Makes sure that `-o` overwrites no input of the answer, by whatever path or link it is named.
     ///
     /// # Errors
     /// It would.
@@ -62,8 +62,8 @@ pub fn text_in_folder(path: &Path, context: &Context) -> Result<String, CliError
     if is_regular(path) { read(path, context) } else { Err(irregular(path, context)) }
 }
 
-/// Where files that another file names may lie: below the folder of that file, below one that the command line names, or
-/// below the one that the program is run in. Else whoever sends a file could have any other shown.
+/// Where files that another file names may lie: below the folder of that file, below one that the command line names,
+/// or below the one that the program is run in. Otherwise the sender of a file could have any other file shown.
 #[derive(Clone, Copy, Debug)]
 pub struct Places<'p> {
     /// The folder that the command line names.
@@ -102,8 +102,8 @@ pub fn named(path: &Path, context: &Context) -> Result<String, String> {
     String::from_utf8(bytes).map_err(|_| context.word("file-not-utf8").to_owned())
 }
 
-/// Whether it may be opened: a pipe waits for a writer, and so do some of the files in which the system tells of itself.
-/// What is not there says so when it is opened.
+/// Whether it may be opened: a pipe waits for a writer, and so do some files of the system. What is not there says so
+/// when it is opened.
 fn is_regular(path: &Path) -> bool {
     let of_system = || path.canonicalize().is_ok_and(|path| path.starts_with("/proc"));
     std::fs::metadata(path).map_or(true, |file| file.is_dir() || file.is_file() && !of_system())

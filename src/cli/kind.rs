@@ -1,4 +1,4 @@
-//! A file of another kind than the command takes: what it seems to be, and whose file it is.
+//! A file of another kind than the command takes: what it seems to be, and which command takes it.
 
 use std::borrow::Cow;
 
@@ -23,7 +23,7 @@ pub fn or_other(
     }
 }
 
-/// Sees to it that a text which anything can be read from is of the wanted kind.
+/// Makes sure that a text is of the wanted kind, if its kind can be recognised.
 ///
 /// # Errors
 /// It is of another.

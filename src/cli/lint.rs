@@ -8,7 +8,7 @@ use technolog::words::say;
 
 use super::{CliError, Context, Format, Lang, Outcome, diagnostics, knowledge, problems};
 
-// Prove the knowledge base: gaps, contradictions, dead rows, references, laws, examples
+// Check the knowledge base: gaps, contradictions, unreachable rows, references, laws, examples
 #[derive(Debug, clap::Args)]
 pub struct Args {
     #[arg(long)]

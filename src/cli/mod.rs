@@ -1,9 +1,8 @@
 //! The command line: one file per command, each thin.
 //!
-//! A command is an `Args` struct and a function `run(&Args, &Context) -> Result<Outcome, CliError>`,
-//! one line in [`Command`] and one in [`Command::run`], and its help in Ukrainian in
-//! [`help_uk::HELP_UK`]. Exit codes: 0 done, 1 done and something was found wrong, 2 the input could
-//! not be used.
+//! A command is an `Args` struct and a function `run(&Args, &Context) -> Result<Outcome, CliError>`, one line in
+//! [`Command`] and one in [`Command::run`], and its help in the message catalogue (`help.ftl`). Exit codes: 0 done, 1
+//! done and something was found wrong, 2 the input could not be used.
 //!
 //! Architecture invariant: nothing here decides anything; a command asks the library and shows the
 //! answer. Nothing else in the program touches arguments, environment, terminal or output files.

@@ -1,4 +1,4 @@
-//! Giving out an answer: whole or not at all, and never with a panic.
+//! Writing an answer: whole or not at all, and never with a panic.
 
 use std::fmt::Display;
 use std::fs::{self, File, OpenOptions, Permissions};
@@ -66,7 +66,7 @@ pub fn unprintable(lang: Lang, error: impl Display) -> CliError {
     Diagnostic::error("unprintable", words::cannot_print(lang, error), None).help(words::print_to_file(lang)).into()
 }
 
-/// Whether it is a link that leads to no file, or round: whoever made it meant another place, which nobody knows.
+/// Whether it is a dangling or circular link: where its author wanted it to lead is not known.
 fn is_dangling(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|file| file.is_symlink()) && fs::metadata(path).is_err()
 }
@@ -86,7 +86,7 @@ pub struct Screen {
     pub width: usize,
     /// Whether it shows colours.
     pub colour: bool,
-    /// Whether somebody reads it as wide as it is; else programs may, line by line.
+    /// Whether its width is known; otherwise a program may read the output line by line.
     pub narrow: bool,
 }
 
@@ -103,7 +103,7 @@ impl Screen {
     }
 }
 
-/// Shows problems beside the answer. Names of files and arguments may hold what steers a terminal.
+/// Prints problems to the error stream. Names of files and arguments may contain control characters.
 pub fn complain(problems: &str) {
     // Where not even this can be printed there is nobody to tell.
     let _ = io::stderr().lock().write_all(cleaned_lines(problems).as_bytes());
@@ -152,7 +152,7 @@ fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
     renamed
 }
 
-/// What people may do with a file stays; that a program takes the rights of its owner was said of another program.
+/// Permissions of the old file stay, but not set-user-id and its like: they were given to another program.
 #[cfg(unix)]
 fn kept(old: Permissions) -> Permissions {
     use std::os::unix::fs::PermissionsExt;
@@ -164,8 +164,8 @@ fn kept(old: Permissions) -> Permissions {
     old
 }
 
-/// Removes what a run that was killed left beside the file: a temporary file that nobody holds locked. What cannot be
-/// removed harms nobody.
+/// Removes what a killed run left beside the file: a temporary file that is not locked. What cannot be removed harms
+/// nobody.
 fn remove_stale(path: &Path) {
     let (Some(name), Some(folder)) = (path.file_name(), path.parent()) else { return };
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };

@@ -7,9 +7,7 @@ use technolog::document::{Block, Document, Finding, Inlines, Severity as Colour}
 use technolog::knowledge::{Diagnostic, Severity, input};
 use technolog::words::say;
 
-use unicode_width::UnicodeWidthStr;
-
-use super::diagnostics::{Texts, below, hidden, render_all};
+use super::diagnostics::{Texts, below, hidden, render_within};
 use super::output::Screen;
 use super::{CliError, Context, Format, Lang};
 
@@ -45,40 +43,14 @@ pub fn blocks(problems: Vec<Diagnostic>, more: usize, texts: &Texts, format: For
         Format::Text if shown.is_empty() => Vec::new(),
         Format::Text => {
             let screen = Screen::of(context.output.as_deref());
-            let told = render_all(&shown, texts, lang) + &below(more, lang);
-            vec![Block::Code(if screen.narrow { wrapped(&told, screen.width) } else { told })]
+            let width = if screen.narrow { screen.width } else { usize::MAX };
+            vec![Block::Code(render_within(width, &shown, texts, lang) + &below(more, lang))]
         }
         _ => {
             let more = hidden(more, lang).map(|more| Block::Paragraph(more.into()));
             shown.iter().map(|problem| finding(problem, lang).into()).chain(more).collect()
         }
     }
-}
-
-/// Sentences that are wider than the screen go on under themselves. Lines of files are cut already.
-fn wrapped(text: &str, width: usize) -> String {
-    let mut shown = String::with_capacity(text.len());
-    for line in text.lines() {
-        let is_of_file =
-            line.split_once(" |").is_some_and(|(number, _)| number.trim().bytes().all(|b| b.is_ascii_digit()));
-        let mut room = width;
-        // Behind the frame of a help, else a little further in.
-        let indent = line.find(" = ").filter(|at| line[..*at].trim().is_empty()).map_or(2, |at| at + " = ".len());
-        for (at, word) in line.split(' ').enumerate() {
-            let more = word.width() + usize::from(at > 0);
-            if at > 0 && !is_of_file && more > room {
-                shown.push('\n');
-                shown.push_str(&" ".repeat(indent));
-                room = width.saturating_sub(indent);
-            } else if at > 0 {
-                shown.push(' ');
-            }
-            shown.push_str(word);
-            room = room.saturating_sub(more);
-        }
-        shown.push('\n');
-    }
-    shown
 }
 
 fn finding(problem: &Diagnostic, lang: Lang) -> Finding {
@@ -91,19 +63,5 @@ fn finding(problem: &Diagnostic, lang: Lang) -> Finding {
         place: problem.place.as_ref().map(ToString::to_string),
         help: problem.help.as_ref().map(|help| Inlines::sentence(&lang.say(help))),
         ..Finding::new(severity, lang.word(word), Inlines::sentence(&lang.say(&problem.message)))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sentences_wider_than_the_screen_go_on_below_and_lines_of_files_do_not() {
-        let text =
-            "error[x]: one two three four\n  |\n9 | a line of a file that is long\n  |\n  = help: five six seven\n";
-        let shown = "error[x]: one two\n  three four\n  |\n9 | a line of a file that is long\n  |\n  = help: five six\n    seven\n";
-        assert_eq!(wrapped(text, 19), shown);
-        assert_eq!(wrapped(text, 80), text);
     }
 }

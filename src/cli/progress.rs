@@ -5,7 +5,7 @@ use std::io::{IsTerminal, Write, stderr};
 /// Its width, in columns.
 const WIDTH: usize = 40;
 
-/// A bar; nothing where nobody looks, because the output goes into a file.
+/// A progress bar; none if the output goes into a file.
 #[derive(Debug)]
 pub struct Progress {
     total: usize,
@@ -18,7 +18,7 @@ impl Progress {
         Self { total, seen: stderr().is_terminal() }
     }
 
-    /// So many are done. The bar is drawn anew when it grows, not for every thing.
+    /// That many are done. The bar is redrawn when it grows, not every time.
     pub fn show(&self, done: usize) {
         let columns = |done: usize| done * WIDTH / self.total.max(1);
         if self.seen && (columns(done) != columns(done.saturating_sub(1)) || done == self.total) {

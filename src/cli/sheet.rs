@@ -28,9 +28,9 @@ pub fn whole(table: &Table, lang: Lang, format: Format) -> Document {
     let numbered = rows(&mut page, table, &all, lang, format);
     columns(&mut page, table, numbered, lang);
     said(&mut page, &all, lang);
-    let gaps = table.uncovered.iter().map(|gap| lang.remark(&gap.reason).to_owned());
+    let gaps = table.uncovered.iter().map(|gap| lang.remark(&gap.reason).into_owned());
     section(&mut page, lang.word("cli-gaps"), gaps);
-    section(&mut page, lang.word("cli-notes"), table.notes.iter().map(|note| lang.remark(note).to_owned()));
+    section(&mut page, lang.word("cli-notes"), table.notes.iter().map(|note| lang.remark(note).into_owned()));
     page
 }
 
@@ -189,12 +189,13 @@ fn about(column: &Column, lang: Lang) -> Vec<String> {
 pub fn said(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     let corrections = |row: &Row| -> Vec<String> {
         let said = row.corrections.iter().map(|it| {
-            let (column, printed, reason) = (&it.column, &it.printed, lang.remark(&it.reason));
+            let (column, printed, reason) = (&it.column, &it.printed, lang.remark(&it.reason).into_owned());
             say!(lang, "cli-printed-otherwise", column = column, printed = printed, reason = reason)
         });
         said.collect()
     };
-    let one = |text: &Option<String>| -> Vec<String> { text.iter().map(|text| lang.remark(text).to_owned()).collect() };
+    let one =
+        |text: &Option<String>| -> Vec<String> { text.iter().map(|text| lang.remark(text).into_owned()).collect() };
     by_rows(page, rows, "cli-corrections", lang, &corrections);
     by_rows(page, rows, "cli-unconfirmed", lang, &|row| one(&row.unconfirmed));
     by_rows(page, rows, "cli-reasons", lang, &|row| one(&row.reason));

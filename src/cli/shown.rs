@@ -9,6 +9,7 @@ use technolog::knowledge::{Column, ColumnRole, ColumnType, RowRef, Source, Table
 use technolog::note::Figure;
 use technolog::plan::Operation;
 use technolog::report::{operation_noun, unit, with_unit};
+use technolog::units::Unit;
 use technolog::words::{LANGUAGES, listed, say};
 
 use super::Lang;
@@ -76,11 +77,11 @@ pub fn value(lang: Lang, column: &Column, value: &Value) -> String {
 fn figure(lang: Lang, column: &Column, written: &str) -> String {
     match column.ty {
         // Tables of machines and controls have the unit of each figure in a column of its own.
-        ColumnType::Text if column.name == "unit" => {
-            let id = written.replace(['*', '/'], "-");
-            lang.find(&format!("unit-{id}")).unwrap_or(written).to_owned()
-        }
-        ColumnType::Text => lang.remark(written).to_owned(),
+        ColumnType::Unit => match written.parse() {
+            Ok(own) if own != Unit::None => unit(own, lang).to_owned(),
+            _ => written.to_owned(),
+        },
+        ColumnType::Text => lang.remark(written).into_owned(),
         ColumnType::Bool => lang.find(&format!("table-value-{written}")).unwrap_or(written).to_owned(),
         ColumnType::Enum => word(lang, column, written).to_owned(),
         _ => lang.figure(&Figure::number(written.to_owned())),
@@ -212,6 +213,7 @@ pub fn rows_named(lang: Lang, numbers: &[usize]) -> String {
 pub fn expected(lang: Lang, column: &Column) -> String {
     let what = match column.ty {
         ColumnType::Text => "lint-a-text",
+        ColumnType::Unit => "cli-expected-unit",
         ColumnType::Enum => return one_of(lang, column),
         ColumnType::Bool => "lint-true-false",
         ColumnType::Int => "lint-whole-number",

@@ -18,7 +18,7 @@ use super::graph::Graph;
 use super::near::plain;
 use super::quantity::{Id, Quantity, Scope};
 use super::rules;
-use super::stated::{Clamping, Factor, Figure, Figures, Row, Stated, Text, Tool};
+use super::stated::{Clamping, Factor, Figures, Row, Stated, StatedFigure, Text, Tool};
 
 /// A name that a clamping states.
 type NameOf = fn(&Clamping) -> &Option<Text>;
@@ -246,8 +246,8 @@ impl PlanComparison<'_> {
         subject: &Subject,
         quantity: Quantity,
         name: Option<&str>,
-        a: Option<&Figure>,
-        b: Option<&Figure>,
+        a: Option<&StatedFigure>,
+        b: Option<&StatedFigure>,
     ) {
         let same = match (a, b) {
             // 26.5 and 26.50 are the same figure.
@@ -255,7 +255,7 @@ impl PlanComparison<'_> {
             (a, b) => a.is_none() && b.is_none(),
         };
         if !same {
-            let text = |figure: Option<&Figure>| figure.map(|figure| figure.text.clone());
+            let text = |figure: Option<&StatedFigure>| figure.map(|figure| figure.text.clone());
             let key = quantity.key();
             let what = name.map_or_else(|| key.to_owned(), |name| format!("{key}.{name}"));
             self.say(section, subject, &what, text(a), text(b));

@@ -70,7 +70,7 @@ impl<'k> Auditor<'k> {
     /// Our own plan of the same part by the same method.
     pub(super) fn ours(&self, stated: &Stated) -> Result<Arc<Plan>, KnowledgeError> {
         let plan = || planner::plan(&stated.part, stated.method, self.knowledge).map(Arc::new);
-        // A part that cannot be written down cannot be told from another, so it is planned for itself.
+        // A part that cannot be serialised cannot be compared with another, so it is planned separately.
         match serde_json::to_string(&(&stated.part, stated.method)) {
             Ok(key) => self.plans.get(key, plan),
             Err(_) => plan(),
@@ -101,7 +101,7 @@ impl<'k> Auditor<'k> {
         Ok(Audit::new(stated, findings))
     }
 
-    /// Carries a program out. The same program with the same setting is carried out once.
+    /// Runs a program. The same program with the same setting is run once.
     pub(super) fn run(
         &self,
         program: &Program,

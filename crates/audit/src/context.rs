@@ -1,4 +1,4 @@
-//! What the rules and checks of an audit share: the stated plan, the shop, what the tables know of its tools, and the
+//! What the rules and checks of an audit share: the stated plan, the shop, what the tables say of its tools, and the
 //! plan we would make of the same part.
 
 use std::collections::BTreeMap;
@@ -179,7 +179,7 @@ impl<'a> Context<'a> {
         Some((shown(below), shown(above)))
     }
 
-    /// What a rule of thresholds says of a stated value that is such a share of what it is held against: the share, per
+    /// What a rule of thresholds says of a stated value that is this share of what it is compared with: the share, per
     /// cent, and the answer.
     ///
     /// # Errors

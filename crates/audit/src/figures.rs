@@ -6,7 +6,7 @@ use super::context::Context;
 use super::finding::{Change, Finding, FindingKind, Shown};
 use super::graph::{Graph, Status, Verdict};
 use super::quantity::{Id, Quantity};
-use super::stated::Figure;
+use super::stated::StatedFigure;
 
 /// Figures that people read have so many significant digits.
 const DIGITS: i32 = 5;
@@ -167,7 +167,7 @@ pub(super) fn shown(value: f64) -> String {
 }
 
 /// A stated figure's own text beside the right value.
-pub(super) fn beside(finding: Finding, figure: &Figure, right: impl ToString, quantity: Quantity) -> Finding {
+pub(super) fn beside(finding: Finding, figure: &StatedFigure, right: impl ToString, quantity: Quantity) -> Finding {
     let mut finding = finding.at(&figure.place).beside(&figure.text, right);
     finding.quantity = Some(quantity);
     finding

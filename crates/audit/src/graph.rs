@@ -1,6 +1,6 @@
 //! The figures of a plan as a graph: which follows from which, what it should be, and where a deviation begins.
 //!
-//! A figure is held against its formula. Where it does not fit, the slip is its own; where it fits only because a
+//! A figure is compared with its formula. Where it does not fit, the slip is its own; where it fits only because a
 //! figure it was computed from is wrong, it is a consequence and names the root. An author who misprints a figure and
 //! goes on with the right one makes one slip, not two: so a formula is tried with the stated and with the right value
 //! of every input.
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::note::{Because, Note, Severity};
 
 use super::quantity::Id;
-use super::stated::{Figure, Stated};
+use super::stated::{Stated, StatedFigure};
 use super::tolerance::Tolerances;
 
 /// A rule that computes a figure.
@@ -127,7 +127,7 @@ impl<'a> Graph<'a> {
         }
     }
 
-    /// Takes on a formula. Of several for one figure the first whose inputs are known is taken.
+    /// Adds a formula. Of several for one figure the first whose inputs are known is used.
     pub fn add(&mut self, formula: Formula<'a>) {
         self.formulas.entry(formula.output).or_default().push(formula);
     }
@@ -137,7 +137,7 @@ impl<'a> Graph<'a> {
         self.constants.insert(id, constant);
     }
 
-    /// Takes on what the tables give for figures that no formula computes: nothing is demanded by it.
+    /// Adds what the tables give for figures that no formula computes; nothing is required by it.
     pub fn know(&mut self, tables: BTreeMap<Id, f64>) {
         self.tables = tables;
     }
@@ -218,7 +218,7 @@ impl<'a> Graph<'a> {
     }
 
     /// Whether a stated figure is what it should be, within its tolerance.
-    fn fits(&self, id: Id, stated: &Figure, value: f64, slack: f64) -> bool {
+    fn fits(&self, id: Id, stated: &StatedFigure, value: f64, slack: f64) -> bool {
         (stated.value - value).abs() <= self.tolerances.of(id.quantity, stated, value) + slack
     }
 
@@ -275,7 +275,8 @@ impl<'a> Graph<'a> {
         options
     }
 
-    /// The first of these, and whether it may be off: what the author had before him. Whether it is, costs more to tell.
+    /// The first of these, and whether it may be wrong: what the author saw. Whether it is wrong costs more to find
+    /// out.
     fn as_written(&self, input: Id) -> Option<(f64, bool)> {
         if let Some(constant) = self.constants.get(&input) {
             return constant.values.first().map(|value| (*value, false));
@@ -359,7 +360,7 @@ impl<'a> Graph<'a> {
     }
 
     /// Whether some mixture of stated and right inputs gives the stated result; the wrong ones among them.
-    fn explained(&self, id: Id, figure: &Figure, formula: &Formula<'a>) -> Option<BTreeSet<Id>> {
+    fn explained(&self, id: Id, figure: &StatedFigure, formula: &Formula<'a>) -> Option<BTreeSet<Id>> {
         let options: Vec<Vec<(f64, bool)>> = formula.inputs.iter().map(|input| self.options(*input)).collect();
         // Only what differs is worth trying; more than that is no formula of a plan.
         let total: usize = options.iter().map(|one| one.len().max(1)).product();

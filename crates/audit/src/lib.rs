@@ -60,7 +60,7 @@ pub use read::{Files, NamedText, Unreadable, read_if_plan, read_plan, read_plan_
 use stated::Stated;
 pub use write::by_hand;
 
-/// Holds one plan against the knowledge; many are audited faster by one [`Auditor`].
+/// Checks one plan against the knowledge; many are audited faster by one [`Auditor`].
 ///
 /// # Errors
 /// The knowledge cannot answer. What is wrong with the plan is a finding.

@@ -14,7 +14,7 @@ use crate::plan::{CuttingMethod, Feature, Limit, Operation};
 use super::limits;
 use super::quantity::Quantity;
 use super::read::{MOST, number};
-use super::stated::{Clamping, Conditions, Figure, Figures, Row, Stated, StatedValue, Text, Tool};
+use super::stated::{Clamping, Conditions, Figures, Row, Stated, StatedFigure, StatedValue, Text, Tool};
 use super::tolerance::Tolerances;
 
 /// What of the file is needed as a whole; all else is read with its places.
@@ -178,7 +178,7 @@ struct Own<'a> {
 }
 
 impl Own<'_> {
-    fn figure(&mut self, node: &Node, quantity: Quantity) -> Option<Figure> {
+    fn figure(&mut self, node: &Node, quantity: Quantity) -> Option<StatedFigure> {
         let text = node.text()?;
         if node.is_null() {
             return None;
@@ -190,7 +190,7 @@ impl Own<'_> {
         };
         let places = i32::try_from(self.tolerances.own_places(quantity)).unwrap_or(0);
         let last_place = libm::pow(10.0, f64::from(-places));
-        Some(Figure { value, text: text.to_owned(), last_place, place: node.place.clone() })
+        Some(StatedFigure { value, text: text.to_owned(), last_place, place: node.place.clone() })
     }
 
     fn figures(&mut self, node: &Node, keys: &[(&str, Quantity)]) -> Figures {
@@ -292,7 +292,7 @@ impl Own<'_> {
         let mut figures = self.figures(node, &CLAMPING);
         if let Some(clamps) = node.get("clamps") {
             let text = at.len().to_string();
-            let figure = Figure { value: at.len() as f64, text, last_place: 1.0, place: clamps.place.clone() };
+            let figure = StatedFigure { value: at.len() as f64, text, last_place: 1.0, place: clamps.place.clone() };
             figures.insert(Quantity::Clamps, figure);
         }
         Clamping {

@@ -29,7 +29,7 @@ pub(super) fn told(findings: &[Finding], field: String) -> Vec<String> {
     if findings.iter().any(slip) { vec![field] } else { Vec::new() }
 }
 
-/// Takes back what a rule says of a figure that is right after all, and what was said to follow from nothing else.
+/// Removes the verdict on a figure that is right after all, and the findings that followed from it alone.
 pub(super) fn retract(findings: &mut Vec<Finding>, field: &str, rule: &Rule) {
     let slip = |one: &Finding| one.field == field && one.kind.rule() == Some(rule) && one.follows_from.is_empty();
     if !findings.iter().any(slip) {
@@ -76,7 +76,7 @@ pub(super) fn settle(findings: &mut [Finding]) {
     }
 }
 
-/// The fields at which a finding begins: those of what it follows from that follow from nothing themselves.
+/// The fields of a finding's roots: of those it follows from, the ones that follow from nothing themselves.
 fn roots(one: &Finding, all: &[Finding]) -> BTreeSet<String> {
     let (mut found, mut seen) = (BTreeSet::new(), BTreeSet::new());
     let mut open = one.follows_from.clone();

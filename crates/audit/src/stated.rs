@@ -25,7 +25,7 @@ pub type Text = StatedValue<String>;
 
 /// A number as written.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Figure {
+pub struct StatedFigure {
     /// Its value, in the unit of its quantity.
     pub value: f64,
     /// As it is printed.
@@ -37,7 +37,7 @@ pub struct Figure {
 }
 
 /// The figures of one part of a plan.
-pub type Figures = BTreeMap<Quantity, Figure>;
+pub type Figures = BTreeMap<Quantity, StatedFigure>;
 
 /// A plan as stated.
 #[derive(Clone, Debug)]
@@ -155,7 +155,7 @@ pub struct Factor {
     /// Its name, as in the table `card-corrections` or of the author's own.
     pub name: Text,
     /// Its value; absent where the plan only names it.
-    pub value: Option<Figure>,
+    pub value: Option<StatedFigure>,
 }
 
 /// Cutting conditions.
@@ -220,7 +220,7 @@ pub struct Program {
 
 impl Stated {
     /// A figure, where it is stated.
-    pub fn figure(&self, id: Id) -> Option<&Figure> {
+    pub fn figure(&self, id: Id) -> Option<&StatedFigure> {
         let figures = match id.scope {
             Scope::Constant => return None,
             Scope::Row(at) => &self.rows.get(at)?.figures,

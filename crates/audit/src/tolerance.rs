@@ -8,7 +8,7 @@ use crate::note::Severity;
 use crate::tables::audit::Tolerance as Row;
 
 use super::quantity::Quantity;
-use super::stated::Figure;
+use super::stated::StatedFigure;
 
 pub use crate::tables::audit::Range;
 
@@ -52,7 +52,7 @@ impl Tolerances {
     }
 
     /// How far a stated figure may be from a value, in the unit of its quantity.
-    pub fn of(&self, quantity: Quantity, stated: &Figure, value: f64) -> f64 {
+    pub fn of(&self, quantity: Quantity, stated: &StatedFigure, value: f64) -> f64 {
         let Some(own) = self.0.get(&quantity) else { return 0.0 };
         // Binary fractions are not exact: a millionth of the value is no deviation.
         own.half_places * stated.last_place / 2.0 + own.relative * value.abs() + 1e-9 * value.abs().max(1.0)

@@ -1,6 +1,6 @@
 //! A plan of ours in the form of a hand-written one, to edit and audit.
 //!
-//! What it says is read back by `read`; a plan by hand says no reasons and nothing that it was weighed against.
+//! `read` reads it back. A plan by hand has no reasons and no candidates that were compared.
 
 use std::collections::BTreeMap;
 use std::fmt::{Display, Write as _};

@@ -1,4 +1,4 @@
-//! What of an answer is worth expecting: what `technolog test --write` writes for a person to review.
+//! The part of an answer worth expecting, which `technolog test --write` writes for a person to review.
 
 use serde_json::{Map, Value, json};
 

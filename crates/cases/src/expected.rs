@@ -194,7 +194,7 @@ fn keys(from: &Node, problems: &mut Problems) -> Option<Vec<(Key, Expected)>> {
     entries.iter().map(|entry| read_key(entry, problems)).collect::<Vec<_>>().into_iter().collect()
 }
 
-/// A key `a.b` with its value as the key `a` with `b` inside. The same thing may so be spoken of several times.
+/// A key `a.b` with its value as the key `a` with `b` inside. So several keys may be about the same object.
 fn spelt_out(key: &Key, node: &Node) -> (Key, Node) {
     let at = |text: &str| Key { text: text.to_owned(), place: key.place.clone() };
     match key.text.split_once('.') {

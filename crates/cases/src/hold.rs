@@ -1,4 +1,4 @@
-//! Holding an answer, a JSON value, against what is expected of it.
+//! Comparing an answer, a JSON value, with what is expected of it.
 
 use std::collections::BTreeSet;
 
@@ -106,7 +106,7 @@ fn all_keys<'v>(value: &'v Value, keys: &mut BTreeSet<&'v str>) {
 #[derive(Clone, Copy)]
 struct Scope<'v, 'k> {
     answer: Answer<'v>,
-    /// Every key of the answer, where nobody vouches for those that are expected.
+    /// Every key of the answer, if the expected keys were not checked before.
     keys: &'k BTreeSet<&'v str>,
 }
 
@@ -213,7 +213,7 @@ impl<'v> Holder<'v, '_> {
         let Some(around) = around else { return };
         for (key, expected) in keys {
             let value = object.get(&key.text);
-            // Of a key that is nowhere in the answer nobody can say that it is only missing here.
+            // A key that is nowhere in the answer may be misspelt, not just missing here.
             if value.is_none() && !self.scope.answer.vouched && !self.scope.keys.contains(key.text.as_str()) {
                 let known: Vec<String> = object.keys().cloned().collect();
                 self.no_such(key, expected, known);

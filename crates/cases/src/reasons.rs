@@ -35,7 +35,8 @@ pub enum Why {
 /// Keys of a group of holes that its route decides.
 const OF_ROUTE: [&str; 4] = ["route", "scheme", "by_tables", "transitions"];
 
-/// The reasons of what lies inside all of `trail`, the innermost last, under the keys of `path`, one for each.
+/// The reasons nearest to the value that `path` leads to; `trail` has the values on the way there, the innermost last,
+/// one for each key.
 pub fn reasons(trail: &[&Value], path: &[String], expected: &Expected) -> Vec<Why> {
     for (value, key) in trail.iter().zip(path).rev() {
         let Some(object) = value.as_object() else { continue };

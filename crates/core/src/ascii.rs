@@ -54,8 +54,8 @@ pub fn ascii(text: &str) -> String {
     if acts(&latin) { format!("- {}", latin.trim_start()) } else { latin }
 }
 
-/// Whether LinuxCNC would carry the remark out: what those of table `iso-active-comments` begin with, which a test holds
-/// this list against.
+/// Whether LinuxCNC would run the remark: what those of table `iso-active-comments` begin with, which a test holds this
+/// list against.
 fn acts(remark: &str) -> bool {
     const BEGINNINGS: [&str; 13] = [
         "msg,",

@@ -1,4 +1,4 @@
-//! What stops planning altogether: knowledge that does not hold what planning asks of it; and what makes it try the next
+//! What stops planning altogether: knowledge that lacks what planning needs; and what makes it try the next
 //! alternative.
 //!
 //! A hole that cannot be made is not such an error; it is a finding of the plan.
@@ -7,7 +7,7 @@ use crate::reason::Reason;
 
 pub use crate::knowledge::KnowledgeError;
 
-/// Why a stage does not go on: the knowledge cannot answer, or it answers that this cannot be done.
+/// Why a stage stops: the knowledge cannot answer, or it answers that this cannot be done.
 ///
 /// The second is the typed refusal by which the planner tries the next alternative; it becomes a finding
 /// when there is none. What a stage refuses for is a type of its own: [`Reason`] of routes and whole holes,

@@ -1,7 +1,7 @@
 //! What every room speaks of, and nothing that plans.
 //!
 //! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
-//! - [`practice_speed`] is what shops drive, beside what a formula computes;
+//! - [`practice_speed`] is the speed that shops use, beside what a formula computes;
 //! - [`plan`] is the result of planning, a value; [`motion`] is what programs do;
 //! - [`note`] and [`error`] are sentences as data; [`lang`] and [`words`] the few words that are read as well as written;
 //! - [`memo`] and [`parallel`] are for many parts at once.

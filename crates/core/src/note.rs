@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub use crate::knowledge::vocabulary::Severity;
 pub use technolog_note::{Figure, Note, Told, Word};
 
-use crate::knowledge::{Answer, RowRef, Source, Table};
+use crate::knowledge::{Answer, Column, RowRef, Source, Table};
 
 /// That a row is not confirmed, as a finding about the whole part; none where it is.
 pub fn doubtful_row(row: RowRef<'_>) -> Option<Finding> {
@@ -95,13 +95,13 @@ impl Because {
     /// A decision that rests on the answer of a decision table: its winner, and the rejected rows by the
     /// first column that failed.
     pub fn answer(answer: &Answer<'_>, note: Note) -> Self {
-        let mut by_column: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        let mut by_column: BTreeMap<&str, (&Column, Vec<usize>)> = BTreeMap::new();
         for (row, column) in answer.rejected() {
-            by_column.entry(&column.name).or_default().push(row.number());
+            by_column.entry(&column.name).or_insert((column, Vec::new())).1.push(row.number());
         }
         let rejected = by_column
-            .into_iter()
-            .map(|(column, rows)| Note::new("rows-rejected").with("column", column).with("rows", runs(&rows)))
+            .into_values()
+            .map(|(column, rows)| Note::new("rows-rejected").with("column", column.named()).with("rows", runs(&rows)))
             .collect();
         match answer.winner() {
             Some(row) => Self::row(row, note).over(rejected),
@@ -148,13 +148,13 @@ impl Because {
     }
 }
 
-/// Row numbers with runs drawn together: `1-3, 5`.
+/// Row numbers with runs drawn together: `1–3, 5`.
 fn runs(rows: &[usize]) -> String {
     let runs: Vec<String> = rows
         .chunk_by(|a, b| a + 1 == *b)
         .map(|run| match run {
             [one] => one.to_string(),
-            _ => format!("{}-{}", run[0], run[run.len() - 1]),
+            _ => format!("{}–{}", run[0], run[run.len() - 1]),
         })
         .collect();
     runs.join(", ")

@@ -4,13 +4,14 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// The results in the order of the things, whoever finished first. After each, `told` hears how many are done.
+/// The results in the order of the inputs, whichever finished first. After each one `told` gets the number that are
+/// done.
 pub fn map<T: Sync, R: Send>(things: &[T], work: impl Fn(&T) -> R + Sync, told: impl Fn(usize) + Sync) -> Vec<R> {
     let cores = thread::available_parallelism().map_or(1, NonZero::get).min(things.len());
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let take = || {
         let mut own = Vec::new();
-        // One after the other, not a share for each thread: things differ in how long they take.
+        // Threads take one at a time, not a share each: inputs differ in how long they take.
         loop {
             let at = next.fetch_add(1, Ordering::Relaxed);
             let Some(thing) = things.get(at) else { return own };

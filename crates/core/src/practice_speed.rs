@@ -1,4 +1,4 @@
-//! The speeds that shops drive, by the public tables of `catalogs/practice`.
+//! The speeds that shops use, by the public tables of `catalogs/practice`.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::vocabulary::ToolMaterial;
@@ -40,7 +40,7 @@ impl<'k> PracticeSpeed<'k> {
         }
     }
 
-    /// What shops drive for an operation with a tool of that material; nothing where the tables have no figure for it.
+    /// What shops use for an operation with a tool of that material; `None` where the tables have no figure for it.
     ///
     /// # Errors
     /// The tables cannot answer.

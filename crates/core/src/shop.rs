@@ -1,4 +1,4 @@
-//! What planning stands in: the knowledge, the machine and the material of one part.
+//! The context of planning one part: the knowledge, its machine and its material.
 
 use std::sync::Arc;
 
@@ -77,8 +77,8 @@ impl<'k> Shop<'k> {
         Ok((cooled, Because::answer(&asked.answer, note.with("operation", Figure::operation(operation.name())))))
     }
 
-    /// The same shop as if its machine bore any load and any tool: for what is done on another machine, whose
-    /// limits are not known. Its spindle steps stay, as a guide.
+    /// The same shop with a machine that bears any load and any tool: for work on another machine, whose limits are not
+    /// known. Its spindle steps stay, as a guide.
     #[must_use]
     pub fn without_limits(&self) -> Self {
         let mut shop = self.clone();

@@ -1,4 +1,4 @@
-//! The machine's working zone: what a part and its tools ask of it. Planning, jobs and audits reckon with the same.
+//! The machine's working zone: what a part and its tools need of it, the same for planning, jobs and audits.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -32,8 +32,8 @@ impl Stroke {
     }
 }
 
-/// How low the spindle's nose may stand over the table with the quill up: as low as the tool that needs most lets it, but
-/// not below the least of the machine; nothing without tools.
+/// The lowest height of the spindle's nose over the table with the quill up: what the most demanding tool allows, but
+/// not below the machine's least; `None` without tools.
 pub fn lowest_nose(strokes: &[Stroke], least: Option<Micrometres>) -> Option<Micrometres> {
     let needed = strokes.iter().map(Stroke::passes_from).max()?;
     Some(least.map_or(needed, |least| least.max(needed)))
@@ -106,7 +106,7 @@ mod tests {
         let nose = lowest_nose(&[short, long], Some(Micrometres::from_mm(250))).unwrap();
         assert_eq!(nose, Micrometres::from_mm(318));
         assert_eq!(short.way(nose), Micrometres::from_mm(318 - 54 - 155));
-        // Where the machine holds it higher, it is farther down to the bottom.
+        // Where the machine keeps the nose higher, it is farther down to the bottom.
         let nose = lowest_nose(&[short, long], Some(Micrometres::from_mm(400))).unwrap();
         assert_eq!(short.way(nose), Micrometres::from_mm(400 - 54 - 155));
         assert_eq!(lowest_nose(&[], None), None);

@@ -1,6 +1,7 @@
-//! Signs that no page may have, whatever a user's file says: those that steer a terminal or turn the direction of text.
+//! Characters that no page may contain, whatever is in a user's file: control characters and those that change the
+//! direction of writing.
 
-/// One line of text: breaks and tabs are spaces, a sign that steers is shown as a replacement character.
+/// One line of text: breaks and tabs become spaces, control characters a replacement character.
 pub fn line(text: &str) -> String {
     text.chars().map(|sign| if is_break(sign) || sign == '\t' { ' ' } else { shown(sign) }).collect()
 }
@@ -22,7 +23,7 @@ fn shown(sign: char) -> char {
     if sign.is_control() || turns || none { char::REPLACEMENT_CHARACTER } else { sign }
 }
 
-/// The way to another page, as it may stand in an address; nothing for a scheme that browsers carry out.
+/// The address of a link, encoded; `None` for a scheme that browsers execute.
 pub fn address(to: &str) -> Option<String> {
     let to = to.trim();
     let scheme = to.split_once(':').map(|(scheme, _)| scheme).filter(|scheme| !scheme.contains(['/', '?', '#']));

@@ -1,14 +1,16 @@
-//! HTML: one standalone page, nothing loaded from elsewhere, whatever a text holds only shown.
+//! HTML: one standalone page that loads nothing from elsewhere; all text is escaped.
 
 use std::fmt::Write;
 
-use crate::{Align, Block, Column, Document, Figure, Finding, Inline, Inlines, Item, Table, Words, clean};
+use crate::{Align, Block, Column, Document, Drawing, Finding, Inline, Inlines, Item, Table, Words, clean};
 
-/// Colours for both lights of a screen, and for paper; tables scroll by themselves where a screen is narrow.
+/// Colours for light and dark mode and for paper; on narrow screens each table scrolls by itself.
 const STYLE: &str = include_str!("html/style.css");
 
-/// The longest name, in bytes, that a narrow line has room for as a whole.
+/// The longest name, in bytes, that is kept on one line.
 const NAME: usize = 32;
+/// The longest word without a stroke, in characters, that is kept beside a number as its unit.
+const UNIT: usize = 3;
 
 /// The document as a page of its own.
 pub fn html(document: &Document, words: &Words) -> String {
@@ -43,7 +45,7 @@ fn block(page: &mut String, block: &Block, words: &Words) {
         Block::List(items) => list(page, items),
         Block::Table(own) => table(page, own),
         Block::Finding(own) => finding(page, own, words),
-        Block::Figure(own) => figure(page, own),
+        Block::Drawing(own) => figure(page, own),
         Block::Code(code) => page.push_str(&format!("<pre><code>{}</code></pre>\n", escaped_lines(code))),
         Block::Fields(fields) => {
             page.push_str("<dl>\n");
@@ -105,7 +107,7 @@ fn table(page: &mut String, table: &Table) {
     }
 }
 
-/// Heading and unit, which is not broken at its stroke.
+/// Heading and unit; the unit is not broken at its slash.
 fn head(column: &Column) -> String {
     match (line(&column.heading), column.unit.as_str()) {
         (heading, "") => heading,
@@ -114,14 +116,14 @@ fn head(column: &Column) -> String {
     }
 }
 
-fn figure(page: &mut String, figure: &Figure) {
+fn figure(page: &mut String, figure: &Drawing) {
     let caption = line(&figure.caption);
     let caption = if caption.is_empty() { caption } else { format!("\n<figcaption>{caption}</figcaption>") };
     let (source, alternative) = (image(&figure.svg), escaped(&figure.alternative));
     page.push_str(&format!("<figure><img src=\"{source}\" alt=\"{alternative}\">{caption}</figure>\n"));
 }
 
-/// A drawing as the address of an image: it runs nothing, and its names do not meet those of another drawing.
+/// A drawing as a data URL of an image: no scripts run in it, and its ids do not collide with those of another drawing.
 pub fn image(svg: &str) -> String {
     let kept = |byte| matches!(byte, b'-' | b'.' | b'_' | b'=' | b'/' | b',' | b':' | b';');
     format!("data:image/svg+xml,{}", clean::percent(svg, kept))
@@ -147,13 +149,27 @@ fn line(inlines: &Inlines) -> String {
     shown
 }
 
-/// A text whose short names and numbers with a dash, `2И20-5-80`, are not broken at it.
+/// A text in which lines are broken neither at the dash of a short name or number, `2И20-5-80`, nor between a number and
+/// its unit.
 fn unbroken(text: &str) -> String {
-    let word = |word: &str| {
+    let mut shown: Vec<String> = Vec::new();
+    let mut words = text.split(' ').peekable();
+    while let Some(word) = words.next() {
         let name = word.contains('-') && word.contains(|sign: char| sign.is_ascii_digit()) && word.len() <= NAME;
-        if name { format!("<span>{}</span>", escaped(word)) } else { escaped(word) }
-    };
-    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
+        shown.push(match words.next_if(|next| !name && is_quantity(word, next)) {
+            Some(unit) => format!("<span>{} {}</span>", escaped(word), escaped(unit)),
+            None if name => format!("<span>{}</span>", escaped(word)),
+            None => escaped(word),
+        });
+    }
+    shown.join(" ")
+}
+
+/// Whether the second word looks like the unit of the first: `90 мм`, `0.25 mm/rev`, `5 %`.
+fn is_quantity(number: &str, unit: &str) -> bool {
+    number.ends_with(|sign: char| sign.is_ascii_digit())
+        && unit.starts_with(|sign: char| sign.is_alphabetic() || "%°".contains(sign))
+        && (unit.contains(['/', '·']) || unit.trim_end_matches([',', ';', '.', ':', ')']).chars().count() <= UNIT)
 }
 
 /// A text as it is shown, in a page or between quotes of an attribute, whatever signs are in it.

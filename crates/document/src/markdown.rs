@@ -3,7 +3,7 @@
 mod escape;
 
 use crate::html::image;
-use crate::{Align, Block, Document, Field, Figure, Finding, Inline, Inlines, Item, Table, Words, clean};
+use crate::{Align, Block, Document, Drawing, Field, Finding, Inline, Inlines, Item, Table, Words, clean};
 use escape::{code, escaped, started, strong};
 
 /// The document as Markdown.
@@ -47,7 +47,7 @@ impl Page<'_> {
             }
             Block::Finding(finding) => self.finding(finding),
             Block::Table(table) => self.table(table),
-            Block::Figure(figure) => self.figure(figure),
+            Block::Drawing(figure) => self.figure(figure),
             Block::Code(code) => self.code(code),
         }
     }
@@ -123,7 +123,7 @@ impl Page<'_> {
         }
     }
 
-    fn figure(&mut self, figure: &Figure) {
+    fn figure(&mut self, figure: &Drawing) {
         self.apart();
         self.text.push_str(&format!("![{}](<{}>)\n", escaped(&figure.alternative), image(&figure.svg)));
         if !figure.caption.is_empty() {

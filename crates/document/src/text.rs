@@ -62,7 +62,7 @@ impl Page<'_> {
                     self.field(&field.label, &field.value, self.indent);
                 }
             }
-            Block::Figure(figure) => {
+            Block::Drawing(figure) => {
                 let mark = format!("[{}]", self.words.figure);
                 let mut line = wrap::words(&mark.into());
                 line.extend(wrap::words(&figure.caption));

@@ -57,7 +57,7 @@ pub enum Block {
     /// Something found wrong, or worth knowing. Findings one after the other are written as a list.
     Finding(Finding),
     /// A drawing.
-    Figure(Figure),
+    Drawing(Drawing),
     /// Lines that are never broken, such as a program.
     Code(String),
     /// Labels, each with its value.
@@ -153,7 +153,7 @@ impl Finding {
 
 /// A drawing.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Figure {
+pub struct Drawing {
     /// The drawing itself, a whole SVG file.
     pub svg: String,
     /// What stands below it.
@@ -288,4 +288,4 @@ macro_rules! blocks {
     )*};
 }
 
-blocks!(Table, Finding, Figure);
+blocks!(Table, Finding, Drawing);

@@ -28,7 +28,7 @@ pub(super) fn change_over_part(
     }
 }
 
-/// Ways from hole to hole that lead over a clamp of the part file. How high clamps are is not known.
+/// Paths from hole to hole that cross a clamp of the part file. The height of clamps is not known.
 ///
 /// # Errors
 /// The knowledge cannot answer.
@@ -65,8 +65,8 @@ pub(super) fn ways_over_clamps(
     Ok(())
 }
 
-/// Whether a rapid comes nearer to a point than that. Both axes have one rate: it leads at 45° until one axis has arrived,
-/// and on along the other.
+/// Whether a rapid passes a point at less than a distance. Both axes have the same rate: it runs at 45° until one axis
+/// has arrived, and on along the other.
 fn passes(from: Point, to: Point, at: Point, near: Micrometres) -> bool {
     let (dx, dy) = (to.x - from.x, to.y - from.y);
     let both = dx.abs().min(dy.abs());

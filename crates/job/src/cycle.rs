@@ -13,7 +13,7 @@ use technolog_note::note;
 
 use super::{Cycle, CycleKind};
 
-/// One way of a tool into a hole, with lengths below the entry face.
+/// One stroke of a tool into a hole, with lengths below the entry face.
 #[derive(Clone, Copy, Debug)]
 pub struct Feeding<'a> {
     /// What is done.

@@ -6,7 +6,7 @@
 //!
 //! - `make` from a plan to the tree; `cycle` one transition's cycle, by the rule `machining-cycle`;
 //! - `part_position` where the part stands on the machine; `clearance` what the tools pass over;
-//! - `time` what the work takes: cutting, motions at rapid, and hands.
+//! - `time` how long the work takes: cutting, rapid motions, and the operator's hands.
 //!
 //! Architecture invariant: a job depends on no control and decides nothing that a rule can.
 

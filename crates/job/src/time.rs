@@ -1,7 +1,7 @@
-//! How long a job takes: the motions of its cycles, the ways between them, tool changes and the operator's hands.
+//! How long a job takes: the motions of its cycles, the paths between them, tool changes and the operator's hands.
 //!
-//! The figures are those that any of the programs written from the job takes on the machine: rapids by the slower axis
-//! at the machine's rate (textbook 3.9.1, 3.10.2), feeds along their path, dwells as they say.
+//! Every program written from the job takes this long on the machine: rapids by the slower axis at the machine's rate
+//! (textbook 3.9.1, 3.10.2), feeds along their path, dwells as they say.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -49,7 +49,7 @@ impl Hands {
     }
 }
 
-/// The time of one cycle at one point, from the height of the ways between points and back to it.
+/// The time of one cycle at one point, from the height of the paths between points and back to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Duration {
     /// At feed, into the metal and through it.
@@ -126,7 +126,7 @@ fn bottoms(depth: Micrometres, step: Micrometres) -> impl Iterator<Item = Microm
     std::iter::successors(Some(step), move |reached| Some(*reached + step)).take_while(move |reached| *reached < depth)
 }
 
-/// What a work takes at rapid besides its cycles: from the tool-change position over its points and back.
+/// The rapid motions of a work outside its cycles: from the tool-change position over its points and back.
 struct Ways {
     rapid: Rapid,
     change_at: Position,
@@ -158,8 +158,9 @@ impl Ways {
     }
 }
 
-/// Where the time of a job goes besides machine time, which is the plan's; to be rounded with it. The rapids of each visit of the plan, until now those across the part alone, become all
-/// it has, and with them those by the book's rule and the bound, from which no order of the points takes the rest away.
+/// The times of a job other than machine time, which the plan has; to be rounded together with it. The rapids of each
+/// visit of the plan, so far only those across the part, become all of them. So do those by the textbook's rule and the
+/// lower bound: no order of the points avoids the rest.
 pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [ToolVisit]) -> Times {
     let ways = Ways { rapid: machine.rapids(), change_at: job.change_at };
     // A program begins at the machine's zero and goes to the tool-change position first: a part of the first work.

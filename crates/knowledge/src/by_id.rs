@@ -1,5 +1,5 @@
-//! Things by their ids: walked through in the order of the ids, and found without comparing many of them. A plan asks for
-//! a table some thousand times.
+//! A map by id: it iterates in the order of the ids and finds one with few comparisons. A plan looks up tables
+//! thousands of times.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! Typed columns: what a cell may hold, in which unit, and how it is ordered.
 
 use serde::{Deserialize, Serialize};
-use technolog_note::{Note, note};
+use technolog_note::{Figure, Named, Note, Word, note};
 
 use crate::diagnostic::Place;
 use crate::set::Set;
@@ -13,6 +13,8 @@ use crate::value::Value;
 pub enum ColumnType {
     /// Any text.
     Text,
+    /// A unit of measurement, of what stands beside it in the row.
+    Unit,
     /// One of the column's values.
     Enum,
     /// Yes or no.
@@ -33,8 +35,9 @@ pub enum ColumnType {
 
 impl ColumnType {
     /// Every type with its name in a table file.
-    pub const NAMES: [(&'static str, Self); 9] = [
+    pub const NAMES: [(&'static str, Self); 10] = [
         ("text", Self::Text),
+        ("unit", Self::Unit),
         ("enum", Self::Enum),
         ("bool", Self::Bool),
         ("int", Self::Int),
@@ -55,7 +58,7 @@ impl ColumnType {
         matches!(self, Self::Int | Self::Number | Self::Length | Self::Angle | Self::It | Self::Roughness)
     }
 
-    /// The unit of a column that names none; nothing when it must name one.
+    /// The unit of a column that names none; `None` if it must name one.
     pub const fn default_unit(self) -> Option<Unit> {
         match self {
             Self::Number | Self::Length => None,
@@ -98,7 +101,7 @@ pub struct Label {
 }
 
 impl Label {
-    /// The name in the language of that tag; tables name things in English for languages that they do not speak.
+    /// The name in the language of that tag; English for languages that tables do not have.
     pub fn of(&self, tag: &str) -> &str {
         if tag == "uk" { &self.uk } else { &self.en }
     }
@@ -143,6 +146,13 @@ pub struct Column {
 }
 
 impl Column {
+    /// What sentences call it: the name for people that its table gives, else what languages call such a column.
+    pub fn named(&self) -> Figure {
+        let names = self.label.as_ref().map(|label| vec![("uk", label.uk.clone()), ("en", label.en.clone())]);
+        let word = Word { of: "table-column", id: self.name.clone().into() };
+        Figure::Named(Named { word, names: names.unwrap_or_default() })
+    }
+
     /// Every rank a cell of this column can have: the values of an enum, both truth values, or all numbers.
     pub fn universe(&self) -> Set {
         match self.ty {
@@ -188,6 +198,9 @@ impl Column {
         let text = text.trim();
         match self.ty {
             ColumnType::Text => Ok(Value::Text(text.to_owned())),
+            ColumnType::Unit => {
+                text.parse::<Unit>().map(|unit| Value::Text(unit.text().to_owned())).map_err(|error| error.0)
+            }
             ColumnType::Enum => {
                 if self.values.iter().any(|value| value == text) {
                     Ok(Value::Text(text.to_owned()))
@@ -259,7 +272,7 @@ impl Column {
             ColumnType::Roughness => u32::try_from(rank)
                 .map(|ra| Roughness::from_ra_nanometres(ra).to_string())
                 .unwrap_or_else(|_| rank.to_string()),
-            ColumnType::It | ColumnType::Int | ColumnType::Text => rank.to_string(),
+            ColumnType::It | ColumnType::Int | ColumnType::Text | ColumnType::Unit => rank.to_string(),
         }
     }
 }

@@ -94,8 +94,10 @@ const LONG: usize = 7;
 /// The same, and with it those that are as near, in order.
 pub(crate) fn nearest_few<'a>(typed: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     let typed: Vec<char> = typed.chars().collect();
-    // One slip in three letters, and one more of a long word, which is near few others: a far hint is worse than none.
-    let limit = (typed.len() / 3).max(1) + usize::from(typed.len() >= LONG);
+    // One slip in three letters, and one more in a long word, which few others resemble: a wrong hint is worse than
+    // none.
+    // Of a single letter nothing is left by a slip.
+    let limit = (typed.len() / 3).max(usize::from(typed.len() > 1)) + usize::from(typed.len() >= LONG);
     let mut near: Vec<(usize, &str)> =
         known.into_iter().filter_map(|name| Some((edit_distance(&typed, name, limit)?, name))).collect();
     near.sort_unstable();
@@ -103,8 +105,8 @@ pub(crate) fn nearest_few<'a>(typed: &str, known: impl IntoIterator<Item = &'a s
     near.into_iter().take_while(|(distance, _)| Some(*distance) == least).map(|(_, name)| name).collect()
 }
 
-/// Levenshtein distance in characters, two neighbours in each other's place being one slip, if it is within a limit. A text that is much longer costs nothing: every character
-/// that the other lacks is one of the distance.
+/// Levenshtein distance in characters, if it is within a limit; two swapped neighbours count as one slip. A much longer
+/// text is rejected at once.
 pub(crate) fn edit_distance(a: &[char], b: &str, limit: usize) -> Option<usize> {
     let b: Vec<char> = b.chars().take(a.len() + limit + 1).collect();
     if a.len().abs_diff(b.len()) > limit {

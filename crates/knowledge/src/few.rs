@@ -1,5 +1,5 @@
-//! A list that is short as a rule, and then needs no room on the heap. A plan asks decision tables some thousand times, and
-//! of each answer there are a few inputs and one row.
+//! A list that is usually short and then needs no heap. A plan queries decision tables thousands of times, and each
+//! answer has a few inputs and one row.
 
 /// Values in their order, the first `N` of them in place.
 #[derive(Debug, Clone)]

@@ -1,4 +1,4 @@
-//! What somebody else wrote, as text: no more bytes than a bound, and all of them UTF-8.
+//! Text from outside: limited in size, and valid UTF-8.
 
 use std::io::{self, ErrorKind, Read};
 use std::sync::Arc;
@@ -11,7 +11,7 @@ pub const MOST_MB: usize = 32;
 /// The largest file, bytes.
 pub const MOST_BYTES: usize = MOST_MB * 1_000_000;
 
-/// The bytes of a source; nothing where there are more than [`MOST_BYTES`], and then no more than that is read.
+/// The bytes of a source; `None` if there are more than [`MOST_BYTES`], of which no more is read.
 ///
 /// # Errors
 /// It cannot be read.
@@ -41,8 +41,8 @@ pub fn text_of(file: &str, bytes: Vec<u8>) -> Result<String, Diagnostic> {
     })
 }
 
-/// The first sign of a text that nobody sees: one that steers a terminal, or turns the direction of what is read. Ends of
-/// lines and tabs are none: texts of several lines have them.
+/// The first control character of a text, or the first that changes the direction of writing. Line ends and tabs do not
+/// count: texts of several lines have them.
 pub fn unseen(text: &str) -> Option<char> {
     text.chars().find(|sign| match sign {
         '\n' | '\t' => false,
@@ -52,13 +52,13 @@ pub fn unseen(text: &str) -> Option<char> {
     })
 }
 
-/// A text with its signs of no width as their numbers: nobody else would see why `a` is not `a`.
+/// A text with its zero-width characters shown as code points: otherwise nobody could see why `a` is not `a`.
 pub fn seen(text: &str) -> String {
     let wide = |sign: char| if has_no_width(sign) { sign.escape_unicode().to_string() } else { sign.to_string() };
     text.chars().map(wide).collect()
 }
 
-/// Whether a sign shows nothing where it stands: joiners, soft hyphens, fillers, choices of a form, tags.
+/// Whether a character is invisible: joiners, soft hyphens, fillers, variation selectors, tags.
 pub fn has_no_width(sign: char) -> bool {
     matches!(
         sign,
@@ -85,7 +85,7 @@ pub fn too_large(file: &str) -> Diagnostic {
     Diagnostic::error("too-large", larger(), place).help(note!("input-check-path-or-split"))
 }
 
-/// What the system says of a file that it does not read or write.
+/// The operating system's reason for not reading or writing a file.
 pub fn of_system(error: &io::Error) -> Note {
     match error.kind() {
         ErrorKind::NotFound => note!("file-not-there"),

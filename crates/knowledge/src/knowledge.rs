@@ -29,7 +29,7 @@ pub struct SourceFile<'a> {
     pub text: &'a str,
 }
 
-/// A table that is unpacked when it is first asked for: a plan asks a quarter of them.
+/// A table that is unpacked on first use: a plan needs a quarter of them.
 #[derive(Debug)]
 struct Stored {
     packed: &'static [u8],
@@ -37,7 +37,7 @@ struct Stored {
     family: Family<'static>,
 }
 
-/// What is asked of a table without unpacking it: the tables of which family it is one.
+/// What can be asked of a table without unpacking it: the family it belongs to.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Family<'a> {
     /// Whether it is a table of cutters.

@@ -268,7 +268,7 @@ impl Loader<'_> {
             let message = note!("table-column-values-belong-enum-enum", name = name);
             return self.problems.error("bad-value", message, place);
         }
-        if ty == ColumnType::Text && role == ColumnRole::Input {
+        if matches!(ty, ColumnType::Text | ColumnType::Unit) && role == ColumnRole::Input {
             let message = note!("table-input-cannot-free-text", name = name);
             return self.problems.error_help("bad-value", message, place, note!("table-make-enum-with-values"));
         }

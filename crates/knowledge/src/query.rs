@@ -377,7 +377,10 @@ impl Table {
 
     fn unknown_input(&self, inputs: &[(&str, Option<Input<'_>>)]) -> QueryError {
         let known: Vec<&str> = self.inputs().map(|(_, column)| column.name.as_str()).collect();
-        let name = inputs.iter().map(|(name, _)| *name).find(|name| !known.contains(name)).unwrap_or("(given twice)");
+        // Where all are known, one is given twice.
+        let names = || inputs.iter().map(|(name, _)| *name);
+        let twice = || names().find(|one| names().filter(|name| name == one).count() > 1);
+        let name = names().find(|name| !known.contains(name)).or_else(twice).unwrap_or_default();
         QueryError::UnknownInput { table: self.id.clone(), name: name.to_owned(), known: known.join(", ") }
     }
 }
@@ -392,6 +395,7 @@ pub fn describe(column: &Column) -> Note {
         ColumnType::Length => note!("lint-length-in", unit = column.unit),
         ColumnType::It => note!("lint-tolerance-grade"),
         ColumnType::Roughness => note!("lint-roughness-such-as"),
+        ColumnType::Unit => note!("lint-a-unit"),
         ColumnType::Text => note!("lint-a-text"),
     }
 }

@@ -128,8 +128,8 @@ impl Problems {
         Some(text)
     }
 
-    /// The text of a scalar that names something: without spaces around it, short enough for the cell of a table, and
-    /// without signs of no width, by which two names would differ for nobody who reads them.
+    /// The text of a scalar that names something: trimmed, short enough for the cell of a table, and without zero-width
+    /// characters, by which two names could differ invisibly.
     pub fn name<'n>(&mut self, node: &'n Node) -> Option<&'n str> {
         let text = self.text(node)?.trim();
         if let Some(sign) = text.chars().find(|sign| has_no_width(*sign)) {

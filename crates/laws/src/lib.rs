@@ -1,4 +1,4 @@
-//! On how many cases a law is tried, and by which seed: the one place that decides it.
+//! How many cases a property test tries, and with which seed: decided in one place.
 //!
 //! `cargo test` draws the same cases on every machine and in every run. The seed of a law is made of its name, so that
 //! equal strategies in two laws draw different values. Two variables of the environment change that, for every law at once;
@@ -36,7 +36,7 @@ pub fn config(here: &str, usual: usize) -> Config {
         cases,
         rng_seed: RngSeed::Fixed(seed_of(name)),
         failure_persistence: None,
-        // Where more is tried, more may be refused.
+        // With more cases, more may be rejected.
         max_global_rejects: plain.max_global_rejects.max(cases.saturating_mul(4)),
         ..plain
     }
@@ -47,12 +47,12 @@ pub fn count(usual: usize) -> usize {
     scaled(usual, times())
 }
 
-/// Of a long list, each how manieth is tried where usually it is every `usual`-th: `1` is the whole list.
+/// The stride through a long list that is usually `usual`: `1` tries the whole list.
 pub fn every(usual: usize) -> usize {
     scaled(usual, 1.0 / times())
 }
 
-/// Of a long list a share of every kind: each so manieth of it as [`every`] says, from the first on, so that none is left out.
+/// A share of every kind of a long list: with the stride of [`every`] from the first on, so that no kind is left out.
 pub fn share<T, K: Ord>(all: impl IntoIterator<Item = T>, usual: usize, kind: impl Fn(&T) -> K) -> Vec<T> {
     let (each, mut seen) = (every(usual), BTreeMap::<K, usize>::new());
     let mut taken = |one: &T| {

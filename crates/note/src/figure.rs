@@ -18,6 +18,8 @@ pub enum Figure {
     List(Vec<Figure>, &'static str),
     /// A sentence within the sentence.
     Note(Box<Note>),
+    /// What a table calls something, such as one of its columns.
+    Named(Named),
     /// What a row of a table says of itself, in English; languages have their translations.
     Remark(String),
     /// Read back from an answer for machines, which does not say what kind of figure it was.
@@ -31,6 +33,15 @@ pub struct Word {
     pub of: &'static str,
     /// The id, as plans and tables write it.
     pub id: Cow<'static, str>,
+}
+
+/// Something that tables name for people: they are written in few languages, and say it in each.
+#[derive(Clone, Debug)]
+pub struct Named {
+    /// The vocabulary where languages look for a name that the table does not give, and its id there.
+    pub word: Word,
+    /// The tag of a language, and the name in it. The last is for languages that are not here.
+    pub names: Vec<(&'static str, String)>,
 }
 
 impl Figure {
@@ -83,6 +94,7 @@ impl Figure {
     pub fn text(&self) -> Cow<'_, str> {
         match self {
             Self::Text(text) | Self::Number(text) | Self::Word(Word { id: text, .. }) => Cow::Borrowed(text),
+            Self::Named(named) => Cow::Borrowed(&named.word.id),
             Self::List(parts, between) => {
                 parts.iter().map(|part| part.text().into_owned()).collect::<Vec<_>>().join(between).into()
             }

@@ -12,7 +12,7 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-pub use figure::{Figure, Told, Word};
+pub use figure::{Figure, Named, Told, Word};
 
 /// A sentence of the program in no language: what it says, and its figures.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -21,7 +21,7 @@ pub struct Note {
     code: Cow<'static, str>,
     /// Its figures and names, each with its unit where it has one.
     #[serde(default, skip_serializing_if = "Params::is_empty")]
-    #[schemars(with = "BTreeMap<String, String>")]
+    #[schemars(with = "BTreeMap<String, StoredFigure>")]
     params: Params,
 }
 
@@ -54,16 +54,34 @@ impl Params {
     }
 }
 
+/// A figure as answers for machines have it: its text, or the sentence within the sentence.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+enum StoredFigure<'n> {
+    Text(Cow<'n, str>),
+    Note(Cow<'n, Note>),
+}
+
 impl Serialize for Params {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.iter().map(|(name, figure)| (name, figure.text())))
+        serializer.collect_map(self.iter().map(|(name, figure)| {
+            let stored = match figure {
+                Figure::Note(note) => StoredFigure::Note(Cow::Borrowed(note)),
+                figure => StoredFigure::Text(figure.text()),
+            };
+            (name, stored)
+        }))
     }
 }
 
 impl<'de> Deserialize<'de> for Params {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let map = BTreeMap::<String, String>::deserialize(deserializer)?;
-        Ok(Self(map.into_iter().map(|(name, value)| (Cow::Owned(name), Figure::Stored(value))).collect()))
+        let map = BTreeMap::<String, StoredFigure<'_>>::deserialize(deserializer)?;
+        let figure = |stored| match stored {
+            StoredFigure::Text(text) => Figure::Stored(text.into_owned()),
+            StoredFigure::Note(note) => Figure::Note(Box::new(note.into_owned())),
+        };
+        Ok(Self(map.into_iter().map(|(name, stored)| (Cow::Owned(name), figure(stored))).collect()))
     }
 }
 

@@ -1,4 +1,4 @@
-//! An audit as a page: by sections of the plan, the most severe first, each finding with what it rests on and what else
+//! An audit as a page: by sections of the plan, the most severe first, each finding with its basis and what else
 //! changes because of it.
 
 pub mod against;

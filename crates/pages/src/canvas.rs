@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::document::cleaned;
 
-/// Colours of what is told apart by people who see colours differently too (Okabe and Ito, 2008).
+/// Colours that colour-blind people can tell apart (Okabe and Ito, 2008).
 pub(super) const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
 
 /// A point of the page: to the right and down.
@@ -124,7 +124,7 @@ fn stroke(pen: Pen) -> String {
     format!(" stroke=\"{}\" stroke-width=\"{}\"{dashes}", pen.colour, pen.width)
 }
 
-/// How wide a text is at most, in units of the drawing: no font is at hand, so by a wide letter.
+/// The most that a text can be wide, in units of the drawing: by a wide letter, because the font is not known.
 pub(super) fn width_of(text: &str, size: f64) -> f64 {
     text.chars().count() as f64 * size * 0.6
 }
@@ -144,7 +144,7 @@ pub(super) fn broken(text: &str, size: f64, width: f64) -> Vec<String> {
     lines
 }
 
-/// A text that may stand between tags; what nobody should see is shown as a replacement character.
+/// A text escaped for XML; control characters are shown as a replacement character.
 pub(super) fn escaped(text: &str) -> String {
     cleaned(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -1,4 +1,4 @@
-//! Rows that nothing confirms: a page counts them in one line, and lists them for who asks.
+//! Unconfirmed rows: a page counts them in one line, and lists them on request.
 
 use std::collections::BTreeSet;
 

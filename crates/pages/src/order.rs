@@ -120,7 +120,7 @@ pub struct Tour {
     /// The time by that rule.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nearest_time_min: Option<Minutes>,
-    /// What no path is shorter than. Absent where axes speed up: the time is bounded then.
+    /// The lower bound of its length. Absent if axes accelerate: then the time is bounded instead.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bound_mm: Option<Micrometres>,
     /// What no path is quicker than.
@@ -143,7 +143,7 @@ pub fn of_list(tour: &Tour, lang: Lang) -> Document {
     fields.extend(tour.time_min.map(|value| Field::new(say!(lang, "order-rapids"), time(value))));
     fields.push(Field::new(say!(lang, "order-nearest-path"), length(tour.nearest_length_mm)));
     fields.extend(tour.nearest_time_min.map(|value| Field::new(say!(lang, "order-nearest"), time(value))));
-    // Where axes speed up the shortest time is looked for, not the shortest way.
+    // With acceleration the shortest time is sought, not the shortest path.
     let saved = match (tour.time_min, tour.nearest_time_min) {
         (Some(time), Some(book)) => saving(time.0, book.0),
         _ => saving(tour.length_mm.to_mm(), tour.nearest_length_mm.to_mm()),

@@ -1,4 +1,4 @@
-//! The plan as a page to pin to the wall: route, tools, conditions, clamping, corrections, time, findings.
+//! The plan as a page: route, tools, conditions, clamping, corrections, time, findings.
 
 use crate::document::{Document, Field, Finding, Inlines, Severity as Shown};
 use crate::knowledge::Knowledge;

@@ -11,7 +11,7 @@ mod schemes;
 mod schemes_drawing;
 mod view;
 
-use crate::document::{Block, Column, Document, Field, Figure, Keep, Table};
+use crate::document::{Block, Column, Document, Drawing, Field, Keep, Table};
 use crate::knowledge::Knowledge;
 use crate::note;
 use technolog_turning::passes::cost::Objective;
@@ -59,9 +59,9 @@ pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, doubts:
 }
 
 /// A drawing as a block of its page.
-pub fn figure_of(svg: String, caption: &str, lang: Lang) -> Figure {
+pub fn figure_of(svg: String, caption: &str, lang: Lang) -> Drawing {
     let alternative = say!(lang, "turn-figure-seen").to_owned();
-    Figure { svg, caption: caption.into(), alternative }
+    Drawing { svg, caption: caption.into(), alternative }
 }
 
 /// Begins the next section; they are numbered.
@@ -158,7 +158,7 @@ fn variants(found: &Sequences, lang: Lang) -> Table {
 fn passes(variant: &Variant, lang: Lang) -> Table {
     let mm = say!(lang, "unit-mm");
     let columns = [
-        Column::number("№", ""),
+        Column::number(lang.word("cli-row-number"), ""),
         Column::text(say!(lang, "turn-direction")),
         span("Ø", mm),
         span("Z", mm),

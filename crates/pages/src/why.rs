@@ -78,8 +78,9 @@ fn one(reason: &Because, lang: Lang) -> Item {
         rests = place,
         place = lang.place(&reason.place)
     );
-    let why = reason.reason.iter().map(|why| say!(lang, "explain-reason", why = lang.remark(why)));
-    let doubt = reason.unconfirmed.iter().map(|why| say!(lang, "explain-unconfirmed", why = lang.remark(why)));
+    let why = reason.reason.iter().map(|why| say!(lang, "explain-reason", why = lang.remark(why).into_owned()));
+    let doubt =
+        reason.unconfirmed.iter().map(|why| say!(lang, "explain-unconfirmed", why = lang.remark(why).into_owned()));
     let passed = reason.rejected.iter().map(|passed| say!(lang, "explain-not-taken", why = passed.clone()));
     let items = why.chain(doubt).chain(passed).map(|said| sentence(&said)).collect();
     Item { items, ..sentence(&decided) }

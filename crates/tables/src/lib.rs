@@ -1,7 +1,7 @@
 //! What the code reads in the tables: one row type per table, and the contract that comes of it.
 //!
-//! A crate of its own below all that plan, because the build script holds the shipped tables against the same contracts
-//! ([`check`]) as `--knowledge` and `lint` do. A room stands here for each folder of `catalogs/`, and one for `rules/`.
+//! A crate below everything that plans, because the build script checks the shipped tables against the same contracts
+//! ([`check`]) as `--knowledge` and `lint` do. There is a module for each folder of `catalogs/`, and one for `rules/`.
 //!
 //! Architecture invariant: no other crate names a column.
 
@@ -55,7 +55,7 @@ pub fn all() -> Vec<&'static Contract> {
     .concat()
 }
 
-/// Holds every table against what the code reads in it, and every cutter against what planning asks of it.
+/// Checks every table against what the code reads in it, and every cutter against what planning needs.
 pub fn check(knowledge: &Knowledge) -> Vec<Diagnostic> {
     let mut findings = contracts::check(knowledge, &all());
     findings.extend(cutters::check(knowledge));

@@ -1,8 +1,8 @@
-//! Every figure of a file taken as far as its reader admits it.
+//! Every figure of a file pushed to the limits that its reader accepts.
 
 /// A figure of a file: where it stands in its text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Figure {
+pub struct Span {
     /// Its first byte.
     pub from: usize,
     /// Behind its last byte.
@@ -10,7 +10,7 @@ pub struct Figure {
 }
 
 /// The figures of a text: every run of digits with at most one point in it, whatever it stands in.
-pub fn figures(text: &str) -> Vec<Figure> {
+pub fn figures(text: &str) -> Vec<Span> {
     let bytes = text.as_bytes();
     let mut found = Vec::new();
     let mut at = 0;
@@ -25,12 +25,12 @@ pub fn figures(text: &str) -> Vec<Figure> {
             points += usize::from(bytes[at] == b'.');
             at += 1;
         }
-        found.push(Figure { from, to: at });
+        found.push(Span { from, to: at });
     }
     found
 }
 
-impl Figure {
+impl Span {
     /// The text with another figure in its place, in thousandths.
     pub fn set(self, text: &str, thousandths: i64) -> String {
         let (whole, part) = (thousandths / 1000, thousandths % 1000);
@@ -47,7 +47,7 @@ impl Figure {
 
 /// What may stand in place of a figure: the least and the greatest that are admitted next to it without one refused
 /// between, found by halving; and every power of ten from a thousandth to a milliard that is admitted.
-pub fn admitted(figure: Figure, text: &str, admits: impl Fn(&str) -> bool) -> Vec<String> {
+pub fn admitted(figure: Span, text: &str, admits: impl Fn(&str) -> bool) -> Vec<String> {
     let here = figure.value(text);
     let good = |value: i64| admits(&figure.set(text, value));
     let ladder = (0..=12).map(|power| 10_i64.pow(power));

@@ -1,5 +1,5 @@
-//! A section of metal as upright columns, worked off by the ways of tools: a second opinion on what a way leaves, made
-//! without anything of the room that makes the ways. And zones of any shape for laws.
+//! A section of metal as vertical columns, cut down by toolpaths: a second opinion on what a toolpath leaves,
+//! independent of the code that makes toolpaths. And random zones for property tests.
 
 use proptest::prelude::*;
 use technolog::turning::contour::{Contour, Curve, Piece, Side, Turn};
@@ -202,7 +202,7 @@ pub enum Part {
     BallDown(i64),
 }
 
-/// A contour of parts in halves of a micrometre, from a radius; what would leave the radii 4 to 40 mm is left out.
+/// A contour of parts in half micrometres, from a radius; parts that would leave the radii 4 to 40 mm are dropped.
 pub fn contour(start: i64, parts: &[Part]) -> Contour {
     let mut contour = Contour { side: Side::Outer, pieces: Vec::new() };
     let mut here = Point { radius: Half::new(start), z: Half::ZERO };

@@ -1,11 +1,11 @@
-//! Files with mistakes in them: any text cut into and littered, and what reading it must keep to.
+//! Files with mistakes: any text with stretches cut out or replaced, and what reading it must guarantee.
 
 use proptest::prelude::*;
 use technolog::part::{Part, read_part};
 
 use super::KNOWLEDGE;
 
-/// A file with one to three stretches of up to five letters replaced by litter.
+/// A file with one to three stretches of up to five letters replaced by random ones.
 pub fn spoilt(
     files: impl Strategy<Value = String>,
     litter: impl Strategy<Value = String>,

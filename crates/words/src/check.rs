@@ -134,7 +134,7 @@ mod tests {
     use super::*;
     use crate::{LANGUAGES, Lang};
 
-    /// A language as somebody begins it: one folder, one line, three messages.
+    /// A language that was just begun: one folder, one line, three messages.
     static POLISH: Language = Language::new(
         "pl",
         &[(

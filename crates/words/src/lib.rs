@@ -117,32 +117,37 @@ impl Lang {
             Figure::Text(text) => text.to_string(),
             Figure::Number(number) => self.0.number(number),
             Figure::Word(Word { of, id }) => self.term(of, id).to_owned(),
+            Figure::Named(named) => {
+                let own = named.names.iter().find(|(tag, _)| *tag == self.tag()).or(named.names.last());
+                own.map_or_else(|| self.figure(&Figure::Word(named.word.clone())), |(_, name)| name.clone())
+            }
             Figure::List(parts, between) => {
                 let told: Vec<String> = parts.iter().map(|part| self.figure(part)).collect();
                 if *between == ", " { listed(&told) } else { told.join(between) }
             }
             Figure::Note(note) => self.say(note),
             Figure::Stored(text) => text.clone(),
-            Figure::Remark(text) => self.remark(text).to_owned(),
+            Figure::Remark(text) => self.remark(text).into_owned(),
         }
     }
 
     /// What a row of a table says of itself: from what it was inferred, why it is not confirmed. English where this
     /// language lacks it.
-    pub fn remark(self, english: &str) -> &str {
-        self.0.remarks().get(english).copied().unwrap_or(english)
+    pub fn remark(self, english: &str) -> Cow<'_, str> {
+        with_latin_table_names(self.0.remarks().get(english).copied().unwrap_or(english))
     }
 
     /// A place in a source, such as `textbook 1.2.1, l. 270-273`, its words in this language. Names, numbers and addresses
     /// stay as they are.
     pub fn place(self, source: &str) -> String {
         let known = self.0.places();
-        // The textbook prints the Cyrillic letter; a table has one name on all pages, which is that of the command line.
-        let english = source.replace("А.", "A.");
-        // An address or an id is one word, whatever stands within it.
+        let english = with_latin_table_names(source);
+        // An address or an id is one word, whatever characters it contains.
         let inside = |letter: char| letter.is_alphanumeric() || "_/-@".contains(letter);
         let mut said = String::with_capacity(english.len());
-        let (mut rest, mut before) = (english.as_str(), ' ');
+        let (mut rest, mut before) = (&*english, ' ');
+        // Of lines and pages a hyphen says `to`; elsewhere it belongs to a designation.
+        let mut in_numbers = false;
         while let Some(first) = rest.chars().next() {
             let ends = |word: &str| {
                 let after = rest[word.len()..].chars().next();
@@ -150,8 +155,14 @@ impl Lang {
             };
             let found = known.iter().find(|(word, _)| rest.starts_with(word) && ends(word));
             let (length, put) = match found.filter(|_| !inside(before)) {
-                Some((word, translation)) => (word.len(), *translation),
-                None => (first.len_utf8(), &rest[..first.len_utf8()]),
+                Some((word, translation)) => {
+                    in_numbers = matches!(*word, "l." | "p.");
+                    (word.len(), *translation)
+                }
+                None => {
+                    in_numbers &= first.is_ascii_digit() || ", -".contains(first);
+                    (first.len_utf8(), if in_numbers && first == '-' { "–" } else { &rest[..first.len_utf8()] })
+                }
             };
             said.push_str(put);
             before = rest[..length].chars().next_back().unwrap_or(' ');
@@ -172,6 +183,11 @@ impl Lang {
     fn mentions(self, key: &str, figure: &str) -> bool {
         self.0.mentions(key, figure).or_else(|| registered::EN.mentions(key, figure)).unwrap_or_default()
     }
+}
+
+/// The textbook prints the Cyrillic letter; a table has one name on all pages, which is that of the command line.
+fn with_latin_table_names(text: &str) -> Cow<'_, str> {
+    if text.contains("А.") { text.replace("А.", "A.").into() } else { text.into() }
 }
 
 /// The figures of a note, those of a stored one as what they seem to be.
@@ -206,8 +222,12 @@ fn stored(name: &str, text: &str) -> Figure {
         let between = if text.contains(" + ") { " + " } else { ", " };
         Figure::List(text.split(between).map(|part| one(part.to_owned())).collect(), between)
     };
-    if text.parse::<f64>().is_ok() {
+    let is_number = |text: &str| text.parse::<f64>().is_ok() && !is_designation(text);
+    let parameter = text.split_once(' ').filter(|(name, number)| ["Ra", "Rz"].contains(name) && is_number(number));
+    if is_number(text) {
         Figure::number(text.to_owned())
+    } else if let Some((name, number)) = parameter {
+        Figure::List(vec![Figure::Text(name.to_owned().into()), Figure::number(number.to_owned())], " ")
     } else if OPERATIONS.contains(&name) {
         list(Figure::operation)
     } else if WORDS.contains(&name) {
@@ -215,6 +235,11 @@ fn stored(name: &str, text: &str) -> Figure {
     } else {
         Figure::Text(text.to_owned().into())
     }
+}
+
+/// Whether digits are a name, such as that of the scheme `07`.
+fn is_designation(digits: &str) -> bool {
+    digits.len() > 1 && digits.starts_with('0') && !digits.contains('.')
 }
 
 /// Whether the messages of a file are words of pages and commands, not what notes say.

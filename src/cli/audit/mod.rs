@@ -1,4 +1,4 @@
-//! `technolog audit`: anybody's plan held against the knowledge, or a folder of them.
+//! `technolog audit`: a plan of any author checked against the knowledge, or a folder of them.
 
 mod file;
 mod folder;

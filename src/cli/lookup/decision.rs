@@ -101,7 +101,7 @@ impl<'a> DecisionReport<'a> {
         let result = if results.is_empty() { lang.word("cli-no-row") } else { &results.join("; ") };
         super::result(&mut page, result, lang);
         if let Some(gap) = self.gap {
-            page.push(Block::Fields(vec![Field::new(lang.word("cli-gap"), lang.remark(&gap.reason))]));
+            page.push(Block::Fields(vec![Field::new(lang.word("cli-gap"), lang.remark(&gap.reason).into_owned())]));
         }
         for &row in &self.winners {
             self.winner(&mut page, row, lang);

@@ -145,7 +145,7 @@ impl Reader<'_, '_> {
         let column = &self.table.columns[index];
         let expected = |domain: bool| {
             let domain = column.domain_text.as_deref().filter(|_| domain);
-            let domain = domain.map(|domain| format!(", {domain}")).unwrap_or_default();
+            let domain = domain.map(|domain| format!(", {}", shown::test(lang, column, domain))).unwrap_or_default();
             say!(lang, "cli-expected-is", expected = shown::expected(lang, column) + &domain)
         };
         let value = match column.parse_value(text) {
@@ -172,10 +172,10 @@ impl Reader<'_, '_> {
             && let (Some(domain), Some(rank)) = (&column.domain, column.rank(&value))
             && !domain.contains(rank)
         {
-            let bounds = column.domain_text.as_deref().unwrap_or_default();
+            let domain = shown::test(lang, column, column.domain_text.as_deref().unwrap_or_default());
             let message =
-                say!(lang, "cli-out-of-domain", key = key, value = shown::full(lang, column, &value), domain = bounds);
-            return self.problem("out-of-domain", message, value_at, expected(false));
+                say!(lang, "cli-out-of-domain", key = key, value = shown::full(lang, column, &value), domain = domain);
+            return self.problem("out-of-domain", message, value_at, say!(lang, "cli-within-domain").to_owned());
         }
         self.given.push((index, value));
     }

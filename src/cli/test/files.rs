@@ -85,7 +85,7 @@ fn walk(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     Ok(())
 }
 
-/// Sees to it that -o replaces no file of cases, and that a copy is one of one file.
+/// Makes sure that `-o` overwrites no file of cases, and that a copy is of one file.
 ///
 /// # Errors
 /// It would, or there are several.

@@ -1,4 +1,4 @@
-//! `technolog test`: files of cases, asked and held against what they expect.
+//! `technolog test`: files of cases, run and compared with what they expect.
 
 mod answer;
 mod files;
@@ -137,7 +137,7 @@ fn write(
     context.spare_inputs()?;
     match filled.text {
         Some(text) => {
-            // Cases take their time; what somebody wrote meanwhile is not lost.
+            // Cases take time: the file may have been edited meanwhile, and that must not be lost.
             if copy.is_none() && std::fs::read(&found.path).ok().as_deref() != Some(found.text.as_bytes()) {
                 let message = say!(context.lang, "test-file-changed", file = &found.shown);
                 return Err(Diagnostic::error("file-changed", message, None)
@@ -148,7 +148,7 @@ fn write(
             Ok(filled.cases)
         }
         None => {
-            // A copy that was asked for is there, also where nothing was open.
+            // A requested copy is written even if nothing had to be filled in.
             if copy.is_some() {
                 output::write(found.text.as_bytes(), copy, context.lang)?;
             }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use technolog::knowledge::table::Cell;
-use technolog::knowledge::{Column, ColumnType, Table};
+use technolog::knowledge::{Column, ColumnRole, ColumnType, Table};
 use technolog::words::{LANGUAGES, Lang};
 use technolog_testing::KNOWLEDGE;
 
@@ -133,7 +133,7 @@ fn every_place_of_a_row_is_told_in_ukrainian() {
         .filter(|(word, _)| !places.iter().any(|place| place.contains(word)));
     assert_eq!(left.collect::<Vec<_>>(), Vec::<&(&str, &str)>::new(), "no place says so");
     for (place, said) in [
-        ("textbook 1.2.1, l. 270-273", "посібник 1.2.1, ряд. 270-273"),
+        ("textbook 1.2.1, l. 270-273", "посібник 1.2.1, ряд. 270–273"),
         ("facts 1.6 (Косилова/Мещеряков т.2 table 25; QT)", "довідка 1.6 (Косилова/Мещеряков т.2 табл. 25; QT)"),
         (
             "MT: github sad-engineer/machine_tools @fd8ea5b, tables_csv/a.csv",
@@ -181,6 +181,22 @@ fn every_word_of_an_enum_has_a_name() {
         }
     }
     assert!(lacks.is_empty(), "name them in page-values.ftl: {lacks:#?}");
+}
+
+/// Every input of a decision table has a name for people, its table's or one that languages have for such columns: reasons
+/// say by which of them a row was rejected.
+#[test]
+fn every_input_has_a_name() {
+    let mut lacks = BTreeSet::new();
+    for (table, column) in KNOWLEDGE.tables().flat_map(|table| table.columns.iter().map(move |column| (table, column)))
+    {
+        let key = format!("table-column-{}", column.name);
+        let is_input = column.role == ColumnRole::Input;
+        if is_input && column.label.is_none() && (Lang::UK.find(&key).is_none() || Lang::EN.find(&key).is_none()) {
+            lacks.insert(format!("{}: {}", table.id, column.name));
+        }
+    }
+    assert!(lacks.is_empty(), "give them a `label`: {lacks:#?}");
 }
 
 fn text(cell: &Cell) -> Option<&str> {

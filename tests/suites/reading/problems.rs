@@ -58,7 +58,7 @@ fn of_many_mistakes_in_one_line_fifty_are_shown_each_with_its_stretch_of_the_lin
     let said = command(&folder, &["plan", "part.yaml"], b"");
     assert_eq!(said.code, Some(2));
     assert_eq!(said.beside.matches("error[").count(), 50, "{}", said.beside);
-    assert!(said.beside.ends_with("\nand 3950 more: --all-problems shows all\n"), "{}", said.beside);
+    assert!(said.beside.ends_with("\nand 3950 more: `--all-problems` shows all\n"), "{}", said.beside);
     assert!(said.beside.lines().all(|line| line.chars().count() <= 120), "{}", said.beside);
     let all = command(&folder, &["plan", "part.yaml", "--all-problems"], b"");
     assert_eq!(all.beside.matches("error[").count(), 4_000);

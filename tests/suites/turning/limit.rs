@@ -567,7 +567,7 @@ fn the_answer_is_told_whole() {
     let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::ForToolLife).unwrap();
     let said: Vec<String> =
         limit.findings().iter().flat_map(|finding| [Lang::UK, Lang::EN].map(|lang| lang.say(&finding.note))).collect();
-    assert_eq!(said[0], "обмеження «привод подачі» не враховано: 16b16t1 не має `feed-force-z`");
+    assert_eq!(said[0], "обмеження «привод подачі» не враховано: у даних верстата 16b16t1 немає рядка `feed-force-z`");
     assert_eq!(said[1], "the limit “feed drive” is left out: 16b16t1 has no `feed-force-z`");
     let back: LimitingDepth = serde_json::from_str(&serde_json::to_string(&limit).unwrap()).unwrap();
     assert_eq!(back, limit, "the answer comes back from JSON without loss");

@@ -116,7 +116,8 @@ fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> Result<bo
 }
 
 /// What the row asks of its cutter. Of a plan of ours only what stands in the row is asked, and of reach only that of
-/// drills, for it was reckoned with all that lies above it. How far a tap reaches depends on what its shank passes through.
+/// drills, because it was computed with all that lies above it. How far a tap reaches depends on what its shank passes
+/// through.
 fn need<'a>(
     context: &Context<'_>,
     graph: &Graph<'_>,

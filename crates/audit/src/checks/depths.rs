@@ -1,5 +1,5 @@
 //! How deep the transitions of a hole go where no formula of the route says it: what follows the drill goes as deep as
-//! the hole, centring as deep as its spot is wide, and nothing goes through a part that the drawing closes.
+//! the hole, centring goes as deep as its spot requires, and nothing cuts through a blind hole.
 
 use crate::error::KnowledgeError;
 use crate::note::{self, Note, Severity};
@@ -13,7 +13,7 @@ use super::super::figures::{beside, shown};
 use super::super::finding::{Finding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::super::stated::{Figure, Row};
+use super::super::stated::{Row, StatedFigure};
 
 /// A spot is as deep as half of its width: centring drills are of 90° (textbook 1.2.1, l. 272-273).
 const CENTRING_ANGLE: f64 = 90.0;
@@ -87,7 +87,7 @@ fn breaks_through(
     at: usize,
     row: &Row,
     hole: &Hole,
-    figure: &Figure,
+    figure: &StatedFigure,
 ) -> Option<f64> {
     let thickness = context.stated.part.blank.thickness;
     // Where the drawing leaves no room, as for the run-out of a thread, our plan comes out too.

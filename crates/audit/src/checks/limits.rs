@@ -10,7 +10,7 @@ use super::super::figures::{beside, shown};
 use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::super::stated::Figure;
+use super::super::stated::StatedFigure;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -102,14 +102,14 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
 /// Two tools of different lengths with one corrector; a tool that alone has another corrector than its own number.
 fn correctors(context: &Context<'_>, findings: &mut Vec<Finding>) {
     let stated = context.stated.tools.iter().enumerate();
-    let own: Vec<(usize, u32, &Figure)> =
+    let own: Vec<(usize, u32, &StatedFigure)> =
         stated.filter_map(|(at, tool)| Some((at, tool.number, tool.figures.get(&Q::Corrector)?))).collect();
-    let is_own = |number: u32, figure: &Figure| figure.value == f64::from(number);
+    let is_own = |number: u32, figure: &StatedFigure| figure.value == f64::from(number);
     for (place, (at, number, figure)) in own.iter().enumerate() {
         let others = || own.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, one)| one);
         let twin = others().find(|(_, _, other)| other.value == figure.value);
-        // Of two the slip is of the one whose number it is not, else of the later one.
-        let theirs = |other: &&(usize, u32, &Figure)| is_own(other.1, other.2) || other.0 < *at;
+        // Of two tools the one whose number it is not has the slip, otherwise the later one.
+        let theirs = |other: &&(usize, u32, &StatedFigure)| is_own(other.1, other.2) || other.0 < *at;
         let field = context.field(Id::new(Scope::Tool(*at), Q::Corrector));
         let finding = if let Some(other) = twin.filter(theirs).filter(|_| !is_own(*number, figure)) {
             let note = Note::new("audit-same-corrector").with("corrector", &figure.text);

@@ -1,5 +1,5 @@
-//! A plan that `technolog plan` made, and that somebody changed: what no formula explains is held against the plan we
-//! make of the same part. A difference alone is no fault.
+//! A plan that `technolog plan` made and somebody changed: what no formula explains is compared with the plan we make
+//! of the same part. A difference alone is no fault.
 
 use serde_json::Value;
 

@@ -1,7 +1,8 @@
 //! The proof of plans, on a plan that somebody wrote, as far as it says enough to be carried out.
 //!
-//! What rests on figures of practice is told as doubtful: the author may know a better drill. What cannot be whatever the
-//! tables say, a tool wider than the hole, is wrong. What other checks tell with the place of the slip is left to them.
+//! What rests on figures of practice is doubtful: the author may know a better drill. What is impossible whatever the
+//! tables say, such as a tool wider than the hole, is wrong. What other checks report with the place of the slip is
+//! left to them.
 
 use technolog_proof::Fault;
 
@@ -18,7 +19,7 @@ pub(super) fn check<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
-    // A figure that contradicts another is told as such; what follows from it proves nothing.
+    // A figure that contradicts another is reported as such; what follows from it proves nothing.
     if context.stated.own || graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine)) {
         return Ok(());
     }

@@ -15,7 +15,7 @@ use super::super::figures::beside;
 use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::super::stated::{Figure, Row};
+use super::super::stated::{Row, StatedFigure};
 use super::openings::right_by_drawing;
 
 pub(super) fn check<'a>(
@@ -124,7 +124,7 @@ fn depth(
     let blind = !hole.through && !tap;
     // The first teeth of a tap cut no full thread: a blind hole goes deeper by its run-out.
     let right = if blind { hole.depth + pitches(HoleDefault::ThreadRunoutPitches)? } else { hole.depth };
-    let mut say = |severity, code: &'static str, figure: &Figure| {
+    let mut say = |severity, code: &'static str, figure: &StatedFigure| {
         let note = Note::new(code).with("thread", &thread.written).with("depth", hole.depth);
         let finding = Finding::new(severity, Section::Route, format!("route.{}.depth", row.number), note);
         findings.push(beside(finding.about(context.subject(Scope::Row(at))), figure, right, Q::Depth));

@@ -1,8 +1,8 @@
 //! The machine's working zone: the blank on the table, the holes within its travels, every tool between the part and
 //! the spindle. Motions beyond the travels are reported by the run of the program.
 //!
-//! Only what cannot be whatever the operator sets is an error: the knee may stand at any height, and where the plan
-//! does not say how high the fixture is, the least height that the tools need under the part is reckoned with.
+//! Only what is impossible whatever the operator sets is an error: the knee may be at any height, and if the plan does
+//! not give the height of the fixture, the least that the tools need under the part is assumed.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
 use super::super::quantity::Id;
-use super::super::stated::Figure;
+use super::super::stated::StatedFigure;
 use super::{Formula, Graph};
 
 impl<'a> Graph<'a> {
@@ -106,7 +106,7 @@ impl<'a> Graph<'a> {
     }
 
     /// A figure as it is printed.
-    pub(crate) fn printed(&self, id: Id) -> Option<&Figure> {
+    pub(crate) fn printed(&self, id: Id) -> Option<&StatedFigure> {
         self.stated.figure(id)
     }
 

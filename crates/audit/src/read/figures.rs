@@ -6,7 +6,7 @@ use technolog_note::note;
 
 use super::Reader;
 use crate::audit::quantity::Quantity;
-use crate::audit::stated::{Figure, Figures};
+use crate::audit::stated::{Figures, StatedFigure};
 use crate::audit::tolerance::Range;
 
 /// The most that a figure of a plan can be, in its unit: beyond it no sum is exact.
@@ -32,7 +32,7 @@ impl Reader<'_> {
     }
 
     /// A figure that its quantity can have, by the table `audit-tolerance`.
-    fn possible(&mut self, quantity: Quantity, figure: Figure) -> Option<Figure> {
+    fn possible(&mut self, quantity: Quantity, figure: StatedFigure) -> Option<StatedFigure> {
         let (name, text) =
             (technolog_note::Figure::word_of("quantity", quantity.key().replace('.', "-")), &figure.text);
         let range = self.tolerances.range(quantity);
@@ -59,9 +59,9 @@ impl Reader<'_> {
     }
 
     /// One number.
-    pub(super) fn figure(&mut self, node: &Node) -> Option<Figure> {
+    pub(super) fn figure(&mut self, node: &Node) -> Option<StatedFigure> {
         let text = self.problems.text(node)?.trim().to_owned();
-        let figure = number(&text).map(|(value, last_place)| Figure {
+        let figure = number(&text).map(|(value, last_place)| StatedFigure {
             value,
             text: text.clone(),
             last_place,

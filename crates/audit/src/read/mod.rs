@@ -90,7 +90,15 @@ fn read_tree(
 ) -> Result<Stated, Unreadable> {
     // Without the table every figure can be; the audit itself says that it is missing.
     let tolerances = Tolerances::read(knowledge).unwrap_or_default();
-    let mut reader = Reader { knowledge, files, tolerances, problems: Problems(diagnostics), texts: Vec::new(), file };
+    let mut reader = Reader {
+        knowledge,
+        files,
+        tolerances,
+        problems: Problems(diagnostics),
+        texts: Vec::new(),
+        file,
+        unread_rows: Vec::new(),
+    };
     let stated = root.and_then(|root| {
         // Only `technolog plan` writes holes at the top; a part file has them too, but no tools.
         if root.get("holes").is_some() && root.get("sequence").is_some() {
@@ -117,6 +125,8 @@ struct Reader<'a> {
     problems: Problems,
     texts: Vec<NamedText>,
     file: &'a str,
+    /// The numbers and the tools of rows of the route that have a fault for which they are not among those read.
+    unread_rows: Vec<(u32, Option<u32>)>,
 }
 
 impl Reader<'_> {

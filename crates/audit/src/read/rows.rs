@@ -56,8 +56,12 @@ impl Reader<'_> {
         let table = self.text_of(&mut fields, file::Row::table);
         let figures = self.figures(&mut fields);
         fields.finish(&mut self.problems);
+        let number = own.unwrap_or(number);
+        if operation.is_none() {
+            self.unread_rows.push((number, tool.as_ref().map(|tool| tool.value)));
+        }
         Some(Row {
-            number: own.unwrap_or(number),
+            number,
             place: node.place.clone(),
             operation: operation?,
             hole,
@@ -119,14 +123,17 @@ impl Reader<'_> {
         let mut named = Vec::new();
         for node in limits::rows(list, |row| &row.place, &mut self.problems) {
             let tool = node.text().filter(|text| text.starts_with(['T', 'Т'])).and_then(number_of_tool);
-            let found: Vec<usize> = if let Some(tool) = tool {
+            let (found, unread): (Vec<usize>, bool) = if let Some(tool) = tool {
                 let own = |row: &Row| row.tool.as_ref().is_some_and(|known| known.value == tool);
-                (0..rows.len()).filter(|at| own(&rows[*at])).collect()
+                let found = (0..rows.len()).filter(|at| own(&rows[*at])).collect();
+                (found, self.unread_rows.iter().any(|(_, own)| *own == Some(tool)))
             } else {
                 let Some(number) = self.problems.scalar::<u32>(node) else { continue };
-                rows.iter().position(|row| row.number == number).into_iter().collect()
+                let found = rows.iter().position(|row| row.number == number).into_iter().collect();
+                (found, self.unread_rows.iter().any(|(own, _)| *own == number))
             };
-            if found.is_empty() {
+            // What names a row with a fault of its own is not at fault.
+            if found.is_empty() && !unread {
                 let (message, help) = match tool {
                     Some(tool) => (
                         note!("planfile-no-row-route-has-tool", tool = tool),

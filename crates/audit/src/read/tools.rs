@@ -7,7 +7,7 @@ use technolog_note::note;
 use super::Reader;
 use super::rows::number_of_tool;
 use crate::audit::quantity::Quantity;
-use crate::audit::stated::{Figure, StatedValue, Tool};
+use crate::audit::stated::{StatedFigure, StatedValue, Tool};
 use crate::audit::{file, limits};
 
 impl Reader<'_> {
@@ -64,7 +64,7 @@ impl Reader<'_> {
         let keys = file::Holder::KEYS.iter().filter_map(|key| Quantity::of_key(&format!("holder.{}", key.name())));
         for quantity in keys {
             let figure = of.figures.get(&quantity).cloned();
-            tool.figures.extend(figure.map(|figure| (quantity, Figure { place: place(), ..figure })));
+            tool.figures.extend(figure.map(|figure| (quantity, StatedFigure { place: place(), ..figure })));
         }
     }
 

@@ -1,7 +1,7 @@
 //! The formulas that the figures of a plan obey: one file per family, each rule with its source.
 //!
 //! A rule is a constant beside the function that applies it: id, formula, source. It computes one figure from others of
-//! the plan and takes part in the graph; it never asks what is stated.
+//! the plan and takes part in the graph; it never looks at what is stated.
 
 mod clamping;
 mod conditions;

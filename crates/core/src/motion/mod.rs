@@ -220,7 +220,7 @@ pub struct BlockRef {
     pub number: Option<u32>,
 }
 
-/// A motion, where the axes stand after it, and where it was asked for.
+/// A motion, the position of the axes after it, and the block it comes from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MotionStep {
     /// What is done.

@@ -48,7 +48,7 @@ pub fn line_in(step: &MotionStep, word: &dyn Fn(&'static str) -> &'static str) -
     text
 }
 
-/// Puts the line of a step behind a text. A full memory of the control makes thousands of them, so nothing is made
+/// Appends the line of a step to a text. A full memory of the control makes thousands of them, so nothing is made
 /// beside that text; writing into a String cannot fail.
 fn put(text: &mut String, step: &MotionStep, word: &dyn Fn(&'static str) -> &'static str) {
     let line = step.block.line;

@@ -1,4 +1,4 @@
-//! The order of work: which tool visits which points, how long it is under way, and what the book would do.
+//! The order of work: which tool visits which points, how long that takes, and what the textbook's rule would give.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -22,8 +22,8 @@ pub struct ToolVisit {
     /// The same by the book's rule, to the nearest point not yet visited, min.
     #[serde(default)]
     pub nearest_rapid_min: Minutes,
-    /// What no order of these stops can be shorter than, min; absent where it was not looked for. Equal to
-    /// `rapid_min` where the path is proven the shortest.
+    /// Lower bound of every order of these stops, min; absent if none was computed. Equal to `rapid_min` where the path
+    /// is proven the shortest.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bound_min: Option<Minutes>,
     /// Length of the path from the tool-change position and back, straight from point to point, mm.

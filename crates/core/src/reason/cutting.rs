@@ -7,7 +7,7 @@ use crate::units::{Micrometres, NewtonMetres, RevsPerMinute, Roughness, round_to
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum Uncut {
-    /// A table has no figure for the material, and nothing stands in.
+    /// A table has no figure for the material, nor for one that is used instead.
     NoFigure { table: String, material: String },
     /// A table ends before that depth, in diameters.
     TooDeep { table: String, ratio: f64 },
@@ -15,7 +15,7 @@ pub enum Uncut {
     TooFineToBore { roughness: Roughness },
     /// A tap needs more torque than the spindle has.
     TorqueBeyondSpindle { torque: NewtonMetres, limit: NewtonMetres },
-    /// The spindle has no step so slow that a tap could be driven at.
+    /// The spindle has no step slow enough for a tap.
     NoStepBelow { computed: RevsPerMinute },
     /// A tap without a pitch.
     NoPitch,

@@ -2,7 +2,7 @@
 //! made of one.
 //!
 //! - [`Reason`]: why a hole, or a part of it, cannot be made by a route, and why a route is not taken;
-//! - [`Unfit`]: why a cutter or a holder does not do; [`Uncut`]: why there are no cutting conditions.
+//! - [`Unfit`]: why a cutter or a holder is not suitable; [`Uncut`]: why there are no cutting conditions.
 
 mod cutting;
 mod tools;
@@ -34,7 +34,7 @@ pub enum Reason {
     NoPath { it: ItGrade, roughness: Roughness },
     /// Of the search itself: nothing leads to a state.
     Unreachable { state: String, diameter: Micrometres },
-    /// Of the search itself: what stands in for boring is another transition.
+    /// Of the search itself: another transition is used instead of boring.
     BoredByAnother { operation: Operation },
     /// There is no hole to open.
     NoHoleToOpen { operation: Operation },

@@ -7,7 +7,7 @@ use crate::units::{Micrometres, round_to};
 
 use super::{sides, size};
 
-/// Why a cutter, by itself or in a holder, does not do what is asked of it.
+/// Why a cutter, by itself or in a holder, is not suitable.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum Unfit {

@@ -32,7 +32,7 @@ fn findings_one_after_the_other_are_a_list() {
 fn a_drawing_is_an_image_of_its_own() {
     let mut page = String::new();
     let svg = "<svg id=\"a\">Ø#</svg>".to_owned();
-    figure(&mut page, &Figure { svg, caption: "Шлях".into(), alternative: "10 \"точок\"".to_owned() });
+    figure(&mut page, &Drawing { svg, caption: "Шлях".into(), alternative: "10 \"точок\"".to_owned() });
     let image = "data:image/svg+xml,%3Csvg%20id=%22a%22%3E%C3%98%23%3C/svg%3E";
     assert_eq!(
         page,

@@ -1,4 +1,4 @@
-//! Text in which Markdown sees no marks.
+//! Text escaped for Markdown.
 
 use crate::{Inline, clean};
 
@@ -15,9 +15,9 @@ pub(super) fn escaped(text: &str) -> String {
     shown
 }
 
-/// A line that begins a block, after which what looks like the mark of a list is none.
+/// The first line of a block, escaped so that it does not begin a list.
 pub(super) fn started(line: String) -> String {
-    // A block must hold something: a mark of a list alone would underline what stands above it.
+    // A block must not be empty: the mark of a list alone would underline the text above it.
     if line.is_empty() {
         return "&#32;".to_owned();
     }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::{Column, Field, Figure, Keep, Severity, Table};
+use crate::{Column, Drawing, Field, Keep, Severity, Table};
 
 const WORDS: Words =
     Words {
@@ -31,7 +31,7 @@ fn a_page_is_sections_with_what_stands_in_them() {
     finding.details = vec!["підстава: таблиця A.6".into()];
     finding.help = Some("взяти 0,325".into());
     let explained = Item { words: "схема 07".into(), items: vec!["не взято: рядки 1-4".into()] };
-    let figure = Figure { svg: String::new(), caption: "Шлях".into(), alternative: "10 точок".to_owned() };
+    let figure = Drawing { svg: String::new(), caption: "Шлях".into(), alternative: "10 точок".to_owned() };
     let blocks = vec![
         Block::Paragraph("Сталь 45.".into()),
         Block::Heading { level: 2, words: "1. Маршрут".into() },
@@ -159,7 +159,7 @@ fn colours_say_what_words_say_too() {
     assert_eq!(page, "\u{1b}[1mA\u{1b}[0m\n\u{1b}[1;31mпомилка:\u{1b}[0m Ø\n");
 }
 
-/// A narrow column is shown where a wide one of the same rank had to go, and how wide a window shows all is told truly.
+/// A narrow column is shown where a wide one of the same rank had to go, and the width named is wide enough for all.
 #[test]
 fn a_column_that_fits_is_shown_and_the_width_for_all_is_told() {
     let words = Words { see_all: "COLUMNS=<width>", ..WORDS };

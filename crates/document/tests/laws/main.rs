@@ -5,7 +5,7 @@ mod markdown;
 mod samples;
 mod text;
 
-use technolog_document::{Block, Document, Figure, Inlines, Item, Words};
+use technolog_document::{Block, Document, Drawing, Inlines, Item, Words};
 
 /// Words that no sample has.
 const WORDS: Words = Words { left_out: "Left", see_all: "Wider", help: "Help", figure: "Drawing" };
@@ -45,7 +45,7 @@ fn expected(document: &Document) -> Vec<(String, String)> {
                 all.extend(table.rows().iter().flatten().map(|cell| said("cell", cell)));
                 all.extend(table.notes.iter().map(|note| said("p", note)));
             }
-            Block::Figure(Figure { alternative, caption, .. }) => {
+            Block::Drawing(Drawing { alternative, caption, .. }) => {
                 all.push(("p".to_owned(), alternative.clone()));
                 all.extend((!caption.is_empty()).then(|| said("p", caption)));
             }

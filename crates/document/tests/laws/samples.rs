@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use technolog_document::{
-    Align, Block, Column, Document, Field, Figure, Finding, Inline, Inlines, Item, Keep, Severity, Table,
+    Align, Block, Column, Document, Drawing, Field, Finding, Inline, Inlines, Item, Keep, Severity, Table,
 };
 
 /// What some reader might take for a mark.
@@ -116,7 +116,7 @@ pub fn document(words: BoxedStrategy<String>) -> impl Strategy<Value = Document>
         finding.prop_map(Block::Finding),
         table(words.clone(), line.clone()).prop_map(Block::Table),
         (words.clone(), line.clone().prop_filter("read", read)).prop_map(|(alternative, caption)| {
-            Block::Figure(Figure { svg: "<svg/>".to_owned(), alternative: format!("a{alternative}"), caption })
+            Block::Drawing(Drawing { svg: "<svg/>".to_owned(), alternative: format!("a{alternative}"), caption })
         }),
     ];
     (line, prop::collection::vec(block, 0..6)).prop_map(|(title, blocks)| Document {

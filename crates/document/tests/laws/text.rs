@@ -16,7 +16,8 @@ fn letters(words: &str) -> String {
 
 /// The document as it is read on a screen: links have their addresses, figures the word for them.
 fn said(document: &Document) -> String {
-    let drawings = document.blocks.iter().filter(|block| matches!(block, technolog_document::Block::Figure(_))).count();
+    let drawings =
+        document.blocks.iter().filter(|block| matches!(block, technolog_document::Block::Drawing(_))).count();
     expected(document).into_iter().map(|(_, words)| words).collect::<String>() + &"Drawing".repeat(drawings)
 }
 

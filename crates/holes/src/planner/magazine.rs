@@ -22,21 +22,25 @@ pub(super) fn choose_centre_drill(
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
     let widest = widest_spot(shop)?;
-    let (mut needed, mut shown) = (Micrometres::ZERO, String::new());
+    let mut needed = Micrometres::ZERO;
+    let mut why = Note::new("centre-drill-for-all");
     for draft in &*drafts {
         let Some(centre) = draft.steps.iter().find(|one| one.step.operation == Operation::CentreDrill) else {
             continue;
         };
         let spot = centre.step.diameter;
         let first = draft.steps.iter().find(|one| one.step.operation == Operation::Drill).map(|one| one.step.diameter);
-        let (own, why) = match first {
+        let note = |code: &'static str, diameter| Note::new(code).with("needed", diameter);
+        let (own, note) = match first {
             // Wider than the first drill, so that the drill enters on the cone and not on its rim.
-            Some(drill) if !centre.makes_edge && drill < widest => (drill + Micrometres::new(1), format!("> Ø{drill}")),
-            Some(_) if !centre.makes_edge => (widest, format!("Ø{widest}")),
-            _ => (spot, format!(">= Ø{spot}")),
+            Some(drill) if !centre.makes_edge && drill < widest => {
+                (drill + Micrometres::new(1), note("centre-drill-for-all-over", drill))
+            }
+            Some(_) if !centre.makes_edge => (widest, note("centre-drill-for-all", widest)),
+            _ => (spot, note("centre-drill-for-all-least", spot)),
         };
         if own > needed {
-            (needed, shown) = (own, why);
+            (needed, why) = (own, note);
         }
     }
     if needed == Micrometres::ZERO {
@@ -44,8 +48,7 @@ pub(super) fn choose_centre_drill(
     }
     let need = CutterNeed::plain(Operation::CentreDrill, needed);
     let fitted = tooling::find_tool(&need, shop)?.map(|(cutter, mut assembly)| {
-        let why = Note::new("centre-drill-for-all").with("needed", &shown);
-        let mut because = vec![Because { note: why, ..cutter.because() }];
+        let mut because = vec![Because { note: why.clone(), ..cutter.because() }];
         because.append(&mut assembly.because);
         Rc::new(FittedTool {
             designation: cutter.designation.to_owned(),

@@ -16,7 +16,7 @@ use crate::tables::rules::{
     BlankState, CellTaken, CentreColumn, CentreFirstFor, CentredTwin, EmptyCellFor, GradeAsked, SchemeTaken,
     TableForHole, TableForHoleFor, WhichOfTwoSchemesFor,
 };
-use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
+use crate::units::{Decimal, ItGrade, Micrometres, Roughness, round_to};
 
 use super::bores::Bore;
 use super::{Candidate, Promise};
@@ -331,6 +331,7 @@ pub(super) fn centre_first(bore: &Bore, shop: &Shop<'_>) -> Result<(bool, Becaus
         (false, BlankState::Solid) => "no-centre",
         (false, BlankState::WithHole) => "no-centre-in-a-hole",
     };
-    let note = Note::new(code).with("ratio", depth_ratio).with("it", it).with("diameter", diameter);
+    let note =
+        Note::new(code).with("ratio", round_to(depth_ratio.to_f64(), 2)).with("it", it).with("diameter", diameter);
     Ok((asked, Because::answer(&answer.answer, note)))
 }

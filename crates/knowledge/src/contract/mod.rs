@@ -192,8 +192,8 @@ pub trait Question {
     /// The table.
     const TABLE: &'static str;
 
-    /// Asks with the inputs by name; none is left to the table's default. Thousands of times for a plan, so without a list
-    /// on the heap.
+    /// Asks with the inputs by name; `None` takes the table's default. A plan does it thousands of times, so there is
+    /// no list on the heap.
     fn put<T>(&self, ask: impl FnOnce(&[(&'static str, Option<Input<'_>>)]) -> T) -> T;
 }
 

@@ -174,8 +174,8 @@ fn field_faults(table: &Table, column: &Column, asked: &RequiredColumn) -> Vec<N
         faults.push(note!("lint-needs-every-row-so-cannot"));
     }
     faults.extend(type_fault(column, asked.shape.holds));
-    // A free text that must be a word is one in every row, or the row could not be read.
-    if let (Holds::Word(words), ColumnType::Text) = (asked.shape.holds, column.ty) {
+    // A text or unit that must be a known word is one in every row, or the row could not be read.
+    if let (Holds::Word(words), ColumnType::Text | ColumnType::Unit) = (asked.shape.holds, column.ty) {
         faults.extend(
             texts(table, column).filter(|text| !words.contains(&text.as_str())).map(|text| unknown(&text, words)),
         );
@@ -195,12 +195,15 @@ fn type_fault(column: &Column, holds: Holds) -> Option<Note> {
     match holds {
         Holds::Anything => None,
         Holds::Text | Holds::Name(_) => {
-            is(matches!(column.ty, ColumnType::Text | ColumnType::Enum), note!("lint-a-text"))
+            is(matches!(column.ty, ColumnType::Text | ColumnType::Unit | ColumnType::Enum), note!("lint-a-text"))
         }
         Holds::Word(words) if column.ty == ColumnType::Enum => {
             column.values.iter().find(|value| !words.contains(&value.as_str())).map(|value| unknown(value, words))
         }
-        Holds::Word(_) => is(column.ty == ColumnType::Text && column.role != ColumnRole::Input, note!("lint-a-word")),
+        Holds::Word(_) => {
+            let written = matches!(column.ty, ColumnType::Text | ColumnType::Unit);
+            is(written && column.role != ColumnRole::Input, note!("lint-a-word"))
+        }
         Holds::Bool => is(column.ty == ColumnType::Bool, note!("lint-true-false")),
         Holds::Int => is(column.ty == ColumnType::Int, note!("lint-whole-number")),
         Holds::Number(unit) => {

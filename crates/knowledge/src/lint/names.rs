@@ -10,7 +10,7 @@ use crate::knowledge::Knowledge;
 use crate::table::Table;
 use crate::units::Unit;
 
-/// From so many tables on, what most of them say is taken for right.
+/// With at least this many tables, the majority is taken to be right.
 const MANY: usize = 3;
 
 /// Columns whose unit differs from that of the same name in most other tables.

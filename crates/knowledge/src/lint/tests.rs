@@ -112,7 +112,7 @@ fn a_sound_base_has_no_findings() {
 fn every_planted_defect_is_found_at_its_line() {
     let rule = "rules/rule.yaml";
     for (file, from, to, expected) in [
-        // A widened row overlaps its neighbour; the gap it leaves nothing of is none.
+        // A widened row overlaps its neighbour, and the gap that it covers is no longer one.
         (rule, "\"<= 10\"", "\"<= 12\"", &[("overlap", 14), ("overlap", 15)][..]),
         // A removed row leaves a gap.
         (rule, "  - {diameter: \"> 50\", through: \"true\", scheme: \"03\", source: seed}\n", "", &[("gap", 13)]),

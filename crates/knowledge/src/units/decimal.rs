@@ -57,7 +57,7 @@ impl fmt::Display for Decimal {
 }
 
 impl Decimal {
-    /// Puts it behind a text, as it is shown: what a trace of thousands of positions is written with.
+    /// Appends it to a text, as it is shown. Traces write thousands of positions with it.
     pub fn put(self, text: &mut String) {
         text.push_str(self.written(&mut [0; ROOM]));
     }

@@ -18,7 +18,7 @@ use super::{Decimal, ParseError};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Micrometres(i64);
 
-/// The most millimetres that are read, in either direction: a way over all points of a part is still a length then.
+/// The most millimetres that are read, in either direction: a path over all points of a part still fits.
 const MOST_MM: i64 = 1_000_000_000;
 
 impl Micrometres {
@@ -110,7 +110,7 @@ impl fmt::Display for Micrometres {
 }
 
 impl Micrometres {
-    /// Puts the number of millimetres behind a text, as it is shown.
+    /// Appends the number of millimetres to a text, as it is shown.
     pub fn put(self, text: &mut String) {
         Decimal::from_millionths(self.0.saturating_mul(1000)).put(text);
     }

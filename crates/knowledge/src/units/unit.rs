@@ -57,6 +57,8 @@ units! {
     Minute = "min",
     /// Seconds.
     Second = "s",
+    /// Milliseconds.
+    Millisecond = "ms",
     /// Kilograms.
     Kilogram = "kg",
     /// Megapascals.

@@ -1,6 +1,6 @@
-//! What the parser of YAML says of broken text, in words that name what to do: its own are English, and of its trade.
+//! Messages for broken YAML that say what to do. They replace the parser's own, which are English and technical.
 
-/// Words of the parser, what they mean to whoever wrote the file, and what to do. The first that fits is told.
+/// Phrases of the parser's messages, our message for them, and our remedy. The first match is used.
 pub(super) const FAULTS: &[(&[&str], &str, &str)] = &[
     (&["tab"], "yaml-broken-tab", "yaml-mend-tab"),
     (&["mapping values are not allowed", "illegal placement of ':'"], "yaml-broken-colon", "yaml-mend-colon"),
@@ -8,7 +8,7 @@ pub(super) const FAULTS: &[(&[&str], &str, &str)] = &[
     (&["escape", "hexadecimal"], "yaml-broken-escape", "yaml-mend-escape"),
     (&["trailing content"], "yaml-broken-behind-quote", "yaml-mend-behind-quote"),
     (&["quoted scalar", "unexpected eof"], "yaml-broken-quote", "yaml-mend-quote"),
-    (&["flow", "misplaced bracket", "',' or"], "yaml-broken-bracket", "yaml-mend-bracket"),
+    (&["flow", "misplaced bracket", "',' or", "only valid inside a block"], "yaml-broken-bracket", "yaml-mend-bracket"),
     (&["'-' indicator", "sequence entries"], "yaml-broken-dash", "yaml-mend-dash"),
     (&["key"], "yaml-broken-key", "yaml-mend-key"),
     (&["indent"], "yaml-broken-indent", "yaml-mend-indent"),
@@ -38,6 +38,7 @@ mod tests {
             ("a: 'x' y\n", "", "quot"),
             ("a: [1, 2\nb: 3\n", "a bracket is not closed", "`[` with `]`"),
             ("a: {b: 1\nc: 3\n", "a bracket is not closed", "`{` with `}`"),
+            ("a: {b: 1\nc:\n  - 3\n", "a bracket is not closed", "`{` with `}`"),
             ("a: *b\n", "begins with `&` or `*`", "quote the text"),
             ("a: %b\nc: @d\n", "a sign that means something else", "quote the text"),
             ("a: \"\\q\"\n", "begins nothing known", "single quotes"),

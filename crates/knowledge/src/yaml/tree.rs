@@ -10,13 +10,14 @@ use super::{Key, Node, NodeKind, faults};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::input::{MOST_BYTES, too_large, unseen};
 
-/// Lists and mappings within each other. Files of the program have ten levels at the most; who walks over a tree calls
-/// himself for each.
+/// The deepest nesting of lists and mappings. Files of the program have at most ten levels; code that walks a tree
+/// recurses once per level.
 pub const MOST_DEPTH: usize = 64;
-/// Values of a file, keys and lists among them. A plan of 20,000 points in JSON has half a million for each tool.
+/// The most values of a file, keys and lists included. A plan of 20,000 points in JSON has half a million for each
+/// tool.
 pub const MOST_VALUES: usize = 2_000_000;
 
-/// How the parser begins what it says of brackets that are too deep for it; it reads ahead of what it gives out.
+/// How the parser's message about too deeply nested brackets begins. It reads ahead of the events that it returns.
 const TOO_DEEP: &str = "recursion";
 
 /// Reads one YAML document. The tree is there unless the text is broken beyond reading or empty;
@@ -79,18 +80,17 @@ fn parse_within(most_values: usize, file: &str, text: &str) -> (Option<Node>, Ve
     (builder.root, builder.problems)
 }
 
-/// Words for a bracket that is open above the line where reading stopped, whatever the parser says of that line.
+/// The words for a bracket left open above the line where reading stopped; they replace what the parser says of that
+/// line.
 const OPEN_BRACKET: &str = "flow";
 /// Words for what is wrong in the line itself.
 const OF_LINE: [&str; 5] = ["quoted", "tab", "escape", "anchor", "trailing"];
 
 fn broken(said: &str, place: Place) -> Diagnostic {
     let known = faults::FAULTS.iter().find(|(words, ..)| words.iter().any(|word| said.contains(word)));
-    let (message, help) = match known {
-        Some((_, what, mend)) => (note!("yaml-broken", error = Note::new(*what)), Note::new(*mend)),
-        None => (note!("yaml-broken", error = said), note!("yaml-indent-with-spaces-quote-values")),
-    };
-    Diagnostic::error("yaml", message, place).help(help)
+    let (what, mend) = known
+        .map_or(("yaml-broken-otherwise", "yaml-indent-with-spaces-quote-values"), |(_, what, mend)| (*what, *mend));
+    Diagnostic::error("yaml", note!("yaml-broken", error = Note::new(what)), place).help(Note::new(mend))
 }
 
 fn too_deep(place: Place) -> Diagnostic {
@@ -147,8 +147,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Where broken text is to be mended: where reading stopped, but for what is still open at the end
-    /// of the file, where it was opened.
+    /// The place to fix: where reading stopped, or, for what is still open at the end of the file, where it was opened.
     fn broken_at(&self, marker: Marker) -> Place {
         match self.stack.last() {
             Some(Frame::Seq(_, opened) | Frame::Map(_, _, opened)) if marker.line() > self.lines.len() => {
@@ -158,8 +157,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Whether a bracket of a line above is still open; what stands in it goes on in the next line as a rule only where
-    /// each line ends with a comma.
+    /// Whether a bracket of an earlier line is still open. Lines inside brackets usually end with a comma.
     fn is_in_open_bracket(&self, marker: Marker) -> bool {
         let Some(Frame::Seq(_, opened) | Frame::Map(_, _, opened)) = self.stack.last() else { return false };
         let (line, column) = (opened.line as usize, opened.column as usize);
@@ -241,7 +239,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The entries of a mapping, of those with one key the first; the others are reported.
+    /// The entries of a mapping. Of duplicate keys the first is kept and the others are reported.
     fn each_once(&mut self, entries: Vec<(Key, Node)>) -> Vec<(Key, Node)> {
         let mut firsts = BTreeMap::new();
         for (index, (key, _)) in entries.iter().enumerate() {

@@ -2,9 +2,9 @@
 //! Fanuc, which differ in their tables. [`Language`] is one of them; [`proof`] compares what a program does with a
 //! job.
 //!
-//! An interpreter reads the text of a program and makes the steps of [`crate::motion`] of it. A writer is the same way
-//! backwards. What an interpreter has to say about a program are [`Fault`]s: data, without a language. What the operator
-//! sets before a run stands in [`setting`].
+//! An interpreter reads the text of a program and turns it into steps of [`crate::motion`]. A writer does the opposite.
+//! What an interpreter has to say about a program are [`Fault`]s: data, without a language. What the operator sets
+//! before a run stands in [`setting`].
 
 mod block;
 pub mod control_2c42_65;
@@ -84,7 +84,7 @@ impl Language {
     }
 }
 
-/// Whether a program came to be run: one with an error in its text is not, and what a part lacks by it is no finding.
+/// Whether a program was run. One with an error in its text is not, so holes that it does not make are no findings.
 pub fn is_run(faults: &[Fault], steps: &[MotionStep]) -> bool {
     !steps.is_empty() || !faults.iter().any(Fault::is_error)
 }
@@ -110,7 +110,7 @@ pub struct Call {
     pub program: u8,
 }
 
-/// The way to a block through the calls: `N5 → :02 N1`. A block without number is named by its line, `(12)`.
+/// The chain of calls that leads to a block: `N5 → :02 N1`. A block without number is named by its line, `(12)`.
 pub fn path(calls: &[Call], block: BlockRef) -> String {
     let name =
         |block: BlockRef| block.number.map_or_else(|| format!("({})", block.line), |number| format!("N{number}"));
@@ -127,19 +127,19 @@ pub struct Fault {
     /// The stable id of the rule that is broken; the note has it too.
     #[serde(skip)]
     pub code: &'static str,
-    /// How grave: a program with an error is not carried out as written.
+    /// How grave: a program with an error is not run as written.
     pub severity: Severity,
     /// The rule: a section of the control's description, or of this project's reading of it.
     pub rule: &'static str,
     /// The number of the block, where it has one.
     pub block: Option<u32>,
-    /// The calls by which the run came there for the first time, the outermost first; none in the main program.
+    /// The calls through which the run first came there, the outermost first; empty in the main program.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub calls: Vec<Call>,
     /// Where it stands.
     #[serde(flatten)]
     pub span: Span,
-    /// What it is about, where that tells it from others of its code.
+    /// What it is about, where that distinguishes it from others of its code.
     #[serde(skip)]
     pub subject: Option<Subject>,
     /// What is wrong.
@@ -157,7 +157,7 @@ pub enum Subject {
 }
 
 impl Fault {
-    /// The way to its block, where it is known: the number, behind the calls that led there.
+    /// The path to its block, where it is known: the calls that lead there, then the number.
     pub fn path(&self) -> Option<String> {
         let block = BlockRef { line: self.span.line, number: self.block };
         (self.block.is_some() || !self.calls.is_empty()).then(|| path(&self.calls, block))
@@ -168,7 +168,7 @@ impl Fault {
         self.severity == Severity::Error
     }
 
-    /// A breach of a rule of a list. A code that is not listed is an error without a section; tests keep it from happening.
+    /// A breach of a rule of a list. A code that is not listed gives an error without a section; tests exclude that.
     fn of(rules: &[Rule], code: &'static str, span: Span, block: Option<u32>) -> Self {
         let rule = rules.iter().find(|(known, ..)| *known == code);
         let (severity, rule) = rule.map_or((Severity::Error, ""), |(_, severity, section)| (*severity, *section));
@@ -190,7 +190,7 @@ impl Fault {
     }
 }
 
-/// A rule that programs are held against: its code, how grave a breach is, and the section that says so.
+/// A rule that programs are checked against: its code, how grave a breach is, and the section that says so.
 type Rule = (&'static str, Severity, &'static str);
 
 /// The figures of a row of a control's record, of which there must be some, in that unit; the first and all.

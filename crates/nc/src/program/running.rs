@@ -7,7 +7,7 @@ use super::limits::{Spans, without_zero};
 use super::{Call, Fault, Span};
 use crate::motion::{MotionStep, Sink};
 
-/// Blocks and steps that a check carries out: repeats of repeats would never end.
+/// The most blocks and steps that a check runs: repeats of repeats would never end.
 pub(super) const BUDGET: usize = 500_000;
 
 /// A breach of a rule of one control: its code, where, the number of the block.
@@ -20,7 +20,7 @@ pub(super) enum BlockOutcome {
     On,
     /// Back to where it was called.
     Back,
-    /// To the end of everything: the end of the main program, or nothing more to carry out.
+    /// To the end of the run: the end of the main program, or nothing more to run.
     Out,
 }
 
@@ -57,7 +57,7 @@ impl<'a, S: Sink> Running<'a, S> {
         true
     }
 
-    /// Carries a block out: nothing of one that is not good. `made` is what its steps cost of the budget.
+    /// Runs a block; one with an error makes no steps. `made` is what its steps cost of the budget.
     pub fn carry_out(&mut self, steps: &[MotionStep], faults: Vec<Fault>, made: usize) {
         if !faults.iter().any(Fault::is_error) {
             for step in steps {
@@ -81,7 +81,7 @@ impl<'a, S: Sink> Running<'a, S> {
         BlockOutcome::Out
     }
 
-    /// Whether a call goes deeper than the control lets it; told, if so.
+    /// Whether a call is nested deeper than the control allows; reports it if so.
     pub fn too_deep(&mut self, depth: usize, limit: usize, span: Span, number: Option<u32>) -> bool {
         let deep = depth >= limit;
         if deep {
@@ -98,7 +98,7 @@ impl<'a, S: Sink> Running<'a, S> {
         }
     }
 
-    /// What was found, at the end: systems whose zero nobody set are told at the first block.
+    /// The faults found, at the end: systems without a zero are reported at the first block.
     pub fn finish(mut self, first: Span) -> Vec<Fault> {
         for (system, axes) in without_zero(&self.spans) {
             self.tell((self.breach)("zero-not-set", first, None).with("system", system).with("axes", axes));

@@ -68,7 +68,7 @@ fn unreadable(unread: &Unread, lang: Lang) -> String {
     let place = mistake.place.as_deref().unwrap_or_default();
     let place = place.strip_prefix(&format!("{}:", unread.file)).unwrap_or(place);
     match mistake.code {
-        // What the parser says of it stands where the file is audited alone.
+        // The parser's message is shown when the file is audited alone.
         "yaml" => say!(lang, "audit-no-yaml", place = place),
         _ => say!(lang, "audit-unreadable", place = place, message = &mistake.message).trim_start().to_owned(),
     }

@@ -17,7 +17,7 @@ pub(super) fn size(points: &[At]) -> f64 {
     (apart(points) / 2.2).min(MOST)
 }
 
-/// How far a point is from its nearest neighbour: of most points no less. Points that are not alone at their place are
+/// The distance to the nearest neighbour that most points have at least. Points that are not alone at their place are
 /// told apart by nothing and do not count.
 pub(super) fn apart(points: &[At]) -> f64 {
     let mut by_x: Vec<At> = points.to_vec();
@@ -55,7 +55,7 @@ pub(super) struct Labels {
 impl Labels {
     /// A line that numbers should not stand on.
     pub(super) fn avoid(&mut self, from: At, to: At) {
-        // A contour of thousands of pieces is a line that no number can avoid.
+        // A number cannot avoid a contour of thousands of pieces.
         if from != to && self.lines.len() < LINES {
             self.lines.push((from, to));
         }

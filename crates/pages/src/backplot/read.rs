@@ -41,7 +41,7 @@ pub(super) enum Shape {
 }
 
 impl PathSegment {
-    /// What it surely stays within: its ends, and of an arc the whole circle.
+    /// A box that contains it: its ends, and for an arc the whole circle.
     pub(super) fn reach(&self) -> Vec<Spot> {
         match self.shape {
             Shape::Straight => vec![self.from, self.to],
@@ -52,7 +52,7 @@ impl PathSegment {
         }
     }
 
-    /// A straight way by its ends, whichever comes first; nothing of an arc.
+    /// A straight line by its ends, in either order; `None` for an arc.
     pub(super) fn way(&self) -> Option<[(i64, i64); 2]> {
         let Shape::Straight = self.shape else { return None };
         let exact = |(x, y): Spot| [x, y].map(|value| Micrometres::from_mm_rounded(value).micrometres());
@@ -86,7 +86,7 @@ pub(super) fn panels<'f>(steps: &[MotionStep], frame: Option<&'f Frame<'_>>) -> 
                 }
                 panel = Panel { tool: Some(*tool), change: Some(spot(step.at)), ..Panel::default() };
             }
-            // The operator may do anything now: turn the part over, set the bar of a boring tool.
+            // From here on the operator may have done anything: turned the part over, set a boring bar.
             Motion::Stop { optional: false } if panel.cuts() => {
                 let next = Panel { tool: panel.tool, change: panel.change, ..Panel::default() };
                 panels.push(std::mem::replace(&mut panel, next));

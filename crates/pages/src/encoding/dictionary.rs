@@ -17,7 +17,7 @@ use crate::words::{Note, say};
 
 use super::blocks::Word;
 
-/// Functions by whose block the words of the axes are no way to go: a setting or a wait.
+/// Functions whose block uses axis words for something other than motion: a setting or a wait.
 const NO_WAY: [&str; 4] = ["G04", "G10", "G52", "G92"];
 
 /// A meaning in both languages.

@@ -15,10 +15,10 @@ use crate::report::operation_verb;
 pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     page.heading(3, say!(lang, "plan-operation"));
     let rows = rows(plan, lang);
-    // Without transitions there is only the part to be put down and taken up.
+    // Without transitions there is nothing but loading and unloading the part.
     if rows.len() > 2 {
         let mut table = Table::new([
-            Column { align: Align::Right, ..Column::text("№") },
+            Column { align: Align::Right, ..Column::text(lang.word("cli-row-number")) },
             Column::text(say!(lang, "plan-step-head")).least(22),
             Column::text(say!(lang, "plan-scheme")),
             Column::text("T"),
@@ -92,7 +92,7 @@ pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     }
 }
 
-/// Whether a transition reaches that size, and need not say which it reaches.
+/// Whether a transition reaches that size, so that its own diameter need not be printed.
 pub(crate) fn finishes(hole: &Hole, transition: &Transition) -> bool {
     let step = transition.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
     let own = step.map_or(hole.diameter.nominal, |step| step.diameter.nominal);
@@ -180,7 +180,7 @@ fn route_name(way: RouteSource, table: &str, scheme: &str, lang: Lang) -> String
     }
 }
 
-/// What a group asks for, the route taken, and the runner-up with what it would cost.
+/// What a group requires, the route taken, and the runner-up with what it would cost.
 fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
     let route = own.route.as_ref()?;
     let against = match route.runner_up() {
@@ -198,7 +198,7 @@ fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
     Some(Field::new(own.name.as_str(), said))
 }
 
-/// What the drawing asks of a group: grade, roughness, centre tolerance.
+/// What the drawing requires of a group: grade, roughness, centre tolerance.
 fn requirement(hole: &Hole, centre: Micrometres, lang: Lang) -> String {
     match &hole.thread {
         Some(thread) => say!(lang, "plan-required-thread", thread = thread.written.as_str(), centre = centre),

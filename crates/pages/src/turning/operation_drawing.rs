@@ -1,4 +1,5 @@
-//! A turning operation drawn: for each side of a set-up the allowances with the zones, then the taken way over each zone.
+//! A turning operation drawn: for each side of a set-up the allowances with the zones, then the toolpath taken over
+//! each zone.
 
 use super::super::canvas::{Anchor, Canvas, Pen};
 use super::Lang;
@@ -26,7 +27,7 @@ const ALLOWANCES: [(&str, &str); 3] = [
     ("#8fd3b6", "turn-allowance-finish"),
 ];
 
-/// The whole drawing, with the way that is taken over each zone, or with those of all schemes.
+/// The whole drawing, with the toolpath taken over each zone, or with those of all schemes.
 pub fn operation_drawing(operation: &Operation, all: bool, lang: Lang) -> String {
     let mut canvas = Canvas::default();
     let mut top = 0.0;
@@ -122,7 +123,7 @@ fn axis(canvas: &mut Canvas, view: &View, near: Point, far: Point) {
     canvas.line(&[(left.0 - 14.0, left.1), (right.0 + 14.0, right.1)], Pen::dashed("#333", 0.8));
 }
 
-/// The way over a zone, as large as it goes; tells where it ends.
+/// The toolpath over a zone, as large as possible; returns where it ends.
 fn way(
     canvas: &mut Canvas,
     (set_up, side, zone): (&SetUpWork, &SideWork, &ZoneWork),

@@ -1,4 +1,4 @@
-//! What the pages of turning tell alike: reasons with their rows, findings, lengths along the axis.
+//! What all pages of turning share: reasons with their rows, findings, lengths along the axis.
 
 use crate::document::{Column, Finding, Inlines, Severity};
 use crate::knowledge::Knowledge;

@@ -41,7 +41,7 @@ fn levels(page: &mut Document, found: &Schemes, lang: Lang) {
     page.paragraph(say!(lang, "turn-limiting-depth", limit = limiting_depth_mm, depth = depth));
     let mm = say!(lang, "unit-mm");
     let columns = [
-        Column::number("№", ""),
+        Column::number(lang.word("cli-row-number"), ""),
         span("Ø", mm),
         span(say!(lang, "turn-from-diameter"), mm).keep(Keep::Optional),
         span("Z", mm),

@@ -1,5 +1,5 @@
-# Why a program is not held against its plan.
-audit-program-not-run = the program was not compared with the plan: a program with an error in its text is not run; mend it first
+# Why a program is not compared with its plan.
+audit-program-not-run = the program was not compared with the plan: a program with an error in its text is not run; fix it first
 audit-program-no-route = the program was not compared with the plan: the plan states no route (`route`)
 audit-program-row-hole = the program was not compared with the plan: row { $row } names no group of holes (`hole`)
 audit-program-row-tool = the program was not compared with the plan: row { $row } ({ $operation }) names no tool (`tool`); if it is done on another machine, write `elsewhere: true`

@@ -81,7 +81,8 @@ cli-keep-one = keep one of them
 cli-bad-value = key `{ $key }`: `{ $value }` is not valid
 cli-bad-value-because = key `{ $key }`: { $why }
 cli-expected-is = expected: { $expected }
-cli-out-of-domain = key `{ $key }`: { $value } is outside the table's domain { $domain }
+cli-out-of-domain = key `{ $key }`: { $value } is outside the table's domain: { $domain }
+cli-within-domain = give a value within it
 cli-missing-keys = table { $table } also needs { $keys }
 cli-give-keys = add, for example, { $example }
 cli-other-machine = the machine is { $asked }, but the part is for { $own }
@@ -108,12 +109,13 @@ cli-tables-counted = { $count } { $count ->
         [one] table
        *[other] tables
     }
-cli-problems-hidden = and { $count } more: --all-problems shows all
+cli-problems-hidden = and { $count } more: `--all-problems` shows all
 cli-findings-counted = { $count } { $count ->
         [one] finding
        *[other] findings
     }
 # What a column expects.
+cli-expected-unit = a unit, such as `mm/min`
 cli-expected-number = a number
 cli-expected-length = a length
 cli-expected-angle = an angle

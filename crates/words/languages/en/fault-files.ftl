@@ -29,6 +29,7 @@ yaml-broken-document = what stands here belongs to nothing above
 yaml-mend-document = write `key: value` lines, or quote the text
 yaml-broken-sign = a text begins with a sign that means something else in YAML
 yaml-mend-sign = quote the text
+yaml-broken-otherwise = something stands here that cannot stand in this place
 yaml-file-empty = the file is empty
 yaml-aliases-used-these-files = aliases are not used in these files
 yaml-write-value-out-quote-text = write the value out, or quote a text that begins with `*`

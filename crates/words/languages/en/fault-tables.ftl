@@ -131,6 +131,7 @@ lint-catalog-names-no-key = { $file }: catalog { $table } names no `key`
 lint-table-row-has-key-row = table { $table }: row { $row } has the key of row { $first }: { $values }
 lint-has-no-row-own-leaves = { $vocabulary }: `{ $word }` has no row of its own and leaves a gap in { $lacking }
 lint-add-rows-for-declare-gap = add rows for it, or declare the gap under `uncovered` with its reason
+lint-a-unit = a unit, such as `mm/min`
 lint-a-text = a text
 lint-a-word = a word
 lint-a-length = a length

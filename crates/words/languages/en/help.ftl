@@ -15,7 +15,7 @@ help-lookup-query = What is known, by the names of columns: it=7 diameter=12 rou
 help-lookup-all = Every rejected row on its own, however many there are
 help-plan = The whole plan of a part: route, tools, conditions, clamping, corrections, times; with --format hand, as people write one
 help-plan-part = The part file
-help-plan-prefer = Which route is taken: the best one, or the tables' own scheme (A.8 to A.10) wherever it can be carried out
+help-plan-prefer = Which route is taken: the best one, or the tables' own scheme (A.8 to A.10) wherever it is possible
 help-plan-cutting = Cutting conditions by formula or by the worked example's card
 help-explain = Why a hole is machined this way and not another
 help-explain-part = The part file
@@ -40,7 +40,7 @@ help-order-tries = For a list: the number of tries, so that a path comes out aga
 help-order-time = For a list: how long to search: 1s, 500ms; default about half a second of tries
 help-order-machine = For a list with rapids: the machine whose rapids are used, gf2171 by default
 help-turn = The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
-help-turn-shaft = The shaft file
+help-turn-shaft = The file of a shaft, or of another turned part
 help-turn-objective = What to minimise: path, path-and-passes, time or passes
 help-turn-per-pass = With path-and-passes: what each pass adds to the path, mm
 help-turn-show = What to show: passes (of a contour: the operation), operation (zones, tools, the seven schemes), schemes (the same, drawn with the toolpath of each scheme), steps (the optimum pass by pass, --format svg), map (the variants over length to diameter), program (motions) or cycle (the roughing cycle of the control)

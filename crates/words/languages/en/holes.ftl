@@ -23,7 +23,7 @@ point-breaks-through = the point of the drill Ø{ $diameter } reaches { $depth }
 spot-too-deep = the spot Ø{ $diameter } is { $depth } mm deep, and the hole { $limit } mm
 too-heavy = mass { $mass } kg, and the machine takes { $limit } kg at most
 not-planned = { $operation }: not planned here
-rows-rejected = rows by the column { $column }: { $rows }
+rows-rejected = rows by the column “{ $column }”: { $rows }
 # Diameters.
 allowance = { $operation }: allowance { $taken } mm on diameter, range { $low }–{ $high } mm
 ground-to-size = the catalog's Ø{ $nominal } cutter, made to Ø{ $size }
@@ -53,7 +53,7 @@ travel = approach { $approach } mm, overrun { $overrun } mm
 unconfirmed-counted = figures rest on { $count ->
     [one] one row
    *[other] { $count } rows
-} that nothing confirms, of { $tables }: --all-problems lists { $count ->
+} that nothing confirms, of { $tables }: `--all-problems` lists { $count ->
     [one] it
    *[other] them
 }

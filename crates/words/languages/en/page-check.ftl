@@ -2,7 +2,7 @@
 check-title = Check of the program { $program }
 check-made = Made of what the plan requires
 check-not-compared = the program was not compared with the part: a program with an error in its text is not run
-check-mend-first = mend the errors above, then check again
+check-mend-first = fix the errors above, then check again
 check-trace = Motions: line, block, motion, machine position in mm
 trace-rapid = rapid
 trace-feed = feed

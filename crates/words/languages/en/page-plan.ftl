@@ -59,7 +59,7 @@ plan-choice = { $required }. Route { $route }, { $time } min; { $against }
 plan-required = IT{ $it }, { $roughness }, tolerance of centre distances { $centre } mm
 plan-required-thread = { $thread }, tolerance of centre distances { $centre } mm
 plan-no-runner-up = no other route is possible
-plan-runner-up = next { $route } ({ $operations }): { $why }
+plan-runner-up = next: { $route } ({ $operations }): { $why }
 # The tools.
 plan-designation = Designation
 plan-table = Table

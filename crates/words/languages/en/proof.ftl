@@ -1,5 +1,8 @@
 # What is made and what is not.
-not-made = { $hole }: { $operation } (T{ $tool }) is not made at { $count } points: { $points }
+not-made = { $hole }: { $operation } (T{ $tool }) is not made at { $count ->
+        [one] one point
+       *[other] { $count } points
+    }: { $points }
     .help = add these points
 cut-again = extra cut: at { $at } T{ $tool } goes to Z{ $z } again, and that is made already
     .help = remove the repetition

@@ -1,7 +1,9 @@
 # Tools.
 tool-tables = { $operation }: the cutter is looked for in the tables { $order }
 cutter = the first cutter that fits
-centre-drill-for-all = the smallest centring drill for all groups of holes: { $needed }
+centre-drill-for-all = the smallest centring drill for all groups of holes: Ø{ $needed }
+centre-drill-for-all-over = the smallest centring drill for all groups of holes: over Ø{ $needed }
+centre-drill-for-all-least = the smallest centring drill for all groups of holes: at least Ø{ $needed }
 holder = the first holder that takes the shank ({ $shank })
 overhang-cylindrical = overhang: { $free } mm outside the seat + { $extra } mm
 overhang-morse = overhang: { $projection } mm outside the taper

@@ -26,7 +26,7 @@ audit-load-low = { $share } % від { $load }, що дають формули �
 audit-load-high = { $share } % від { $load }, що дають формули довідника за подачі { $feed } мм/об
 # Designations.
 named = рядок каталогу
-audit-designation-misprinted = позначення { $tool } у каталогах немає; мабуть, це { $known } без початку
+audit-designation-misprinted = позначення { $tool } у каталогах немає; можливо, це { $known } без початку
 audit-designation-unknown = позначення { $tool } у каталогах немає; найближче { $known }
 audit-designation-alien = позначення { $tool } у каталогах немає
 audit-dimensions-of = розміри не { $tool }, а { $known }
@@ -50,7 +50,7 @@ audit-scheme-table = { $hole }: схеми немає в таблиці { $state
 audit-route-dominated = { $hole }: маршрут можливий, але { $rank }-й за порядком, довший на { $slower } хв; кращий { $scheme } ({ $table }): { $better }
 audit-route-refused = { $hole }: маршрут «{ $transitions }» не здійсненний; найкращий { $scheme } ({ $table })
 audit-route-unknown = { $hole }: маршруту «{ $transitions }» таблиці не дають; найкращий { $scheme } ({ $table })
-audit-tool-changes = замін інструмента { $changes } ({ $order }), а вистачило б { $needed }: зайві { $time } хв
+audit-tool-changes = замін інструмента – { $changes } ({ $order }), а вистачило б { $needed }: зайві { $time } хв
 # Clamping, lengths, magazine.
 audit-no-screw = гвинта { $screw } у таблиці немає: { $known }
 audit-screw-weak = гвинт { $screw } тримає { $bears } Н, а потрібно { $force } Н

@@ -81,7 +81,8 @@ cli-keep-one = лишіть один
 cli-bad-value = ключ `{ $key }`: `{ $value }` не підходить
 cli-bad-value-because = ключ `{ $key }`: { $why }
 cli-expected-is = очікується: { $expected }
-cli-out-of-domain = ключ `{ $key }`: { $value } поза межами таблиці, { $domain }
+cli-out-of-domain = ключ `{ $key }`: { $value } поза межами таблиці: { $domain }
+cli-within-domain = задайте значення в цих межах
 cli-missing-keys = таблиці { $table } бракує: { $keys }
 cli-give-keys = допишіть, наприклад, { $example }
 cli-other-machine = верстат { $asked }, а деталь – для { $own }
@@ -110,20 +111,21 @@ cli-tables-counted = { $count } { $count ->
         [few] таблиці
        *[many] таблиць
     }
-cli-problems-hidden = і ще { $count }: усі показує --all-problems
+cli-problems-hidden = і ще { $count }: усі показує `--all-problems`
 cli-findings-counted = { $count } { $count ->
         [one] зауваження
         [few] зауваження
        *[many] зауважень
     }
 # What a column expects.
+cli-expected-unit = одиниця, як-от `mm/min`
 cli-expected-number = число
 cli-expected-length = довжина
 cli-expected-angle = кут
 cli-expected-it = квалітет, від 1 до 18
 cli-expected-roughness = шорсткість, наприклад "Ra 2.5"
 cli-expected-in-unit = { $what }, { $unit }
-cli-alien-ending = «{ $command }» не пише файлів { $ending }
+cli-alien-ending = команда «{ $command }» не пише файлів { $ending }
 cli-known-endings = вона пише { $known }; годиться й закінчення програм, як-от .nc, або ніякого
 cli-other-kind = це { $is }, а тут потрібен { $wanted }
 cli-kind-command = для нього є команда «{ $command }»
@@ -134,7 +136,7 @@ cli-kind-help = команди й файли, які вони беруть, пе
 kind-part = файл деталі з отворами
 kind-turned = файл точеної деталі
 kind-plan = файл плану
-kind-cases = файл тестів
+kind-cases = файл випадків
 kind-setting = файл налагодження
 kind-marks = файл схеми оцінювання
 kind-table = файл таблиці бази знань

@@ -29,6 +29,7 @@ yaml-broken-document = те, що тут стоїть, нічому вище н�
 yaml-mend-document = пишіть рядки `ключ: значення` або візьміть текст у лапки
 yaml-broken-sign = текст починається зі знака, який у YAML означає інше
 yaml-mend-sign = візьміть текст у лапки
+yaml-broken-otherwise = тут стоїть те, чого в цьому місці не може бути
 yaml-file-empty = файл порожній
 yaml-aliases-used-these-files = посилань на якорі в цих файлах немає
 yaml-write-value-out-quote-text = випишіть значення; текст, що починається з `*`, візьміть у лапки

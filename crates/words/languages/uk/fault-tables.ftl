@@ -131,6 +131,7 @@ lint-catalog-names-no-key = { $file }: каталог { $table } не назив
 lint-table-row-has-key-row = таблиця { $table }: рядок { $row } має той самий ключ, що й рядок { $first }: { $values }
 lint-has-no-row-own-leaves = { $vocabulary }: `{ $word }` не має власного рядка й лишає прогалину в { $lacking }
 lint-add-rows-for-declare-gap = додайте для нього рядки або оголосіть прогалину в `uncovered` із поясненням
+lint-a-unit = одиницю, як-от `mm/min`
 lint-a-text = текст
 lint-a-word = слово
 lint-a-length = довжину

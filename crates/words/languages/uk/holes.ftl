@@ -23,7 +23,7 @@ point-breaks-through = вершина свердла Ø{ $diameter } сягає 
 spot-too-deep = центрувальне заглиблення Ø{ $diameter } завглибшки { $depth } мм, а отвір – { $limit } мм
 too-heavy = маса { $mass } кг, а верстат приймає щонайбільше { $limit } кг
 not-planned = { $operation }: цей перехід тут не проєктують
-rows-rejected = рядки за графою { $column }: { $rows }
+rows-rejected = рядки за графою «{ $column }»: { $rows }
 # Diameters.
 allowance = { $operation }: припуск { $taken } мм на діаметр, діапазон { $low }–{ $high } мм
 ground-to-size = інструмент Ø{ $nominal } каталогу, виконаний на розмір Ø{ $size }
@@ -55,7 +55,7 @@ unconfirmed-counted = числа спираються на { $count ->
     [few] { $count } непідтверджені рядки таблиць
     [many] { $count } непідтверджених рядків таблиць
    *[other] { $count } непідтвердженого рядка таблиць
-} { $tables }: перелік із причинами дає --all-problems
+} { $tables }: перелік із причинами дає `--all-problems`
 unconfirmed = не підтверджено: { $table }, рядок { $row }: { $why }
 names-look-alike = { $count } { $count ->
         [one] групу

@@ -1,5 +1,9 @@
 # What is made and what is not.
-not-made = { $hole }: { $operation } (T{ $tool }) не виконано в точках ({ $count }): { $points }
+not-made = { $hole }: { $operation } (T{ $tool }) не виконано в { $count ->
+        [one] { $count } точці
+        [few] { $count } точках
+       *[many] { $count } точках
+    }: { $points }
     .help = додайте ці точки
 cut-again = зайве: в { $at } T{ $tool } ще раз іде до Z{ $z }, а це вже зроблено
     .help = приберіть повтор

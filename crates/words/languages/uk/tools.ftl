@@ -1,7 +1,9 @@
 # Tools.
 tool-tables = { $operation }: інструмент шукано в таблицях { $order }
 cutter = перший інструмент, що підходить
-centre-drill-for-all = найменше свердло для зацентрування всіх груп отворів: { $needed }
+centre-drill-for-all = найменше свердло для зацентрування всіх груп отворів: Ø{ $needed }
+centre-drill-for-all-over = найменше свердло для зацентрування всіх груп отворів: більше за Ø{ $needed }
+centre-drill-for-all-least = найменше свердло для зацентрування всіх груп отворів: щонайменше Ø{ $needed }
 holder = перший допоміжний інструмент, що приймає хвостовик ({ $shank })
 overhang-cylindrical = виліт: { $free } мм поза посадкою + { $extra } мм
 overhang-morse = виліт: { $projection } мм поза конусом

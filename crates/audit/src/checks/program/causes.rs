@@ -6,7 +6,7 @@ use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::program::proof::{self, Code, Figure, Name};
+use crate::program::proof::{self, Code, DeviationFigure, Name};
 use crate::program::{Fault, Subject};
 use crate::tables::audit::ProgramCauses;
 
@@ -19,10 +19,10 @@ pub(super) struct Seen {
     who: Who<'static>,
     /// The tool in the spindle, where it is known.
     tool: Option<u32>,
-    figures: BTreeMap<Name, Figure>,
+    figures: BTreeMap<Name, DeviationFigure>,
     /// The function that a fault is about.
     function: Option<String>,
-    /// Whether the control does not carry the program out as it is written.
+    /// Whether the control does not run the program as it is written.
     broken: bool,
 }
 
@@ -66,7 +66,7 @@ enum Alike {
 enum SharedFact<'s> {
     Who(Who<'s>),
     Function(&'s str),
-    Figure(Figure),
+    Figure(DeviationFigure),
 }
 
 impl Seen {
@@ -86,7 +86,7 @@ impl Seen {
     pub fn of_fault(finding: Finding, tool: Option<u32>, fault: &Fault) -> Self {
         let (mut figures, mut function) = (BTreeMap::new(), None);
         match &fault.subject {
-            Some(Subject::Tool(number)) => _ = figures.insert(Name::Tool, Figure::Count(*number)),
+            Some(Subject::Tool(number)) => _ = figures.insert(Name::Tool, DeviationFigure::Count(*number)),
             Some(Subject::Function(name)) => function = Some(name.clone()),
             None => {}
         }
@@ -98,7 +98,7 @@ impl Seen {
     }
 
     fn says(&self, what: Alike) -> Option<SharedFact<'_>> {
-        let count = |number: u32| SharedFact::Figure(Figure::Count(number as usize));
+        let count = |number: u32| SharedFact::Figure(DeviationFigure::Count(number as usize));
         match what {
             Alike::Code => Some(self.function.as_deref().map_or(SharedFact::Who(self.who), SharedFact::Function)),
             Alike::Line => self.finding.line.map(count),

@@ -1,4 +1,4 @@
-//! How grave it is that a program does otherwise than its plan says, and where it stands.
+//! How grave a deviation of a program from its plan is, and its place.
 
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, set
     }
 }
 
-/// A deviation of the program as a finding; what is within what may be rounded is none.
+/// A deviation of the program as a finding; `None` within the tolerance of rounding.
 ///
 /// # Errors
 /// The table `audit-program-tolerance` cannot be read.

@@ -1,7 +1,7 @@
 //! The program of a plan: whether the control takes it, and whether it does what the plan says.
 //!
 //! - `held` makes the stated plan one of ours, row by row;
-//! - `judged` says how grave it is that a program does otherwise, and where;
+//! - `judged` says how grave a deviation of the program is, and where it is;
 //! - `causes` merges findings of several checks that have one cause.
 
 mod causes;

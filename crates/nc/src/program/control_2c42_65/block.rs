@@ -22,7 +22,7 @@ use crate::program::limits::{Spans, speed_off_steps};
 use crate::program::{Call, Fault, Setting, Span, Subject};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
-/// Step 2 on its way: the steps of one block, and the state it leaves.
+/// Step 2 in progress: the steps of one block so far, and the state it leaves.
 pub(super) struct Maker<'a> {
     pub control: &'a Control,
     pub machine: &'a Machine<'a>,
@@ -168,7 +168,7 @@ impl Maker<'_> {
         }
     }
 
-    /// The spindle as it turns from now on, its speed by S and the operator's switch (3.13.1).
+    /// The spindle from now on, its speed by S and the operator's switch (3.13.1).
     pub(super) fn spindle(&mut self, turning: Turning) {
         self.state.turning = turning;
         let speed = self.state.speed as f64 * self.setting.speed_override as f64 / 100.0;

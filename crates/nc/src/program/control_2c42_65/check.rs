@@ -62,7 +62,7 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
     programs
 }
 
-/// Tells where numbers of blocks are left out of a program that else counts in equal steps: a lost block is seen there.
+/// Reports missing block numbers of a program that otherwise counts in equal steps: a block may have been lost there.
 fn gaps(blocks: &[Block], faults: &mut Vec<Fault>) {
     // The number that could not be read is the one that is missing.
     if blocks.iter().any(|block| block.headless) {
@@ -75,7 +75,7 @@ fn gaps(blocks: &[Block], faults: &mut Vec<Fault>) {
         *steps.entry(step_of(pair)).or_default() += 1;
     }
     let Some((&step, &often)) = steps.iter().max_by_key(|(_, often)| **often) else { return };
-    // Nine of ten, and not of a handful: else the numbers follow no rule that could be broken.
+    // Nine in ten, and of more than a handful: otherwise the numbers follow no rule that could be broken.
     if step == 0 || often < 10 || often * 10 < (numbered.len() - 1) * 9 {
         return;
     }
@@ -100,7 +100,7 @@ fn functions(block: &Block) -> impl Iterator<Item = &Word> {
     block.words.iter().filter(|word| word.address == 'M' && !word.in_cycle)
 }
 
-/// Holds every block against the rules on what may stand together.
+/// Checks every block against the rules on what may be combined.
 pub(super) fn blocks(blocks: &[Block], programs: &Programs, control: &Control, faults: &mut Vec<Fault>) {
     // A number of a program that could not be read may be the one that is called.
     let headless = blocks.iter().any(|block| block.headless);

@@ -10,7 +10,7 @@
 //!    straight to the second from a radius before it: so it stays a radius away from the corner.
 //! 3. After the last element the tool stands square to its end; G40 lets the next straight motion leave from there.
 //!
-//! So every element waits for the next one of its plane. What stands between them (a motion across the plane, a dwell, a
+//! So every element waits for the next one in its plane. What comes between them (a motion across the plane, a dwell, a
 //! function) waits with it and happens at S.
 
 use crate::motion::geometry::{Point, distance, in_plane, sweep};
@@ -58,7 +58,7 @@ impl Compensator {
         self.offset != 0.0
     }
 
-    /// Begins, changes or ends the correction; gives out what has waited.
+    /// Begins, changes or ends the correction; emits the steps that have waited.
     ///
     /// # Errors
     /// The path that has waited cannot be corrected.
@@ -73,7 +73,7 @@ impl Compensator {
         Ok(())
     }
 
-    /// Gives out what has waited; its last element ends square to itself.
+    /// Emits the steps that have waited; the last element ends square to itself.
     ///
     /// # Errors
     /// It cannot be corrected.
@@ -86,7 +86,7 @@ impl Compensator {
         Ok(())
     }
 
-    /// Takes a step of the programmed path that began there; gives out what is known by now.
+    /// Takes a step of the programmed path that began there; emits what is known by now.
     ///
     /// # Errors
     /// The path cannot be corrected.
@@ -239,8 +239,8 @@ impl Element {
     }
 }
 
-/// The way of the centre from one element to the next: the point where their parallel curves meet, or several points that
-/// straight ways join; nothing when the tool does not fit between them.
+/// The path of the centre from one element to the next: the point where their parallel curves meet, or several points
+/// joined by straight lines; `None` if the tool does not fit between them.
 fn meeting(first: &Element, second: &Element, end: Point, start: Point, offset: f64) -> Option<Vec<Point>> {
     if distance(end, start) < 0.002 {
         return Some(vec![end]);

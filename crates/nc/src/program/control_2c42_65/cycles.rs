@@ -91,7 +91,7 @@ impl Maker<'_> {
         }
     }
 
-    /// Whether the block leads away from the part: in the machine's own system, or to where tools are changed. A cycle
+    /// Whether the block moves away from the part: in the machine's own system, or to where tools are changed. A cycle
     /// that runs there has been forgotten.
     fn on_the_way_to_the_change(&self) -> bool {
         let (x, y) = self.machine.tool_change_at;

@@ -33,7 +33,7 @@ impl Maker<'_> {
                 self.fault("helix-without-arc", function.span);
                 return;
             }
-            // How far the signal lets it go nobody knows: the motion is carried out whole.
+            // Where the signal would stop it is not known: the whole motion is made.
             Some(function) if function.code == 32 => {
                 self.fault("until-signal", function.span);
             }
@@ -92,7 +92,7 @@ impl Maker<'_> {
         homed
     }
 
-    /// Where the words lead: positions in the system in force (G90), or distances (G91).
+    /// The target of the words: positions in the system in force (G90), or distances (G91).
     fn target(&self, words: &BlockWords) -> Target {
         let mut target = Target { base: self.state.base, floating: self.state.floating };
         for axis in Axis::ALL {
@@ -173,7 +173,8 @@ impl Maker<'_> {
             self.fault("arc-without-radius", span);
             return None;
         }
-        // Start, end and centre are each rounded to the machine's step; two of them is what honest rounding can differ.
+        // Start, end and centre are each rounded to the machine's step; together they may differ by two steps without
+        // being wrong.
         if (radius - other).abs() > 2.0 * self.machine.resolution.to_mm() {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
             self.tell("arc-radius", span, &[("start", shown(radius).told()), ("end", shown(other).told())]);

@@ -1,8 +1,8 @@
 //! Every rule a program is checked against: its stable code, how grave a breach is, and the section that says so.
 //!
-//! A section is one of the control's description (textbook section 3 and 4); `*` behind it marks a reading of ours where
-//! the text is thin, told in docs/control-2c42-65.md. The words stand in `sentences/programs.rs` of the crate `pages`; tests hold the
-//! three together.
+//! A section is one of the control's description (textbook sections 3 and 4); `*` after it marks our own reading where
+//! the text says little, explained in docs/control-2c42-65.md. The messages are in the catalogue of the crate `words`;
+//! tests keep the three consistent.
 
 use crate::note::Severity;
 use crate::program::{Fault, Rule, Span};

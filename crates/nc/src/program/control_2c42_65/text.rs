@@ -56,7 +56,7 @@ pub(super) struct Block {
 /// Every block of the text, and what could not be read.
 pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) {
     if text.len() > control.memory_bytes {
-        // What does not fit is not read: thousands of mistakes of a file that is no program help nobody.
+        // The rest is not read: thousands of faults of a file that is no program are of no use.
         let whole = Span { line: 1, column: 1, width: 1 };
         let memory = control.memory_bytes;
         return (Vec::new(), vec![fault("memory-full", whole, None).with("bytes", text.len()).with("memory", memory)]);
@@ -85,7 +85,7 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) 
     (blocks, faults)
 }
 
-/// A line on its way; places in it are counted in bytes, and told in characters.
+/// A line being read; places are counted in bytes and reported in characters.
 struct SourceLine<'a> {
     control: &'a Control,
     faults: &'a mut Vec<Fault>,
@@ -169,7 +169,7 @@ impl SourceLine<'_> {
         Some(block)
     }
 
-    /// Puts a word where it belongs: the numbers of block and program aside, the rest in its order.
+    /// Stores a word: the numbers of block and program separately, the rest in order.
     fn place(&mut self, word: Word, block: &mut Block) {
         match word.address {
             'N' if !word.in_cycle => {
@@ -189,7 +189,7 @@ impl SourceLine<'_> {
         }
     }
 
-    /// Tells a number of the block or the program that is not the first one there.
+    /// Reports a second number of the block or the program.
     fn once(&mut self, word: Word, again: bool) {
         if again {
             self.faults.push(fault("word-twice", word.span, None).with("address", word.address));

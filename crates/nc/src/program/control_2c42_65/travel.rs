@@ -29,7 +29,7 @@ impl Maker<'_> {
         self.emit(begin, flushed, self.span);
     }
 
-    /// Holds what the radius correction has given out, from a place in the steps, against the travels.
+    /// Checks what the radius correction has emitted, from a place in the steps on, against the travels.
     pub(super) fn emit(&mut self, begin: usize, given: Result<(), Trouble>, span: Span) {
         if let Err((code, at)) = given {
             self.fault(code, at);

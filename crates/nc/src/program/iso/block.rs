@@ -31,7 +31,7 @@ pub(super) struct Maker<'a> {
     pub spans: &'a mut Spans,
     /// Steps that may be made.
     pub budget: usize,
-    /// Letters whose words something has asked for: the others would be silently ignored, and are told.
+    /// Letters whose words were used. The others would be ignored silently, so they are reported.
     pub used: [bool; 26],
 }
 
@@ -131,7 +131,7 @@ impl Maker<'_> {
         matches!(action, Some(Action::SpindleClockwise | Action::SpindleCounterclockwise))
     }
 
-    /// The spindle as it turns from now on, its speed by S and the operator's switch.
+    /// The spindle from now on, its speed by S and the operator's switch.
     pub(super) fn spindle(&mut self, turning: Turning) {
         self.state.turning = turning;
         let speed = self.state.speed * self.setting.speed_override as f64 / 100.0;

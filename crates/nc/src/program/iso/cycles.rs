@@ -12,8 +12,8 @@
 //!
 //! With G91 R counts from the initial level and Z from R, and every repeat steps X and Y on.
 //!
-//! LinuxCNC looks after the way to the hole: where the initial level is below R it first goes up to R, and from R or below
-//! it crosses at the level where this hole will end. Fanuc crosses at the level where it is.
+//! LinuxCNC chooses the path to the hole: from an initial level below R it first goes up to R, and from R or below it
+//! crosses at the level where this hole will end. Fanuc crosses at the level where it is.
 
 use super::block::Maker;
 use super::control::{Bottom, Cycle, Group, Inwards, IsoControl, Outwards};
@@ -183,7 +183,7 @@ impl Maker<'_> {
             self.go(Motion::Rapid, over, floating, target.span.unwrap_or(span));
             self.climb(Motion::Rapid, levels.r, span);
             self.hole(cycle, levels, &feed, span);
-            // A broken block makes nothing, and a budget ends what would never end.
+            // A block with an error makes nothing, and the budget ends endless repeats.
             if self.broken() || self.steps.len() > self.budget {
                 break;
             }

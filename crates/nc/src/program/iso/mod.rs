@@ -1,5 +1,5 @@
 //! The controls that read ISO 6983 (G and M words) in the dialects of LinuxCNC and Fanuc: their programs read and run.
-//! docs/control-linuxcnc.md and docs/control-fanuc.md tell what of the two languages is carried out.
+//! docs/control-linuxcnc.md and docs/control-fanuc.md say what of the two languages is run.
 //!
 //! - `control` the language as data, from the tables iso-… and control-… of catalogs/controls;
 //! - `text` words and blocks with their places; `programs` subprograms and calls; `words` the words of a block by their
@@ -8,8 +8,8 @@
 //! - `run` the way through the blocks; `rules` every rule;
 //! - `writer` a job as a program.
 //!
-//! Where the dialects differ in figures or words the tables say so. Where they differ in what a word does, [`IsoControl`]
-//! decides, and there are few such places: the levels of a cycle, the way to write a call, the time of G4.
+//! Where the dialects differ in figures or words, the tables say so. Where they differ in what a word does,
+//! [`IsoControl`] decides: the levels of a cycle, the form of a call, the time of G4.
 
 mod arc;
 mod block;

@@ -76,8 +76,8 @@ impl Maker<'_> {
         self.go(motion, target.at, target.floating, span);
     }
 
-    /// Where the words lead: positions in the system in force (G90), or distances (G91). On the machine (G53) they are
-    /// positions from its zero, and no length correction is added.
+    /// The target of the words: positions in the system in force (G90), or distances (G91). On the machine (G53) they
+    /// are positions from its zero, and no length correction is added.
     pub(super) fn target(&mut self, words: &BlockWords, on_machine: bool) -> Target {
         let mut target = Target { at: self.state.at, floating: self.state.floating, span: None };
         for axis in Axis::ALL {

@@ -16,7 +16,7 @@ pub(super) struct Programs {
     pub named: BTreeMap<String, Range<usize>>,
     /// The blocks of the one that runs.
     pub main: Range<usize>,
-    /// Of every `o… sub` the block behind its `o… endsub`: the main program passes by.
+    /// For every `o… sub` the block after its `o… endsub`, where the main program goes on.
     pub passed: BTreeMap<usize, usize>,
 }
 

@@ -1,6 +1,6 @@
 //! Every rule a program is checked against: its stable code, how grave a breach is, and the section of
-//! docs/control-linuxcnc.md and docs/control-fanuc.md that tells it. The words stand in `sentences` of the crate
-//! `pages`.
+//! docs/control-linuxcnc.md and docs/control-fanuc.md that explains it. The messages are in the catalogue of the crate
+//! `words`.
 
 use crate::note::Severity;
 use crate::program::{Fault, Rule, Span};

@@ -6,7 +6,7 @@ use super::cuts::{Cut, TOLERANCE, near};
 use super::matching::{Matched, Places};
 use super::tools::Tools;
 use super::walk::{TipMotion, TipMove};
-use super::{Code, Figure, Finding, Name, ObservedCuts, ProofInput, Task, milled};
+use super::{Code, DeviationFigure, Finding, Name, ObservedCuts, ProofInput, Task, milled};
 use crate::job::{Cycle, CycleKind};
 use crate::motion::Turning;
 use crate::note::Severity;
@@ -85,8 +85,8 @@ impl Say<'_, '_> {
         &self,
         code: Code,
         severity: Severity,
-        made: impl Into<Figure>,
-        needed: impl Into<Figure>,
+        made: impl Into<DeviationFigure>,
+        needed: impl Into<DeviationFigure>,
     ) -> Finding {
         self.now(code, severity).with(Name::Made, made).with(Name::Needed, needed)
     }
@@ -173,14 +173,14 @@ fn missing(matched: &Matched, tasks: &[Task<'_>], findings: &mut Vec<Finding>) {
     }
     for tasks in without.values() {
         let Some(task) = tasks.first() else { continue };
-        let points: Vec<String> = tasks.iter().map(|task| format!("[{};{}]", task.stop.at.x, task.stop.at.y)).collect();
+        let points: Vec<[Micrometres; 2]> = tasks.iter().map(|task| [task.stop.at.x, task.stop.at.y]).collect();
         findings.push(
             Finding::new(Code::NotMade, Severity::Error, None)
                 .with(Name::Hole, &task.stop.hole)
                 .with(Name::Operation, task.cycle.operation)
                 .with(Name::Tool, task.tool.tool)
                 .with(Name::Count, points.len())
-                .with(Name::Points, points.join(", ")),
+                .with(Name::Points, points),
         );
     }
 }

@@ -155,11 +155,13 @@ named! {
 
 /// A figure of a deviation.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Figure {
+pub enum DeviationFigure {
     /// A length or a coordinate.
     Length(Micrometres),
     /// A point of the drawing.
     Point([Micrometres; 2]),
+    /// Points of the drawing.
+    Points(Vec<[Micrometres; 2]>),
     /// A number with its own unit: a feed, a speed, a time.
     Number(f64),
     /// How many, or which by its number.
@@ -170,11 +172,12 @@ pub enum Figure {
     Text(String),
 }
 
-impl Told for Figure {
+impl Told for DeviationFigure {
     fn told(self) -> note::Figure {
         match self {
             Self::Length(length) => length.told(),
             Self::Point(at) => shown(at).told(),
+            Self::Points(points) => note::Figure::list(points.into_iter().map(in_brackets)),
             Self::Number(number) => number.told(),
             Self::Count(count) => count.told(),
             Self::Operation(operation) => note::Figure::operation(operation.name()),
@@ -183,9 +186,14 @@ impl Told for Figure {
     }
 }
 
+/// A point as drawings have it: `[-175; 50]`.
+fn in_brackets([x, y]: [Micrometres; 2]) -> note::Figure {
+    note::Figure::List(vec!["[".told(), x.told(), "; ".told(), y.told(), "]".told()], "")
+}
+
 macro_rules! figures {
     ($($from:ty, $value:ident => $figure:expr;)*) => {
-        $(impl From<$from> for Figure {
+        $(impl From<$from> for DeviationFigure {
             fn from($value: $from) -> Self {
                 $figure
             }
@@ -196,6 +204,7 @@ macro_rules! figures {
 figures! {
     Micrometres, length => Self::Length(length);
     [Micrometres; 2], at => Self::Point(at);
+    Vec<[Micrometres; 2]>, points => Self::Points(points);
     f64, number => Self::Number(number);
     usize, count => Self::Count(count);
     u32, number => Self::Count(number as usize);
@@ -217,7 +226,7 @@ pub struct Finding {
     pub block: Option<BlockRef>,
     /// Its figures; the note has them too.
     #[serde(skip)]
-    pub figures: BTreeMap<Name, Figure>,
+    pub figures: BTreeMap<Name, DeviationFigure>,
     /// What it says.
     #[serde(flatten)]
     pub note: Note,
@@ -231,7 +240,7 @@ impl Finding {
     }
 
     /// With one more figure.
-    pub(super) fn with(mut self, name: Name, figure: impl Into<Figure>) -> Self {
+    pub(super) fn with(mut self, name: Name, figure: impl Into<DeviationFigure>) -> Self {
         let figure = figure.into();
         self.note = self.note.with(name.name(), &figure);
         self.figures.insert(name, figure);
@@ -241,7 +250,7 @@ impl Finding {
     /// The group of holes it is about.
     pub fn hole(&self) -> Option<&str> {
         match self.figures.get(&Name::Hole)? {
-            Figure::Text(hole) => Some(hole),
+            DeviationFigure::Text(hole) => Some(hole),
             _ => None,
         }
     }
@@ -249,7 +258,7 @@ impl Finding {
     /// The transition it is about.
     pub fn operation(&self) -> Option<Operation> {
         match self.figures.get(&Name::Operation)? {
-            Figure::Operation(operation) => Some(*operation),
+            DeviationFigure::Operation(operation) => Some(*operation),
             _ => None,
         }
     }
@@ -262,7 +271,7 @@ impl Finding {
     /// A figure that is a count or a number of something.
     pub fn count(&self, name: Name) -> Option<u32> {
         match self.figures.get(&name)? {
-            Figure::Count(count) => u32::try_from(*count).ok(),
+            DeviationFigure::Count(count) => u32::try_from(*count).ok(),
             _ => None,
         }
     }
@@ -270,7 +279,7 @@ impl Finding {
     /// A figure that is a rate or a time.
     pub fn number(&self, name: Name) -> Option<f64> {
         match self.figures.get(&name)? {
-            Figure::Number(number) => Some(*number),
+            DeviationFigure::Number(number) => Some(*number),
             _ => None,
         }
     }

@@ -46,7 +46,7 @@ use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 
 use cuts::{Cut, TOLERANCE};
-pub use finding::{Code, Figure, Finding, Name};
+pub use finding::{Code, DeviationFigure, Finding, Name};
 pub use planned_job::PlannedJob;
 use walk::{Frame, TipHistory};
 

@@ -1,4 +1,4 @@
-//! What is drawn together to one cut, cycle by cycle. The motions are those that an interpreter makes of the cycle.
+//! Which motions are merged into one cut, cycle by cycle. They are the motions that an interpreter makes of the cycle.
 
 use super::cuts::{Cut, cuts};
 use super::walk::{Frame, walk};
