@@ -302,6 +302,21 @@ fn point_of_mapping(node: &Node) -> String {
     }
 }
 
+/// The value that a word stands for.
+pub(super) fn choice<T: Copy>(node: &Node, choices: &[(&str, T)], problems: &mut Problems) -> Option<T> {
+    let text = problems.text(node)?;
+    if let Some((_, value)) = choices.iter().find(|(name, _)| *name == text) {
+        return Some(*value);
+    }
+    let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+    let message = note!("part-known-here", text = text);
+    let help = match nearest(text, names.iter().copied()) {
+        Some(near) => note!("cli-did-you-mean", name = near),
+        None => note!("part-may", names = names.join(", ")),
+    };
+    problems.error_help("bad-value", message, &node.place, help)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -482,19 +497,4 @@ holes:
             assert_eq!((problems[0].code, &problems[0].help), ("unknown-key", &Some(meant)), "{typed}");
         }
     }
-}
-
-/// The value that a word stands for.
-pub(super) fn choice<T: Copy>(node: &Node, choices: &[(&str, T)], problems: &mut Problems) -> Option<T> {
-    let text = problems.text(node)?;
-    if let Some((_, value)) = choices.iter().find(|(name, _)| *name == text) {
-        return Some(*value);
-    }
-    let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-    let message = note!("part-known-here", text = text);
-    let help = match nearest(text, names.iter().copied()) {
-        Some(near) => note!("cli-did-you-mean", name = near),
-        None => note!("part-may", names = names.join(", ")),
-    };
-    problems.error_help("bad-value", message, &node.place, help)
 }

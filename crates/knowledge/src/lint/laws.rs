@@ -31,7 +31,8 @@ pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Dia
     for law in &table.laws {
         let broken = match law.name.as_str() {
             "rising" => rising(table, law),
-            "less" => less(table, law),
+            "less" => less(table, law, false),
+            "at-most" => less(table, law, true),
             "between" => between(table, law),
             "morse" => morse(table, law, knowledge),
             "count" => count(table, law),
@@ -130,12 +131,13 @@ fn rising(table: &Table, law: &Law) -> Broken {
     Ok(found)
 }
 
-fn less(table: &Table, law: &Law) -> Broken {
+/// One column is less than another, or at most as large.
+fn less(table: &Table, law: &Law, or_equal: bool) -> Broken {
     let (small, large) = (column(table, law, "column")?, column(table, law, "than")?);
     Ok((0..table.rows.len())
         .filter_map(|row| {
             let (a, b) = (rank(table, row, small)?, rank(table, row, large)?);
-            (a >= b).then(|| {
+            (a > b || a == b && !or_equal).then(|| {
                 let (small_column, large_column) = (&table.columns[small], &table.columns[large]);
                 let message = note!(
                     "lint-below",

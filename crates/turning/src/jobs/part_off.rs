@@ -128,6 +128,7 @@ fn blade<'k>(
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests {
     use super::*;
     use crate::material::Material;
@@ -142,8 +143,14 @@ mod tests {
         let workpiece = read_workpiece("part", text, &knowledge).unwrap();
         let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
         let material = Material::find(&knowledge, &workpiece.material).unwrap();
-        let bench =
-            Bench { workpiece: &workpiece, lathe: Some(&lathe), material, elsewhere: &[], held: None, knowledge: &knowledge };
+        let bench = Bench {
+            workpiece: &workpiece,
+            lathe: Some(&lathe),
+            material,
+            elsewhere: &[],
+            held: None,
+            knowledge: &knowledge,
+        };
         let parting = Parting {
             bar: Micrometres::from_mm(bar),
             bore: Micrometres::from_mm(bore),

@@ -29,5 +29,6 @@ pub fn by_passes(shaft: &Shaft, variant: &Variant, knowledge: &Knowledge) -> Res
     let place = set_up.jobs.iter().position(|job| is_rough(job.work)).unwrap_or_default();
     set_up.jobs.retain(|job| !is_rough(job.work));
     set_up.jobs.insert(place, job);
+    operation.prove_again();
     Ok(operation)
 }

@@ -23,8 +23,8 @@ use super::depth::{self, Task};
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
 use super::{SideWork, clip, features};
-use technolog_core::part::tolerance_width;
 use crate::turning::cutting::{Direction, TurningConditions};
+use technolog_core::part::tolerance_width;
 
 /// The jobs of a set-up.
 ///

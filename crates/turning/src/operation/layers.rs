@@ -280,8 +280,7 @@ fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usi
         let middle = Half::new((piece.from.z.halves() + piece.to.z.halves()) / 2);
         least <= middle && middle <= most && lies_on(other)
     };
-    let near: Vec<usize> =
-        along.touching(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z)).into_iter().collect();
+    let near: Vec<usize> = along.touching(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z)).collect();
     let of = |test: &dyn Fn(&Piece) -> bool| {
         let has = |index: &usize| profile.surfaces.get(*index).is_some_and(|one| one.pieces.iter().any(test));
         near.iter().copied().find(has)

@@ -18,8 +18,8 @@ pub mod depth;
 mod doubts;
 pub mod drill;
 mod features;
-mod jobs;
 pub mod held;
+mod jobs;
 pub mod layers;
 mod level;
 mod pocket;
@@ -58,6 +58,9 @@ pub struct Operation {
     pub elsewhere: Vec<Elsewhere>,
     /// The set-ups.
     pub set_ups: Vec<SetUpWork>,
+    /// What its jobs do to the stock.
+    #[serde(skip)]
+    pub proven: Vec<proof::Proven>,
     /// Findings for the reader.
     pub findings: Vec<Finding>,
 }
@@ -88,6 +91,15 @@ pub struct SideWork {
 }
 
 impl Operation {
+    /// Proves the jobs as they are now, when some of them are others than were planned.
+    pub(super) fn prove_again(&mut self) {
+        let before = proof::findings(self);
+        self.findings.retain(|finding| !before.contains(finding));
+        self.proven = proof::prove(self);
+        let findings = proof::findings(self);
+        self.findings.extend(findings);
+    }
+
     /// Whether something was found wrong.
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
@@ -151,11 +163,17 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
         let jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
         done.push(SetUpWork { set_up, sides, jobs });
     }
-    let mut operation =
-        Operation { workpiece: workpiece.clone(), blank_advice, elsewhere, set_ups: done, findings: Vec::new() };
+    let mut operation = Operation {
+        workpiece: workpiece.clone(),
+        blank_advice,
+        elsewhere,
+        set_ups: done,
+        proven: Vec::new(),
+        findings: Vec::new(),
+    };
     findings.extend(unfinished::unfinished(&operation));
-    let proven = proof::findings(&operation, &proof::prove(&operation), &findings);
-    findings.extend(proven);
+    operation.proven = proof::prove(&operation);
+    findings.extend(proof::findings(&operation));
     findings.extend(doubts::doubts(&operation));
     operation.findings = merged(findings);
     Ok(operation)

@@ -92,7 +92,7 @@ pub fn programs(
         let files = if between_centres && set_up.jobs.iter().any(hits_centre) {
             Err(NotWritten::ThroughCentre)
         } else if let Some(why) = proof::rejects(operation, number) {
-            Err(NotWritten::Unsafe { why: why.clone() })
+            Err(NotWritten::Unsafe { why })
         } else {
             sections(set_up, &stations, form, spindle)
                 .and_then(|sections| program::whole(&control, &operation.workpiece.name, number, &sections))

@@ -4,7 +4,7 @@
 use technolog_turning_proof as proof;
 
 use crate::note::{Figure, Finding, Note, Severity, Told};
-use crate::turning::contour::{Contour, Curve, Piece, Profile, Surface, SurfaceKind, SurfaceName, Turn};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Surface, SurfaceKind, Turn};
 use crate::turning::jobs::{Body, JobTool};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -14,6 +14,7 @@ use crate::turning::workpiece::Workpiece;
 use crate::units::{Degrees, Micrometres};
 use proof::{At, Block, Cutter, Fault, Holder, Kind, Mm, Motion, Sense, SetUp, Stock, Way};
 
+use super::unfinished::undone;
 use super::{Operation, SetUpWork};
 
 /// What the proof says of every set-up, in the order of work.
@@ -64,25 +65,21 @@ pub fn prove_with(operation: &Operation, motions: impl Fn(&SetUpWork) -> Vec<Mot
 
 /// The findings of a proof. What a nose leaves in a corner is a note, everything else is wrong. What stands, and what of a
 /// thread is not cut, is told of the set-up that turns the surface, unless a finding says already that nothing finishes it.
-pub fn findings(operation: &Operation, proven: &[Proven], said: &[Finding]) -> Vec<Finding> {
+pub(super) fn findings(operation: &Operation) -> Vec<Finding> {
     let mut findings = Vec::new();
-    for (one, set_up) in proven.iter().zip(&operation.set_ups) {
+    for (one, set_up) in operation.proven.iter().zip(&operation.set_ups) {
+        let undone: Vec<_> = set_up.sides.iter().flat_map(|side| undone(set_up, side)).collect();
         let stretches = [&set_up.set_up.outer, &set_up.set_up.inner].into_iter().flatten();
-        let named = |name: &SurfaceName| {
-            let name = name.to_string();
-            said.iter().any(|finding| finding.note.figure_text("surface").as_ref() == Some(&name))
-        };
         let own: Vec<Figure> = stretches
             .flat_map(|stretch| &stretch.profile.surfaces)
-            .filter(|surface| !named(&surface.name))
+            .filter(|surface| undone.iter().all(|(name, _)| **name != surface.name))
             .map(|surface| (&surface.name).told())
             .collect();
         let told = |fault: &&Fault| match fault {
-            Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
             Fault::Stands { surface, .. } | Fault::Corner { surface, .. } | Fault::ThreadShallow { surface, .. } => {
                 surface.as_ref().is_none_or(|surface| own.contains(surface))
             }
-            _ => true,
+            unsafe_fault => is_unsafe(operation, unsafe_fault),
         };
         match &one.proof {
             Ok(proof) => findings.extend(proof.faults.iter().filter(told).map(|fault| {
@@ -98,21 +95,22 @@ pub fn findings(operation: &Operation, proven: &[Proven], said: &[Finding]) -> V
     findings
 }
 
-/// The first finding of the proof for which no program of a set-up is written: it would spoil the part, or hit it, a
-/// holder or what stands beside it.
-pub fn rejects(operation: &Operation, set_up: u8) -> Option<&Note> {
-    const UNSAFE: [&str; 7] = [
-        "swept-gouge",
-        "swept-rapid",
-        "swept-holder",
-        "swept-holder-rapid",
-        "swept-struck",
-        "swept-off-axis",
-        "turning-not-proven",
-    ];
-    let of_it = |note: &&Note| note.figure_text("number").is_some_and(|number| number == set_up.to_string());
-    let mut notes = operation.findings.iter().map(|finding| &finding.note);
-    notes.find(|note| UNSAFE.contains(&note.code()) && of_it(note))
+/// Whether a fault would spoil the part, or hit it, a holder or what stands beside it.
+fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
+    match fault {
+        Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } => false,
+        Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
+        Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::Struck { .. } | Fault::OffAxis { .. } => true,
+    }
+}
+
+/// Why no program of a set-up is written: the first fault of the proof that makes it unsafe, or why there is no proof.
+pub fn rejects(operation: &Operation, set_up: u8) -> Option<Note> {
+    let proven = operation.proven.iter().find(|one| one.set_up == set_up)?;
+    match &proven.proof {
+        Ok(proof) => proof.faults.iter().find(|fault| is_unsafe(operation, fault)).map(Fault::note),
+        Err(refused) => Some(refused.note()),
+    }
 }
 
 /// Whether what is cut is only the allowance beside the mouth of a groove or a thread: its wall goes on through the

@@ -2,8 +2,7 @@
 //! plan that is not whole must not pass for one that is.
 
 use crate::note::{Finding, Note, Severity};
-use crate::turning::contour::{Side, Surface, SurfaceKind};
-use crate::turning::elements::Element;
+use crate::turning::contour::{Side, Surface, SurfaceKind, SurfaceName};
 use crate::turning::jobs::Work as JobWork;
 use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
@@ -32,10 +31,16 @@ pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
 
 /// Surfaces that no job finishes, and threads and grooves that nothing cuts.
 fn left_undone(set_up: &SetUpWork, side: &SideWork) -> Vec<Finding> {
+    let undone = undone(set_up, side).into_iter();
+    undone.map(|(name, code)| Finding::of_part(Severity::Wrong, Note::new(code).with("surface", name))).collect()
+}
+
+/// The names of these surfaces, each with the code of its finding.
+pub(super) fn undone<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> Vec<(&'a SurfaceName, &'static str)> {
     let finished = |surface: &Surface| {
         set_up.jobs.iter().any(|job| job.work != JobWork::Rough && job.surfaces.contains(&surface.name))
     };
-    let undone = surfaces(set_up, side).filter_map(|(surface, _, allowance)| {
+    let undone = surfaces(set_up, side).filter_map(|(surface, allowance)| {
         let code = match surface.kind {
             _ if finished(surface) => return None,
             SurfaceKind::Thread => "thread-not-cut",
@@ -44,20 +49,20 @@ fn left_undone(set_up: &SetUpWork, side: &SideWork) -> Vec<Finding> {
             _ if allowance == Some(Half::ZERO) => return None,
             _ => "surface-not-finished",
         };
-        Some(Finding::of_part(Severity::Wrong, Note::new(code).with("surface", &surface.name)))
+        Some((&surface.name, code))
     });
     undone.collect()
 }
 
-/// The surfaces of a side: whether each is a main element, and its finishing allowance.
-fn surfaces<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> impl Iterator<Item = (&'a Surface, bool, Option<Half>)> {
+/// The surfaces of a side, each with its finishing allowance.
+fn surfaces<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> impl Iterator<Item = (&'a Surface, Option<Half>)> {
     let stretch = match side.side {
         Side::Outer => set_up.set_up.outer.as_ref(),
         Side::Inner => set_up.set_up.inner.as_ref(),
     };
-    let known = stretch.into_iter().flat_map(|stretch| stretch.profile.surfaces.iter().zip(&stretch.classes));
+    let known = stretch.into_iter().flat_map(|stretch| &stretch.profile.surfaces);
     let allowances = side.layers.allowances.iter().map(|one| one.allowance_mm).chain(std::iter::repeat(None));
-    known.zip(allowances).map(|((surface, class), allowance)| (surface, class.element == Element::Main, allowance))
+    known.zip(allowances)
 }
 
 /// Whether the tool of a zone goes to the axis, where the tailstock centre stands.

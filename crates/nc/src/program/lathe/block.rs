@@ -145,7 +145,8 @@ impl Maker<'_> {
             || words.doing(Does::ThreadCycle).is_some();
         let dwell = words.doing(Does::Dwell).is_some();
         // The lead of a thread is no feed, and Sinumerik counts the time of G4 with F.
-        if !(thread && self.is(LatheReader::Fanuc))
+        let is_lead = thread && self.is(LatheReader::Fanuc);
+        if !is_lead
             && !dwell
             && let Some(feed) = words.take("F")
         {
@@ -178,7 +179,7 @@ impl Maker<'_> {
             let number = given.value as u32;
             if self.is(LatheReader::Fanuc) {
                 // T0101: two digits of the tool, two of its offset.
-                let offset = (number % 100 != 0).then_some(number % 100);
+                let offset = (!number.is_multiple_of(100)).then_some(number % 100);
                 self.state.tool = Some(LatheTool { number: number / 100, offset });
                 self.put_here(LatheAct::ToolChange);
             } else {

@@ -1,5 +1,7 @@
 //! Holes on the axis. Figures are of the tables that the sentences beside them name.
 
+#![allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
+
 use super::*;
 use crate::material::Material;
 use crate::shipped;
@@ -15,7 +17,14 @@ fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
     let workpiece = read_workpiece("part", &text, &knowledge).unwrap();
     let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
     let material = Material::find(&knowledge, &workpiece.material).unwrap();
-    let bench = Bench { workpiece: &workpiece, lathe: Some(&lathe), material, elsewhere: &[], held: None, knowledge: &knowledge };
+    let bench = Bench {
+        workpiece: &workpiece,
+        lathe: Some(&lathe),
+        material,
+        elsewhere: &[],
+        held: None,
+        knowledge: &knowledge,
+    };
     of(&bench)
 }
 

@@ -289,7 +289,8 @@ fn way(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site
 /// What ISO 965-1 makes of the crests of an outer thread of tolerance 6g: it is turned so much smaller than its nominal
 /// diameter, by the fundamental deviation es = −(15 + 11 P) µm and the tolerance Td = 180·P^(2/3) − 3.15/√P µm.
 fn crests(side: Side, thread: &Thread, surface: &crate::turning::contour::SurfaceName) -> Option<Note> {
-    if side == Side::Inner || !(thread.written.ends_with("6g") || !thread.written.contains('-')) {
+    let is_6g = thread.written.ends_with("6g") || !thread.written.contains('-');
+    if side == Side::Inner || !is_6g {
         return None;
     }
     let pitch = thread.pitch.to_mm();

@@ -1,5 +1,7 @@
 //! Threads of real parts. Figures are those of ISO 724 and of makers' tables of passes.
 
+#![allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
+
 use super::*;
 use crate::material::Material;
 use crate::shipped;
