@@ -244,7 +244,17 @@ mod tests {
         let text = "a line of a file that is long, and no screen's matter";
         let place = Place { file: "a.yaml".into(), line: 1, column: 3, width: 4 };
         let problem = Diagnostic::error("x", "one two three four five", Some(place)).help("six seven eight");
-        insta::assert_snapshot!(render_within(20, &[problem], &texts(text), Lang::EN), @"");
+        insta::assert_snapshot!(render_within(20, &[problem], &texts(text), Lang::EN), @r"
+        error[x]: one two
+          three four five
+         --> тека/a.yaml:1:3
+          |
+        1 | a line of a file that is long, and no screen's matter
+          |   ^^^^
+          |
+          = help: six seven
+            eight
+        ");
     }
 
     #[test]

@@ -53,6 +53,8 @@ fn nobody_else_asks_clippy_to_look_away() {
         files(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut found);
     }
     assert!(found.len() > 100, "the search for sources finds too few: {}", found.len());
+    // What is compiled for tests alone may look at what notes are told.
+    found.retain(|path| !path.ends_with("tests.rs") && !path.components().any(|part| part.as_os_str() == "tests"));
     for path in found {
         let (name, text) = (path.display().to_string(), std::fs::read_to_string(&path).unwrap());
         let program = text.split("#[cfg(test)]").next().unwrap_or_default();
