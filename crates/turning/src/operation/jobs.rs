@@ -283,9 +283,11 @@ fn without_face(contour: &Contour) -> Contour {
     Contour { side: contour.side, pieces: contour.pieces.iter().skip(faces).copied().collect() }
 }
 
-/// The largest finishing allowance of a side.
+/// The largest finishing allowance of a side; of a far face alone, which is no surface of the set-up, that over it.
 fn allowance(side: &SideWork) -> Half {
-    side.layers.allowances.iter().filter_map(|one| one.allowance_mm).max().unwrap_or_default()
+    let start = |contour: &Contour| contour.start().map_or(Half::ZERO, |start| start.z);
+    let over_face = start(&side.layers.left) - start(&side.layers.rough);
+    side.layers.allowances.iter().filter_map(|one| one.allowance_mm).max().unwrap_or(over_face)
 }
 
 /// What a finishing pass is to do.
@@ -359,7 +361,11 @@ impl Finishing<'_> {
                 return Ok(None);
             }
         };
-        let roughness = self.surfaces.iter().filter_map(|surface| surface.roughness).min();
+        // What another machine finishes, and what is finer than the lathe reaches, is not asked of this pass.
+        let here = self.surfaces.iter().filter(|surface| bench.elsewhere.iter().all(|one| one.surface != surface.name));
+        let best = bench.lathe.and_then(|lathe| lathe.best_roughness);
+        let roughness =
+            here.filter_map(|surface| surface.roughness).min().map(|asked| best.map_or(asked, |best| asked.max(best)));
         let direction = Direction::Longitudinal;
         let (from, to) = ends(self.contour);
         let part = bench.held.as_ref().map(|held| held.over(from, to, self.tolerance(bench)));

@@ -1,6 +1,6 @@
 //! The jobs of an operation, tool by tool: what an operator reads first.
 
-use crate::document::{Column, Document};
+use crate::document::{Block, Column, Document, Item};
 use technolog_turning::operation::programs::{place, stations};
 use technolog_turning::operation::{Operation, SetUpWork};
 use technolog_turning::program::Speed;
@@ -18,9 +18,11 @@ pub(super) fn jobs(page: &mut Document, operation: &Operation, lang: Lang) {
         page.heading(3, say!(lang, "turn-set-up", number = set_up.set_up.number));
         page.push(table(columns(lang), rows, lang));
         page.paragraph(time(set_up, lang));
-        for note in set_up.jobs.iter().flat_map(|job| &job.notes) {
-            page.paragraph(lang.say(note));
-        }
+        let told = set_up.jobs.iter().flat_map(|job| {
+            let place = place(&stations, job).map_or_else(String::new, |place| format!("T{place}: "));
+            job.notes.iter().map(move |note| Item::from(format!("{place}{}", lang.say(note))))
+        });
+        page.blocks.push(Block::List(told.collect()));
     }
 }
 
