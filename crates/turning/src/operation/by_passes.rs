@@ -2,15 +2,25 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::turning::jobs::Work;
+use crate::turning::jobs::{Body, Work};
 use crate::turning::length::Half;
 use crate::turning::passes::Variant;
 use crate::turning::passes::toolpath::toolpath;
 use crate::turning::schemes::rates;
 use crate::turning::shaft::Shaft;
 use crate::turning::workpiece::Workpiece;
+use crate::units::{Degrees, Micrometres};
 
 use super::{Operation, plan};
+
+/// How far a wall that a pass leaves stands before its foot, with as much again as nothing touches: an edge that leans
+/// back from 90° cuts it so, over the depth of the pass.
+fn lean(depth: Micrometres, lead: Degrees) -> Micrometres {
+    /// What stays free, mm.
+    const FREE: f64 = 0.2;
+    let over = (lead.0 - 90.0).max(0.0).to_radians();
+    Micrometres::from_mm_rounded(depth.to_mm() * libm::tan(over) + FREE)
+}
 
 /// The operation with the rough jobs of its first set-up as one job, which makes the passes of a variant. Tool, pace and
 /// everything else are those of the operation.
@@ -18,11 +28,14 @@ use super::{Operation, plan};
 /// # Errors The knowledge base lacks a table.
 pub fn by_passes(shaft: &Shaft, variant: &Variant, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     let mut operation = plan(&Workpiece::from(shaft), knowledge)?;
-    let (distances, _) = rates::rates(shaft, knowledge)?;
+    let (mut distances, _) = rates::rates(shaft, knowledge)?;
     let Some(set_up) = operation.set_ups.first_mut() else { return Ok(operation) };
     let is_rough = |work: Work| matches!(work, Work::Face | Work::Rough);
     let Some(mut job) = set_up.jobs.iter().find(|job| job.work == Work::Rough).cloned() else { return Ok(operation) };
     let nose = Half::of(job.tool.nose_radius());
+    if let Body::Insert { lead_angle_deg, .. } = job.tool.body {
+        distances.retract = distances.retract.max(lean(shaft.roughing.longitudinal_depth, lead_angle_deg));
+    }
     job.path = toolpath(&variant.drawn, Half::radius_of(shaft.blank.diameter), &distances, nose);
     job.time_min = job.pace.time(&job.path, distances.rapid);
     job.zone = None;

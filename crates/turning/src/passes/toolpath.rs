@@ -2,6 +2,7 @@
 //! ([`crate::turning::nose`]), so the path of the theoretical point is safe as it is.
 
 use crate::turning::length::Half;
+use crate::turning::point::Point;
 use crate::turning::shaft::Rates;
 use crate::turning::toolpath::{Purpose, Toolpath};
 
@@ -12,10 +13,24 @@ use super::pass::{Pass, PassDirection, PassEnd, legs};
 pub fn toolpath(passes: &[Pass], bar: Half, rates: &Rates, beyond: Half) -> Toolpath {
     let mut path: Option<Toolpath> = None;
     let mut before: Option<PassEnd> = None;
+    let mut walls: Vec<Point> = Vec::new();
     let starts = passes.iter().map(|pass| Some(pass.start())).chain([None]);
     for (start, pass) in starts.zip(passes.iter().map(Some).chain([None])) {
         for (from, to) in legs(before, start, bar, rates) {
-            path.get_or_insert_with(|| Toolpath::at(from)).go(to, Purpose::Rapid);
+            let path = path.get_or_insert_with(|| Toolpath::at(from));
+            // Up to a wall and down beside it the tool goes at its feed: the edge of a pass has left it leaning.
+            let walls = walls.iter().filter(|wall: &&Point| wall.z == to.z && to.radius < wall.radius);
+            if let Some(top) = walls.map(|wall| wall.radius).max() {
+                let off = Half::of(rates.retract);
+                let short = if from.z < to.z {
+                    Point { radius: to.radius, z: (to.z - off).max(from.z) }
+                } else {
+                    Point { radius: (top + off).min(from.radius).max(to.radius), z: to.z }
+                };
+                path.go(short, Purpose::Rapid);
+                path.go(to, Purpose::Return);
+            }
+            path.go(to, Purpose::Rapid);
         }
         let (Some(pass), Some(path)) = (pass, &mut path) else { continue };
         let mut end = pass.end();
@@ -23,6 +38,9 @@ pub fn toolpath(passes: &[Pass], bar: Half, rates: &Rates, beyond: Half) -> Tool
             end.at.radius = Half::ZERO - beyond;
         }
         path.go(end.at, Purpose::Cut);
+        if pass.kind == PassDirection::Longitudinal {
+            walls.push(Point { radius: pass.to.radius + pass.depth, z: pass.to.z });
+        }
         before = Some(end);
     }
     path.unwrap_or_default()
@@ -33,7 +51,6 @@ mod tests {
     use super::*;
     use crate::turning::passes::grid::Grid;
     use crate::turning::passes::variants::one_direction;
-    use crate::turning::point::Point;
     use crate::turning::shaft::{Blank, BlankKind, Division, Holding, Moves, Roughing, Shaft, Step};
     use crate::units::{Micrometres, MillimetresPerMinute};
 
