@@ -1,7 +1,5 @@
 //! Grooves of real parts, and their ways worked off by columns, which know the blade and the profile only.
 
-#![allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
-
 use super::*;
 use crate::material::Material;
 use crate::shipped;

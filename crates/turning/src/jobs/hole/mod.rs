@@ -4,6 +4,7 @@
 mod pace;
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests;
 
 use crate::error::{Refusal, Tried};

@@ -1,7 +1,5 @@
 //! Holes on the axis. Figures are of the tables that the sentences beside them name.
 
-#![allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
-
 use super::*;
 use crate::material::Material;
 use crate::shipped;

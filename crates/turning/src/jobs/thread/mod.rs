@@ -10,6 +10,7 @@ mod passes;
 mod room;
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests;
 
 use crate::error::{Refusal, Tried};
