@@ -47,6 +47,7 @@ pub fn all() -> Vec<&'static Contract> {
         rules::CONTRACTS,
         standards::CONTRACTS,
         tools::CONTRACTS,
+        turning::jobs::CONTRACTS,
         turning::part::CONTRACTS,
         turning::passes::CONTRACTS,
         turning::tools::CONTRACTS,

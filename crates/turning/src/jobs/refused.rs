@@ -1,10 +1,13 @@
 //! Why a job cannot be made: the inequality that fails.
 
+use crate::error::Refusal;
 use crate::note::{Figure, Note};
+use crate::reason::Uncut;
 use crate::turning::contour::SurfaceName;
-use crate::turning::cutting::{Bound, CuttingRefusal};
+use crate::turning::cutting::{Bound, CuttingRefusal, FigureOwner};
 use crate::turning::length::Half;
 use crate::units::{Micrometres, MillimetresPerMinute, Newtons, RevsPerMinute, round_to};
+use technolog_cutting::figures::{self, Asking};
 
 /// Why a job cannot be made.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,4 +126,14 @@ impl NoJob {
             Self::PartingTooDeep { depth, reach } => new("part-off-too-deep").with("depth", depth).with("reach", reach),
         }
     }
+}
+
+/// A refusal of the tables of cutting conditions.
+pub(super) fn of_tables(refusal: Refusal<Uncut>) -> Refusal<NoJob> {
+    refusal.map(|why| NoJob::Cutting(CuttingRefusal::Figure(FigureOwner::Cutting(why).into())))
+}
+
+/// That a table has no figures for the material.
+pub(super) fn no_figure<'k>(table: &str, who: &impl Asking<'k>) -> Refusal<NoJob> {
+    of_tables(figures::missing(table, who))
 }

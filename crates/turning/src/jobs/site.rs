@@ -4,7 +4,7 @@ use crate::error::{Refusal, Tried};
 use crate::knowledge::vocabulary::Surface;
 use crate::note::{Because, Figure, Note};
 use crate::tables::turning::tools::{Limit, TurningLimits};
-use crate::turning::contour::{Contour, Profile, Side};
+use crate::turning::contour::{Profile, Side};
 use crate::turning::cutting::{Cut, Direction};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
@@ -30,11 +30,12 @@ impl Site<'_> {
         self.profile.side
     }
 
-    /// The narrowest diameter of a bore from the free end to a Z.
+    /// The narrowest diameter of a bore from the free end to a Z; what begins at that Z is not before it.
     pub(super) fn narrowest(&self, to: Half) -> Micrometres {
-        let contour: Contour = self.profile.contour();
-        let start = contour.start().map_or(Half::ZERO, |start| start.z);
-        contour.near(start, to).radii().map_or(Micrometres::ZERO, |(least, _)| least.diameter())
+        let pieces = self.profile.surfaces.iter().flat_map(|surface| &surface.pieces).filter(|piece| piece.from.z < to);
+        let places = pieces.flat_map(|piece| piece.extremes().into_iter().chain(piece.at_z(to)));
+        let before = places.filter(|place| place.z <= to).map(|place| place.radius);
+        before.min().map_or(Micrometres::ZERO, Half::diameter)
     }
 }
 

@@ -54,3 +54,4 @@ parting-blade = a bar of Ø{ $bar } asks for a blade of at least { $width } mm
 part-off = parted off behind { $face } mm by { $tool }, { $width } mm of bar are cut away
 part-off-slow = from the radius of { $radius } mm inwards the feed is { $feed } mm/rev
 part-off-pip = the blade goes { $beyond } mm beyond the axis, so that no pip stays; a blade that leans by 4 to 6 degrees leaves it on the bar
+job-first-drill = Ø{ $diameter } is drilled in two passes, the first at most Ø{ $most }

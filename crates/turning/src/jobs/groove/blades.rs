@@ -17,7 +17,7 @@ use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 use technolog_cutting::rpm_at;
 
 use super::super::limits::Limits;
-use super::super::refused::NoJob;
+use super::super::refused::{NoJob, no_figure};
 use super::super::site::{self, Site};
 use super::valley::{Lie, Valley};
 use super::ways::{self, Edge, Ways};
@@ -298,7 +298,9 @@ fn pace(cut: &Cut<'_, '_>, width: Micrometres, lie: Lie, limits: &mut Limits<'_>
 pub(in super::super) fn blade_pace(cut: &Cut<'_, '_>, width: Micrometres) -> Tried<Pace, NoJob> {
     let (knowledge, material_group) = (cut.knowledge, cut.material.group);
     let asked = knowledge.ask(&GroovingPracticeFor { material_group, width })?;
-    let maker = asked.need(&width.to_string())?;
+    let Some(maker) = asked.winner()? else {
+        return Err(no_figure(GroovingPracticeFor::TABLE, cut));
+    };
     let note = Note::new("grooving-practice").with("feed-min", maker.feed_min.0).with("feed-max", maker.feed_max.0);
     let mut because = vec![Because::answer(&asked.answer, note.with("speed", maker.speed_min.0).with("width", width))];
     let diameter = cut.diameter;

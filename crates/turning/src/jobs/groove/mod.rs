@@ -13,6 +13,7 @@ mod valley;
 mod ways;
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests;
 
 use crate::error::{Refusal, Tried};

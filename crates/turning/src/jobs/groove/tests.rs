@@ -1,7 +1,5 @@
 //! Grooves of real parts, and their ways worked off by columns, which know the blade and the profile only.
 
-#![allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
-
 use super::*;
 use crate::material::Material;
 use crate::shipped;
@@ -272,6 +270,13 @@ fn grooves_are_cut_to_their_profile_and_not_below() {
         let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Inner);
         assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "in a bore {kind}: {gouge} {rapid} {left}");
     }
+    // At the bottom of a blind bore, whose face goes to the axis.
+    let bore = "  - {from: {d: 50, z: 0}}\n  - {cylinder: -30}\n  - {groove: grinding-relief, width: 5, depth: 0.5}\n  - {face: 0}\n";
+    let own = part(plain, bore, "steel-45");
+    let (made, surface) = job(&own, Side::Inner);
+    let made = made.unwrap_or_else(|why| panic!("at the bottom: {why:?}"));
+    let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Inner);
+    assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "at the bottom: {gouge} {rapid} {left}");
     for kind in ["face, width: 4, depth: 5", "face, width: 12, depth: 6"] {
         let face = format!(
             "  - {{from: {{d: 0, z: 0}}}}\n  - {{face: 60}}\n  - {{groove: {kind}}}\n  - {{face: 110}}\n  - {{cylinder: -100}}\n"

@@ -4,13 +4,15 @@
 mod pace;
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests;
 
 use crate::error::{Refusal, Tried};
 use crate::knowledge::table::ToolHead;
 use crate::knowledge::vocabulary::{Operation, Surface, ToolMaterial};
 use crate::note::{Because, Note};
-use crate::tables::rules::{HoleCycle, MachiningCycleFor, ToolTablesFor};
+use crate::tables::holes::FirstDrill;
+use crate::tables::rules::{HoleCycle, MachiningCycleFor, ToolTablesFor, TwoPassDrillingFor};
 use crate::tables::tools::CutterRow;
 use crate::tables::turning::jobs::{CentreHole, JobLimit};
 use crate::turning::contour::{Side, SurfaceName};
@@ -77,6 +79,29 @@ impl Drill<'_> {
     fn point(&self) -> Half {
         Half::from(self.diameter.to_mm() / 2.0 / libm::tan(self.point_angle.0.to_radians() / 2.0))
     }
+}
+
+/// The jobs of a hole: one drill, or by the rule `two-pass-drilling` a narrower one before it.
+///
+/// # Errors As of [`drill`].
+pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
+    let question = TwoPassDrillingFor { diameter: hole.diameter, first_drill_in_magazine: false };
+    let asked = bench.knowledge.ask(&question)?;
+    let passes = asked.need(&hole.diameter.to_string())?.passes;
+    if passes < 2 || hole.from > Micrometres::ZERO {
+        return Ok(vec![drill(hole, bench)?]);
+    }
+    let share = bench.knowledge.need("two-pass drilling", |_: &FirstDrill<'_>| true)?;
+    let most = Micrometres::from_mm_rounded(hole.diameter.to_mm() * share.share_max);
+    let mut first = drill(&Hole { diameter: most, ..hole.clone() }, bench)?;
+    let note = Note::new("job-first-drill").with("diameter", hole.diameter).with("most", most);
+    first.because.extend([Because::answer(&asked.answer, note.clone()), Because::row(share.row, note)]);
+    let from = match first.tool.body {
+        Body::Drill { diameter_mm, .. } => diameter_mm,
+        _ => Micrometres::ZERO,
+    };
+    let second = drill(&Hole { from, ..hole.clone() }, bench)?;
+    Ok(vec![first, second])
 }
 
 /// The job of drilling, with the widest drill that is no wider than the hole and reaches its end.

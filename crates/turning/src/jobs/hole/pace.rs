@@ -4,10 +4,8 @@ use crate::error::{Refusal, Tried};
 use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::note::{Because, Figure, Note};
-use crate::reason::Uncut;
 use crate::tables::lathes::LatheQuantity;
 use crate::tables::turning::tools::{Limit, TurningLimits};
-use crate::turning::cutting::{CuttingRefusal, FigureOwner};
 use crate::turning::operation::tools::Bench;
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::tooling::Lathe;
@@ -16,7 +14,7 @@ use technolog_cutting::figures::Asking;
 use technolog_cutting::laws::LoadLaw;
 use technolog_cutting::{Cut, handbook, rpm_at, speed_at};
 
-use super::super::refused::NoJob;
+use super::super::refused::{NoJob, of_tables};
 
 /// How a tool on the axis turns and is fed.
 pub(super) struct Pace {
@@ -33,10 +31,6 @@ impl<'k> Asking<'k> for Bench<'_, 'k> {
     fn material(&self) -> &Material<'k> {
         &self.material
     }
-}
-
-fn of_tables(refusal: Refusal<Uncut>) -> Refusal<NoJob> {
-    refusal.map(|why| NoJob::Cutting(CuttingRefusal::Figure(FigureOwner::Cutting(why).into())))
 }
 
 /// The pace of a cut: feed and speed of the tables; the spindle at most as fast; the feed reduced until thrust, torque

@@ -1,7 +1,5 @@
 //! Holes on the axis. Figures are of the tables that the sentences beside them name.
 
-#![allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
-
 use super::*;
 use crate::material::Material;
 use crate::shipped;
@@ -121,5 +119,30 @@ fn centre_holes_are_those_of_the_standard() {
             );
             assert!(made.time_min.0 > 0.0 && made.time_min.0 < 1.0);
         }
+    });
+}
+
+/// Textbook 1.2.1: above 30 mm in two passes, the first drill 0.5 to 0.6 of the second.
+#[test]
+fn wide_holes_are_drilled_in_two_passes() {
+    let hole = |diameter: i64| Hole {
+        diameter: Micrometres::from_mm(diameter),
+        from: Micrometres::ZERO,
+        face: Half::ZERO,
+        end: HoleEnd::Blind(Half::from(60.0)),
+        surfaces: Vec::new(),
+    };
+    with_bench("steel-45", |bench| {
+        let widths = |diameter: i64| -> Vec<f64> {
+            let jobs = Refusal::split(drilling(&hole(diameter), bench)).unwrap().unwrap();
+            let width = |job: &Job| match job.tool.body {
+                Body::Drill { diameter_mm, .. } => diameter_mm.to_mm(),
+                _ => panic!("a drill"),
+            };
+            jobs.iter().map(width).collect()
+        };
+        assert_eq!(widths(30).len(), 1);
+        let two = widths(40);
+        assert!(two.len() == 2 && two[1] == 40.0 && (0.5..=0.6).contains(&(two[0] / 40.0)), "{two:?}");
     });
 }

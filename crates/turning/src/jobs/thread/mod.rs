@@ -10,9 +10,11 @@ mod passes;
 mod room;
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests;
 
 use crate::error::{Refusal, Tried};
+use crate::knowledge::Question;
 use crate::note::{Because, Note};
 use crate::tables::turning::jobs::{
     JobLimit, ThreadingFirstPassFor, ThreadingInfeedFor, ThreadingPasses, ThreadingSpeedFor,
@@ -30,7 +32,7 @@ use technolog_cutting::{rpm_at, speed_at};
 
 use super::clock::time;
 use super::limits::Limits;
-use super::refused::NoJob;
+use super::refused::{NoJob, no_figure};
 use super::site::{self, Site};
 use super::{Job, JobTool, Pace, ThreadCut, Work};
 use passes::Divided;
@@ -203,7 +205,9 @@ fn radii(side: Side, thread: &Thread, turned: Half, tool: &TurningTool<'_>) -> T
 /// feed of the lathe follows.
 fn spindle(thread: &Thread, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<(RevsPerMinute, Vec<Because>), NoJob> {
     let asked = bench.knowledge.ask(&ThreadingSpeedFor { material_group: bench.material.group })?;
-    let speed = asked.need(bench.material.group)?.speed;
+    let Some(speed) = asked.winner()?.map(|row| row.speed) else {
+        return Err(no_figure(ThreadingSpeedFor::TABLE, bench));
+    };
     let pitch = thread.pitch;
     let (_, most) = lathe.feed_z;
     let follows = RevsPerMinute(most.0 / pitch.to_mm());

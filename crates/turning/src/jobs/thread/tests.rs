@@ -1,7 +1,5 @@
 //! Threads of real parts. Figures are those of ISO 724 and of makers' tables of passes.
 
-#![allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
-
 use super::*;
 use crate::material::Material;
 use crate::shipped;
@@ -164,4 +162,12 @@ fn the_spindle_is_held_by_the_feed_of_the_lathe() {
     let made = job(&part(&outer, "", "steel-45"), Side::Outer, Passes::Area).unwrap();
     assert_eq!(made.pace.speed().unwrap(), Speed::Spindle(RevsPerMinute(560.0)));
     assert!(made.because.iter().any(|why| why.note.code() == "thread-feed-follows"));
+}
+
+/// An insert is for one pitch or for a range; the table cannot say that its least is not above its largest.
+#[test]
+fn ranges_of_pitches_are_ranges() {
+    let knowledge = shipped::knowledge().unwrap();
+    let pitches: Vec<_> = TurningTool::all(&knowledge).unwrap().iter().filter_map(|tool| tool.pitch).collect();
+    assert!(pitches.len() > 10 && pitches.iter().all(|(least, most)| least <= most), "{pitches:?}");
 }
