@@ -136,7 +136,7 @@ fn specific(
     let Some(group) = practice_group(cut.material, cut.knowledge)? else { return Ok(None) };
     let question = TurningForceShareFor { process: cut.process(), component };
     let Some(share) = cut.knowledge.ask(&question)?.winner()? else { return Ok(None) };
-    let row = cut.knowledge.ask(&SpecificCuttingForceFor { vdi: group.vdi })?.need("this group of VDI 3323")?;
+    let row = cut.knowledge.ask(&SpecificCuttingForceFor { vdi: group.vdi })?.need(&group.vdi.to_string())?;
     let turning = !cut.tool.plunges();
     let sine = if turning { libm::sin(cut.edge_angle().to_f64().to_radians()) } else { 1.0 };
     let note = Note::new("specific-force").with("group", group.vdi).with("kc", row.kc1.0).with("mc", row.mc);
