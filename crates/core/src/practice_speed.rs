@@ -7,10 +7,11 @@ use crate::material::Material;
 use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::tables::practice::{
-    CarbideSpeedFor, CarbideWork, Coating, GroovingPracticeFor, HssSpeedFor, HssWork, PracticeGroup, PracticeGroupFor,
-    RoughOrFinish, SharedWork, SpeedShareFor, TapSpeedFor,
+    CarbideSpeedFor, CarbideWork, Coating, HssSpeedFor, HssWork, PracticeGroup, PracticeGroupFor, RoughOrFinish,
+    SharedWork, SpeedShareFor, TapSpeedFor,
 };
-use crate::units::{Brinell, MetresPerMinute};
+use crate::tables::turning::jobs::GroovingPracticeFor;
+use crate::units::{Brinell, MetresPerMinute, Micrometres};
 
 /// The speeds that shops drive, m/min.
 #[derive(Clone, Copy, Debug)]
@@ -105,13 +106,17 @@ impl<'k> PracticeSpeed<'k> {
         if inner { Self::share(SharedWork::Bore, turned, knowledge) } else { Ok(turned) }
     }
 
-    /// What shops drive with the blade of a grooving insert; nothing where the table has no figure.
+    /// What shops drive with the blade of a grooving insert of a width; nothing where the table has no figure.
     ///
     /// # Errors
     /// The table cannot answer.
-    pub fn of_grooving(material: &Material<'k>, knowledge: &'k Knowledge) -> Result<Option<Self>, KnowledgeError> {
-        let row = knowledge.ask(&GroovingPracticeFor { material_group: material.group })?.winner()?;
-        Ok(row.map(|row| Self::new(row.speed_low, row.speed_high, row.row)))
+    pub fn of_grooving(
+        width: Micrometres,
+        material: &Material<'k>,
+        knowledge: &'k Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        let row = knowledge.ask(&GroovingPracticeFor { material_group: material.group, width })?.winner()?;
+        Ok(row.map(|row| Self::new(row.speed_min, row.speed_max, row.row)))
     }
 
     fn hss(operation: HssWork, group: &str, knowledge: &'k Knowledge) -> Result<Option<Self>, KnowledgeError> {

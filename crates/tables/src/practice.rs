@@ -74,14 +74,6 @@ rows! {
         speed_high: MetresPerMinute,
     } shown { pages }
 
-    /// Speeds of grooving inserts in practice.
-    pub struct GroovingPractice of One("practice-speed-groove") asked by GroovingPracticeFor<'t> {
-        material_group: &'t str,
-    } {
-        speed_low: MetresPerMinute,
-        speed_high: MetresPerMinute,
-    } shown { pages }
-
     /// Speeds of taps in practice.
     pub struct TapSpeed of One("practice-speed-tap") asked by TapSpeedFor<'t> {
         group: &'t str,

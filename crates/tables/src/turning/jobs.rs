@@ -71,7 +71,8 @@ rows! {
         feed_min: MillimetresPerRev,
         feed_max: MillimetresPerRev,
         speed_min: MetresPerMinute,
-    } shown { speed_max }
+        speed_max: MetresPerMinute,
+    }
 
     /// Passes of a metric thread by its pitch.
     pub struct ThreadingPasses of One("threading-passes") {

@@ -107,7 +107,8 @@ pub(super) fn speed<'k>(
     pass: RoughOrFinish,
 ) -> Tried<SpeedLaw<'k>, MissingFigure> {
     let (kind, practice) = if cut.tool.plunges() {
-        (LatheCut::Groove, PracticeSpeed::of_grooving(cut.material, cut.knowledge)?)
+        let of = |width| PracticeSpeed::of_grooving(width, cut.material, cut.knowledge);
+        (LatheCut::Groove, cut.tool.width.map(of).transpose()?.flatten())
     } else {
         let kind = if pass == RoughOrFinish::Rough { LatheCut::Rough } else { LatheCut::Finish };
         (kind, PracticeSpeed::of_turning(pass, cut.is_inner(), cut.material, cut.knowledge)?)
