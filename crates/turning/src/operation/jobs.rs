@@ -2,7 +2,7 @@
 //! into them.
 
 use crate::error::KnowledgeError;
-use crate::note::{Finding, Note, Severity};
+use crate::note::{Because, Finding, Note, Severity};
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind, SurfaceName};
 use crate::turning::elements::{Element, steepness};
 use crate::turning::jobs::along::{Clearance, along, dip};
@@ -23,7 +23,7 @@ use super::depth::{self, Task};
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
 use super::{SideWork, clip, features};
-use crate::turning::cutting::{Direction, TurningConditions};
+use crate::turning::cutting::{Direction, TurningConditions, unsaid_roughness};
 use technolog_core::part::tolerance_width;
 
 /// The jobs of a set-up.
@@ -361,24 +361,17 @@ impl Finishing<'_> {
                 return Ok(None);
             }
         };
-        // What another machine finishes, and what is finer than the lathe reaches, is not asked of this pass.
-        let here = self.surfaces.iter().filter(|surface| bench.elsewhere.iter().all(|one| one.surface != surface.name));
-        let best = bench.lathe.and_then(|lathe| lathe.best_roughness);
-        let roughness =
-            here.filter_map(|surface| surface.roughness).min().map(|asked| best.map_or(asked, |best| asked.max(best)));
+        let (roughness, mut because) = self.roughness(bench)?;
         let direction = Direction::Longitudinal;
         let (from, to) = ends(self.contour);
         let part = bench.held.as_ref().map(|held| held.over(from, to, self.tolerance(bench)));
         let bore_depth = (self.side == Side::Inner).then(|| to.rounded_up());
         let (diameter, stock) = (largest(self.contour), self.allowance);
         let task = Task { tool: &tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
-        let paced = depth::pace(task, self.allowance, Some(roughness.unwrap_or(UNSAID)), bench, findings)?;
+        let paced = depth::pace(task, self.allowance, Some(roughness), bench, findings)?;
         let mut notes = Vec::new();
         if let Some(tight) = tightest(self.contour).filter(|tight| nose.radius > *tight) {
             notes.push(Note::new("nose-fills-hollow").with("nose", nose.radius).with("hollow", tight));
-        }
-        if roughness.is_none() {
-            notes.push(Note::new("roughness-taken").with("roughness", UNSAID));
         }
         let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm };
         let Some(path) = way(&seen, &standing, clearance) else { return Ok(None) };
@@ -397,8 +390,37 @@ impl Finishing<'_> {
             thread: None,
             zone: None,
             notes,
-            because: vec![chosen.because, chosen.because_order],
+            because: {
+                because.extend([chosen.because, chosen.because_order]);
+                because
+            },
         }))
+    }
+
+    /// The finest roughness that the pass must leave, with the rows of those that the drawing does not give. What
+    /// another machine finishes, and what is finer than the lathe reaches, is not asked of it.
+    fn roughness(&self, bench: &Bench<'_, '_>) -> Result<(Roughness, Vec<Because>), KnowledgeError> {
+        let (mut finest, mut because): (Option<Roughness>, Vec<Because>) = (None, Vec::new());
+        let here = self.surfaces.iter().filter(|surface| bench.elsewhere.iter().all(|one| one.surface != surface.name));
+        for surface in here {
+            let asked = match surface.roughness {
+                Some(asked) => asked,
+                None => {
+                    let (unsaid, row) = unsaid_roughness(surface.grade, bench.knowledge)?;
+                    because.push(row);
+                    unsaid
+                }
+            };
+            finest = Some(finest.map_or(asked, |finest| finest.min(asked)));
+        }
+        because.dedup();
+        let (unsaid, row) = unsaid_roughness(None, bench.knowledge)?;
+        if finest.is_none() {
+            because.push(row);
+        }
+        let asked = finest.unwrap_or(unsaid);
+        let best = bench.lathe.and_then(|lathe| lathe.best_roughness);
+        Ok((best.map_or(asked, |best| asked.max(best)), because))
     }
 }
 
@@ -414,9 +436,6 @@ fn finishing(mut pace: Pace, bench: &Bench<'_, '_>) -> Pace {
     }
     pace
 }
-
-/// The roughness that finishing is planned for where the drawing gives none: what turning to size leaves without care.
-const UNSAID: Roughness = Roughness::from_ra_nanometres(6300);
 
 /// The main elements of a stretch.
 fn main_surfaces(stretch: &TurnedSide) -> Vec<&Surface> {

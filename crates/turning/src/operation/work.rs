@@ -7,7 +7,7 @@ use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::BlankShape;
 use crate::turning::allowances::equidistant;
 use crate::turning::contour::{Contour, Profile, Side};
-use crate::turning::cutting::Direction;
+use crate::turning::cutting::{Direction, cuts_back};
 use crate::turning::elements::{Main, Valley};
 use crate::turning::length::Half;
 use crate::turning::nose::up_to;
@@ -346,7 +346,13 @@ fn clear(
     let all: &[Scheme] = if zone.feed == Feed::Across { &[Scheme::Descent] } else { &Scheme::ALL };
     let (mut possible, mut refused) = (Vec::new(), Vec::new());
     let prepared = Refusal::split(PreparedZone::of(&stock, &tool, &settings))?;
+    let (back, _) = cuts_back(task.tool, knowledge)?;
     for &scheme in all {
+        if scheme == Scheme::Zigzag && !back {
+            let why = Note::new("cuts-not-back").with("tool", task.tool.designation);
+            refused.push(RefusedScheme { scheme, why: why.with("angle", task.tool.trail_angle) });
+            continue;
+        }
         let made = match &prepared {
             Ok(prepared) => Refusal::split(prepared.transition(scheme, &offset, knowledge))?,
             Err(why) => Err(why.clone()),

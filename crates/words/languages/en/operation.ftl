@@ -29,7 +29,6 @@ faced-through-centre = zone { $zone }: the face is turned to the axis, where the
 no-tool-to-finish = { $side }: no tool finishes this contour: it needs φ of at least { $main }° and φ1 of at least { $secondary }°
     .help = give the steep surfaces a groove or a second set-up, or add a tool to the catalog
 nose-fills-hollow = the nose of radius { $nose } mm fills the hollow of radius { $hollow } mm; no tool has a smaller one
-roughness-taken = no roughness is given; { $roughness } is taken
 bore-bottom-stands = the drill of Ø{ $diameter } has its full diameter down to Z { $z }; below that the bore keeps the cone of its point, and a boring bar has no room to cut it away
     .help = draw the bore with the cone of a drill at its bottom, make it a through hole, or finish the bottom with a flat drill
 lathe-unsafe = its program is not written, because the proof rejects it: { $why }
