@@ -9,6 +9,7 @@ mod countersinking;
 mod drilling;
 pub mod factors;
 mod feed;
+mod force_opinion;
 pub mod figures;
 pub mod handbook;
 pub mod laws;
@@ -232,7 +233,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         card: draft.card,
         because,
     };
-    found.because.extend(practice::forces(cut, &found, shop)?);
+    found.because.extend(force_opinion::makers(cut, &found, shop)?);
     Ok((found, draft.doubts))
 }
 
