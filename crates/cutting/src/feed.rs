@@ -8,7 +8,8 @@ use crate::plan::Operation;
 use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::{
-    CentringFeedFor, CoreDrillingFeedFor, CounterboringFeedFor, DrillingFeedFor, FeedCondition, FeedFactor, FeedStep, ReamingFeedFor,
+    CentringFeedFor, CoreDrillingFeedFor, CounterboringFeedFor, DrillingFeedFor, FeedCondition, FeedFactor, FeedStep,
+    ReamingFeedFor,
 };
 use crate::tables::rules::{FeedChoice, FeedChoiceFor, FeedTable};
 use crate::units::{Micrometres, MillimetresPerRev};
