@@ -50,7 +50,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     })
 }
 
-/// Holds the last reamer, which is there for the surface, to what the formula has for a rough one: at the tabulated feed and
+/// Holds the last reamer, which is there for the surface, to what the formula has for a rough one: at the feed of that one and
 /// the largest stock that a rough reamer finds (table `stock-before-reaming`). By itself the formula drives it faster, since
 /// it takes less; what is fed slower for the surface is not won back by speed either. Nothing for other cuts.
 pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
@@ -61,7 +61,7 @@ pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Sh
     let Some(row) = shop.knowledge.ask_within(&question)?.map(|asked| asked.winner()).transpose()?.flatten() else {
         return Ok(false);
     };
-    let rough = Cut { from: cut.diameter - row.stock_max, roughness: None, blind: false, ..*cut };
+    let rough = Cut { from: cut.diameter - row.stock_max, roughness: None, ..*cut };
     let speed = self::draft(&rough, None, shop)?.speed;
     if speed.0 >= draft.speed.0 {
         return Ok(false);
