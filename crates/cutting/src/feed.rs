@@ -7,7 +7,8 @@ use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Uncut;
 use crate::tables::cutting::{
-    CoreDrillingFeedFor, CounterboringFeedFor, DrillingFeedFor, FeedCondition, FeedFactor, FeedStep, ReamingFeedFor,
+    CentringFeedFor, CoreDrillingFeedFor, CounterboringFeedFor, DrillingFeedFor, FeedCondition, FeedFactor, FeedStep,
+    ReamingFeedFor,
 };
 use crate::tables::rules::{FeedChoice, FeedChoiceFor, FeedTable};
 use crate::units::{Micrometres, MillimetresPerRev};
@@ -70,6 +71,12 @@ type Upper<'k> = (Figures<'k, MillimetresPerRev>, Option<Micrometres>);
 fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &impl Asking<'k>) -> Tried<Upper<'k>, Uncut> {
     let hardness = Brinell(shop.material().hardness);
     match choice.feed_table {
+        FeedTable::Centring => at(
+            CentringFeedFor::diameter,
+            |material_group, diameter| CentringFeedFor { material_group, diameter },
+            |row| row.feed,
+            (cut, shop),
+        ),
         FeedTable::Drilling => at(
             DrillingFeedFor::diameter,
             |material_group, diameter| DrillingFeedFor { material_group, hardness, diameter },

@@ -10,6 +10,7 @@ mod drilling;
 pub mod factors;
 mod feed;
 pub mod figures;
+mod force_opinion;
 pub mod handbook;
 pub mod laws;
 mod limits;
@@ -194,7 +195,8 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         settle::settle(cut, shop).map_err(|refusal| refusal.map(|why| Reason::NoConditions { operation, why }))?;
     let speed = speed_at(held.rpm, draft.motion.turned);
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
-    let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)));
+    // The power follows from the torque as it is printed, so that who reckons it again finds the same.
+    let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)).rounded(3));
     let power = torque.map(|torque| power_of(torque, held.rpm));
     // The life belongs to the formula's speed, also where practice is slower; where practice is faster, to that of practice.
     let lives_at = if practice == Held::Faster { draft.speed } else { formula_speed };
@@ -218,7 +220,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         // A tap's feed rate is pitch times speed to the last digit, or the thread is torn.
         feed_mm_per_min: feed_rate.rounded(if draft.motion.synchronous { 3 } else { 1 }),
         axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed, speed)).rounded(0)),
-        torque_n_m: torque.map(|torque| torque.rounded(3)),
+        torque_n_m: torque,
         power_kw: power.map(|power| power.rounded(4)),
         machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
         limited_by: match held.limited_by {
@@ -232,7 +234,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         card: draft.card,
         because,
     };
-    found.because.extend(practice::forces(cut, &found, shop)?);
+    found.because.extend(force_opinion::makers(cut, &found, shop)?);
     Ok((found, draft.doubts))
 }
 

@@ -8,8 +8,9 @@ use crate::shop::Shop;
 use crate::tables::cutting::{
     BoringForceFor, Coefficients, Process, ReamerTeethFor, ReamingCondition, ReamingFeedFactorFor,
 };
-use crate::tables::rules::ReamingFeedConditionFor;
-use crate::units::{MetresPerMinute, MillimetresPerRev};
+use crate::tables::practice::StockBeforeReamingFor;
+use crate::tables::rules::{ReamingCase, ReamingFeedConditionFor};
+use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
 use super::feed::Feed;
 use super::figures::{self, missing};
@@ -49,18 +50,38 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     })
 }
 
+/// Holds the last reamer, which is there for the surface, to what the formula has for a rough one: at the feed of that one and
+/// the largest stock that a rough reamer finds (table `stock-before-reaming`). By itself the formula drives it faster, since
+/// it takes less; what is fed slower for the surface is not won back by speed either. Nothing for other cuts.
+pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
+    if !cut.operation.is_reaming() || cut.roughness.is_none() {
+        return Ok(false);
+    }
+    let question = StockBeforeReamingFor { case: ReamingCase::RoughAfterDrill, diameter: cut.diameter };
+    let Some(row) = shop.knowledge.ask_within(&question)?.map(|asked| asked.winner()).transpose()?.flatten() else {
+        return Ok(false);
+    };
+    let rough = Cut { from: cut.diameter - row.stock_max, roughness: None, ..*cut };
+    let speed = self::draft(&rough, None, shop)?.speed;
+    if speed.0 >= draft.speed.0 {
+        return Ok(false);
+    }
+    draft.speed = speed;
+    let note = Note::new("reamed-for-surface").with("stock", row.stock_max).with("speed", round_to(speed.0, 1));
+    draft.because.push(Because::row(row.row, note));
+    Ok(true)
+}
+
 /// The tabulated feed with the factors of `reaming-feed-factor`: which of them apply says the rule
 /// `reaming-feed-condition`, and in a blind hole the feed stays inside the limits of the same table.
 fn corrected_feed(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
     let Feed { feed, mut because, doubts } = feed::tabulated(cut, shop)?;
     let mut feed = feed.0;
     // Only the last pass is asked for a roughness.
-    let last = cut.it.zip(cut.roughness);
     let rule = shop.knowledge.ask(&ReamingFeedConditionFor {
         tool_material: cut.tool_material,
-        final_: last.map(|_| true),
-        it: last.map(|(it, _)| it),
-        roughness: last.map(|(_, roughness)| roughness),
+        final_: cut.roughness.map(|_| true),
+        roughness: cut.roughness,
     })?;
     let rule = rule.winner()?.ok_or_else(|| missing(ReamingFeedConditionFor::TABLE, shop))?;
     let mut blind = None;

@@ -9,7 +9,7 @@ use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
 use super::limits::{self, Borne, LimitedConditions};
 use super::practice::{self, Held};
-use super::{Cut, DraftConditions};
+use super::{Cut, DraftConditions, force_opinion, reaming};
 
 /// The most rounds of cutting the feed back. Loads that do not depend on the speed settle in one; those that do
 /// (boring, V^-0.15) grow smaller with the higher speed of a smaller feed.
@@ -33,7 +33,8 @@ pub(super) struct Settled {
 ///
 /// It ends: from round to round the feed only falls.
 pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
-    let mut found = at(cut, None, shop)?;
+    let mut found = at(cut, None, None, shop)?;
+    let tabulated = Some(found.draft.feed);
     if found.draft.motion.synchronous {
         let held = limits::synchronous(&found.draft, shop)?;
         return Ok(found.held(held));
@@ -47,7 +48,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
             break;
         };
         let before = found.formula_speed;
-        found = at(cut, Some(feed), shop)?;
+        found = at(cut, Some(feed), tabulated, shop)?;
         limited_by = Some(limit);
         because.extend(reasons);
         because.push(told("speed-for-feed", feed, &found, Some(before), shop)?);
@@ -55,7 +56,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let mut held = limits::hold(&found.draft, limited_by, cut, shop)?;
     because.append(&mut held.because);
     if held.feed != found.draft.feed {
-        found = at(cut, Some(held.feed), shop)?;
+        found = at(cut, Some(held.feed), tabulated, shop)?;
         because.push(told("life-for-feed", held.feed, &found, None, shop)?);
     }
     Ok(found.held(LimitedConditions { because, ..held }))
@@ -74,10 +75,20 @@ impl DraftAtFeed {
     }
 }
 
-fn at(cut: &Cut, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftAtFeed, Uncut> {
+/// The conditions at a feed; `tabulated` is that of the tables, where it is not that one.
+fn at(
+    cut: &Cut,
+    feed: Option<MillimetresPerRev>,
+    tabulated: Option<MillimetresPerRev>,
+    shop: &Shop<'_>,
+) -> Tried<DraftAtFeed, Uncut> {
     let mut draft = super::draft(cut, feed, shop)?;
     let formula_speed = draft.speed;
-    let practice = practice::hold(&mut draft, cut, shop)?;
+    let mut practice = practice::hold(&mut draft, cut, shop)?;
+    if reaming::hold_for_surface(&mut draft, cut, shop)? {
+        practice = Held::Slower;
+    }
+    force_opinion::hold_torque(&mut draft, tabulated, cut, shop)?;
     Ok(DraftAtFeed { draft, formula_speed, practice })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::note::{Figure, Note, Severity};
 use crate::plan::Operation;
-use crate::units::{ItGrade, MetresPerMinute, Micrometres, NewtonMetres, Roughness, round_to};
+use crate::units::{ItGrade, MetresPerMinute, Micrometres, NewtonMetres, Newtons, Roughness, round_to};
 
 pub use crate::tables::rules::Load;
 
@@ -23,6 +23,8 @@ pub enum Wanting {
 pub enum Fault {
     /// At worst the hole before is as wide as the transition leaves it: it cuts nothing on one side.
     NoStock { operation: Operation, before: Micrometres, may_be: Micrometres, shift: Micrometres, least: Micrometres },
+    /// It takes more at once than such a tool may: on diameter.
+    TooMuch { operation: Operation, stock: Micrometres, most: Micrometres },
     /// The last transition reaches what is asked only at best, or not at all.
     Wanting { operation: Operation, what: Wanting },
     /// The hole may be wider than its upper limit.
@@ -47,6 +49,8 @@ pub enum Fault {
     TooFast { operation: Operation, value: MetresPerMinute, usual: MetresPerMinute, share: f64 },
     /// The torque is beyond what a thin drill bears.
     Twists { operation: Operation, drill: Micrometres, value: NewtonMetres, limit: NewtonMetres },
+    /// The thrust is more than a long drill bears without buckling.
+    Buckles { operation: Operation, drill: Micrometres, flutes: Micrometres, value: Newtons, limit: Newtons },
     /// A boring bar stands out further than so many of its diameters.
     BarSlender { operation: Operation, reach: Micrometres, bar: Micrometres, ratio: f64 },
     /// A boring bar gives way to uneven stock by more than the tolerance of the hole.
@@ -73,6 +77,9 @@ impl Fault {
                 .with("may_be", may_be)
                 .with("shift", shift)
                 .with("least", least),
+            Self::TooMuch { operation, stock, most } => {
+                of("proof-too-much", operation).with("stock", stock).with("most", most)
+            }
             Self::Wanting { operation, what } => what.told(of(what.code(), operation)),
             Self::TooWide { operation, diameter, may_be, limit } => {
                 of("proof-too-wide", operation).with("diameter", diameter).with("may_be", may_be).with("limit", limit)
@@ -109,6 +116,11 @@ impl Fault {
                 .with("drill", drill)
                 .with("value", round_to(value.0, 2))
                 .with("limit", round_to(limit.0, 2)),
+            Self::Buckles { operation, drill, flutes, value, limit } => of("proof-buckles", operation)
+                .with("drill", drill)
+                .with("flutes", flutes)
+                .with("value", round_to(value.0, 0))
+                .with("limit", round_to(limit.0, 0)),
             Self::BarSlender { operation, reach, bar, ratio } => of("proof-bar-slender", operation)
                 .with("reach", reach)
                 .with("bar", bar)

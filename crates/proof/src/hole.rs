@@ -6,12 +6,13 @@ use crate::error::KnowledgeError;
 use crate::part::{CentreTolerance, Hole, Part, ThreadKind, tolerance_width};
 use crate::plan::{Feature, Operation, Transition};
 use crate::shop::Shop;
-use crate::tables::rules::MadeBy;
+use crate::tables::practice::{ProofLimit, StockBeforeReamingFor};
+use crate::tables::rules::{MadeBy, ReamingCase};
 use crate::tables::standards::{MinorDiameterConstant, ThreadMinorDiameter};
 use crate::units::Micrometres;
 
 use super::cylinder::{Asked, Place};
-use super::reach::{Both, Reach, Way, drift};
+use super::reach::{Both, Reach, Way, drift, oversize};
 use super::{Fault, Wanting, loads, tool};
 
 /// A cylinder as far as it is made.
@@ -109,6 +110,7 @@ impl Walk<'_, '_> {
         let Some(reach) = Reach::of(way, transition.diameter_mm, self.shop)? else { return Ok(()) };
         if let Some(before) = before {
             self.stock(transition, &asked, before, reach, last);
+            self.most(transition, before)?;
         }
         let width = reach.width(transition.diameter_mm, self.shop).unwrap_or_default();
         let state = self.left(transition, before, reach, width)?;
@@ -214,6 +216,36 @@ impl Walk<'_, '_> {
         }
     }
 
+    /// The stock at most: what a reamer or a finishing bar takes at once.
+    fn most(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
+        let operation = transition.operation;
+        let mm = |name| tool::limit(name, self.shop).map(Micrometres::from_mm_rounded);
+        let most = match operation {
+            Operation::RoughReam | Operation::FinishReam => {
+                let case = match (operation, before.made_by) {
+                    (Operation::RoughReam, MadeBy::Drill) => ReamingCase::RoughAfterDrill,
+                    (Operation::RoughReam, _) => ReamingCase::RoughAfterCoreDrill,
+                    (_, MadeBy::Ream) => ReamingCase::FinishAfterRough,
+                    (_, MadeBy::Drill) => ReamingCase::OneAfterDrill,
+                    // What the blank leaves is what it is: as much as any rough reamer takes.
+                    (_, MadeBy::BlankHole) => ReamingCase::RoughAfterDrill,
+                    _ => ReamingCase::OneAfterCoreDrill,
+                };
+                let question = StockBeforeReamingFor { case, diameter: transition.diameter_mm };
+                let asked = self.shop.knowledge.ask_within(&question)?;
+                asked.map(|asked| asked.winner()).transpose()?.flatten().map(|row| row.stock_max)
+            }
+            Operation::SemiFinishBore => Some(mm(ProofLimit::SemiFinishBoreStock)?),
+            Operation::FinishBore => Some(mm(ProofLimit::FinishBoreStock)?),
+            _ => None,
+        };
+        let stock = transition.diameter_mm - transition.from_diameter_mm;
+        if let Some(most) = most.filter(|most| stock > *most) {
+            self.faults.push(Fault::TooMuch { operation, stock, most });
+        }
+        Ok(())
+    }
+
     /// The cylinder after a transition.
     fn left(
         &self,
@@ -235,7 +267,7 @@ impl Walk<'_, '_> {
         let depth = opened.unwrap_or(transition.depth_mm).max(transition.depth_mm);
         Ok(State {
             made_by: MadeBy::of(transition.operation).or(before.map(|it| it.made_by)).unwrap_or(MadeBy::Solid),
-            largest: transition.diameter_mm + width,
+            largest: transition.diameter_mm + if drilled { width.max(oversize(transition, self.shop)?) } else { width },
             axis,
             drift,
             led,

@@ -2,9 +2,9 @@
 
 use crate::error::KnowledgeError;
 use crate::part::tolerance_width;
-use crate::plan::Operation;
+use crate::plan::{Operation, Transition};
 use crate::shop::Shop;
-use crate::tables::practice::{DrillDriftFor, HolePositionReachFor, ReachOfTransitionFor};
+use crate::tables::practice::{DrillDriftFor, DrillOversizeFor, HolePositionReachFor, ReachOfTransitionFor};
 use crate::tables::rules::{MadeBy, WayOfTransitionFor, Worst};
 use crate::units::{ItGrade, Micrometres, Roughness};
 
@@ -75,4 +75,14 @@ pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) 
     Ok(asked
         .winner()?
         .map_or(Micrometres::ZERO, |row| Micrometres::from_mm_rounded(row.drift * depth.to_mm() / 1000.0)))
+}
+
+/// How much wider than itself a drill cuts in the mean; nothing for diameters that the table has not.
+///
+/// Its largest figures would leave no stock over the handbook's own drills before reamers, Ø7.8 under Ø8: they are the worst
+/// of many drills, not of one that is ground right.
+pub(crate) fn oversize(transition: &Transition, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
+    let question = DrillOversizeFor { diameter: transition.diameter_mm };
+    let Some(asked) = shop.knowledge.ask_within(&question)? else { return Ok(Micrometres::ZERO) };
+    Ok(asked.winner()?.map_or(Micrometres::ZERO, |row| row.oversize_mean))
 }

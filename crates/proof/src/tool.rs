@@ -9,14 +9,14 @@ use crate::shop::Shop;
 use crate::tables::cutting::DrillStrength;
 use crate::tables::practice::{ProofLimit, ProofLimits, SpecificCuttingForceFor};
 use crate::tables::tools::CutterRow;
-use crate::units::{Micrometres, NewtonMetres};
+use crate::units::{Micrometres, NewtonMetres, Newtons};
 
 use super::Fault;
 use super::loads::SLACK;
 
 /// What of speed and strength does not hold.
 pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fault>, KnowledgeError> {
-    Ok([too_fast(transition, shop)?, twists(transition, shop)?, slender(transition, shop)?]
+    Ok([too_fast(transition, shop)?, twists(transition, shop)?, buckles(transition, shop)?, slender(transition, shop)?]
         .into_iter()
         .flatten()
         .collect())
@@ -46,7 +46,7 @@ pub(crate) fn spring(
     Ok(Some(Micrometres::from_mm_rounded(compliance * radial * spread.to_mm())))
 }
 
-fn limit(name: ProofLimit, shop: &Shop<'_>) -> Result<f64, KnowledgeError> {
+pub(crate) fn limit(name: ProofLimit, shop: &Shop<'_>) -> Result<f64, KnowledgeError> {
     Ok(shop.knowledge.need(name.name(), |row: &ProofLimits<'_>| row.name.is(name))?.value)
 }
 
@@ -83,6 +83,25 @@ fn twists(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, Kno
     Ok((value.0 > limit.0 * SLACK).then_some(Fault::Twists { operation, drill, value, limit }))
 }
 
+/// The thrust is more than a long drill bears without buckling.
+///
+/// Permissible thrust = share·π²·E·v·d⁴ / (μ·L)², N, with E in MPa, the drill's diameter d and the length L of its flutes in
+/// mm (Euler; table `proof-limits`).
+fn buckles(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
+    let operation = transition.operation;
+    let Some(value) = transition.conditions.axial_force_n.filter(|_| operation == Operation::Drill) else {
+        return Ok(None);
+    };
+    let Some(flutes) = row(transition, shop)?.and_then(|row| row.flute_length) else { return Ok(None) };
+    let drill = transition.tool.diameter_mm;
+    let (d, column) = (drill.to_mm(), flutes.to_mm() * limit(ProofLimit::DrillColumn, shop)?);
+    let stiffness = limit(ProofLimit::BarElasticModulus, shop)? * 1000.0 * limit(ProofLimit::DrillSection, shop)?;
+    let pi = core::f64::consts::PI;
+    let euler = pi * pi * stiffness * d * d * d * d / (column * column);
+    let limit = Newtons(euler * limit(ProofLimit::DrillBucklingShare, shop)?);
+    Ok((value.0 > limit.0 * SLACK).then_some(Fault::Buckles { operation, drill, flutes, value, limit }))
+}
+
 /// A boring bar that stands out further than steel bears.
 fn slender(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
     let Some((reach, bar)) = bar(transition, shop)? else { return Ok(None) };
@@ -96,9 +115,14 @@ fn bar(transition: &Transition, shop: &Shop<'_>) -> Result<Option<(Micrometres, 
     if !transition.operation.is_boring() {
         return Ok(None);
     }
+    Ok(row(transition, shop)?.and_then(|row| row.reach.zip(row.bar_diameter)))
+}
+
+/// The row of the cutter of a transition.
+fn row<'s>(transition: &Transition, shop: &'s Shop<'_>) -> Result<Option<&'s CutterRow<'s>>, KnowledgeError> {
     let Some(table) = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table) else {
         return Ok(None);
     };
     let named = |row: &&CutterRow<'_>| row.designations().any(|name| name == transition.tool.designation);
-    Ok(table.rows()?.iter().find(named).and_then(|row| row.reach.zip(row.bar_diameter)))
+    Ok(table.rows()?.iter().find(named))
 }

@@ -27,6 +27,8 @@ vocabulary! {
     pub enum Tabulated {
         /// A feed.
         Feed = "feed",
+        /// Of centring.
+        SpotFeed = "spot-feed",
         /// A point of the cards.
         Card = "card",
         /// A factor of the cards.

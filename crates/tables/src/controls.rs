@@ -43,6 +43,8 @@ vocabulary! {
         FeedStep = "feed-step",
         /// How many times the planned speed or feed somebody else may have chosen.
         Overload = "overload",
+        /// How many times the planned feed of a centring tool somebody else may have chosen.
+        SpotOverload = "spot-overload",
         /// In what steps dwells are counted, s.
         DwellStep = "dwell-step",
         /// How many times the planned dwell is no choice any more.
@@ -64,7 +66,7 @@ impl Convention {
             Self::FeedStep => "mm/min",
             Self::DwellStep => "s",
             Self::LoadToolTime | Self::SetBarTime | Self::TurnOverTime => "min",
-            Self::BlockNumberStep | Self::Overload | Self::Overlong => "1",
+            Self::BlockNumberStep | Self::Overload | Self::SpotOverload | Self::Overlong => "1",
         }
     }
 }

@@ -229,6 +229,14 @@ rows! {
         power: Kilowatts,
     } shown { drill_from, depth_of_cut }
 
+    /// Feed of centring.
+    pub struct CentringFeed of One("centring-feed") asked by CentringFeedFor<'t> {
+        material_group: &'t str,
+        diameter: Micrometres,
+    } {
+        feed: MillimetresPerRev,
+    }
+
     /// Core-drilling feed.
     pub struct CoreDrillingFeed of One("core-drilling-feed") asked by CoreDrillingFeedFor<'t> {
         material_group: &'t str,

@@ -104,8 +104,12 @@ rows! {
     } shown { used }
 
     /// How much larger than its drill a drilled hole is.
-    pub struct DrillOversize of One("drill-oversize") {} shown {
-        diameter, oversize_mean, oversize_largest, mean_american, largest_american, mean_soviet, largest_standard,
+    pub struct DrillOversize of One("drill-oversize") asked by DrillOversizeFor {
+        diameter: Micrometres,
+    } {
+        oversize_mean: Micrometres,
+    } shown {
+        oversize_largest, mean_american, largest_american, mean_soviet, largest_standard,
     }
 
     /// Specific cutting forces.
@@ -154,6 +158,11 @@ vocabulary! {
         BarElasticModulus = "bar-elastic-modulus",
         BarRadialShare = "bar-radial-share",
         SpeedOverPractice = "speed-over-practice",
+        DrillSection = "drill-section",
+        DrillColumn = "drill-column",
+        DrillBucklingShare = "drill-buckling-share",
+        SemiFinishBoreStock = "semi-finish-bore-stock",
+        FinishBoreStock = "finish-bore-stock",
     }
 
     /// What tables of high-speed steel tell apart.

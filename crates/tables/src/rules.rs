@@ -171,6 +171,14 @@ rows! {
         take: Taken,
     }
 
+    /// When the torque is that of the specific cutting force.
+    pub struct ForceOpinion of One("force-opinion") asked by ForceOpinionFor {
+        operation: Operation,
+    } {
+        lips: f64,
+        least: f64,
+    }
+
     /// Lead angle of a reamer.
     pub struct ReamerLead of One("reamer-lead") asked by ReamerLeadFor<'t> {
         material_group: &'t str,
@@ -182,7 +190,6 @@ rows! {
     pub struct ReamingFeedCondition of One("reaming-feed-condition") asked by ReamingFeedConditionFor {
         tool_material: ToolMaterial,
         final_ as "final": Option<bool>,
-        it: Option<ItGrade>,
         roughness: Option<Roughness>,
     } {
         conditions: Vec<ReamingCondition>,

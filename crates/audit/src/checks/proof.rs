@@ -29,11 +29,13 @@ pub(super) fn check<'a>(
         for fault in faults {
             let severity = match &fault {
                 Fault::NoStock { .. }
+                | Fault::TooMuch { .. }
                 | Fault::TooWide { .. }
                 | Fault::Wanting { .. }
                 | Fault::Overload { .. }
                 | Fault::TooFast { .. }
                 | Fault::Twists { .. }
+                | Fault::Buckles { .. }
                 | Fault::BarSlender { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Enters { .. } | Fault::TapHole { .. } => Severity::Wrong,

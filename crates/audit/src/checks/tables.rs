@@ -3,6 +3,7 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note};
+use crate::plan::Operation;
 use crate::tables::audit::{AuditByTableFor, Tabulated};
 use crate::units::round_to;
 
@@ -22,7 +23,7 @@ pub(super) fn check<'a>(
         return Ok(());
     }
     for (&id, &table) in graph.tables() {
-        let Some(quantity) = kind(id.quantity).filter(|_| table > 0.0 && graph.formula(id).is_none()) else { continue };
+        let Some(quantity) = kind(context, id).filter(|_| table > 0.0 && graph.formula(id).is_none()) else { continue };
         let Some(figure) = context.stated.figure(id) else { continue };
         let question = |of_table| AuditByTableFor { quantity, of_table };
         let (share, asked) = context.by_share(figure.value / table, question)?;
@@ -39,14 +40,22 @@ pub(super) fn check<'a>(
 }
 
 /// As the rule calls a quantity; nothing for what it does not judge.
-const fn kind(quantity: Q) -> Option<Tabulated> {
-    match quantity {
+fn kind(context: &Context<'_>, id: Id) -> Option<Tabulated> {
+    match id.quantity {
+        Q::Feed if operation(context, id) == Some(Operation::CentreDrill) => Some(Tabulated::SpotFeed),
         Q::Feed => Some(Tabulated::Feed),
         Q::CardFeed | Q::CardSpeed | Q::CardForce | Q::CardPower => Some(Tabulated::Card),
         Q::FactorFeed | Q::FactorSpeed | Q::FactorForce | Q::FactorPower => Some(Tabulated::Factor),
         Q::RapidTime => Some(Tabulated::Rapid),
         _ => None,
     }
+}
+
+/// The transition that conditions are of.
+fn operation(context: &Context<'_>, id: Id) -> Option<Operation> {
+    let Scope::Conditions(at) = id.scope else { return None };
+    let row = *context.stated.conditions.get(at)?.rows.first()?;
+    Some(context.stated.rows.get(row)?.operation.value)
 }
 
 /// The rows that the table's feed rests on.

@@ -217,9 +217,12 @@ fn loads<'a>(
     let load =
         move |law: LoadLaw| move |values: &[f64]| Some(law.at(*values.get(2)?, *values.get(1)?, *values.first()?) * kp);
     let because = || formulas.loads_because.iter();
-    for (rule, quantity, law) in [(&FORCE, Q::Force, thrust), (&TORQUE, Q::Torque, torque)] {
+    // A torque that the specific cutting force has, as we take it where the formula is far below, is no slip.
+    let reference = conditions.rows.first().and_then(|row| context.reference(*row));
+    let specific = reference.and_then(|own| own.conditions.torque_n_m).map(|torque| torque.0);
+    for (rule, quantity, law, also) in [(&FORCE, Q::Force, thrust, None), (&TORQUE, Q::Torque, torque, specific)] {
         let own = formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law));
-        add(context, graph, own, (load(law), None), because())?;
+        add(context, graph, own, (load(law), also), because())?;
     }
     // Where the torque is stated the power follows from it.
     if context.stated.figure(id(Q::Torque)).is_none() {

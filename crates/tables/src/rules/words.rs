@@ -114,6 +114,8 @@ vocabulary! {
 
     /// The tables of feeds.
     pub enum FeedTable {
+        /// Of centring tools.
+        Centring = "centring-feed",
         /// Of drills.
         Drilling = "drilling-feed",
         /// Of core drills.

@@ -58,3 +58,6 @@ card-other-grade = the factors of the cards are those of { $example }, the worke
 card-other-material = the cards' factors for { $material } are not known
 stock-of-practice = in practice a reamer finds { $low } to { $high } mm on diameter
 force-opinion = a maker's formulas give { $thrust } N and { $torque } N·m; ours are { $thrust_percent } % and { $torque_percent } % of them
+torque-opinion = by the specific cutting force { $torque } N·m at { $feed } mm/rev; the formula gives { $percent } % of it
+torque-by-specific-force = the formula is less than two thirds of it: the larger torque is taken
+reamed-for-surface = the last reamer is driven no faster than a rough one that takes { $stock } mm: { $speed } m/min

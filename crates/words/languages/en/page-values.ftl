@@ -202,6 +202,7 @@ table-value-judgement-low = too low
 table-value-judgement-high = too high
 table-value-asked = asked
 table-value-not-asked = not asked
+table-value-spot-feed = feed of centring
 table-value-spot-chamfer = as wide as the chamfer
 table-value-share-of-drill = a share of the drill
 table-value-own-cell = own cell

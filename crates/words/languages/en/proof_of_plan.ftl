@@ -1,5 +1,6 @@
 # What of a plan is not proven: each inequality that does not hold.
 proof-no-stock = { $operation }: no stock at worst: the hole of Ø{ $before } may be Ø{ $may_be }, the axes may lie { $shift } mm apart; { $least } mm is left, and it must be more than 0
+proof-too-much = { $operation }: takes { $stock } mm on the diameter, and at most { $most } mm is right for such a tool
 proof-grade = { $operation } does not reach grade { $asked }: IT{ $ordinary } in practice, IT{ $best } at best
 proof-grade-at-best = { $operation } reaches grade { $asked } only at best: ordinarily IT{ $ordinary }, at best IT{ $best }
 proof-surface = { $operation } does not reach { $asked }: { $ordinary } in practice, { $best } at best
@@ -24,5 +25,6 @@ tables-preferred = the tables are preferred: { $own } min; the best plan takes {
 no-place-for-clamps = two or four straps find no place on the face that holds: { $why }; a vice, or a fixture of its own, is needed, against M = { $torque } N·m
 proof-too-fast = { $operation }: speed { $value } m/min > { $percent } % of the upper end of practice, { $usual } m/min
 proof-twists = { $operation }: torque { $value } N·m > { $limit } N·m that the drill of Ø{ $drill } bears
+proof-buckles = { $operation }: thrust { $value } N > { $limit } N that the drill of Ø{ $drill } with flutes of { $flutes } mm bears without buckling
 proof-bar-slender = { $operation }: the bar reaches out { $reach } mm > { $ratio } times its diameter of { $bar } mm
 proof-bar-springs = { $operation }: the bar gives way by { $spring } mm on the diameter to uneven stock > { $tolerance } mm of tolerance

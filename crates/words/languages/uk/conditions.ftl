@@ -58,3 +58,6 @@ card-other-grade = поправки карт відомі лише для { $exa
 card-other-material = поправки карт для матеріалу { $material } невідомі
 stock-of-practice = на практиці розвертка знаходить від { $low } до { $high } мм на діаметр
 force-opinion = за формулами виробника { $thrust } Н і { $torque } Н·м; наші становлять { $thrust_percent } % і { $torque_percent } % від них
+torque-opinion = за питомою силою різання { $torque } Н·м за { $feed } мм/об; формула дає { $percent } % від цього
+torque-by-specific-force = формула дає менше ніж дві третини: береться більший момент
+reamed-for-surface = остання розвертка обертається не швидше за чорнову, що знімає { $stock } мм: { $speed } м/хв

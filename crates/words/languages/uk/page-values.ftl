@@ -202,6 +202,7 @@ table-value-judgement-low = замало
 table-value-judgement-high = забагато
 table-value-asked = потрібне
 table-value-not-asked = не потрібне
+table-value-spot-feed = подача центрування
 table-value-spot-chamfer = під фаску
 table-value-share-of-drill = частка діаметра свердла
 table-value-own-cell = власна клітинка

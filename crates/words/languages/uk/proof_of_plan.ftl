@@ -1,5 +1,6 @@
 # Чого не доведено в плані: кожна нерівність, яка не виконується.
 proof-no-stock = { $operation }: немає припуску в найгіршому разі: отвір Ø{ $before } може вийти Ø{ $may_be }, осі можуть розійтися на { $shift } мм; лишається { $least } мм, а має бути понад 0
+proof-too-much = { $operation }: знімає { $stock } мм на діаметр, а такому інструментові годиться щонайбільше { $most } мм
 proof-grade = { $operation } не дає квалітету { $asked }: на практиці IT{ $ordinary }, щонайліпше IT{ $best }
 proof-grade-at-best = { $operation } дає квалітет { $asked } лише за найкращих умов: звичайно IT{ $ordinary }, щонайліпше IT{ $best }
 proof-surface = { $operation } не дає { $asked }: на практиці { $ordinary }, щонайліпше { $best }
@@ -24,5 +25,6 @@ tables-preferred = перевагу надано таблицям: { $own } хв
 no-place-for-clamps = двом чи чотирьом притискачам немає місця на площині, де вони втримали б деталь: { $why }; потрібні лещата або спеціальне пристосування, що витримають M = { $torque } Н·м
 proof-too-fast = { $operation }: швидкість { $value } м/хв > { $percent } % верхньої межі практики, { $usual } м/хв
 proof-twists = { $operation }: крутний момент { $value } Н·м > { $limit } Н·м, які витримує свердло Ø{ $drill }
+proof-buckles = { $operation }: осьова сила { $value } Н > { $limit } Н, які свердло Ø{ $drill } із канавками { $flutes } мм витримує без поздовжнього вигину
 proof-bar-slender = { $operation }: виліт оправки { $reach } мм > { $ratio } її діаметра, { $bar } мм
 proof-bar-springs = { $operation }: оправка відтискається на { $spring } мм діаметра через нерівний припуск > { $tolerance } мм допуску

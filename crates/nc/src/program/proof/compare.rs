@@ -244,17 +244,21 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Find
         let severity = load(made.speed, cycle.speed_rpm.0);
         findings.push(say.figure(Code::OtherSpeed, severity, made.speed, cycle.speed_rpm.0));
     }
-    let mut feeds = cut.cutting().filter_map(TipMove::feed);
-    if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
-        let severity = load(feed, cycle.feed_mm_per_min.0);
-        findings.push(say.figure(Code::OtherFeed, severity, feed, cycle.feed_mm_per_min.0));
-    }
-    // What a tooth takes grows when the spindle is slower, though each figure may be another's choice.
+    // What a tooth takes grows when the spindle is slower, though each figure may be another's choice; and where the spindle
+    // is as much faster, a faster feed loads it no more.
     let per_turn = |feed: f64, speed: f64| feed / speed.max(f64::MIN_POSITIVE);
     let planned = per_turn(cycle.feed_mm_per_min.0, cycle.speed_rpm.0);
     let turned = cut.cutting().filter(|made| made.speed > 0.0);
     let made = turned.filter_map(|made| Some(per_turn(made.feed()?, made.speed))).fold(0.0, f64::max);
-    if made > planned * asked.tolerated.overload {
+    let spots = cycle.operation == Operation::CentreDrill;
+    let most = if spots { asked.tolerated.spot_overload } else { asked.tolerated.overload };
+    let mut feeds = cut.cutting().filter_map(TipMove::feed);
+    if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
+        let beyond = feed > cycle.feed_mm_per_min.0 * most && (made > planned * most || made == 0.0);
+        let severity = if beyond { Severity::Wrong } else { Severity::Doubtful };
+        findings.push(say.figure(Code::OtherFeed, severity, feed, cycle.feed_mm_per_min.0));
+    }
+    if made > planned * most {
         let figure = |value: f64| crate::units::round_to(value, 3);
         findings.push(say.figure(Code::FeedPerTurn, Severity::Wrong, figure(made), figure(planned)));
     }

@@ -74,6 +74,8 @@ pub struct Tolerated {
     pub overrun: Micrometres,
     /// How many times the planned speed or feed somebody else may have chosen.
     pub overload: f64,
+    /// The same of the feed of a centring tool.
+    pub spot_overload: f64,
     /// How many times the planned dwell is no choice any more.
     pub overlong: f64,
 }
@@ -87,7 +89,8 @@ impl Tolerated {
         let row = crate::zone::approach(part, true, knowledge)?;
         let overload = crate::job::convention(Convention::Overload, knowledge)?.0;
         let overlong = crate::job::convention(Convention::Overlong, knowledge)?.0;
-        Ok(Self { overrun: row.overrun, overload, overlong })
+        let spot_overload = crate::job::convention(Convention::SpotOverload, knowledge)?.0;
+        Ok(Self { overrun: row.overrun, overload, spot_overload, overlong })
     }
 }
 
