@@ -57,7 +57,9 @@ pub(super) fn makers(cut: &Cut, found: &Conditions, shop: &Shop<'_>) -> Result<O
     if cut.operation != Operation::Drill || thrust.0 <= 0.0 || torque.0 <= 0.0 {
         return Ok(None);
     }
-    let Some(id) = practice_group(&shop.material, shop.knowledge)?.and_then(|row| row.drill_force) else { return Ok(None) };
+    let Some(id) = practice_group(&shop.material, shop.knowledge)?.and_then(|row| row.drill_force) else {
+        return Ok(None);
+    };
     let material = shop.knowledge.need(id, |row: &DrillForceFactor<'_>| row.id == id)?;
     let constant = |name: ForceConstant| -> Result<f64, KnowledgeError> {
         Ok(shop.knowledge.need(name.name(), |row: &DrillForceFormula<'_>| row.name.is(name))?.value)

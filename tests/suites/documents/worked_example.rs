@@ -329,7 +329,8 @@ fn the_formula_gives_what_the_handbook_gives() {
     let (kmv, kmp) = (libm::pow(750.0 / 600.0, 0.9), libm::pow(600.0 / 750.0, 0.75));
     let pow = libm::pow;
     let cases = [
-        ("centre-drill", 0.15, 7.0 * pow(6.0, 0.4) / (pow(25.0, 0.2) * pow(0.15, 0.7)), 6.0),
+        // The upper end of a maker's feeds of spot drills in steel, 0.10 mm/rev; its speed is the one that practice allows.
+        ("centre-drill", 0.10, 7.0 * pow(6.0, 0.4) / (pow(25.0, 0.2) * pow(0.10, 0.7)), 6.0),
         ("drill", 0.25 * 0.9, 0.85 * 9.8 * pow(10.0, 0.4) / (pow(25.0, 0.2) * pow(0.225, 0.5)), 10.0),
         ("drill-out", 0.38 * 2.0, 16.2 * pow(20.0, 0.4) / (pow(45.0, 0.2) * pow(5.0, 0.2) * pow(0.76, 0.5)), 20.0),
     ];
