@@ -23,6 +23,37 @@ fn every_example_has_its_page() {
     insta::assert_snapshot!("page_shaft_forging_operation_en", page);
 }
 
+/// Eight parts of every day: six are made whole, and their programs are written for three controls. The holder meets the
+/// tall shoulder of the disc, so that it has none; the slender shaft gives way, which its page says.
+#[test]
+fn parts_of_every_day_are_made_or_say_why_not() {
+    let (whole, rejected, bent) = (vec![], vec!["swept-holder"], vec!["bounds-exceeded"]);
+    let parts = [
+        ("stepped", &whole, 0),
+        ("sleeve", &whole, 0),
+        ("cone", &whole, 0),
+        ("neck", &whole, 0),
+        ("nose", &whole, 0),
+        ("dowel", &whole, 0),
+        ("disc", &rejected, 2),
+        ("slender", &bent, 1),
+    ];
+    for (name, expected, written) in parts {
+        let file = format!("examples/turned-{name}.yaml");
+        let (code, json) = turn(&[&file, "--format", "json"]);
+        let answer: serde_json::Value = serde_json::from_str(&json).unwrap();
+        let findings = answer["findings"].as_array().unwrap().iter();
+        let wrong = findings.filter(|one| one["severity"] == "wrong").map(|one| one["code"].as_str().unwrap());
+        let mut wrong: Vec<&str> = wrong.collect();
+        wrong.dedup();
+        assert_eq!((&wrong, code), (expected, i32::from(!expected.is_empty())), "{name}");
+        for control in ["linuxcnc", "fanuc", "sinumerik"] {
+            let (code, program) = turn(&[&file, "--show", "program", "--control", control]);
+            assert_eq!((code, program.is_empty()), (written, written == 2), "{name} {control}");
+        }
+    }
+}
+
 /// Each way is drawn under its own title, each arc as an arc, and JSON tells every zone with its ways.
 #[test]
 fn the_drawing_and_the_answer_have_every_zone() {
