@@ -1,7 +1,7 @@
 //! A turning operation drawn: for each side of a set-up the allowances with the zones, then the toolpath taken over
 //! each zone.
 
-use super::super::canvas::{Anchor, Canvas, Pen};
+use super::super::canvas::{Anchor, Canvas, Pen, width_of};
 use super::Lang;
 use super::cells::{fixed, rounded};
 use super::phrases::word;
@@ -210,8 +210,9 @@ fn legend(canvas: &mut Canvas, transition: &Transition, bottom: f64, lang: Lang)
     for (purpose, name) in purposes {
         if transition.path.moves.iter().any(|one| one.purpose == purpose) {
             canvas.line(&[(left, bottom - 7.0), (left + 34.0, bottom - 7.0)], pen_of(purpose));
-            canvas.text((left + 40.0, bottom - 3.0), 12.0, Anchor::Start, lang.word(name));
-            left += 190.0;
+            let name = lang.word(name);
+            canvas.text((left + 40.0, bottom - 3.0), 12.0, Anchor::Start, name);
+            left += (40.0 + width_of(name, 12.0) + 16.0).max(190.0);
         }
     }
 }
