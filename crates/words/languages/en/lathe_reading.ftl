@@ -56,3 +56,5 @@ lathe-arc-unsaid = an arc of a contour that does not say G2 or G3: the control t
     .help = give G2 or G3 in the block
 lathe-not-held = the program was not held against the part { $part }: whether it makes it is not known
     .help = look at the trace; what the program says is checked all the same
+lathe-contour-behind = the contour { $name } is read from behind the end of the program
+    .help = on the control it is a file of its own, { $name }.SPF

@@ -168,7 +168,7 @@ impl Way<'_> {
         None
     }
 
-    /// One pass at the level to what stands behind it; whether it was made.
+    /// One pass at the level to what stands behind it; whether the level is done.
     fn pass(&mut self, index: &mut usize) -> bool {
         let here = self.at;
         for ahead in *index..self.legs.len() {
@@ -180,8 +180,11 @@ impl Way<'_> {
                 if ahead == *index {
                     continue;
                 }
-                *index += 1;
-                return false;
+                // At the foot of a piece the walk goes on with the next; on its way down, in a slit of no width, there is
+                // nothing to cut at this level.
+                let at_foot = self.legs.get(*index).is_some_and(|leg| leg.to.to(here) < SAME);
+                *index += usize::from(at_foot);
+                return !at_foot;
             }
             self.put(Stroke::Line(Spot { z, x: here.x }));
             // A short pass draws back by half of itself at most.

@@ -64,6 +64,7 @@ pub(super) const RULES: &[Rule] = &[
     ("lathe-cycle-not-read", Error, "cycles"),
     ("lathe-cycle-first-block", Error, "cycles"),
     ("lathe-contour-missing", Error, "cycles"),
+    ("lathe-contour-behind", Note, "cycles"),
     ("lathe-contour-short", Error, "cycles"),
     ("lathe-contour-word", Error, "cycles"),
     ("lathe-not-monotone", Error, "cycles"),

@@ -7,7 +7,7 @@ use super::LatheReader;
 use super::block::{After, Maker};
 use super::contour::{Leg, Round};
 use super::control::LatheLanguage;
-use super::expression::Parameters;
+use super::expression::{Expression, Parameters};
 use super::motion::{LatheMotion, LathePlace, LathePoint};
 use super::rules::fault;
 use super::state::State;
@@ -113,6 +113,9 @@ impl Programs {
         {
             faults.push(fault("sub-without-pair", block.span, block.number));
         }
+        if kind == LatheReader::Sinumerik && heads.is_empty() {
+            self.behind_the_end(blocks.get(..main).unwrap_or_default(), faults);
+        }
         for (place, (start, name)) in heads.iter().enumerate() {
             let end = heads.get(place + 1).map_or(main, |next| next.0);
             if *start > 0 {
@@ -121,6 +124,43 @@ impl Programs {
             }
         }
     }
+}
+
+impl Programs {
+    /// Contours that stand without a name behind the end of the program, as files that were put into one text: they are those
+    /// of the calls, in their order.
+    fn behind_the_end(&mut self, blocks: &[Block], faults: &mut Vec<Fault>) {
+        let Some(end) = blocks.iter().position(|block| says(block, &[2.0, 30.0])) else { return };
+        let mut called: Vec<(&str, &Block)> = Vec::new();
+        for block in blocks.get(..end).unwrap_or_default() {
+            if let Some((cycle, arguments, _)) = &block.call
+                && cycle == "CYCLE95"
+                && let Some(Argument::Text(name)) = arguments.first()
+                && !self.named.contains_key(name)
+                && !name.contains(':')
+                && !called.iter().any(|(known, _)| known == name)
+            {
+                called.push((name, block));
+            }
+        }
+        let mut begin = end + 1;
+        for (name, block) in called {
+            let Some(length) = blocks.get(begin..).unwrap_or_default().iter().position(|block| says(block, &[17.0]))
+            else {
+                return;
+            };
+            self.named.insert(name.to_owned(), begin..begin + length + 1);
+            faults.push(fault("lathe-contour-behind", block.span, block.number).with("name", name.to_owned()));
+            begin += length + 1;
+        }
+    }
+}
+
+/// Whether a block says one of these M.
+fn says(block: &Block, codes: &[f64]) -> bool {
+    let is =
+        |word: &text::Word| word.name == "M" && matches!(word.value, Expression::Number(code) if codes.contains(&code));
+    block.words.iter().any(is)
 }
 
 struct Run<'a> {

@@ -1,5 +1,5 @@
 //! Programs whose motions are worked out by hand, in `tests/programs-lathe`: a folder per control, of each program
-//! `NAME.nc` and `NAME.expected`, lines of its trace and codes of what is wrong. `NAME.spf` is a contour beside it.
+//! `NAME.nc` and `NAME.expected`, lines of its trace and codes of what is wrong. `CONTOUR.SPF` is a contour beside them.
 //!
 //! A line `...` of what is expected stands for lines that are not looked at.
 
@@ -44,7 +44,7 @@ fn programs_do_what_was_worked_out_by_hand() {
         files.sort();
         for file in files.iter().filter(|file| file.extension().is_some_and(|it| it == "nc")) {
             let text = fs::read_to_string(file).unwrap();
-            let contour = fs::read_to_string(file.with_extension("spf")).unwrap_or_default();
+            let contour = fs::read_to_string(file.with_file_name("CONTOUR.SPF")).unwrap_or_default();
             let run = read(&text, &language, &[Subprogram { name: "CONTOUR", text: &contour }]);
             told.extend(run.faults.iter().map(|fault| fault.code));
             let expected = fs::read_to_string(file.with_extension("expected")).unwrap_or_default();
