@@ -49,7 +49,24 @@ pub struct Areas {
 /// includes it. In the lecture area 2 begins at the rough contour. Over a bridge that counts the finishing layer twice,
 /// so here it begins at the main contour, and the three areas add up to everything between blank and part.
 pub fn areas(blank: &Contour, rough: &Contour, main: &Contour, part: &Contour) -> Areas {
-    Areas { rough_main: between(blank, rough), additional: between(main, part), finish: between(rough, main) }
+    Areas {
+        rough_main: between(blank, &down_to(rough, blank)),
+        additional: between(main, part),
+        finish: between(rough, main),
+    }
+}
+
+/// A rough contour from the radius at which its blank begins. The free end of a part with a bore is faced as far down as
+/// the blank has metal, at the same Z.
+fn down_to(rough: &Contour, blank: &Contour) -> Contour {
+    let mut rough = rough.clone();
+    let face = rough.pieces.first().copied().filter(|first| rough.side == Side::Outer && first.is_face());
+    if let (Some(first), Some(start)) = (face, blank.start())
+        && start.radius < first.from.radius
+    {
+        rough.pieces.insert(0, Piece::line(Point { radius: start.radius, z: first.from.z }, first.from));
+    }
+    rough
 }
 
 /// The area between two contours of one side with the same ends; `upper` is farther from the metal.
@@ -164,6 +181,15 @@ mod tests {
         let [before, after] =
             [8.0, 10.0].map(|radius| Contour::through(Side::Inner, &[at(radius, 0.0), at(radius, 15.0)]));
         is(&between(&before, &after), 30.0, PI * (100.0 - 64.0) * 15.0);
+    }
+
+    /// A bush of Ø60 and Ø32 inside is faced from a bar by 28.3 mm: the whole bar goes, not a cone about its axis.
+    #[test]
+    fn a_face_about_a_bore_is_taken_down_to_the_axis() {
+        let main = Contour::through(Side::Outer, &[at(16.0, 0.0), at(30.0, 0.0)]);
+        let rough = Contour::through(Side::Outer, &[at(16.0, -0.7), at(30.0, -0.7)]);
+        let blank = bar(Half::from(30.0), Half::from(-29.0), Half::from(-0.7));
+        is(&areas(&blank, &rough, &main, &main).rough_main, 30.0 * 28.3, PI * 900.0 * 28.3);
     }
 
     /// A pin of Ø40 × 30 from a bar of Ø50 with a groove of 3 × 2; 0.5 is left on the diameter and 0.2 on the face.
