@@ -22,7 +22,7 @@ use crate::units::{Degrees, Micrometres, MillimetresPerMinute, MillimetresPerRev
 use super::depth::{self, Task};
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
-use super::{SideWork, clip, features};
+use super::{SideWork, clip, crests, features};
 use crate::turning::cutting::{Direction, TurningConditions, unsaid_roughness};
 use technolog_core::part::tolerance_width;
 
@@ -205,6 +205,7 @@ fn finish(
     } else {
         side.layers.left.clone()
     };
+    let contour = as_turned(contour, set_up, bench);
     if contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
         return Ok(None);
     }
@@ -213,7 +214,8 @@ fn finish(
     let face = |surface: &&Surface| {
         surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO)
     };
-    let surfaces = surfaces.into_iter().filter(|surface| contour == side.layers.left || !face(surface)).collect();
+    let faces = contour.start() == side.layers.left.start();
+    let surfaces = surfaces.into_iter().filter(|surface| faces || !face(surface)).collect();
     let task = Finishing {
         side: side.side,
         contour: &contour,
@@ -243,7 +245,7 @@ fn finish_hollow(
     let profile = stretch(set_up, side.side).map(|stretch| &stretch.profile);
     let surfaces: Vec<&Surface> =
         hollow.surfaces.iter().filter_map(|index| profile.and_then(|profile| profile.surfaces.get(*index))).collect();
-    let contour = &hollow.layers.left;
+    let contour = &as_turned(hollow.layers.left.clone(), set_up, bench);
     let (first, last) = hollow.lips;
     let mut from = first;
     for (index, zone) in hollow.zones.iter().enumerate() {
@@ -266,6 +268,12 @@ fn finish_hollow(
         from = to;
     }
     Ok(jobs)
+}
+
+/// A contour with the cylinders of threads as they are turned.
+fn as_turned(contour: Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Contour {
+    let Some(stretch) = stretch(set_up, contour.side) else { return contour };
+    crests::turned(contour, &stretch.profile, bench.workpiece)
 }
 
 /// The contour of a side in a set-up.

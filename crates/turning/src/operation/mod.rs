@@ -14,6 +14,7 @@
 
 pub mod by_passes;
 mod clip;
+mod crests;
 pub mod depth;
 mod doubts;
 pub mod drill;

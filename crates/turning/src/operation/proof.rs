@@ -5,6 +5,7 @@ use technolog_turning_proof as proof;
 
 use crate::note::{Figure, Finding, Note, Severity, Told};
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Surface, SurfaceKind, Turn};
+use crate::turning::jobs::thread::Crests;
 use crate::turning::jobs::{Body, JobTool};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -234,7 +235,9 @@ fn thread(surface: &Surface, workpiece: &Workpiece) -> Option<proof::Thread> {
     let nominal = thread.size.to_mm() / 2.0;
     let inside = crest < nominal - 1e-6;
     let root = if inside { nominal + ROUNDING } else { nominal - 0.6134 * thread.pitch.to_mm() - ROUNDING };
-    Some(proof::Thread { crest: Mm(crest), root: Mm(root) })
+    // It is drawn at the nominal diameter and turned to the middle of what its tolerance leaves.
+    let turned = Crests::of(thread).filter(|_| !inside).map_or(crest, |crests| crests.middle_radius().to_mm());
+    Some(proof::Thread { crest: Mm(turned), root: Mm(root) })
 }
 
 fn tool(tool: &JobTool) -> proof::Tool {

@@ -6,6 +6,7 @@
 //! r before that point. Inserts of full profile have r = H/6 outside, so 17/24 H = 0.6134 P, and H/12 in a bore, so
 //! 2/3 H = 0.5774 P: as makers' tables of passes have it.
 
+mod crests;
 mod passes;
 mod room;
 
@@ -35,6 +36,7 @@ use super::limits::Limits;
 use super::refused::{NoJob, no_figure};
 use super::site::{self, Site};
 use super::{Job, JobTool, Pace, ThreadCut, Work};
+pub use crests::Crests;
 use passes::Divided;
 pub use passes::Passes;
 use room::Room;
@@ -290,18 +292,18 @@ fn way(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site
     path
 }
 
-/// What ISO 965-1 makes of the crests of an outer thread of tolerance 6g: it is turned so much smaller than its nominal
-/// diameter, by the fundamental deviation es = −(15 + 11 P) µm and the tolerance Td = 180·P^(2/3) − 3.15/√P µm.
+/// What is told of the crests of an outer thread.
 fn crests(side: Side, thread: &Thread, surface: &crate::turning::contour::SurfaceName) -> Option<Note> {
-    let is_6g = thread.written.ends_with("6g") || !thread.written.contains('-');
-    if side == Side::Inner || !is_6g {
-        return None;
+    let named = |code| Note::new(code).with("surface", surface);
+    match (side, Crests::of(thread)) {
+        (Side::Inner, _) => None,
+        (Side::Outer, Some(crests)) => Some(
+            named("thread-crests")
+                .with("class", crests.class.as_str())
+                .with("turned", crests.middle())
+                .with("least", crests.least)
+                .with("most", crests.most),
+        ),
+        (Side::Outer, None) => Some(named("thread-crests-nominal").with("thread", thread.written.as_str())),
     }
-    let pitch = thread.pitch.to_mm();
-    let upper = -(15.0 + 11.0 * pitch) / 1000.0;
-    let tolerance = (180.0 * libm::cbrt(pitch * pitch) - 3.15 / libm::sqrt(pitch)) / 1000.0;
-    let round = |length: f64| Micrometres::new((length * 100.0).round() as i64 * 10);
-    let note =
-        Note::new("thread-crests").with("surface", surface).with("least", thread.size + round(upper - tolerance));
-    Some(note.with("most", thread.size + round(upper)))
 }

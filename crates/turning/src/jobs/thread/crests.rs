@@ -1,0 +1,98 @@
+//! To which diameter the cylinder of an outer thread is turned: the crests have a tolerance that lies below the nominal
+//! diameter (ISO 965-1).
+
+use crate::turning::length::Half;
+use crate::turning::workpiece::Thread;
+use crate::units::Micrometres;
+
+/// What the tolerance class of an outer thread leaves for its crests.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Crests {
+    /// The class of the crests, such as `6g`.
+    pub class: String,
+    /// The least diameter, to 0.01 mm inwards.
+    pub least: Micrometres,
+    /// The largest diameter, to 0.01 mm inwards.
+    pub most: Micrometres,
+}
+
+impl Crests {
+    /// The crests of an outer thread; 6g where the drawing writes no class, as ISO 965-1 says of medium fits. None for a
+    /// class that these formulas do not cover.
+    ///
+    /// ISO 965-1: the fundamental deviation es is 0 for h, −(15 + 11 P) µm for g, −(30 + 11 P) for f, −(50 + 11 P) for e;
+    /// the tolerance of grade 6 is Td = 180·P^(2/3) − 3.15/√P µm, of grade 4 it is 0.63 of that, of grade 8 1.6 of that.
+    pub fn of(thread: &Thread) -> Option<Self> {
+        let field = thread.written.split_once('-').map_or("6g", |(_, field)| field);
+        // The class of the pitch diameter may stand before that of the crests; the length of engagement comes last.
+        let field = field.split('-').next().unwrap_or(field);
+        let class = field.get(field.len().checked_sub(2)?..)?;
+        let pitch = thread.pitch.to_mm();
+        let upper = match class.get(1..)? {
+            "h" => 0.0,
+            "g" => -(15.0 + 11.0 * pitch),
+            "f" => -(30.0 + 11.0 * pitch),
+            "e" => -(50.0 + 11.0 * pitch),
+            _ => return None,
+        };
+        let share = match class.get(..1)? {
+            "4" => 0.63,
+            "6" => 1.0,
+            "8" => 1.6,
+            _ => return None,
+        };
+        let tolerance = share * (180.0 * libm::cbrt(pitch * pitch) - 3.15 / libm::sqrt(pitch));
+        let size = thread.size.to_mm() * 1000.0;
+        let hundredth = |um: f64| Micrometres::new(um as i64 * 10);
+        let least = hundredth(libm::ceil((size + upper - tolerance) / 10.0));
+        let most = hundredth(libm::floor((size + upper) / 10.0));
+        Some(Self { class: class.to_owned(), least, most })
+    }
+
+    /// The diameter in the middle.
+    pub fn middle(&self) -> Micrometres {
+        Micrometres::new((self.least.micrometres() + self.most.micrometres()) / 2)
+    }
+
+    /// The radius in the middle.
+    pub fn middle_radius(&self) -> Half {
+        Half::radius_of(self.middle())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn crests(written: &str, size: i64, pitch: i64) -> Option<Crests> {
+        let (size, pitch) = (Micrometres::new(size), Micrometres::new(pitch));
+        Crests::of(&Thread { surface: String::new(), written: written.to_owned(), size, pitch })
+    }
+
+    /// The limits of the major diameter by the tables of ISO 965-2, µm, which round es and Td to preferred numbers: up to 6 µm away, beside the hundredth.
+    #[test]
+    fn limits_are_those_of_iso_965_2_to_a_hundredth() {
+        for (written, size, pitch, least, most) in [
+            ("M6-6g", 6_000, 1_000, 5_794, 5_974),
+            ("M8", 8_000, 1_250, 7_760, 7_972),
+            ("M10-6g", 10_000, 1_500, 9_732, 9_968),
+            ("M12-6g", 12_000, 1_750, 11_701, 11_966),
+            ("M20-6g", 20_000, 2_500, 19_623, 19_958),
+            ("M30x2-6g", 30_000, 2_000, 29_682, 29_962),
+            ("M20-6h", 20_000, 2_500, 19_665, 20_000),
+            ("M10-5g6g", 10_000, 1_500, 9_732, 9_968),
+        ] {
+            let found = crests(written, size, pitch).unwrap();
+            let [low, high] = [found.least.micrometres() - least, found.most.micrometres() - most];
+            assert!((-3..=16).contains(&low) && (-10..=3).contains(&high), "{written}: {found:?}");
+            assert!(least < found.middle().micrometres() && found.middle().micrometres() < most, "{written}");
+        }
+    }
+
+    #[test]
+    fn other_classes_are_not_guessed() {
+        assert_eq!(crests("M10-7g7d", 10_000, 1_500), None);
+        assert_eq!(crests("M10-6", 10_000, 1_500), None);
+        assert_eq!(crests("M10-6H", 10_000, 1_500), None);
+    }
+}

@@ -1,0 +1,136 @@
+//! The cylinder of an outer thread as it is turned: in the middle of what its tolerance leaves for the crests, not at the
+//! nominal diameter that the drawing writes.
+
+use crate::turning::contour::{Contour, Piece, Profile, Side, SurfaceKind};
+use crate::turning::jobs::thread::Crests;
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::workpiece::Workpiece;
+
+/// The cylinder of a thread, and where it is turned.
+struct Lowered {
+    thread: Piece,
+    /// Where its relief ends, or it itself where it has none.
+    ends: Half,
+    radius: Half,
+}
+
+/// A contour of a side with the cylinders of outer threads as they are turned. What stands beside such a cylinder meets it
+/// there.
+pub fn turned(contour: Contour, profile: &Profile, workpiece: &Workpiece) -> Contour {
+    let pieces = lowered(profile, workpiece).iter().fold(contour.pieces, lower);
+    Contour { side: contour.side, pieces }
+}
+
+fn lowered(profile: &Profile, workpiece: &Workpiece) -> Vec<Lowered> {
+    let mut all = Vec::new();
+    for (index, surface) in profile.surfaces.iter().enumerate() {
+        let outer = profile.side == Side::Outer && surface.kind == SurfaceKind::Thread;
+        let ([thread], true) = (surface.pieces.as_slice(), outer) else { continue };
+        let name = surface.name.to_string();
+        let crests = workpiece.threads.iter().find(|one| one.surface == name).and_then(Crests::of);
+        let relief = profile.surfaces.get(index + 1).filter(|next| next.kind.is_additional());
+        let ends = relief.and_then(|relief| relief.pieces.last()).map_or(thread.to.z, |last| last.to.z);
+        all.extend(crests.map(|crests| Lowered { thread: *thread, ends, radius: crests.middle_radius() }));
+    }
+    all
+}
+
+fn lower(mut pieces: Vec<Piece>, by: &Lowered) -> Vec<Piece> {
+    let Lowered { thread, ends, radius } = by;
+    let is_it = |piece: &Piece| {
+        piece.is_cylinder()
+            && piece.from.radius == thread.from.radius
+            && piece.from.z <= thread.from.z
+            && thread.to.z <= piece.to.z
+    };
+    let Some(index) = pieces.iter().position(is_it) else { return pieces };
+    let Some(whole) = pieces.get(index).copied() else { return pieces };
+    let down = |point: Point| Point { radius: *radius, z: point.z };
+    let mut made = Vec::new();
+    // What comes before.
+    let mut from = down(thread.from);
+    if whole.from.z < thread.from.z {
+        made.push(Piece { to: thread.from, ..whole });
+        made.push(Piece::line(thread.from, from));
+    } else if let Some(before) = index.checked_sub(1).and_then(|before| pieces.get_mut(before)) {
+        match before.at_radius(*radius).last() {
+            Some(meets) if !before.is_cylinder() => {
+                from = *meets;
+                before.to = from;
+            }
+            _ => made.push(Piece::line(before.to, from)),
+        }
+    }
+    // It itself, and what comes behind.
+    let further = whole.to.z > *ends;
+    let mut to = down(if further { Point { radius: whole.to.radius, z: *ends } } else { whole.to });
+    let mut behind = Vec::new();
+    if further {
+        let up = Point { radius: whole.to.radius, z: *ends };
+        behind.push(Piece::line(to, up));
+        behind.push(Piece { from: up, ..whole });
+    } else if let Some(after) = pieces.get_mut(index + 1) {
+        match after.at_radius(*radius).first() {
+            Some(meets) if !after.is_cylinder() => {
+                to = *meets;
+                after.from = to;
+            }
+            // A face that rises from the thread begins lower.
+            _ if after.is_face() => after.from = to,
+            _ => behind.push(Piece::line(to, after.from)),
+        }
+    }
+    made.push(Piece::line(from, to));
+    made.extend(behind);
+    made.retain(|piece| !piece.is_nothing());
+    pieces.splice(index..=index, made);
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    fn after(points: &[Point], thread: (f64, f64), ends: f64) -> Vec<Point> {
+        let pieces = points.windows(2).map(|ends| Piece::line(ends[0], ends[1])).collect();
+        let by = Lowered {
+            thread: Piece::line(at(15.0, thread.0), at(15.0, thread.1)),
+            ends: Half::from(ends),
+            radius: Half::from(14.9),
+        };
+        let pieces = lower(pieces, &by);
+        assert!(pieces.windows(2).all(|beside| beside[0].to == beside[1].from), "{pieces:?}");
+        pieces.first().map(|piece| piece.from).into_iter().chain(pieces.iter().map(|piece| piece.to)).collect()
+    }
+
+    /// Chamfer, thread, the bridge over its relief, a face.
+    #[test]
+    fn a_chamfer_ends_sooner_and_a_face_begins_lower() {
+        let drawn = [at(13.0, 0.0), at(15.0, 2.0), at(15.0, 40.0), at(16.0, 40.0)];
+        let turned = [at(13.0, 0.0), at(14.9, 1.9), at(14.9, 40.0), at(16.0, 40.0)];
+        assert_eq!(after(&drawn, (2.0, 35.0), 40.0), turned);
+    }
+
+    /// The relief as it is cut.
+    #[test]
+    fn the_wall_of_a_relief_begins_lower() {
+        let drawn = [at(13.0, 0.0), at(15.0, 2.0), at(15.0, 35.0), at(13.5, 35.0), at(13.5, 40.0)];
+        let turned = [at(13.0, 0.0), at(14.9, 1.9), at(14.9, 35.0), at(13.5, 35.0), at(13.5, 40.0)];
+        assert_eq!(after(&drawn, (2.0, 35.0), 40.0), turned);
+    }
+
+    /// A cylinder of the same diameter behind it stays.
+    #[test]
+    fn what_is_no_thread_stays() {
+        let drawn = [at(15.0, 0.0), at(15.0, 60.0)];
+        let turned = [at(14.9, 0.0), at(14.9, 35.0), at(15.0, 35.0), at(15.0, 60.0)];
+        assert_eq!(after(&drawn, (0.0, 35.0), 35.0), turned);
+        let turned = [at(15.0, 0.0), at(15.0, 10.0), at(14.9, 10.0), at(14.9, 35.0), at(15.0, 35.0), at(15.0, 60.0)];
+        assert_eq!(after(&drawn, (10.0, 35.0), 35.0), turned);
+    }
+}
