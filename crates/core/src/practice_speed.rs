@@ -5,7 +5,6 @@ use crate::knowledge::vocabulary::ToolMaterial;
 use crate::knowledge::{Knowledge, QueryError, RowRef};
 use crate::material::Material;
 use crate::plan::Operation;
-use crate::shop::Shop;
 use crate::tables::practice::{
     CarbideSpeedFor, CarbideWork, Coating, HssSpeedFor, HssWork, PracticeGroup, PracticeGroupFor, RoughOrFinish,
     SharedWork, SpeedShareFor, TapSpeedFor,
@@ -45,11 +44,13 @@ impl<'k> PracticeSpeed<'k> {
     ///
     /// # Errors
     /// The tables cannot answer.
-    pub fn of(operation: Operation, tool: ToolMaterial, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
-        let Some(group) = practice_group(&shop.material, shop.knowledge)?.map(|row| row.group) else {
-            return Ok(None);
-        };
-        let knowledge = shop.knowledge;
+    pub fn of(
+        operation: Operation,
+        tool: ToolMaterial,
+        material: &Material<'k>,
+        knowledge: &'k Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        let Some(group) = practice_group(material, knowledge)?.map(|row| row.group) else { return Ok(None) };
         let steel = tool == ToolMaterial::HighSpeedSteel;
         match operation {
             Operation::Drill if steel => Self::hss(HssWork::Drill, group, knowledge),

@@ -15,7 +15,7 @@ pub mod handbook;
 pub mod laws;
 mod limits;
 mod milling;
-mod practice;
+pub mod practice;
 mod reaming;
 mod settle;
 mod tapping;

@@ -4,17 +4,19 @@
 //! which of them is taken; both stand in the reasons of the plan.
 
 use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::practice_speed::PracticeSpeed;
 use crate::shop::Shop;
 use crate::tables::rules::{SecondOpinionFor, Taken};
-use crate::units::round_to;
+use crate::units::{MetresPerMinute, round_to};
 
 use super::{Cut, DraftConditions};
 
 /// What practice makes of a speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Held {
+pub enum Held {
     /// The formula's stands.
     No,
     /// It is driven slower than the formula has it.
@@ -25,10 +27,26 @@ pub(super) enum Held {
 
 /// Holds the speed of a draft against practice, by the rule `second-opinion`.
 pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Result<Held, KnowledgeError> {
-    let Some(practice) = PracticeSpeed::of(cut.operation, cut.tool_material, shop)? else { return Ok(Held::No) };
-    let formula = draft.speed;
+    let (speed, held, because) = held(draft.speed, cut, &shop.material, shop.knowledge)?;
+    draft.speed = speed;
+    draft.because.extend(because);
+    Ok(held)
+}
+
+/// The speed to drive in place of that of the formula, by the rule `second-opinion`, and why.
+///
+/// # Errors The tables cannot answer.
+pub fn held(
+    formula: MetresPerMinute,
+    cut: &Cut,
+    material: &Material<'_>,
+    knowledge: &Knowledge,
+) -> Result<(MetresPerMinute, Held, Vec<Because>), KnowledgeError> {
+    let Some(practice) = PracticeSpeed::of(cut.operation, cut.tool_material, material, knowledge)? else {
+        return Ok((formula, Held::No, Vec::new()));
+    };
     let share = formula.0 / practice.typical.0;
-    let asked = shop.knowledge.ask(&SecondOpinionFor { operation: cut.operation, share })?;
+    let asked = knowledge.ask(&SecondOpinionFor { operation: cut.operation, share })?;
     let taken = asked.need(cut.operation.name())?.take;
     let (speed, held) = match taken {
         Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, Held::Slower),
@@ -41,12 +59,10 @@ pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> R
         .with("low", round_to(practice.low.0, 1))
         .with("high", round_to(practice.high.0, 1))
         .with("percent", round_to(share * 100.0, 0));
-    draft.because.push(Because::row(practice.row, note));
+    let mut because = vec![Because::row(practice.row, note)];
     if held != Held::No {
-        draft
-            .because
-            .push(Because::answer(&asked.answer, Note::new("practice-speed").with("speed", round_to(speed.0, 1))));
+        let note = Note::new("practice-speed").with("speed", round_to(speed.0, 1));
+        because.push(Because::answer(&asked.answer, note));
     }
-    draft.speed = speed;
-    Ok(held)
+    Ok((speed, held, because))
 }

@@ -56,7 +56,9 @@ fn too_fast(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, K
         return Ok(None);
     };
     let operation = transition.operation;
-    let Some(practice) = PracticeSpeed::of(operation, table.head.material, shop)? else { return Ok(None) };
+    let Some(practice) = PracticeSpeed::of(operation, table.head.material, &shop.material, shop.knowledge)? else {
+        return Ok(None);
+    };
     let (value, usual) = (transition.conditions.speed_m_per_min, practice.high);
     let share = limit(ProofLimit::SpeedOverPractice, shop)?;
     Ok((value.0 > usual.0 * share * SLACK).then_some(Fault::TooFast { operation, value, usual, share }))

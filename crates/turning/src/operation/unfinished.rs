@@ -25,8 +25,24 @@ pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
             let note = Note::new("faced-through-centre").with("zone", number);
             findings.push(Finding::of_part(Severity::Wrong, note));
         }
+        findings
+            .extend(operation.set_ups.iter().filter_map(|set_up| over_driver(set_up, operation.workpiece.length())));
     }
     findings
+}
+
+/// Between centres the part is driven at its far end. A tool that goes there leaves no room for a dog, and a face driver
+/// must be smaller than the path.
+fn over_driver(set_up: &SetUpWork, length: Half) -> Option<Finding> {
+    let jobs = set_up.jobs.iter().filter(|job| job.side == Side::Outer);
+    let there: Vec<_> = jobs.flat_map(|job| &job.path.moves).map(|one| one.to).filter(|to| to.z >= length).collect();
+    let past = there.iter().map(|to| to.z).max()? - length;
+    let within = there.iter().map(|to| to.radius).min()?;
+    let note = Note::new("over-driver")
+        .with("number", set_up.set_up.number)
+        .with("past", past)
+        .with("diameter", within.diameter());
+    Some(Finding::of_part(Severity::Doubtful, note))
 }
 
 /// Surfaces that no job finishes, and threads and grooves that nothing cuts.

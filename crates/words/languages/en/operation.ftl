@@ -26,6 +26,7 @@ thread-not-cut = { $surface }: the thread is not cut
 groove-not-cut = { $surface }: the groove is not cut
 faced-through-centre = zone { $zone }: the face is turned to the axis, where the tailstock centre stands
     .help = face the blank and drill its centre holes first (`blank: {"{"}face: 0, …{"}"}`), or hold it in a chuck
+over-driver = set-up { $number }: between centres the tool goes { $past } mm past the far face, where the part is driven, and the driver is not known here: only a face driver of less than Ø{ $diameter } stays clear, a dog on the shaft would be struck
 no-tool-to-finish = { $side }: no tool finishes this contour: it needs φ of at least { $main }° and φ1 of at least { $secondary }°
     .help = give the steep surfaces a groove or a second set-up, or add a tool to the catalog
 nose-fills-hollow = the nose of radius { $nose } mm fills the hollow of radius { $hollow } mm; no tool has a smaller one

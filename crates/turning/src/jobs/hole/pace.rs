@@ -12,7 +12,7 @@ use crate::turning::tooling::Lathe;
 use crate::units::{MetresPerMinute, MillimetresPerRev, Newtons, RevsPerMinute, round_to};
 use technolog_cutting::figures::Asking;
 use technolog_cutting::laws::LoadLaw;
-use technolog_cutting::{Cut, handbook, rpm_at, speed_at};
+use technolog_cutting::{Cut, handbook, practice, rpm_at, speed_at};
 
 use super::super::refused::{NoJob, of_tables};
 
@@ -33,7 +33,7 @@ impl<'k> Asking<'k> for Bench<'_, 'k> {
     }
 }
 
-/// The pace of a cut: feed and speed of the tables; the spindle at most as fast; the feed reduced until thrust, torque
+/// The pace of a cut: feed and speed of the tables; the speed held against practice, the spindle at most as fast; the feed reduced until thrust, torque
 /// and power are borne. A load grows with a power of the feed, so the feed that it bears follows from it.
 ///
 /// # Errors The tables have no figures; or even the least feed of the lathe is too much.
@@ -48,6 +48,8 @@ pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried
     because.extend(of_life.into_iter().chain(law.speed_because).chain(law.loads_because));
     let (diameter, depth_of_cut) = (cut.diameter.to_mm(), (cut.diameter - cut.from).to_mm() / 2.0);
     let wanted = MetresPerMinute(law.speed.at(diameter, depth_of_cut, feed.0, life.0) * law.speed_factor);
+    let (wanted, _, of_practice) = practice::held(wanted, cut, &bench.material, bench.knowledge)?;
+    because.extend(of_practice);
     let rpm = lathe.spindle.at_most(rpm_at(wanted, cut.diameter)).rounded(2);
     if let Some((torque, thrust)) = law.loads {
         let power = power(lathe, bench.knowledge)?;
