@@ -19,7 +19,12 @@ pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
             findings.extend(left_undone(set_up, side));
         }
     }
-    if operation.workpiece.holding == Holding::Centres {
+    let holding = operation.workpiece.holding;
+    let not_proven = if holding == Holding::Centres { "centre-not-proven" } else { "jaws-not-proven" };
+    if operation.set_ups.iter().any(|set_up| !set_up.jobs.is_empty()) {
+        findings.push(Finding::of_part(Severity::Doubtful, Note::new(not_proven)));
+    }
+    if holding == Holding::Centres {
         for (set_up, _, zone) in operation.zones().filter(|(_, side, zone)| runs_into_centre(side, zone)) {
             let number = format!("{}.{}", set_up.set_up.number, zone.zone.number);
             let note = Note::new("faced-through-centre").with("zone", number);
