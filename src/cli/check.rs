@@ -21,6 +21,7 @@ use technolog::units::Minutes;
 use technolog::words::say;
 
 use super::diagnostics::Texts;
+use super::usage::whole;
 use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind, knowledge, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
@@ -36,6 +37,8 @@ pub struct Args {
     setting: Option<PathBuf>,
     #[arg(long, value_name = "PART.yaml")]
     pub(super) part: Option<PathBuf>,
+    #[arg(long, value_name = "N", requires = "part", value_parser = whole::<1, 9>)]
+    pub(super) set_up: Option<u32>,
 }
 
 /// The controls whose programs are read: of mills, then of lathes.
@@ -74,6 +77,9 @@ pub(super) struct Finding<'a> {
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if let Some(control) = args.control.as_deref().filter(|control| LatheLanguage::NAMES.contains(control)) {
         return check_lathe::run(args, control, context);
+    }
+    if args.set_up.is_some() {
+        return Err(super::turn::refused("set-up-of-lathe", context));
     }
     let format = context.format("check", &[Format::Text, Format::Json, Format::Svg, Format::Markdown, Format::Html])?;
     let knowledge = knowledge::load(context)?;
@@ -231,5 +237,6 @@ pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnost
     };
     let help = context.lang.remedy(&fault.note).unwrap_or_default();
     let help = say!(context.lang, "cli-by-rule", what = help, section = fault.rule);
-    Diagnostic { severity, code: fault.code, message: message.into(), place: Some(place), help: Some(help.into()) }
+    let help = Some(help.trim_start().to_owned().into());
+    Diagnostic { severity, code: fault.code, message: message.into(), place: Some(place), help }
 }

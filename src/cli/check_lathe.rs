@@ -5,12 +5,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use serde::Serialize;
+use technolog::audit::turned;
 use technolog::document::{Block, Document};
 use technolog::knowledge::{Diagnostic, Severity};
 use technolog::note::Figure;
-use technolog::program::Fault;
 use technolog::program::lathe::{
-    LatheLanguage, LatheMotion, LatheRates, LatheRun, LatheTimes, Subprogram, is_serious, not_held, read, times, trace,
+    LatheLanguage, LatheMotion, LatheRates, LatheTimes, Subprogram, is_serious, read, times, trace,
 };
 use technolog::turning::tooling::Lathe;
 use technolog::units::Minutes;
@@ -18,7 +18,7 @@ use technolog::words::say;
 
 use super::check::{Args, Finding, diagnostic, findings, total};
 use super::diagnostics::Texts;
-use super::{CliError, Context, Format, Lang, Outcome, knowledge, problems, proof};
+use super::{CliError, Context, Format, Lang, Outcome, knowledge, problems, proof, turn, turn_operation};
 
 /// The answer for programs.
 #[derive(Serialize)]
@@ -47,8 +47,10 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
     let files: Vec<Subprogram<'_>> = beside.iter().map(|(name, text)| Subprogram { name, text }).collect();
     let mut run = read(&text, &language, &files);
     if let Some(part) = &args.part {
-        let told = held_against(part, &run);
-        run.faults.extend(told);
+        let operation =
+            turn_operation::plan(&turn::read(part, knowledge, context)?.into_workpiece(), knowledge, context)?;
+        let set_up = args.set_up.and_then(|number| u8::try_from(number).ok()).unwrap_or(1);
+        run.faults.extend(turned::held(&operation, set_up, &text, &run));
     }
     let time = times(&run.motions, rates);
     match format {
@@ -70,11 +72,6 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
         }
     }
     Ok(if run.faults.iter().any(is_serious) { Outcome::Findings } else { Outcome::Done })
-}
-
-/// What the program makes of a turned part: the place where its proof is asked. There is none yet, and that is told.
-fn held_against(part: &Path, _run: &LatheRun) -> Vec<Fault> {
-    vec![not_held(&part.display().to_string())]
 }
 
 /// The contours that CYCLE95 names and that stand in files of their own beside the program: `NAME.SPF`.

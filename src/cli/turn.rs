@@ -259,7 +259,8 @@ fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective,
 }
 
 /// What the command cannot do with what it was given.
-fn refused(code: &'static str, context: &Context) -> CliError {
+/// What this command cannot do, in the words of that name.
+pub fn refused(code: &'static str, context: &Context) -> CliError {
     let note = Note::new(code);
     let problem = Diagnostic::error(code, context.lang.say(&note), None);
     CliError::from(problem.help(context.lang.remedy(&note).unwrap_or_default()))
@@ -269,7 +270,7 @@ fn refused(code: &'static str, context: &Context) -> CliError {
 ///
 /// # Errors
 /// The file cannot be used; every mistake in it is told at once.
-fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Turned, CliError> {
+pub fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Turned, CliError> {
     let shown = path.display().to_string();
     let text = context.text(path)?;
     read_turned(&shown, &text, knowledge).map_err(|mistakes| CliError::Unusable {

@@ -1,11 +1,13 @@
 //! The part of `technolog turn` that plans contours: the page of the whole operation, its drawing and its programs.
 
 use clap::ValueEnum;
+use technolog::audit::turned;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report;
 use technolog::turning::operation::programs::{Form, OperationProgram, programs};
 use technolog::turning::operation::{self, Operation};
+use technolog::turning::program::NotWritten;
 use technolog::turning::workpiece::Workpiece;
 use technolog::units::RevsPerMinute;
 use technolog::words::say;
@@ -100,6 +102,13 @@ pub fn program(
     };
     match &written.files {
         Ok(files) => {
+            let read = turned::read_back(operation, written.set_up, wanted.control.name(), files, knowledge);
+            if let Some(why) = read.map_err(lacking)? {
+                return Err(not_written(written, NotWritten::Unsafe { why }.note(), context));
+            }
+            if turned::reader(wanted.control.name()).is_none() {
+                super::output::complain(&say!(context.lang, "turn-not-read-back", control = wanted.control.name()));
+            }
             let texts: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
             context.emit(&texts.join("\n"))?;
             super::output::complain(&report::turning::programs_list(&all, context.lang));

@@ -35,6 +35,7 @@ mod roots;
 pub mod rules;
 pub mod stated;
 mod tolerance;
+pub mod turned;
 mod write;
 
 // This room and those below, under one name each in the whole program.
@@ -45,6 +46,7 @@ use technolog_holes::{planner, route, sequence, tooling};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_nc::{job, program};
 use technolog_tables as tables;
+use technolog_turning as turning;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;

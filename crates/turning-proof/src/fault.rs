@@ -110,6 +110,33 @@ pub enum Fault {
 }
 
 impl Fault {
+    /// Its stable name, which its sentence has too.
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::Gouge { .. } => "swept-gouge",
+            Self::RapidCut { .. } => "swept-rapid",
+            Self::Holder { kind: Kind::Rapid, .. } => "swept-holder-rapid",
+            Self::Holder { .. } => "swept-holder",
+            Self::Struck { .. } => "swept-struck",
+            Self::OffAxis { .. } => "swept-off-axis",
+            Self::Stands { .. } => "swept-stands",
+            Self::Corner { .. } => "swept-corner",
+            Self::ThreadShallow { .. } => "swept-thread-shallow",
+        }
+    }
+
+    /// The block in which it is worst; none of what is left standing in the end.
+    pub const fn block(&self) -> Option<Block> {
+        match self {
+            Self::Gouge { block, .. }
+            | Self::RapidCut { block, .. }
+            | Self::Holder { block, .. }
+            | Self::Struck { block, .. }
+            | Self::OffAxis { block, .. } => Some(*block),
+            Self::Stands { .. } | Self::Corner { .. } | Self::ThreadShallow { .. } => None,
+        }
+    }
+
     /// Whether it need not be wrong: what every nose leaves.
     pub const fn is_mild(&self) -> bool {
         matches!(self, Self::Corner { .. })
@@ -117,46 +144,29 @@ impl Fault {
 
     /// The sentence.
     pub fn note(&self) -> Note {
-        let placed =
-            |code: &'static str, at: &At| Note::new(code).with("z", at.z).with("diameter", Mm(2.0 * at.radius.0.abs()));
+        let code = self.code();
+        let placed = |at: &At| Note::new(code).with("z", at.z).with("diameter", Mm(2.0 * at.radius.0.abs()));
         let of_surface = |note: Note, surface: &Option<Figure>| {
             note.with("surface", surface.clone().unwrap_or_else(|| Figure::word("surface-without-name")))
         };
         match self {
-            Self::Gouge { surface, depth, at, block, count } => of_surface(placed("swept-gouge", at), surface)
-                .with("depth", depth)
-                .with("block", block)
-                .with("count", count),
-            Self::RapidCut { tool, width, at, block, count } => placed("swept-rapid", at)
-                .with("tool", tool)
-                .with("width", width)
-                .with("block", block)
-                .with("count", count),
-            Self::Holder { tool, width, at, kind, block, count } => {
-                let code = if *kind == Kind::Rapid { "swept-holder-rapid" } else { "swept-holder" };
-                let note = placed(code, at).with("tool", tool).with("width", width);
-                note.with("block", block).with("count", count)
+            Self::Gouge { surface, depth, at, count, .. } => {
+                of_surface(placed(at), surface).with("depth", depth).with("count", count)
             }
-            Self::Struck { tool, body, width, at, block, count } => placed("swept-struck", at)
-                .with("tool", tool)
-                .with("body", body)
-                .with("width", width)
-                .with("block", block)
-                .with("count", count),
-            Self::OffAxis { tool, at, block, count } => {
-                placed("swept-off-axis", at).with("tool", tool).with("block", block).with("count", count)
+            Self::RapidCut { tool, width, at, count, .. } | Self::Holder { tool, width, at, count, .. } => {
+                placed(at).with("tool", tool).with("width", width).with("count", count)
             }
-            Self::Stands { surface, thickness, at, from_z, to_z } => of_surface(placed("swept-stands", at), surface)
-                .with("thickness", thickness)
-                .with("from", from_z)
-                .with("to", to_z),
-            Self::Corner { surface, radius, left, at, count } => of_surface(placed("swept-corner", at), surface)
-                .with("radius", radius)
-                .with("left", left)
-                .with("count", count),
-            Self::ThreadShallow { surface, left } => {
-                of_surface(Note::new("swept-thread-shallow"), surface).with("left", left)
+            Self::Struck { tool, body, width, at, count, .. } => {
+                placed(at).with("tool", tool).with("body", body).with("width", width).with("count", count)
             }
+            Self::OffAxis { tool, at, count, .. } => placed(at).with("tool", tool).with("count", count),
+            Self::Stands { surface, thickness, at, from_z, to_z } => {
+                of_surface(placed(at), surface).with("thickness", thickness).with("from", from_z).with("to", to_z)
+            }
+            Self::Corner { surface, radius, left, at, count } => {
+                of_surface(placed(at), surface).with("radius", radius).with("left", left).with("count", count)
+            }
+            Self::ThreadShallow { surface, left } => of_surface(Note::new(code), surface).with("left", left),
         }
     }
 

@@ -53,7 +53,7 @@ pub enum Cutter {
         /// Where it works.
         side: Side,
     },
-    /// A blade for grooves and parting, across the axis.
+    /// A blade for grooves and parting, across the axis. Its corner at the chuck is its programmed point.
     Blade {
         /// Its width.
         width: Mm,

@@ -18,6 +18,7 @@ mod operation_rules;
 mod pages;
 mod passes;
 mod programs;
+mod read_back;
 mod schemes;
 mod tools;
 mod transitions;

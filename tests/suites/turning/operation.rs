@@ -3,6 +3,7 @@
 
 use proptest::prelude::*;
 use serde_json::json;
+use technolog::audit::turned::read_back;
 use technolog::note::Severity;
 use technolog::turning::contour::Side;
 use technolog::turning::length::Half;
@@ -14,7 +15,7 @@ use technolog::turning::workpiece::{Turned, Workpiece, read_turned, read_workpie
 use technolog::units::RevsPerMinute;
 use technolog_testing::{KNOWLEDGE, shafts, turned};
 
-fn example(name: &str) -> Workpiece {
+pub(crate) fn example(name: &str) -> Workpiece {
     let path = format!("{}/examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
     match read_turned("part", &text, &KNOWLEDGE).unwrap() {
@@ -23,7 +24,7 @@ fn example(name: &str) -> Workpiece {
     }
 }
 
-fn planned(workpiece: &Workpiece) -> Operation {
+pub(crate) fn planned(workpiece: &Workpiece) -> Operation {
     plan(workpiece, &KNOWLEDGE).unwrap()
 }
 
@@ -217,13 +218,18 @@ proptest! {
         prop_assert_eq!(plan(), plan());
     }
 
-    /// Every control and both forms: a file, or a reason.
+    /// Every control and both forms: a file, or a reason; a file is read back as what the toolpaths are.
     #[test]
     fn every_part_has_programs_or_reasons(draft in turned::drafts(), rpm in prop::option::of(20.0_f64..3000.0)) {
         let operation = planned(&read_workpiece("part", &draft.text(), &KNOWLEDGE).unwrap());
-        for control in ["linuxcnc", "sinumerik", "nc-201"] {
+        for control in ["linuxcnc", "fanuc", "sinumerik", "nc-201"] {
             for form in [Form::Motions, Form::Cycles] {
                 let written = programs(&operation, control, form, rpm.map(RevsPerMinute), &KNOWLEDGE).unwrap();
+                for one in &written {
+                    let Ok(files) = &one.files else { continue };
+                    let why = read_back(&operation, one.set_up, control, files, &KNOWLEDGE).unwrap();
+                    prop_assert!(why.is_none(), "{} {:?} {}: {:?}\n{}", control, form, one.set_up, why, draft.text());
+                }
                 let worked = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty());
                 let numbers: Vec<u8> = worked.map(|set_up| set_up.set_up.number).collect();
                 prop_assert_eq!(written.iter().map(|one| one.set_up).collect::<Vec<_>>(), numbers);

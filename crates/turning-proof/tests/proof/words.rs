@@ -49,6 +49,6 @@ fn every_finding_is_said_with_all_its_figures() {
 #[test]
 fn what_it_says() {
     let said = |lang: Lang| lang.say(&all()[0]);
-    assert_eq!(said(Lang::EN), "neck: cut 0.281 mm too deep at Z-12.346 Ø40, block 7; 3 places in all");
-    assert_eq!(said(Lang::UK), "neck: підрізано на 0,281 мм у точці Z−12,346 Ø40, кадр 7; усього 3 місця");
+    assert_eq!(said(Lang::EN), "neck: cut 0.281 mm too deep at Z-12.346 Ø40; 3 places in all");
+    assert_eq!(said(Lang::UK), "neck: підрізано на 0,281 мм у точці Z−12,346 Ø40; усього 3 місця");
 }

@@ -29,10 +29,13 @@ pub struct Proven {
 
 /// Carries the blank through the jobs of all set-ups.
 pub fn prove(operation: &Operation) -> Vec<Proven> {
-    prove_with(operation, |set_up| {
-        let jobs = set_up.jobs.iter().enumerate();
-        jobs.flat_map(|(index, job)| motions(&job.path, index)).collect()
-    })
+    prove_with(operation, motions_of)
+}
+
+/// The motions of all jobs of a set-up.
+pub fn motions_of(set_up: &SetUpWork) -> Vec<Motion> {
+    let jobs = set_up.jobs.iter().enumerate();
+    jobs.flat_map(|(index, job)| motions(&job.path, index)).collect()
 }
 
 /// Carries the blank through motions that somebody else gives for each set-up, with the tools of its jobs by index.
@@ -67,33 +70,44 @@ pub fn prove_with(operation: &Operation, motions: impl Fn(&SetUpWork) -> Vec<Mot
 /// The findings of a proof. What a nose leaves in a corner is a note, everything else is wrong. What stands, and what of a
 /// thread is not cut, is told of the set-up that turns the surface, unless a finding says already that nothing finishes it.
 pub(super) fn findings(operation: &Operation) -> Vec<Finding> {
-    let mut findings = Vec::new();
-    for (one, set_up) in operation.proven.iter().zip(&operation.set_ups) {
-        let undone: Vec<_> = set_up.sides.iter().flat_map(|side| undone(set_up, side)).collect();
-        let stretches = [&set_up.set_up.outer, &set_up.set_up.inner].into_iter().flatten();
-        let own: Vec<Figure> = stretches
-            .flat_map(|stretch| &stretch.profile.surfaces)
-            .filter(|surface| undone.iter().all(|(name, _)| **name != surface.name))
-            .map(|surface| (&surface.name).told())
-            .collect();
-        let told = |fault: &&Fault| match fault {
-            Fault::Stands { surface, .. } | Fault::Corner { surface, .. } | Fault::ThreadShallow { surface, .. } => {
-                surface.as_ref().is_none_or(|surface| own.contains(surface))
-            }
-            unsafe_fault => is_unsafe(operation, unsafe_fault),
-        };
-        match &one.proof {
-            Ok(proof) => findings.extend(proof.faults.iter().filter(told).map(|fault| {
-                let severity = if fault.is_mild() { Severity::Note } else { Severity::Wrong };
-                Finding::of_part(severity, fault.note().with("number", one.set_up))
-            })),
-            Err(refused) => findings.push(Finding::of_part(
-                Severity::Wrong,
-                Note::new("turning-not-proven").with("number", one.set_up).with("why", refused.note()),
-            )),
-        }
+    operation.proven.iter().flat_map(|proven| findings_of(operation, proven)).collect()
+}
+
+/// The findings of one set-up.
+fn findings_of(operation: &Operation, one: &Proven) -> Vec<Finding> {
+    match &one.proof {
+        Ok(proof) => told(operation, one.set_up, proof)
+            .map(|(severity, fault)| Finding::of_part(severity, fault.note().with("number", one.set_up)))
+            .collect(),
+        Err(refused) => vec![Finding::of_part(
+            Severity::Wrong,
+            Note::new("turning-not-proven").with("number", one.set_up).with("why", refused.note()),
+        )],
     }
-    findings
+}
+
+/// The faults of a set-up that are told, whoever made its motions, with how grave they are.
+pub fn told<'a>(
+    operation: &'a Operation,
+    set_up: u8,
+    proof: &'a proof::Proof,
+) -> impl Iterator<Item = (Severity, &'a Fault)> {
+    let works: Vec<&SetUpWork> = operation.set_ups.iter().filter(|one| one.set_up.number == set_up).collect();
+    let undone: Vec<_> = works.iter().flat_map(|work| work.sides.iter().flat_map(|side| undone(work, side))).collect();
+    let stretches = works.iter().flat_map(|work| [&work.set_up.outer, &work.set_up.inner]).flatten();
+    let own: Vec<Figure> = stretches
+        .flat_map(|stretch| &stretch.profile.surfaces)
+        .filter(|surface| undone.iter().all(|(name, _)| **name != surface.name))
+        .map(|surface| (&surface.name).told())
+        .collect();
+    let is_told = move |fault: &&Fault| match fault {
+        Fault::Stands { surface, .. } | Fault::Corner { surface, .. } | Fault::ThreadShallow { surface, .. } => {
+            surface.as_ref().is_none_or(|surface| own.contains(surface))
+        }
+        unsafe_fault => is_unsafe(operation, unsafe_fault),
+    };
+    let severity = |fault: &Fault| if fault.is_mild() { Severity::Note } else { Severity::Wrong };
+    proof.faults.iter().filter(is_told).map(move |fault| (severity(fault), fault))
 }
 
 /// Whether a fault would spoil the part, or hit it, a holder or what stands beside it.
@@ -107,7 +121,11 @@ fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
 
 /// Why no program of a set-up is written: the first fault of the proof that makes it unsafe, or why there is no proof.
 pub fn rejects(operation: &Operation, set_up: u8) -> Option<Note> {
-    let proven = operation.proven.iter().find(|one| one.set_up == set_up)?;
+    rejected(operation, operation.proven.iter().find(|one| one.set_up == set_up)?)
+}
+
+/// The first fault of a proof that makes a set-up unsafe, or why there is no proof.
+pub fn rejected(operation: &Operation, proven: &Proven) -> Option<Note> {
     match &proven.proof {
         Ok(proof) => proof.faults.iter().find(|fault| is_unsafe(operation, fault)).map(Fault::note),
         Err(refused) => Some(refused.note()),

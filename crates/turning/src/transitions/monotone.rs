@@ -130,10 +130,12 @@ impl MonotoneContour {
         let rest = move |piece: &Piece| {
             if piece.is_face() {
                 let rises = piece.to.radius > piece.from.radius;
-                let ahead = if rises { piece.to.radius > point.radius } else { piece.to.radius < point.radius };
+                let passed = |end: Point| if rises { end.radius <= point.radius } else { end.radius >= point.radius };
                 return match piece.from.z.cmp(&point.z) {
                     std::cmp::Ordering::Greater => Some(*piece),
-                    std::cmp::Ordering::Equal if ahead => Some(piece.between(point, piece.to)),
+                    // A face may be of several pieces.
+                    std::cmp::Ordering::Equal if !passed(piece.from) => Some(*piece),
+                    std::cmp::Ordering::Equal if !passed(piece.to) => Some(piece.between(point, piece.to)),
                     _ => None,
                 };
             }

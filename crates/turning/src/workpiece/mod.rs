@@ -52,6 +52,16 @@ pub enum Turned {
     Contoured(Box<Workpiece>),
 }
 
+impl Turned {
+    /// The part by its contours, whatever its form.
+    pub fn into_workpiece(self) -> Workpiece {
+        match self {
+            Self::Stepped(shaft) => Workpiece::from(&shaft),
+            Self::Contoured(workpiece) => *workpiece,
+        }
+    }
+}
+
 /// A turned part and its blank. Z is positive from the finished face of the free end towards the chuck.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Workpiece {

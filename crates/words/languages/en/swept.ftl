@@ -1,25 +1,25 @@
 # What a program of a lathe does to the stock that it must not do, or leaves.
-swept-gouge = { $surface }: cut { $depth } mm too deep at Z{ $z } Ø{ $diameter }, block { $block }; { $count } { $count ->
+swept-gouge = { $surface }: cut { $depth } mm too deep at Z{ $z } Ø{ $diameter }; { $count } { $count ->
         [one] place
        *[other] places
     } in all
-swept-rapid = { $tool } goes through metal at rapid at Z{ $z } Ø{ $diameter }, block { $block }: { $width } mm where it is narrowest; { $count } { $count ->
+swept-rapid = { $tool } goes through metal at rapid at Z{ $z } Ø{ $diameter }: { $width } mm where it is narrowest; { $count } { $count ->
         [one] motion
        *[other] motions
     } in all
-swept-holder = the holder of { $tool } goes into metal at feed at Z{ $z } Ø{ $diameter }, block { $block }: { $width } mm where it is narrowest; { $count } { $count ->
+swept-holder = the holder of { $tool } goes into metal at feed at Z{ $z } Ø{ $diameter }: { $width } mm where it is narrowest; { $count } { $count ->
         [one] motion
        *[other] motions
     } in all
-swept-holder-rapid = the holder of { $tool } goes into metal at rapid at Z{ $z } Ø{ $diameter }, block { $block }: { $width } mm where it is narrowest; { $count } { $count ->
+swept-holder-rapid = the holder of { $tool } goes into metal at rapid at Z{ $z } Ø{ $diameter }: { $width } mm where it is narrowest; { $count } { $count ->
         [one] motion
        *[other] motions
     } in all
-swept-struck = { $tool } strikes { $body } at Z{ $z } Ø{ $diameter }, block { $block }: { $width } mm where it is narrowest; { $count } { $count ->
+swept-struck = { $tool } strikes { $body } at Z{ $z } Ø{ $diameter }: { $width } mm where it is narrowest; { $count } { $count ->
         [one] motion
        *[other] motions
     } in all
-swept-off-axis = { $tool } cuts beside the axis, block { $block }, Z{ $z } Ø{ $diameter }: a drill is fed along the axis only; { $count } { $count ->
+swept-off-axis = { $tool } cuts beside the axis at Z{ $z } Ø{ $diameter }: a drill is fed along the axis only; { $count } { $count ->
         [one] motion
        *[other] motions
     } in all

@@ -1,30 +1,30 @@
 # What a program of a lathe does to the stock that it must not do, or leaves.
-swept-gouge = { $surface }: підрізано на { $depth } мм у точці Z{ $z } Ø{ $diameter }, кадр { $block }; усього { $count } { $count ->
+swept-gouge = { $surface }: підрізано на { $depth } мм у точці Z{ $z } Ø{ $diameter }; усього { $count } { $count ->
         [one] місце
         [few] місця
        *[many] місць
     }
-swept-rapid = { $tool } проходить крізь метал на швидкому ході в точці Z{ $z } Ø{ $diameter }, кадр { $block }: { $width } мм у найвужчому місці; усього { $count } { $count ->
+swept-rapid = { $tool } проходить крізь метал на швидкому ході в точці Z{ $z } Ø{ $diameter }: { $width } мм у найвужчому місці; усього { $count } { $count ->
         [one] переміщення
         [few] переміщення
        *[many] переміщень
     }
-swept-holder = державка інструмента { $tool } врізається в метал на робочій подачі в точці Z{ $z } Ø{ $diameter }, кадр { $block }: { $width } мм у найвужчому місці; усього { $count } { $count ->
+swept-holder = державка інструмента { $tool } врізається в метал на робочій подачі в точці Z{ $z } Ø{ $diameter }: { $width } мм у найвужчому місці; усього { $count } { $count ->
         [one] переміщення
         [few] переміщення
        *[many] переміщень
     }
-swept-holder-rapid = державка інструмента { $tool } врізається в метал на швидкому ході в точці Z{ $z } Ø{ $diameter }, кадр { $block }: { $width } мм у найвужчому місці; усього { $count } { $count ->
+swept-holder-rapid = державка інструмента { $tool } врізається в метал на швидкому ході в точці Z{ $z } Ø{ $diameter }: { $width } мм у найвужчому місці; усього { $count } { $count ->
         [one] переміщення
         [few] переміщення
        *[many] переміщень
     }
-swept-struck = { $tool } зачіпає: { $body }, у точці Z{ $z } Ø{ $diameter }, кадр { $block }: { $width } мм у найвужчому місці; усього { $count } { $count ->
+swept-struck = { $tool } зачіпає: { $body }, у точці Z{ $z } Ø{ $diameter }: { $width } мм у найвужчому місці; усього { $count } { $count ->
         [one] переміщення
         [few] переміщення
        *[many] переміщень
     }
-swept-off-axis = { $tool } ріже збоку від осі, кадр { $block }, Z{ $z } Ø{ $diameter }: свердло подають лише вздовж осі; усього { $count } { $count ->
+swept-off-axis = { $tool } ріже збоку від осі у точці Z{ $z } Ø{ $diameter }: свердло подають лише вздовж осі; усього { $count } { $count ->
         [one] переміщення
         [few] переміщення
        *[many] переміщень

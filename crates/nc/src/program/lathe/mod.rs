@@ -33,13 +33,7 @@ pub use motion::{LatheAct, LatheFeed, LatheModes, LatheMotion, LathePlace, Lathe
 pub use run::{LatheRun, Subprogram, read};
 pub use time::{LatheRates, LatheTimes, times};
 
-use super::{Fault, Span};
-
-/// What is told of a program that was to be held against a turned part: nothing was. Whoever connects a proof of turned
-/// parts tells its findings in this one's place.
-pub fn not_held(part: &str) -> Fault {
-    rules::fault("lathe-not-held", Span { line: 1, column: 1, width: 1 }, None).with("part", part.to_owned())
-}
+use super::Fault;
 
 /// Whether a fault is one with which a program is not to be run on a machine.
 pub fn is_serious(fault: &Fault) -> bool {

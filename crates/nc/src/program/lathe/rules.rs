@@ -32,8 +32,6 @@ pub(super) const RULES: &[Rule] = &[
     ("return-without-call", Error, "calls"),
     ("calls-too-deep", Error, "calls"),
     ("run-too-long", Error, "calls"),
-    // The part.
-    ("lathe-not-held", Doubtful, "part"),
     // How it begins.
     ("lathe-start-unsaid", Wrong, "start"),
     ("lathe-inches", Error, "start"),

@@ -1,0 +1,276 @@
+//! A program of a lathe held against its turned part: the motions that its control makes of the text are carried through the
+//! proof, whoever wrote it.
+//!
+//! What is not known of it: a rapid of both axes is taken as a straight line, as the proof of our own toolpaths takes it.
+//! Where the tool stands before its first motion, and after one to a reference point, it is taken to be far away. A tool
+//! that the text does not name is taken to be ours of that place in the turret: then nothing is worse than doubtful.
+
+use technolog_core::ascii::ascii;
+use technolog_turning_proof::{At, Block, Kind, Mm, Motion, Sense, Way};
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::motion;
+use crate::note::{Note, Severity};
+use crate::program::lathe::{
+    LatheAct, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, Subprogram, is_serious, read,
+};
+use crate::program::{Fault, Span};
+use crate::turning::operation::programs::{place, stations};
+use crate::turning::operation::proof::{Proven, motions_of, prove_with, rejected, told};
+use crate::turning::operation::{Operation, SetUpWork};
+use crate::turning::program::ProgramFile;
+
+/// Where a tool is taken to stand when nobody knows it, mm from the axis and from the face.
+const FAR: f64 = 1000.0;
+
+/// Holds a program of a set-up against the part, after what the jobs of the set-ups before it have left, and tells what
+/// comes of it: what the proof finds, with the lines, or why nothing can be said.
+pub fn held(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
+    let (proven, tools) = match prove(operation, set_up, text, run) {
+        Ok(proven) => proven,
+        Err(why) => return vec![*why],
+    };
+    let work = operation.set_ups.iter().find(|one| one.set_up.number == set_up);
+    let taken = tools.iter().filter(|tool| !tool.is_named).zip(std::iter::repeat(work));
+    let mut faults: Vec<Fault> = taken.filter_map(|(tool, work)| Some(tool.taken(work?))).collect();
+    let end = run.motions.last().map_or(1, |motion| motion.line);
+    // What stands in the end is the work of all tools; what is cut or hit in a line, of the tool that moves there.
+    let is_sure = |line: Option<u32>| {
+        let moved = line.map(|line| run.motions.iter().filter(move |motion| motion.line == line));
+        let of = moved.map(|mut motions| motions.find_map(|motion| motion.modes.tool));
+        tools
+            .iter()
+            .filter(|tool| !tool.is_named)
+            .all(|tool| of.is_some_and(|of| of.is_none_or(|of| of.number != tool.number)))
+    };
+    match &proven.proof {
+        Ok(proof) => faults.extend(told(operation, set_up, proof).map(|(severity, found)| {
+            let line = found.block().and_then(|block| u32::try_from(block.0).ok());
+            let least = if is_sure(line) { Severity::Error } else { Severity::Doubtful };
+            fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
+        })),
+        Err(refused) => {
+            let note = Note::new("turning-not-proven").with("number", set_up).with("why", refused.note());
+            faults.push(fault("turning-not-proven", Severity::Doubtful, note, end));
+        }
+    }
+    let note = Note::new("turned-held").with("number", set_up).with("of", operation.set_ups.len());
+    faults.push(fault("turned-held", Severity::Note, note, end));
+    faults
+}
+
+/// Reads a program of ours back and carries the stock through what the control makes of its text. Gives the first reason
+/// why it must not be run; none where there is none, or where nobody reads the control.
+///
+/// # Errors
+/// The tables of the control lack something.
+pub fn read_back(
+    operation: &Operation,
+    set_up: u8,
+    control: &str,
+    files: &[ProgramFile],
+    knowledge: &Knowledge,
+) -> Result<Option<Note>, KnowledgeError> {
+    let Some(language) = reader(control) else { return Ok(None) };
+    let Some((main, rest)) = files.split_first() else { return Ok(None) };
+    let language = LatheLanguage::read(language, knowledge)?;
+    let beside: Vec<Subprogram<'_>> =
+        rest.iter().map(|file| Subprogram { name: stem(&file.name), text: &file.text }).collect();
+    let run = read(&main.text, &language, &beside);
+    let at_line = |line: u32, why: Note| Note::new("turned-read-back").with("line", line).with("why", why);
+    if let Some(fault) = run.faults.iter().find(|fault| is_serious(fault)) {
+        return Ok(Some(at_line(fault.span.line, fault.note.clone())));
+    }
+    Ok(match prove(operation, set_up, &main.text, &run) {
+        Ok((proven, _)) => rejected(operation, &proven),
+        Err(why) => Some(at_line(why.span.line, why.note.clone())),
+    })
+}
+
+/// The language in which programs for a control of a lathe are read back; none for one that nobody reads.
+pub fn reader(control: &str) -> Option<&'static str> {
+    match control {
+        "linuxcnc" => Some("linuxcnc-lathe"),
+        "fanuc" => Some("fanuc-lathe"),
+        "sinumerik" => Some("sinumerik"),
+        _ => None,
+    }
+}
+
+/// The name of a file without its ending.
+fn stem(name: &str) -> &str {
+    name.split_once('.').map_or(name, |(stem, _)| stem)
+}
+
+/// The proof of a program with the tools that it calls, or why there is none.
+fn prove(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Result<(Proven, Vec<Called>), Box<Fault>> {
+    if run.faults.iter().any(Fault::is_error) {
+        return Err(Box::new(fault("turned-mend-first", Severity::Note, Note::new("turned-mend-first"), 1)));
+    }
+    let missing = || {
+        let numbers: Vec<String> = operation.set_ups.iter().map(|one| one.set_up.number.to_string()).collect();
+        let note = Note::new("turned-no-set-up").with("number", set_up).with("known", numbers.join(", "));
+        Box::new(fault("turned-no-set-up", Severity::Error, note, 1))
+    };
+    let work = operation.set_ups.iter().find(|one| one.set_up.number == set_up).ok_or_else(missing)?;
+    let tools = tools(operation, work, text, run);
+    let motions = motions(&run.motions, &tools)
+        .map_err(|why| Box::new(fault(why.code(), Severity::Doubtful, why.note(), why.line())))?;
+    let all = prove_with(operation, |one| if one.set_up.number == set_up { motions.clone() } else { motions_of(one) });
+    let proven = all.into_iter().find(|one| one.set_up == set_up).ok_or_else(missing)?;
+    Ok((proven, tools))
+}
+
+/// Where in the list of rules these findings stand: docs/lathe-programs-read.md.
+const RULE: &str = "part";
+
+fn fault(code: &'static str, severity: Severity, note: Note, line: u32) -> Fault {
+    let span = Span { line, column: 1, width: 1 };
+    Fault { code, severity, rule: RULE, block: None, calls: Vec::new(), span, subject: None, note }
+}
+
+/// A tool that a program calls.
+#[derive(Clone, Copy, Debug)]
+struct Called {
+    /// Its number in the program.
+    number: u32,
+    /// The first line that calls it.
+    line: u32,
+    /// The job of the set-up whose tool it is.
+    job: usize,
+    /// Whether the text names it; else it is taken by its place.
+    is_named: bool,
+}
+
+impl Called {
+    fn taken(self, work: &SetUpWork) -> Fault {
+        let tool = work.jobs.get(self.job).map_or("", |job| &job.tool.designation);
+        let note = Note::new("turned-tool-taken").with("number", self.number).with("tool", tool.to_owned());
+        fault("turned-tool-taken", Severity::Note, note, self.line)
+    }
+}
+
+/// The tools that a program calls and that the set-up has.
+fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) -> Vec<Called> {
+    let lines: Vec<String> = text.lines().map(plain).collect();
+    let stations = stations(operation);
+    let mut tools: Vec<Called> = Vec::new();
+    for motion in &run.motions {
+        let (Some(tool), line) = (motion.modes.tool, motion.line) else { continue };
+        if tools.iter().any(|known| known.number == tool.number) {
+            continue;
+        }
+        // A remark stands in the block of the call or before it.
+        let at = usize::try_from(line).unwrap_or(usize::MAX);
+        let near = [at.checked_sub(2), at.checked_sub(1)].into_iter().flatten().filter_map(|index| lines.get(index));
+        let remarks: Vec<&String> = near.collect();
+        let names = |index: &usize| {
+            let name = work.jobs.get(*index).map_or("", |job| &job.tool.designation);
+            // Controls show Latin letters only.
+            let names = [plain(name), plain(&ascii(name))];
+            names.iter().any(|name| !name.is_empty() && remarks.iter().any(|remark| remark.contains(name)))
+        };
+        let length = |index: &usize| work.jobs.get(*index).map_or(0, |job| job.tool.designation.len());
+        let named = (0..work.jobs.len()).filter(names).max_by_key(length);
+        let placed = || work.jobs.iter().position(|job| place(&stations, job) == Some(tool.number));
+        if let Some(job) = named.or_else(placed) {
+            tools.push(Called { number: tool.number, line, job, is_named: named.is_some() });
+        }
+    }
+    tools
+}
+
+/// A text by which designations are compared: capitals, digits and what else is no blank.
+fn plain(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_uppercase).collect()
+}
+
+/// Why a program cannot be held against the part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum NotHeld {
+    /// It cuts from or to a place that is not known.
+    Place { line: u32 },
+    /// It moves a tool that the set-up does not have.
+    Tool { line: u32, number: u32 },
+    /// It moves before it calls a tool.
+    NoTool { line: u32 },
+    /// The control offsets the path by the nose (G41, G42), which is not carried out.
+    Compensated { line: u32 },
+}
+
+impl NotHeld {
+    const fn line(self) -> u32 {
+        match self {
+            Self::Place { line } | Self::Tool { line, .. } | Self::NoTool { line } | Self::Compensated { line } => line,
+        }
+    }
+
+    const fn code(self) -> &'static str {
+        match self {
+            Self::Place { .. } => "turned-place-unknown",
+            Self::Tool { .. } => "turned-tool-unknown",
+            Self::NoTool { .. } => "turned-no-tool",
+            Self::Compensated { .. } => "turned-compensated",
+        }
+    }
+
+    fn note(self) -> Note {
+        let note = Note::new(self.code());
+        if let Self::Tool { number, .. } = self { note.with("number", number) } else { note }
+    }
+}
+
+/// The motions of a program as the proof has them; a block of the proof is a line of the program.
+///
+/// # Errors
+/// Something of the program is not known well enough.
+fn motions(all: &[LatheMotion], tools: &[Called]) -> Result<Vec<Motion>, NotHeld> {
+    let mut motions = Vec::new();
+    for one in all.iter().filter(|one| one.act.moves()) {
+        let line = one.line;
+        let cuts = one.act.cuts();
+        let known = one.from.point().zip(one.to.point());
+        if cuts && known.is_none() {
+            return Err(NotHeld::Place { line });
+        }
+        let (from, to) = known.unwrap_or((far(one.from), far(one.to)));
+        if from == to {
+            continue;
+        }
+        let Some(number) = one.modes.tool.map(|tool| tool.number) else {
+            // On its way to or from a place that nobody knows no tool is needed yet.
+            if known.is_none() {
+                continue;
+            }
+            return Err(NotHeld::NoTool { line });
+        };
+        let tool = tools.iter().find(|tool| tool.number == number).ok_or(NotHeld::Tool { line, number })?.job;
+        if cuts && one.modes.compensation != motion::Side::Off {
+            return Err(NotHeld::Compensated { line });
+        }
+        let (start, end) = (at(from), at(to));
+        let (kind, way) = match one.act {
+            LatheAct::Arc { centre, sense, .. } => {
+                let sense = match sense {
+                    motion::Sense::Clockwise => Sense::Clockwise,
+                    motion::Sense::Counterclockwise => Sense::Counterclockwise,
+                };
+                (Kind::Feed, Way::Arc { from: start, to: end, centre: at(centre), sense })
+            }
+            LatheAct::Thread { .. } => (Kind::Thread, Way::Line { from: start, to: end }),
+            LatheAct::Feed { .. } => (Kind::Feed, Way::Line { from: start, to: end }),
+            _ => (Kind::Rapid, Way::Line { from: start, to: end }),
+        };
+        motions.push(Motion { kind, way, tool, block: Block(usize::try_from(line).unwrap_or(usize::MAX)) });
+    }
+    Ok(motions)
+}
+
+fn far(place: LathePlace) -> LathePoint {
+    LathePoint { radius_mm: place.radius_mm.unwrap_or(FAR), z_mm: place.z_mm.unwrap_or(FAR) }
+}
+
+fn at(point: LathePoint) -> At {
+    At::new(Mm(point.z_mm), Mm(point.radius_mm))
+}

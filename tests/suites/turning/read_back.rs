@@ -1,0 +1,124 @@
+//! Programs of lathes held against their part, as text: what the control makes of them is carried through the proof.
+
+use technolog::audit::turned::{held, read_back, reader};
+use technolog::note::Severity;
+use technolog::program::Fault;
+use technolog::program::lathe::{LatheLanguage, Subprogram, read};
+use technolog::turning::operation::Operation;
+use technolog::turning::operation::programs::{Form, programs};
+use technolog_testing::KNOWLEDGE;
+
+use crate::operation::{example, planned};
+
+const CONTROLS: [&str; 3] = ["linuxcnc", "fanuc", "sinumerik"];
+
+/// What is found of a text that is to be set-up 1.
+fn found(operation: &Operation, text: &str) -> Vec<Fault> {
+    let language = LatheLanguage::read("linuxcnc-lathe", &KNOWLEDGE).unwrap();
+    let run = read(text, &language, &[] as &[Subprogram<'_>]);
+    held(operation, 1, text, &run)
+}
+
+/// Codes with how grave they are and their lines, without the notes.
+fn grave(faults: &[Fault]) -> Vec<(&'static str, Severity, u32)> {
+    let grave = faults.iter().filter(|fault| fault.severity < Severity::Note);
+    grave.map(|fault| (fault.code, fault.severity, fault.span.line)).collect()
+}
+
+fn sleeve() -> (Operation, String) {
+    let operation = planned(&example("turned-sleeve"));
+    let written = programs(&operation, "linuxcnc", Form::Motions, None, &KNOWLEDGE).unwrap();
+    let text = written[0].files.as_ref().unwrap()[0].text.clone();
+    (operation, text)
+}
+
+/// The line of a program, from 1, on which that stands after that remark.
+fn line_of(text: &str, remark: &str, block: &str) -> u32 {
+    let from = text.lines().position(|line| line.contains(remark)).unwrap();
+    let at = text.lines().skip(from).position(|line| line == block).unwrap();
+    u32::try_from(from + at + 1).unwrap()
+}
+
+/// The text with one block changed.
+fn changed(text: &str, line: u32, to: &str) -> String {
+    let index = usize::try_from(line).unwrap() - 1;
+    text.lines().enumerate().map(|(at, old)| format!("{}\n", if at == index { to } else { old })).collect()
+}
+
+#[test]
+fn programs_of_the_examples_do_what_their_toolpaths_do() {
+    let mut count = 0;
+    for name in ["turned-sleeve", "turned-stepped", "turned-cone", "turned-neck", "turned-nose", "turned-dowel"] {
+        let operation = planned(&example(name));
+        for (control, form) in CONTROLS.into_iter().flat_map(|one| [(one, Form::Motions), (one, Form::Cycles)]) {
+            for written in programs(&operation, control, form, None, &KNOWLEDGE).unwrap() {
+                let files = written.files.unwrap();
+                let why = read_back(&operation, written.set_up, control, &files, &KNOWLEDGE).unwrap();
+                assert!(why.is_none(), "{name} {control} {form:?} {}: {why:?}", written.set_up);
+                let beside: Vec<Subprogram<'_>> = files[1..]
+                    .iter()
+                    .map(|file| Subprogram { name: file.name.trim_end_matches(".SPF"), text: &file.text })
+                    .collect();
+                let language = LatheLanguage::read(reader(control).unwrap(), &KNOWLEDGE).unwrap();
+                let run = read(&files[0].text, &language, &beside);
+                let told = held(&operation, written.set_up, &files[0].text, &run);
+                assert_eq!(grave(&told), [], "{name} {control} {form:?} {}", written.set_up);
+                assert!(told.iter().any(|fault| fault.code == "turned-held"));
+                assert!(told.iter().all(|fault| fault.code != "turned-tool-taken"), "every tool is named");
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 36, "{count}");
+}
+
+/// A pass 0.5 mm below a seat of Ø50 is told with that amount and its line; Ø50 at that length is the drawing's.
+#[test]
+fn a_finishing_cut_too_deep_is_told_with_its_line() {
+    let (operation, text) = sleeve();
+    let line = line_of(&text, "finish)", "X50 Z-2.4685");
+    let faults = found(&operation, &changed(&text, line, "X49 Z-2.4685"));
+    assert_eq!(grave(&faults), [("swept-gouge", Severity::Wrong, line + 1)]);
+    let gouge = faults.iter().find(|fault| fault.code == "swept-gouge").unwrap();
+    assert_eq!(gouge.note.figure_text("depth").unwrap(), "0.5");
+}
+
+#[test]
+fn what_follows_of_a_tool_that_is_not_named_is_doubtful_at_most() {
+    let (operation, text) = sleeve();
+    let line = line_of(&text, "finish)", "X50 Z-2.4685");
+    let bad = changed(&text, line, "X49 Z-2.4685").replace("(T5 PCLNR 2525M12, finish)", "(finishing)");
+    let faults = found(&operation, &bad);
+    assert_eq!(grave(&faults), [("swept-gouge", Severity::Doubtful, line + 1)]);
+    assert!(faults.iter().any(|fault| fault.code == "turned-tool-taken" && fault.severity == Severity::Note));
+}
+
+#[test]
+fn a_rapid_through_metal_is_told() {
+    let (operation, text) = sleeve();
+    let line = line_of(&text, "rough)", "G1 Z-46 F0.6");
+    let faults = found(&operation, &changed(&text, line, "G0 Z-46"));
+    assert!(grave(&faults).contains(&("swept-rapid", Severity::Wrong, line)), "{faults:?}");
+}
+
+#[test]
+fn a_program_without_its_finishing_leaves_metal() {
+    let (operation, text) = sleeve();
+    let from = text.find("(T5 ").unwrap();
+    let short = format!("{}M2\n", &text[..from]);
+    let codes: Vec<&str> = grave(&found(&operation, &short)).iter().map(|fault| fault.0).collect();
+    assert!(codes.contains(&"swept-stands"), "{codes:?}");
+}
+
+#[test]
+fn what_is_not_known_is_not_blamed() {
+    let (operation, text) = sleeve();
+    let told = |text: &str| grave(&found(&operation, text)).iter().map(|one| (one.0, one.1)).collect::<Vec<_>>();
+    let doubtful = |code| vec![(code, Severity::Doubtful)];
+    let strange = text.replace("T5 M6 G43", "T15 M6 G43").replace("(T5 PCLNR 2525M12, finish)", "(my tool)");
+    assert_eq!(told(&strange), doubtful("turned-tool-unknown"));
+    let line = line_of(&text, "finish)", "G0 X61.1 Z2.6");
+    assert_eq!(told(&changed(&text, line, "G0 G42 X61.1 Z2.6")), doubtful("turned-compensated"));
+    // A text with errors does not move as it says.
+    assert_eq!(told(&changed(&text, line, "G0 X61.1 Q")), []);
+}
