@@ -4,6 +4,7 @@ use clap::ValueEnum;
 use technolog::audit::turned;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
+use technolog::note::Note;
 use technolog::report;
 use technolog::turning::operation::programs::{Form, OperationProgram, programs};
 use technolog::turning::operation::{self, Operation};
@@ -104,7 +105,12 @@ pub fn program(
         Ok(files) => {
             let read = turned::read_back(operation, written.set_up, wanted.control.name(), files, knowledge);
             if let Some(why) = read.map_err(lacking)? {
-                return Err(not_written(written, NotWritten::Unsafe { why }.note(), context));
+                let note = match wanted.form {
+                    Form::Motions => NotWritten::Unsafe { why }.note(),
+                    // The passes of a cycle are the control's own.
+                    Form::Cycles => Note::new("turned-cycle-rejected").with("why", why),
+                };
+                return Err(not_written(written, note, context));
             }
             if turned::reader(wanted.control.name()).is_none() {
                 super::output::complain(&say!(context.lang, "turn-not-read-back", control = wanted.control.name()));
@@ -118,7 +124,7 @@ pub fn program(
     }
 }
 
-fn not_written(written: &OperationProgram, note: technolog::note::Note, context: &Context) -> CliError {
+fn not_written(written: &OperationProgram, note: Note, context: &Context) -> CliError {
     let set_up = say!(context.lang, "turn-job-of", number = written.set_up);
     let said = say!(context.lang, "turn-tool-not-written", tool = set_up, why = &note);
     let problem = Diagnostic::error("not-written", said, None);

@@ -91,9 +91,13 @@ impl<'z> ToolpathBuilder<'z> {
             .map(|(one, _)| one.to)
     }
 
-    /// Along a piece at a feed.
+    /// Along a piece at a feed. Where the contour is so steep that one Z has several radii, an upright line leads to it.
     pub fn feed(&mut self, piece: Piece, purpose: Purpose, role: SupportPointRole) {
-        debug_assert_eq!(piece.from, self.here(), "a piece begins where the toolpath ends");
+        let here = self.here();
+        debug_assert_eq!(piece.from.z, here.z, "a piece begins where the toolpath ends");
+        if piece.from != here {
+            self.straight(piece.from, purpose, SupportPointRole::Corner);
+        }
         if !piece.is_nothing() {
             self.path.follow(piece, purpose);
             self.roles.push(role);

@@ -74,3 +74,5 @@ turned-compensated = G41 and G42 are not carried out: the program was not held a
     .help = write the path of the tool, or look at the trace
 turned-read-back = read back, line { $line }: { $why }
 turn-not-read-back = no reader of { $control } here: what its control makes of the text was not proven, only the toolpath
+turned-cycle-rejected = its program is not written, because the passes that the control makes of its cycles would spoil something: { $why }
+    .help = `--show program` writes every motion, which the proof accepts
