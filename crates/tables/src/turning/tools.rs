@@ -76,6 +76,8 @@ vocabulary! {
         FinishFeedLeast = "finish-feed-least",
         /// Between the jaws and the end of the tool's way.
         JawClearance = "jaw-clearance",
+        /// The least of it, where little is left to grip.
+        JawClearanceLeast = "jaw-clearance-least",
         /// To what depths are told.
         DepthStep = "depth-step",
         /// Where feeds and formulas end.

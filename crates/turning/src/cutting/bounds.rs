@@ -290,11 +290,12 @@ pub(super) fn constant_length(cut: &Cut<'_, '_>, name: Limit) -> Result<(Microme
     constant(cut.knowledge, name, |row| row.length)
 }
 
-/// How far the jaws stay from the end of a tool's way.
+/// How far the jaws stay from the end of what a tool turns: the least, and what is wanted.
 ///
 /// # Errors `turning-limits` does not have it.
-pub fn jaw_clearance(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
-    Ok(constant(knowledge, Limit::JawClearance, |row| row.length)?.0)
+pub fn jaw_clearance(knowledge: &Knowledge) -> Result<[Micrometres; 2], KnowledgeError> {
+    let of = |name| constant(knowledge, name, |row| row.length).map(|(length, _)| length);
+    Ok([of(Limit::JawClearanceLeast)?, of(Limit::JawClearance)?])
 }
 
 /// The shallowest pass worth roughing with.

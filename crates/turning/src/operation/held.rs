@@ -6,11 +6,13 @@ use crate::material::Material;
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::{PartSupport, TurningSupportFor};
 use crate::turning::contour::Contour;
-use crate::turning::cutting::{Flexibility, HeldPart, PartSection, jaw_clearance};
+use crate::turning::cutting::{Flexibility, HeldPart, PartSection};
 use crate::turning::length::Half;
 use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::{Hold, SetUp};
 use crate::units::Micrometres;
+
+use super::jaws::Jaws;
 
 /// A part in its jaws, or between its centres.
 #[derive(Clone, Debug)]
@@ -24,12 +26,12 @@ impl Held {
     /// How the part of a set-up stands; none where it is not held, or where its contours are no body.
     ///
     /// It is taken as it will be: what the set-up turns with the finished contour, in a second set-up all of it, with its
-    /// bore. So it is never thinner than reckoned, and bends no more. The jaws close behind what is turned, or at the
-    /// beginning of the surface that they grip.
+    /// bore. So it is never thinner than reckoned, and bends no more.
     ///
     /// # Errors The knowledge base lacks a table.
     pub fn of(
         set_up: &SetUp,
+        jaws: Option<&Jaws>,
         workpiece: &Workpiece,
         material: &Material<'_>,
         knowledge: &Knowledge,
@@ -42,17 +44,10 @@ impl Held {
         let turned_to = turned.as_ref().and_then(Contour::end).map_or(Half::ZERO, |end| end.z);
         let far = |contour: &Contour| contour.pieces.iter().flat_map(|one| [one.from.z, one.to.z]).max();
         let Some(end) = far(&blank) else { return Ok(None) };
-        let (support, jaws_at) = match &set_up.holds_at {
-            None => return Ok(None),
-            Some(Hold::Centres) => (PartSupport::Centres, end),
-            Some(Hold::Blank { .. }) => (PartSupport::Chuck, end.min(turned_to + Half::of(jaw_clearance(knowledge)?))),
-            Some(Hold::Surface { name, .. }) => {
-                let of_name = |one: &&crate::turning::contour::Surface| one.name.to_string() == *name;
-                let Some(surface) = workpiece.outer.surfaces.iter().find(of_name) else { return Ok(None) };
-                let zs = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
-                let begins = if set_up.turned_over { zs.max().map(|z| length - z) } else { zs.min() };
-                (PartSupport::Chuck, begins.unwrap_or(end))
-            }
+        let (support, jaws_at) = match (&set_up.holds_at, jaws) {
+            (Some(Hold::Centres), _) => (PartSupport::Centres, end),
+            (_, Some(jaws)) => (PartSupport::Chuck, jaws.front_mm),
+            _ => return Ok(None),
         };
         let inner = workpiece.inner.as_ref().map(|inner| in_set_up(inner.contour()));
         let bore = |from: Half, to: Half| {

@@ -20,6 +20,7 @@ mod doubts;
 pub mod drill;
 mod features;
 pub mod held;
+mod jaws;
 mod jobs;
 pub mod layers;
 mod level;
@@ -47,6 +48,8 @@ use layers::Layers;
 use tools::Bench;
 use work::{Hollow, ZoneWork};
 
+pub use jaws::{ChuckBody, Jaws};
+
 /// A turning operation.
 #[derive(Clone, Debug, Serialize)]
 pub struct Operation {
@@ -72,6 +75,9 @@ pub struct SetUpWork {
     /// The set-up.
     #[serde(flatten)]
     pub set_up: SetUp,
+    /// The jaws that hold the part; none between centres, and where nothing is long enough for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub jaws: Option<Jaws>,
     /// What it roughs outside and inside, in the order of work.
     pub sides: Vec<SideWork>,
     /// What its tools do, one after another.
@@ -158,11 +164,13 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
             let note = Note::new("far-face-cut-away").with("number", set_up.number).with("length", length);
             findings.push(Finding::of_part(Severity::Note, note));
         }
-        let held = held::Held::of(&set_up, workpiece, &bench.material, knowledge)?;
+        let jaws = Jaws::of(&set_up, workpiece, lathe.as_ref(), knowledge)?;
+        findings.extend(jaws.and_then(|jaws| jaws.short(set_up.number)));
+        let held = held::Held::of(&set_up, jaws.as_ref(), workpiece, &bench.material, knowledge)?;
         let bench = Bench { held, ..bench.clone() };
         let sides = sides(&set_up, &bench, &mut findings)?;
         let jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
-        done.push(SetUpWork { set_up, sides, jobs });
+        done.push(SetUpWork { set_up, jaws, sides, jobs });
     }
     let mut operation = Operation {
         workpiece: workpiece.clone(),

@@ -54,7 +54,7 @@ pub fn prove_with(operation: &Operation, motions: impl Fn(&SetUpWork) -> Vec<Mot
         let task = SetUp {
             profile: profile(operation, set_up),
             stock: stock.clone(),
-            bodies: Vec::new(),
+            bodies: bodies(set_up),
             tools: set_up.jobs.iter().map(|job| tool(&job.tool)).collect(),
             motions: motions(set_up),
         };
@@ -66,6 +66,26 @@ pub fn prove_with(operation: &Operation, motions: impl Fn(&SetUpWork) -> Vec<Mot
     }
     proven
 }
+
+/// The jaws of a set-up and the chuck behind them, as they turn.
+fn bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
+    let Some((jaws, body)) = set_up.jaws.and_then(|jaws| Some((jaws, jaws.body?))) else { return Vec::new() };
+    let (front, grips) = (-jaws.front_mm.to_mm(), jaws.grips_mm.to_mm() / 2.0);
+    let face = front - body.out_mm.to_mm();
+    let block = |name, from: f64, to: f64, radius: f64| proof::Body {
+        name: Figure::word(name),
+        outline: [(from, grips), (from, radius), (to, radius), (to, grips)]
+            .map(|(z, radius)| At::new(Mm(z), Mm(radius)))
+            .to_vec(),
+    };
+    vec![
+        block("body-jaws", front, face, body.sweep_mm.to_mm() / 2.0),
+        block("body-chuck", face, face - FAR, body.chuck_mm.to_mm() / 2.0),
+    ]
+}
+
+/// How long a chuck is taken to be, mm: no toolpath goes past it.
+const FAR: f64 = 500.0;
 
 /// The findings of a proof. What a nose leaves in a corner is a note, everything else is wrong. What stands, and what of a
 /// thread is not cut, is told of the set-up that turns the surface, unless a finding says already that nothing finishes it.

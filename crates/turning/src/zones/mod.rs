@@ -28,7 +28,7 @@ pub use fit::{Fit, ToolAngles, fit};
 pub use join::{Returns, idle_returns};
 pub use kind::{SchemeChoice, ZoneKind};
 pub use parts::{Needs, Part};
-pub use setup::{Hold, SetUp, TurnedSide, Workpiece, set_ups};
+pub use setup::{Hold, SetUp, TurnedSide, Workpiece, least_length, set_ups};
 
 /// What is roughed in one set-up on one side, in the coordinates of that set-up.
 #[derive(Clone, Copy, Debug)]

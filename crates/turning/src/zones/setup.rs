@@ -169,8 +169,19 @@ fn turned_over(profile: &Profile, length: Half) -> Profile {
     Profile { side: profile.side, surfaces: profile.surfaces.iter().rev().map(over).collect() }
 }
 
-/// The least length for the jaws at a diameter, with its row.
-fn least_length(diameter: Micrometres, note: Note, knowledge: &Knowledge) -> Result<(Half, Because), KnowledgeError> {
+/// The least length for the jaws at a diameter, by the rule `turning-hold`.
+///
+/// # Errors The knowledge base lacks the rule, or a row of it.
+pub fn least_length(diameter: Micrometres, knowledge: &Knowledge) -> Result<Half, KnowledgeError> {
+    Ok(least_length_because(diameter, Note::new("hold-blank"), knowledge)?.0)
+}
+
+/// The same with its row.
+fn least_length_because(
+    diameter: Micrometres,
+    note: Note,
+    knowledge: &Knowledge,
+) -> Result<(Half, Because), KnowledgeError> {
     let asked = knowledge.ask(&TurningHoldFor { diameter })?;
     let least = Half::of(asked.need(&diameter.to_string())?.least_length);
     let note = note.with("diameter", diameter).with("least", least);
@@ -200,11 +211,11 @@ fn hold_blank(
     let code = |long_enough: bool| {
         Note::new(if long_enough { "hold-blank" } else { "hold-blank-short" }).with("length", length)
     };
-    let (least, because) = least_length(diameter, code(true), knowledge)?;
+    let (least, because) = least_length_because(diameter, code(true), knowledge)?;
     if length >= least {
         return Ok((Some(Hold::Blank { diameter_mm: diameter, length_mm: length }), because));
     }
-    Ok((None, least_length(diameter, code(false), knowledge)?.1))
+    Ok((None, least_length_because(diameter, code(false), knowledge)?.1))
 }
 
 /// Where the part is held in the second set-up: the thickest of the cylinders that are long enough, and of these the
@@ -229,7 +240,7 @@ fn hold_part(
             continue;
         }
         let note = Note::new("hold-surface").with("surface", &surface.name).with("length", length);
-        let (least, because) = least_length(radius.diameter(), note, knowledge)?;
+        let (least, because) = least_length_because(radius.diameter(), note, knowledge)?;
         if length < least {
             let short = Note::new("hold-surface-short").with("surface", &surface.name).with("length", length);
             passed.push(short.with("least", least));

@@ -34,3 +34,5 @@ swept-no-contour = the proof of the program has no outer contour of the part
 swept-no-tool = block { $block } moves a tool that the set-up does not have
 swept-far = a place is farther than { $limit } mm from zero, or is no number: such a set-up is not proven
 swept-tool = { $tool }: no tool has such lengths or angles
+word-body-jaws = a jaw of the chuck
+word-body-chuck = the chuck

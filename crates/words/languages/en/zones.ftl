@@ -27,3 +27,6 @@ tool-secondary-angle = φ1 = { $has }° is less than { $needs }°
 tool-bore-too-small = the bore of Ø{ $bore } is smaller than the least for the tool, Ø{ $least }
 tool-wider-than-groove = the tool is { $width } mm wide, the floor { $floor } mm
 tool-only-for-grooves = a grooving tool is for closed zones, and this one is { $kind }
+jaws-close = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm; turning they sweep at most Ø{ $sweep }
+jaws-close-alone = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm
+jaws-grip-little = set-up { $number }: to stay off the tool the jaws grip { $length } mm, and { $least } mm are wanted: grip it by bored jaws, or take less depth

@@ -27,3 +27,6 @@ tool-secondary-angle = φ1 = { $has }° менший за { $needs }°
 tool-bore-too-small = отвір Ø{ $bore } менший за найменший для різця Ø{ $least }
 tool-wider-than-groove = ширина різця { $width } мм більша за дно { $floor } мм
 tool-only-for-grooves = канавковий різець лише для закритих зон, а ця { $kind }
+jaws-close = кулачки затискають Ø{ $grips } від Z { $z } на довжині { $length } мм; обертаючись, вони описують щонайбільше Ø{ $sweep }
+jaws-close-alone = кулачки затискають Ø{ $grips } від Z { $z } на довжині { $length } мм
+jaws-grip-little = установ { $number }: щоб не зачепити різець, кулачки беруть { $length } мм, а бажано { $least } мм: затискайте розточеними кулачками або знімайте менше за прохід

@@ -16,6 +16,7 @@ pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetU
     let one = &set_up.set_up;
     page.heading(3, say!(lang, "turn-set-up", number = one.number));
     let notes = one.notes.iter().map(|note| said(note, lang)).chain([reasoned(&one.because, lang)]);
+    let notes = notes.chain(set_up.jaws.iter().map(|jaws| said(&jaws.note(), lang)));
     page.blocks.push(Block::List(notes.map(Item::from).collect()));
     for (side, stretch) in [(Side::Outer, &one.outer), (Side::Inner, &one.inner)] {
         let Some(stretch) = stretch else { continue };

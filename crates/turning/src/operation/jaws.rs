@@ -1,0 +1,103 @@
+//! The jaws of the chuck and the chuck itself as they stand in a set-up, which no tool may touch.
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::note::{Finding, Note, Severity};
+use crate::turning::contour::Contour;
+use crate::turning::cutting::jaw_clearance;
+use crate::turning::length::Half;
+use crate::turning::tooling::Lathe;
+use crate::turning::workpiece::Workpiece;
+use crate::turning::zones::{Hold, SetUp, least_length};
+use crate::units::Micrometres;
+
+/// Jaws that are closed on a cylinder of the blank or the part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Jaws {
+    /// Z of their front, in the coordinates of the set-up.
+    pub front_mm: Half,
+    /// The diameter that they grip.
+    pub grips_mm: Micrometres,
+    /// The length that they grip.
+    pub length_mm: Half,
+    /// The least that they should, by `turning-hold`.
+    pub least_mm: Half,
+    /// Their body, where the lathe's record says how large its chuck is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub body: Option<ChuckBody>,
+}
+
+/// What turns with the part: no smaller than the real one (`chuck-and-tailstock`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct ChuckBody {
+    /// The diameter that the jaws sweep.
+    pub sweep_mm: Micrometres,
+    /// How far the jaws stand out before the face of the chuck.
+    pub out_mm: Micrometres,
+    /// The diameter of the chuck.
+    pub chuck_mm: Micrometres,
+}
+
+impl Jaws {
+    /// What is told where they grip less than they should, to stay off the tool.
+    pub fn short(&self, set_up: u8) -> Option<Finding> {
+        let note = Note::new("jaws-grip-little").with("number", set_up).with("length", self.length_mm);
+        let note = note.with("least", self.least_mm);
+        (self.length_mm < self.least_mm).then(|| Finding::of_part(Severity::Doubtful, note))
+    }
+
+    /// What is told of them.
+    pub fn note(&self) -> Note {
+        let note = Note::new(if self.body.is_some() { "jaws-close" } else { "jaws-close-alone" })
+            .with("grips", self.grips_mm)
+            .with("z", Half::ZERO - self.front_mm)
+            .with("length", self.length_mm);
+        match self.body {
+            Some(body) => note.with("sweep", body.sweep_mm),
+            None => note,
+        }
+    }
+
+    /// Where the jaws close in a set-up; none between centres, and where nothing is long enough for them.
+    ///
+    /// They stay off the end of what is turned by `jaw-clearance` of `turning-limits`, or by as much as the cylinder is
+    /// longer than what jaws need (`turning-hold`), but not by less than `jaw-clearance-least`.
+    ///
+    /// # Errors The knowledge base lacks a table or a row.
+    pub fn of(
+        set_up: &SetUp,
+        workpiece: &Workpiece,
+        lathe: Option<&Lathe<'_>>,
+        knowledge: &Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        let length = workpiece.length();
+        let turned = set_up.outer.as_ref().and_then(|outer| outer.main.contour.end());
+        let turned = turned.map_or(Half::ZERO, |end| end.z);
+        let (from, to, grips_mm) = match &set_up.holds_at {
+            None | Some(Hold::Centres) => return Ok(None),
+            Some(Hold::Blank { diameter_mm, length_mm }) => (turned, turned + *length_mm, *diameter_mm),
+            Some(Hold::Surface { name, diameter_mm, .. }) => {
+                let surface = workpiece.outer.surfaces.iter().find(|one| one.name.to_string() == *name);
+                let Some(pieces) = surface.map(|surface| surface.pieces.clone()) else { return Ok(None) };
+                let contour = Contour { side: workpiece.outer.side, pieces };
+                let seen = if set_up.turned_over { contour.turned_over(length) } else { contour };
+                let (Some(from), Some(to)) = (seen.start(), seen.end()) else { return Ok(None) };
+                (from.z, to.z, *diameter_mm)
+            }
+        };
+        let least = least_length(grips_mm, knowledge)?;
+        let [near, clear] = jaw_clearance(knowledge)?.map(|clearance| turned + Half::of(clearance));
+        let front_mm = clear.min(to - least).max(near).max(from).min(to);
+        let body = match lathe {
+            Some(lathe) => lathe.workholding(knowledge)?.map(|held| ChuckBody {
+                sweep_mm: held.jaws_sweep(grips_mm),
+                out_mm: held.jaw,
+                chuck_mm: held.chuck_diameter,
+            }),
+            None => None,
+        };
+        Ok(Some(Self { front_mm, grips_mm, length_mm: to - front_mm, least_mm: least, body }))
+    }
+}
