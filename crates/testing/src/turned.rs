@@ -23,7 +23,22 @@ pub enum OutlineItem {
     Groove(&'static str, i64, i64),
     /// Down over a length by 20°, along, up a face.
     Neck(i64, i64),
+    /// The thread of that number of [`THREADS`], so long before its relief and a face up.
+    Thread(usize, i64),
 }
+
+/// Threads: nominal radius, size, width of the relief (`thread-relief`).
+const THREADS: [(i64, &str, i64); 5] = [
+    (10_000, "M20x1.5", 4_000),
+    (15_000, "M30x2", 5_000),
+    (20_000, "M40x1.5", 4_000),
+    (24_000, "M48x3", 6_000),
+    (30_000, "M60x2", 5_000),
+];
+
+/// Materials of which parts are turned: steels, stainless steel, grey iron, aluminium, brass.
+const MATERIALS: [&str; 6] =
+    ["steel-45", "steel-40x", "stainless-12h18n10t", "cast-iron-sch20", "aluminium-d16", "brass-ls59-1"];
 
 /// What a blank is.
 #[derive(Clone, Copy, Debug)]
@@ -56,6 +71,7 @@ pub struct TurnedDraft {
     /// The bore, if there is one.
     pub bore: Option<Bore>,
     pub kind: BlankForm,
+    pub material: &'static str,
     /// Radial stock of the blank, that on its face, and what it is longer.
     pub stock: (i64, i64, i64),
     pub lathe: bool,
@@ -169,6 +185,18 @@ impl OutlineText {
                 self.face(top);
                 self.cylinder(3_000, "");
             }
+            OutlineItem::Thread(which, length) if self.after_cylinder => {
+                let fit = THREADS.get(which % THREADS.len()).filter(|(radius, ..)| *radius > self.radius);
+                let Some((radius, size, relief)) = fit else { return };
+                let (top, z) = (radius + 5_000, self.z + length);
+                if fits(self, top) && radius - 3_000 >= self.least {
+                    self.face(*radius);
+                    self.put(format!("{{thread: {size}-6g, to: {}}}", mm(-z)), *radius, z);
+                    self.put("{groove: thread-relief}".to_owned(), *radius, self.z + relief);
+                    self.face(top);
+                    self.cylinder(4_000, "");
+                }
+            }
             _ => {}
         }
     }
@@ -201,7 +229,7 @@ impl TurnedDraft {
         let (length, most) = (walk.z, widest(&walk.spans));
         let bore = self.bore.as_ref().map(|one| bore(&one.steps, one.through, least - 5_000, length));
         let mouth = bore.as_ref().map_or(0, |bore| bore.0);
-        let mut text = "shaft: a\nmaterial: steel-45\n".to_owned();
+        let mut text = format!("shaft: a\nmaterial: {}\n", self.material);
         let _ = writeln!(
             text,
             "blank: {}",
@@ -376,6 +404,7 @@ fn item() -> impl Strategy<Value = OutlineItem> {
         1 => (prop::sample::select(vec!["rectangular", "trapezoid"]), tens(300, 700), tens(30, 110))
             .prop_map(|(kind, width, depth)| OutlineItem::Groove(kind, width, depth)),
         2 => (tens(50, 900), tens(300, 3_000)).prop_map(|(depth, length)| OutlineItem::Neck(depth, length)),
+        1 => (0..THREADS.len(), tens(800, 4_000)).prop_map(|(which, length)| OutlineItem::Thread(which, length)),
     ]
 }
 
@@ -406,19 +435,25 @@ pub fn drafts() -> impl Strategy<Value = TurnedDraft> {
         scheme,
         prop::bool::weighted(0.3),
     );
+    // Most are of steel 45, so that what fails is told of the shape first.
+    let material = prop_oneof![2 => Just(MATERIALS[0]), 3 => prop::sample::select(MATERIALS.to_vec())];
+    let kind = (kind, material);
     (600_i64..4_000, prop::collection::vec(item(), 0..9), bore, kind, stock, how).prop_map(
-        |(start, items, bore, kind, stock, (lathe, centres, depth, allowances, scheme, rates))| TurnedDraft {
-            start: start * 10,
-            items,
-            bore,
-            kind,
-            stock,
-            lathe,
-            centres,
-            depth,
-            allowances,
-            scheme,
-            rates,
+        |(start, items, bore, (kind, material), stock, (lathe, centres, depth, allowances, scheme, rates))| {
+            TurnedDraft {
+                start: start * 10,
+                items,
+                bore,
+                kind,
+                material,
+                stock,
+                lathe,
+                centres,
+                depth,
+                allowances,
+                scheme,
+                rates,
+            }
         },
     )
 }

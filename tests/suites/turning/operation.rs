@@ -14,6 +14,7 @@ use technolog::turning::toolpath::Purpose;
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned, read_workpiece};
 use technolog::units::RevsPerMinute;
 use technolog_testing::{KNOWLEDGE, shafts, turned};
+use technolog_turning_proof::Fault;
 
 pub(crate) fn example(name: &str) -> Workpiece {
     let path = format!("{}/examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
@@ -80,6 +81,37 @@ fn unfinished(operation: &Operation) -> Vec<String> {
         finding.note.code() == "swept-stands" && thickness.is_none_or(|thickness| thickness > ROUNDING_MM)
     };
     operation.findings.iter().filter(thick).map(|finding| format!("{:?}", finding.note)).collect()
+}
+
+/// Set-ups that remove another volume than what lies over the part, though nothing is cut too deep and nothing is left but
+/// in corners. A nose r leaves r²·(cot θ/2 − (π − θ)/2) in a corner of θ, 0.21 r² in a right one and 0.7 r² in one of 60°.
+fn unequal(operation: &Operation) -> Vec<String> {
+    use std::f64::consts::PI;
+    const FARTHEST: f64 = 100.0;
+    let mut found = Vec::new();
+    for (index, proven) in operation.proven.iter().enumerate() {
+        let Ok(proof) = &proven.proof else { continue };
+        // Before the last set-up outside and bore may end at different lengths, and nothing is said of what lies between.
+        if index + 1 < operation.proven.len() && operation.workpiece.inner.is_some() {
+            continue;
+        }
+        let (removed, wanted) = (proof.volumes.removed.0, proof.volumes.to_remove.0);
+        if !proof.faults.iter().all(Fault::is_mild) {
+            continue;
+        }
+        let corners = proof.faults.iter().filter_map(|fault| match fault {
+            Fault::Corner { radius, at, count: 1, .. } => Some(0.7 * radius.0 * radius.0 * 2.0 * PI * at.radius.0),
+            Fault::Corner { radius, count, .. } => {
+                Some(0.7 * radius.0 * radius.0 * 2.0 * PI * FARTHEST * f64::from(u32::try_from(*count).unwrap()))
+            }
+            _ => None,
+        });
+        let (left, rounding) = (corners.sum::<f64>(), wanted * 0.001 + 0.1);
+        if removed > wanted + rounding || removed < wanted - left - rounding {
+            found.push(format!("set-up {}: {removed} mm³ of {wanted}, {:?}", proven.set_up, proof.faults));
+        }
+    }
+    found
 }
 
 fn of_codes(operation: &Operation, codes: &[&str]) -> Vec<String> {
@@ -193,6 +225,8 @@ proptest! {
         let written = programs(&operation, "linuxcnc", Form::Motions, Some(RevsPerMinute(500.0)), &KNOWLEDGE).unwrap();
         let refused = written.iter().any(|one| one.files.is_err());
         prop_assert!(spoilt(&operation).is_empty() || refused);
+        let unequal = unequal(&operation);
+        prop_assert!(unequal.is_empty(), "{}", unequal.join("\n"));
     }
 
     /// The short form, whose diameters are those after roughing.
