@@ -11,7 +11,9 @@ Programs of single moves: every STRAIGHT_TRAVERSE, STRAIGHT_FEED and ARC_FEED is
 for arcs its centre and its sense, and the feed, to 0.001 mm. The sense is held twice: by the sign of ARC_FEED, and by
 the way that an arc of that sign takes about its centre, which must be at most half a circle on the side that the way says.
 
-Programs of several ways, of whole operations: the same for each way in its order, and between two ways nothing but rapids;
+Programs of set-ups: rs274 runs them to their end. What they do is held by the proof, which reads them back.
+
+Programs of several ways: the same for each way in its order, and between two ways nothing but rapids;
 feeds that are not those of the work are counted by themselves.
 
 Programs with G71 and G72: the motions of the cycle are cut out of the blank on paper, and then:
@@ -309,6 +311,10 @@ def main(arguments):
             counts["plain programs"] += 1
             counts["moves"] += moves
             counts["arcs"] += arcs
+        elif told["kind"] == "whole":
+            theirs, problem = motions(told["program"])
+            counts["programs of set-ups"] += 1
+            counts["motions"] += len(theirs)
         elif told["kind"] == "ways":
             problem, moves, arcs, feeds = compare_ways(told)
             counts["programs of ways"] += 1

@@ -91,6 +91,19 @@ impl Chain {
     }
 }
 
+/// An outside and a bore that end at the same place along the axis: the shorter goes on straight, for what a set-up does not
+/// make is as thick as where it begins.
+fn alike_long(mut outer: Vec<Spot>, mut bore: Vec<Spot>) -> (Vec<Spot>, Vec<Spot>) {
+    if let (Some(&out), Some(&within)) = (outer.last(), bore.last()) {
+        if within.z > out.z {
+            bore.push(Spot::new(out.z, within.r));
+        } else if out.z > within.z && within.r < out.r {
+            outer.push(Spot::new(within.z, out.r));
+        }
+    }
+    (outer, bore)
+}
+
 fn normal(from: Spot, to: Spot, outwards: f64) -> Spot {
     to.minus(from).unit().right().times(outwards)
 }
@@ -107,6 +120,8 @@ impl Target {
             spots
         };
         let (outer, bore) = (whole(&chains[0]), whole(&chains[1]));
+        let open = open(&outer, &bore);
+        let (outer, bore) = alike_long(outer, bore);
         let bands = |wanted: fn(f64) -> bool| -> Vec<Convex> {
             chains.iter().flatten().filter(|chain| wanted(chain.moved)).flat_map(Chain::bands).collect()
         };
@@ -127,7 +142,7 @@ impl Target {
         });
         let edges = edges.collect();
         let surfaces = profile.outside.iter().chain(&profile.bore).map(|piece| piece.surface.clone()).collect();
-        Self { keep, keep_thread, may_stay, threads, edges, surfaces, open: open(&outer, &bore) }
+        Self { keep, keep_thread, may_stay, threads, edges, surfaces, open }
     }
 
     pub fn surface(&self, piece: usize) -> Option<Figure> {

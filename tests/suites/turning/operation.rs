@@ -310,7 +310,7 @@ fn programs_for_rs274() {
                     let program = files.iter().map(|file| file.text.as_str()).collect::<String>();
                     json!({"name": name, "kind": "whole", "program": program, "part": text})
                 }
-                Err(refused) => json!({"name": name, "refused": format!("{refused:?}")}),
+                Err(refused) => json!({"name": name, "refused": format!("{refused:?}"), "part": text}),
             };
             lines.push_str(&format!("{line}\n"));
         }

@@ -12,6 +12,8 @@ pub struct Clearance {
     pub approach: Half,
     /// How far the tool draws back from a finished surface.
     pub retract: Half,
+    /// How high a wall the edge may cut on its way up.
+    pub wall: Half,
 }
 
 /// The way along a contour over what stands above it, both as the reference point of the tool meets them
@@ -19,8 +21,9 @@ pub struct Clearance {
 ///
 /// 1. A face at the free end is cut first, from outside towards the axis: there the edge beside the tip cuts, and the
 ///    corner that the rest begins at is left clean.
-/// 2. The rest begins on the extension of its first piece, off the metal by the approach, and is followed to its end.
-/// 3. The tool draws back on both axes and leaves above everything that stands.
+/// 2. So is a wall that is higher than the edge: upwards its holder would meet what stands above.
+/// 3. The rest begins on the extension of its first piece, off the metal by the approach, and is followed to its end.
+/// 4. The tool draws back on both axes and leaves above everything that stands.
 ///
 /// A bore is the same inside out.
 pub fn along(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
@@ -73,7 +76,7 @@ fn seen_outside(
 
 /// The way outside; `ceiling` is where the axis is, for a bore seen inside out.
 fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearance: Clearance) -> Toolpath {
-    let Clearance { approach, retract } = clearance;
+    let Clearance { approach, retract, wall } = clearance;
     let limited = |radius: Half| ceiling.map_or(radius, |ceiling| radius.min(ceiling));
     let (Some(start), Some(end)) = (contour.start(), contour.end()) else { return Toolpath::default() };
     let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
@@ -92,6 +95,26 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
         path.go(first.from, Purpose::Finish);
         path.go(Point { radius: first.from.radius, z: first.from.z - retract }, Purpose::Rapid);
     }
+    if ceiling.is_none() {
+        for (before, face) in walls(rest, wall) {
+            let stands = standing.radii_at(face.from.z).map_or(face.to.radius, |(_, most)| most.max(face.to.radius));
+            // What stands over the foot, rounded as the rough nose left it, is cut with what is before it.
+            let foot = standing
+                .radii_at((face.from.z - approach).max(before.from.z))
+                .map_or(face.from.radius, |(_, most)| most);
+            let (above, foot) = (stands + approach, foot.max(face.from.radius) + approach);
+            if foot >= face.to.radius {
+                continue;
+            }
+            path.go(Point { radius: clear, z: path.end().z }, Purpose::Rapid);
+            path.go(Point { radius: clear, z: face.from.z }, Purpose::Rapid);
+            path.go(Point { radius: above, z: face.from.z }, Purpose::Rapid);
+            path.go(Point { radius: foot, z: face.from.z }, Purpose::Finish);
+            let off = face.from.z - retract;
+            path.go(Point { radius: foot + retract, z: off }, Purpose::Rapid);
+            path.go(Point { radius: clear, z: off }, Purpose::Rapid);
+        }
+    }
     if let Some(first) = rest.first() {
         // On the axis the metal lies all round: the way in is along it.
         let ahead = if first.from.radius <= Half::ZERO { Vector::new(1.0, 0.0) } else { first.direction_at_start() };
@@ -107,12 +130,22 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
         }
         path.go(Point { radius: limited(end.radius + retract), z: end.z - retract }, Purpose::Rapid);
     }
-    // A bore is left along its wall: a bar has no room to go across it.
-    let aside = if ceiling.is_some() { path.end().radius } else { clear.max(path.end().radius) };
+    // A bore is left along its wall, past its narrowest place: a bar has no room to go across it.
+    let aside = if ceiling.is_some() {
+        limited((most(contour) + retract).max(path.end().radius))
+    } else {
+        clear.max(path.end().radius)
+    };
     path.go(Point { radius: aside, z: path.end().z }, Purpose::Rapid);
     path.go(Point { radius: aside, z: home.z }, Purpose::Rapid);
     path.go(home, Purpose::Rapid);
     path
+}
+
+/// Walls that rise higher than that, with the piece before each.
+fn walls(pieces: &[Piece], higher: Half) -> impl Iterator<Item = (&Piece, &Piece)> {
+    let pairs = pieces.iter().zip(pieces.iter().skip(1));
+    pairs.filter(move |(_, face)| face.is_face() && face.to.radius - face.from.radius > higher)
 }
 
 /// The pieces, with lines that go straight on as one.
@@ -135,7 +168,8 @@ mod tests {
         Point { radius: Half::from(radius), z: Half::from(z) }
     }
 
-    const CLEARANCE: Clearance = Clearance { approach: Half::new(4000), retract: Half::new(1000) };
+    const CLEARANCE: Clearance =
+        Clearance { approach: Half::new(4000), retract: Half::new(1000), wall: Half::new(20_000) };
 
     /// A pin of radius 10 with a flange of 15, 0.5 to finish everywhere; the nose has 0.8.
     #[test]
@@ -162,6 +196,25 @@ mod tests {
             home,
         ];
         assert_eq!((path.from, ends), (home, expected.to_vec()));
+    }
+
+    /// A flange of 30 on the pin, higher than the 10 that the edge may cut upwards: its wall is cut first, from outside down
+    /// to 2 over the 0.5 that stand on the pin.
+    #[test]
+    fn a_high_wall_is_cut_downwards() {
+        let pin = [at(10.0, 0.0), at(10.0, 20.0), at(30.0, 20.0), at(30.0, 40.0)];
+        let rough = [at(10.5, 0.0), at(10.5, 19.5), at(30.5, 19.5), at(30.5, 40.0)];
+        let path = along(&Contour::through(Side::Outer, &pin), &Contour::through(Side::Outer, &rough), CLEARANCE);
+        let ends: Vec<(Point, Purpose)> = path.moves.iter().map(|one| (one.to, one.purpose)).collect();
+        let wall = [
+            (at(32.5, 20.0), Purpose::Rapid),
+            (at(12.5, 20.0), Purpose::Finish),
+            (at(13.0, 19.5), Purpose::Rapid),
+            (at(32.5, 19.5), Purpose::Rapid),
+        ];
+        assert_eq!(ends.get(..4), Some(&wall[..]), "{ends:?}");
+        let rest: Vec<Point> = ends.iter().filter(|one| one.1 == Purpose::Finish).skip(1).map(|one| one.0).collect();
+        assert_eq!(rest, [at(10.0, 0.0), at(10.0, 20.0), at(30.0, 20.0), at(30.0, 40.0)]);
     }
 
     /// A bore of 20 with a step of 25 at its mouth: in at the mouth, out towards the axis and along it.

@@ -27,9 +27,7 @@ impl Drilled {
     /// How deep it has its full diameter: the point of the drill, of 118°, ends at its depth. A bar has no room to bore
     /// away what the point leaves, because it would meet the wall on the other side.
     pub(super) fn full_depth(&self) -> Half {
-        /// Half the angle of the point, degrees (ГОСТ 10903).
-        const HALF_POINT: f64 = 59.0;
-        self.depth_mm - Half::from(self.diameter_mm.to_mm() / 2.0 / libm::tan(HALF_POINT.to_radians()))
+        self.depth_mm - point_length(Half::radius_of(self.diameter_mm))
     }
 
     /// Its wall, from where the rough bore begins.
@@ -38,6 +36,13 @@ impl Drilled {
         let ends = [rough.start(), rough.end()].into_iter().flatten().map(|end| Point { radius, z: end.z });
         Contour::through(Side::Inner, &ends.collect::<Vec<_>>())
     }
+}
+
+/// How far the point of a drill, of 118° (ГОСТ 10903), stands out before where it is so thick.
+pub(super) fn point_length(radius: Half) -> Half {
+    /// Half the angle of the point, degrees.
+    const HALF_POINT: f64 = 59.0;
+    Half::from(radius.to_mm() / libm::tan(HALF_POINT.to_radians()))
 }
 
 /// The hole to drill under a rough bore, and the bore without the part of its bottom that the drill removes. If the

@@ -7,7 +7,7 @@ use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind, Surfac
 use crate::turning::elements::{Element, steepness};
 use crate::turning::jobs::along::{Clearance, along, dip};
 use crate::turning::jobs::hole::{self, Hole, HoleEnd};
-use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
+use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::nose::{tightest, up_to};
 use crate::turning::point::Point;
@@ -49,7 +49,13 @@ pub(super) fn jobs(
         }
     }
     for side in sides {
-        jobs.extend(drilled(side, sides, bench, findings)?);
+        let drilled = drilled(set_up, side, sides, bench, findings)?;
+        if side.layers.drilled_first.is_some() && !drilled.iter().any(|job| job.work == JobWork::Drill) {
+            // No bar enters solid metal; why there is no hole is told, and what of the bore is not made.
+            jobs.retain(|job| job.side != side.side);
+            continue;
+        }
+        jobs.extend(drilled);
         jobs.extend(finish(set_up, side, bench, findings)?);
         for hollow in &side.hollows {
             jobs.extend(finish_hollow(set_up, side, hollow, bench, findings)?);
@@ -76,6 +82,7 @@ const fn order(work: JobWork) -> u8 {
 
 /// The spot and the hole that is drilled before a bore into solid metal.
 fn drilled(
+    set_up: &SetUp,
     side: &SideWork,
     sides: &[SideWork],
     bench: &Bench<'_, '_>,
@@ -86,15 +93,33 @@ fn drilled(
     };
     let outside = sides.iter().find(|other| other.side == Side::Outer);
     let face = outside.and_then(|outer| outer.layers.rough.start()).map_or(start.z, |outer| outer.z);
-    let is_blind = side.layers.part.end().is_some_and(|end| end.radius == Half::ZERO);
-    let end = if is_blind { HoleEnd::Blind(drilled.depth_mm) } else { HoleEnd::Through(drilled.depth_mm) };
+    let end = match narrower(set_up, drilled.depth_mm, Half::radius_of(drilled.diameter_mm), bench) {
+        Some(Half::ZERO) => HoleEnd::Blind(drilled.depth_mm),
+        Some(radius) => HoleEnd::Blind(drilled.depth_mm + super::drill::point_length(radius)),
+        None => HoleEnd::Through(drilled.depth_mm),
+    };
     let (diameter, from) = (drilled.diameter_mm, Micrometres::ZERO);
     let task = Hole { diameter, from, face, end, surfaces: Vec::new() };
     let mut jobs = Vec::new();
-    for made in [hole::spot(diameter, face, bench), hole::drill(&task, bench)] {
+    for made in [hole::spot(diameter, face, drilled.depth_mm, bench), hole::drill(&task, bench)] {
         jobs.extend(features::made(made, findings)?);
     }
     Ok(jobs)
+}
+
+/// The radius to which a bore narrows within the reach of the point of a drill that ends at a depth; zero at a bottom, none
+/// where the drill may come out.
+fn narrower(set_up: &SetUp, depth: Half, drill: Half, bench: &Bench<'_, '_>) -> Option<Half> {
+    let whole = bench.workpiece.inner.as_ref()?.contour();
+    let whole = if set_up.turned_over { whole.turned_over(bench.workpiece.length()) } else { whole };
+    let end = whole.end()?;
+    if end.radius == Half::ZERO && end.z <= depth + drill {
+        return Some(Half::ZERO);
+    }
+    let ahead = whole.pieces.iter().filter(|piece| piece.to.z > depth && piece.from.z < depth + drill);
+    let radii =
+        ahead.flat_map(|piece| [piece.from, piece.to]).filter(|point| point.z >= depth).map(|point| point.radius);
+    radii.min().filter(|least| *least < drill)
 }
 
 /// A part of a zone as the taken scheme clears it, with its place among the zones of the side; none if nothing clears it, which is a finding elsewhere.
@@ -381,7 +406,8 @@ impl Finishing<'_> {
         if let Some(tight) = tightest(self.contour).filter(|tight| nose.radius > *tight) {
             notes.push(Note::new("nose-fills-hollow").with("nose", nose.radius).with("hollow", tight));
         }
-        let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm };
+        let made = JobTool::of(&tool);
+        let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm, wall: wall(&made) };
         let Some(path) = way(&seen, &standing, clearance) else { return Ok(None) };
         let pace = finishing(pace_of(&paced, bench), bench);
         let pace = constant_speed(pace, paced.conditions.as_ref(), bench);
@@ -389,7 +415,7 @@ impl Finishing<'_> {
         Ok(Some(Job {
             work: JobWork::Finish,
             side: self.side,
-            tool: JobTool::of(&tool),
+            tool: made,
             surfaces: self.surfaces.iter().map(|surface| surface.name.clone()).collect::<Vec<SurfaceName>>(),
             time_min: pace.time(&path, paced.feeds.rapid),
             path,
@@ -430,6 +456,17 @@ impl Finishing<'_> {
         let best = bench.lathe.and_then(|lathe| lathe.best_roughness);
         Ok((best.map_or(asked, |best| asked.max(best)), because))
     }
+}
+
+/// How high a wall a tool finishes upwards: two thirds of its edge, so that the holder stays off what stands above.
+fn wall(tool: &JobTool) -> Half {
+    /// Where the edge's length is not known, mm.
+    const EDGE: i64 = 10;
+    let edge = match &tool.body {
+        Body::Insert { edge_mm: Some(edge), .. } => *edge,
+        _ => Micrometres::from_mm(EDGE),
+    };
+    Half::from(edge.to_mm() * 2.0 / 3.0)
 }
 
 /// The feed of finishing is the main feed of its conditions, or the one that the file states.

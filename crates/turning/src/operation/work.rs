@@ -260,8 +260,8 @@ fn zone_work(
         return Ok(work);
     };
     work.tool = Some(tools::chosen(tool, count, bench)?);
-    let (direction, stocks) = match zone.feed {
-        Feed::Across => (Direction::Transverse, vec![(facing(zone, ground), 0)]),
+    let (direction, mut stocks) = match zone.feed {
+        Feed::Across => (Direction::Transverse, vec![(facing(zone, ground, Half::ZERO), 0)]),
         Feed::Along => {
             let all = pieceworks(zone, &ground.rough, &ground.blank).into_iter();
             (Direction::Longitudinal, all.map(|one| (one.stock, one.scheme)).collect())
@@ -284,6 +284,9 @@ fn zone_work(
         findings.push(Finding::of_part(Severity::Error, note));
         return Ok(work);
     }
+    if zone.feed == Feed::Across {
+        stocks = vec![(facing(zone, ground, past_axis(tool, limit.min(stock))), 0)];
+    }
     let mut left: Option<Contour> = None;
     for (mut stock, scheme) in stocks {
         // This work begins with what the previous one left, ridges included.
@@ -301,12 +304,14 @@ fn zone_work(
 }
 
 /// The stock before the face of the free end: all of it is removed, and behind it is the part. The tool goes as far as
-/// the face of the blank does for its nose, which is beyond the axis where the face reaches it.
-fn facing(zone: &Zone, ground: &ZoneContours) -> Stock {
+/// the face of the blank does for its nose, which is beyond the axis where the face reaches it, and there at least so far
+/// past it.
+fn facing(zone: &Zone, ground: &ZoneContours, past: Half) -> Stock {
     let (from, to) = (zone.from_z, zone.to_z);
     let at = |radius, z| Point { radius, z };
     let high = zone.greatest_radius;
     let low = ground.blank.start().map_or(zone.least_radius, |start| start.radius.min(zone.least_radius));
+    let low = if low < Half::ZERO { low.min(Half::ZERO - past) } else { low };
     let side = ground.rough.side;
     Stock {
         rough: Contour::through(side, &[at(low, from), at(low, to), at(high, to)]),
@@ -314,6 +319,13 @@ fn facing(zone: &Zone, ground: &ZoneContours) -> Stock {
         from,
         to,
     }
+}
+
+/// How far past the axis a tool goes, so that its edge behind the nose, which is what cuts a face of that depth, leaves no
+/// pip.
+fn past_axis(tool: &TurningTool<'_>, depth: Half) -> Half {
+    Half::from(depth.to_mm() * libm::tan(tool.trail_angle.to_f64().to_radians()))
+        + Half::of(tool.nose_radius.unwrap_or_default())
 }
 
 /// A work, and the surface that its scheme leaves.

@@ -296,13 +296,15 @@ pub fn centre_hole(form: CentreForm, end: Micrometres, face: Half, bench: &Bench
 /// The job of a spot for a drill: the widest cone of a centre drill that stays within the share of its diameter.
 ///
 /// # Errors The drill is too small for any; or the knowledge base lacks a table.
-pub fn spot(drill: Micrometres, face: Half, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
+pub fn spot(drill: Micrometres, face: Half, end: Half, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let mut limits = Limits::of(bench.knowledge);
     let share = limits.ratio(JobLimit::SpotShare)?;
     let most = Micrometres::from_mm_rounded(drill.to_mm() * share);
     let rows = bench.knowledge.rows::<CentreHole<'_>>()?;
     let least = rows.iter().map(|row| row.cone).min().unwrap_or_default();
-    let fitting = rows.into_iter().filter(|row| row.cone <= most).max_by_key(|row| row.pilot);
+    // It goes no deeper than the drill.
+    let fits = |row: &CentreHole<'_>| row.cone <= most && face + Half::of(row.cone_depth + row.pilot_length) < end;
+    let fitting = rows.into_iter().filter(fits).max_by_key(|row| row.pilot);
     let Some(row) = fitting else {
         let least = Micrometres::from_mm_rounded(least.to_mm() / share.max(0.01));
         return Err(Refusal::Not(NoJob::NoCentreHole { diameter: drill, least }));

@@ -107,7 +107,8 @@ fn centre_holes_are_those_of_the_standard() {
         let kept =
             Refusal::split(centre_hole(CentreForm::B, Micrometres::from_mm(40), Half::ZERO, bench)).unwrap().unwrap();
         assert_eq!(deep(&kept), Half::from(6.41 + 6.3));
-        let spotted = Refusal::split(spot(Micrometres::from_mm(20), Half::ZERO, bench)).unwrap().unwrap();
+        let spotted =
+            Refusal::split(spot(Micrometres::from_mm(20), Half::ZERO, Half::from(40.0), bench)).unwrap().unwrap();
         assert_eq!(spotted.tool.designation, "ГОСТ 14952-75 A5.0");
         let small = Refusal::split(centre_hole(CentreForm::A, Micrometres::from_mm(3), Half::ZERO, bench)).unwrap();
         assert_eq!(small.unwrap_err().note().code(), "job-no-centre-hole");
