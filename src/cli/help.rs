@@ -28,12 +28,17 @@ pub fn asked() -> Lang {
     language(Lang::of_environment(std::env::var("LANG").ok().as_deref()))
 }
 
+/// The command without any words, as arguments are read.
+pub fn bare() -> Command {
+    Cli::command().disable_help_subcommand(true)
+}
+
 /// The command with its help in that language.
 pub fn command(lang: Lang) -> Command {
-    let command = Cli::command();
+    let command = bare();
     let names: Vec<String> = command.get_subcommands().map(|inner| inner.get_name().to_owned()).collect();
     let heading = lang.word("help-commands");
-    let command = told(command, lang).subcommand_help_heading(heading).disable_help_subcommand(true);
+    let command = told(command, lang).subcommand_help_heading(heading);
     names.into_iter().fold(command, |command, name| command.mut_subcommand(name, |inner| told(inner, lang)))
 }
 

@@ -293,7 +293,8 @@ pub fn main() -> ExitCode {
     let environment = std::env::var("LANG").ok();
     let default = Lang::of_environment(environment.as_deref());
     let lang = help::language(default);
-    let matches = match help::command(lang).try_get_matches() {
+    // The words of the help are looked up only where it is shown.
+    let matches = match help::bare().try_get_matches().or_else(|_| help::command(lang).try_get_matches()) {
         Ok(matches) => matches,
         Err(error) => return refused(&error, lang),
     };
