@@ -45,12 +45,15 @@ pub fn command(lang: Lang) -> Command {
 fn told(command: Command, lang: Lang) -> Command {
     let name = command.get_name().to_owned();
     let template = format!("{{about-with-newline}}\n{}: {{usage}}\n\n{{all-args}}", lang.word("help-usage"));
+    let positional: Vec<_> = command.get_positionals().map(|arg| arg.get_id().clone()).collect();
     command.about(lang.word(&format!("help-{name}")).to_owned()).help_template(template).mut_args(|arg| {
         let heading = lang.word(if arg.is_positional() { "help-arguments" } else { "help-options" });
         // What clap adds by itself is English.
         let more = [values(&arg, lang), default(&arg, lang)].into_iter().flatten();
         let help = more.fold(lang.word(&key(&name, &arg)).to_owned(), |help, more| format!("{help} {more}"));
+        let order = positional.iter().position(|id| id == arg.get_id());
         let arg = arg.help_heading(heading).help(help);
+        let arg = if let Some(order) = order { arg.display_order(order) } else { arg };
         if arg.get_action().takes_values() { arg.hide_possible_values(true).hide_default_value(true) } else { arg }
     })
 }
