@@ -1,4 +1,4 @@
-//! What the drawing asks of a cylinder of a hole, and which cylinder a transition works on.
+//! What the drawing requires of a cylinder of a hole, and which cylinder a transition works on.
 
 use crate::part::{Bottom, Face, Hole, Part, Thread, ToleratedDiameter};
 use crate::plan::{Feature, Transition};
@@ -12,7 +12,7 @@ pub(crate) enum Place {
 }
 
 impl Place {
-    /// The cylinder that a transition works on; nothing for edges, faces and cones.
+    /// The cylinder that a transition works on; none for edges, faces and cones.
     pub fn of(transition: &Transition) -> Option<Self> {
         match (transition.feature, transition.step) {
             (Feature::Bore | Feature::Thread, None) => Some(Self::Main),
@@ -22,7 +22,7 @@ impl Place {
     }
 }
 
-/// What the drawing asks of a cylinder.
+/// What the drawing requires of a cylinder.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Asked<'p> {
     pub diameter: &'p ToleratedDiameter,
@@ -38,7 +38,7 @@ pub(crate) struct Asked<'p> {
 }
 
 impl<'p> Asked<'p> {
-    /// What a cylinder of a hole is asked; nothing where the hole has no such step.
+    /// What a cylinder of a hole must reach; none if the hole has no such step.
     pub fn of(place: Place, hole: &'p Hole, part: &Part, position: Option<Micrometres>) -> Option<Self> {
         match place {
             Place::Main => Some(Self {

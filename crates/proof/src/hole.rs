@@ -1,4 +1,4 @@
-//! A hole on its way through the transitions: how wide it may be at worst, where its axis may lie, how deep it is.
+//! The state of a hole between transitions: its largest diameter, the offset of its axis, its depth.
 
 use std::collections::BTreeMap;
 
@@ -34,7 +34,7 @@ struct State {
 /// Everything that fails in the transitions of a hole.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn prove_hole(
     hole: &Hole,
     transitions: &[Transition],
@@ -262,7 +262,7 @@ impl Walk<'_, '_> {
             (None, Some(before)) => (before.axis, before.drift, before.led),
             (None, None) => (None, Micrometres::ZERO, false),
         };
-        // A reamer does not go where its lead went: what was opened before it stays the room of the next.
+        // A reamer's lead does not widen the hole: what was opened before stays the room of the next tool.
         let opened = before.filter(|_| transition.operation.is_reaming()).map(|before| before.depth);
         let depth = opened.unwrap_or(transition.depth_mm).max(transition.depth_mm);
         Ok(State {
@@ -275,7 +275,7 @@ impl Walk<'_, '_> {
         })
     }
 
-    /// A boring bar copies into the hole what it gives way to: stock that differs from hole to hole and around it.
+    /// A boring bar copies its deflection into the hole: stock varies from hole to hole and around it.
     fn springs(
         &mut self,
         transition: &Transition,
@@ -292,7 +292,7 @@ impl Walk<'_, '_> {
         Ok(())
     }
 
-    /// What the last transition leaves, against the drawing.
+    /// Compares what the last transition leaves with the drawing.
     fn finished(
         &mut self,
         transition: &Transition,
@@ -330,7 +330,7 @@ impl Walk<'_, '_> {
         }
         let wanting = wanting.into_iter().filter(|what| !what.holds());
         self.faults.extend(wanting.map(|what| Fault::Wanting { operation, what }));
-        // The size of these tools is not that of the field: they leave what they leave.
+        // The size of these tools does not follow the tolerance field.
         let fixed = matches!(operation, Operation::Drill | Operation::DrillOut | Operation::Counterbore);
         let may_be = left + width;
         if fixed && grade && may_be > largest {

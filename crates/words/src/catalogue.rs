@@ -44,7 +44,7 @@ struct Source {
 }
 
 impl Source {
-    /// The message of that text; nothing where it is written wrongly, which the check of the catalogue tells.
+    /// The message of that text; none if it is written wrongly, which the check of the catalogue tells.
     fn message(&self, text: &str) -> Option<&Message<&str>> {
         let read = || match FluentResource::try_new(text.to_owned()) {
             Ok(resource) | Err((resource, _)) => resource,
@@ -106,7 +106,7 @@ impl Language {
         texts.flat_map(|(_, text)| text.lines()).filter_map(|line| line.split_once('\t'))
     }
 
-    /// A message with its figures filled in; nothing where this language has none of that name.
+    /// A message with its figures filled in; none if this language has none of that name.
     pub(crate) fn message(
         &self,
         key: &str,
@@ -183,7 +183,7 @@ impl Language {
         self.text(key).is_some()
     }
 
-    /// Whether a message has a gap for this figure; nothing where there is no such message.
+    /// Whether a message has a gap for this figure; none if there is no such message.
     pub(crate) fn mentions(&self, key: &str, figure: &str) -> Option<bool> {
         Some(gaps(self.pattern(key, None)?).contains(&figure))
     }

@@ -76,7 +76,7 @@ pub fn differences(language: &Language, english: &Language) -> (Vec<String>, Vec
 /// Messages that say something of the language itself.
 const LOCAL: &[&str] = &["decimal-comma"];
 
-/// The plural forms that a language asks for.
+/// The plural forms that a language requires.
 const PLURALS: &[(&str, &[&str])] = &[("uk", &["one", "few", "many"]), ("en", &["one", "other"])];
 
 fn plural_faults(tag: &str, pattern: &Pattern<&str>) -> Vec<String> {

@@ -35,7 +35,7 @@ impl Bounds {
 
 /// What is looked for.
 pub(super) trait Quest {
-    /// What the best point of a box may cost; nothing where none of them is wanted.
+    /// What the best point of a box may cost; none if none of them is wanted.
     fn least(&self, number: usize, bounds: &Bounds) -> Option<i64>;
     /// A point that is looked at.
     fn meet(&mut self, point: usize);

@@ -55,7 +55,7 @@ pub struct Fit {
     pub refused: Vec<RefusedTool>,
 }
 
-/// Compares tools with a zone. The face of the free end asks for an edge that does not lead its tip.
+/// Compares tools with a zone. The face of the free end requires an edge that does not lead its tip.
 pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
     let mut compared = Fit { fitting: Vec::new(), refused: Vec::new() };
     let closed = |part: &&super::Part| part.kind == ZoneKind::Closed;

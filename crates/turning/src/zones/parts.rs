@@ -56,7 +56,7 @@ pub struct Part {
     pub greatest_radius: Half,
     /// Open, half-open or closed.
     pub kind: ZoneKind,
-    /// The angles that it asks for.
+    /// The angles that it requires.
     pub needs: Needs,
     /// The length of its floor along the axis; a grooving tool must not be wider.
     #[serde(rename = "floor_length_mm")]

@@ -7,7 +7,7 @@
 
 use super::contour::{Leg, Round, SAME, Spot, Stroke};
 
-/// What keeps passes from being made.
+/// Why passes cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum NoPasses {
     /// More strokes than the budget.
@@ -46,7 +46,7 @@ pub(super) fn hollows(legs: &[Leg], passes: Passes) -> Result<Vec<Stroke>, NoPas
     Ok(way.strokes)
 }
 
-/// What the walk down a piece came to.
+/// Where the descent along a piece ended.
 enum Down {
     /// It does not fall.
     Rises,
@@ -74,7 +74,7 @@ impl Way<'_> {
         Ok(())
     }
 
-    /// Cuts a hollow out, then goes up behind it; the piece that falls into the next.
+    /// Clears a hollow, then follows the contour up behind it; returns the piece that falls into the next hollow.
     fn hollow(&mut self, mut index: usize) -> Result<Option<usize>, NoPasses> {
         let mut level = self.top;
         while index < self.legs.len() {

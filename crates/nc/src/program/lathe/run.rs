@@ -271,7 +271,7 @@ impl Run<'_> {
         let call = self.call(block, &words);
         maker.unused(&words);
         let Maker { state, motions, faults, .. } = maker;
-        // Nothing of a block that is not good, but its modes.
+        // Of a block with an error only the modes are kept.
         if !faults.iter().any(Fault::is_error) {
             self.left = self.left.saturating_sub(motions.len());
             self.motions.extend(motions);
@@ -403,7 +403,7 @@ impl Run<'_> {
         }
     }
 
-    /// The pieces of a contour; its blocks are read and nothing of them is carried out.
+    /// The pieces of a contour; its blocks are read but not executed.
     fn legs(&self, maker: &mut Maker<'_>, range: Range<usize>, begin: LathePoint, finite: bool) -> Option<Vec<Leg>> {
         let known = begin.radius_mm.is_finite();
         let mut state = maker.state.clone();
