@@ -24,7 +24,7 @@ fn list(root: &str, to: &str) -> io::Result<()> {
         }
         list.push_str("], messages: &[\n");
         for (_, [file, begin, end]) in messages(&files)? {
-            writeln!(list, "Place({file}, {begin}, {end}),").map_err(io::Error::other)?;
+            writeln!(list, "MessageSpan({file}, {begin}, {end}),").map_err(io::Error::other)?;
         }
         list.push_str("] },\n");
     }

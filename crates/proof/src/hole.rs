@@ -11,8 +11,8 @@ use crate::tables::rules::{MadeBy, ReamingCase};
 use crate::tables::standards::{MinorDiameterConstant, ThreadMinorDiameter};
 use crate::units::Micrometres;
 
-use super::cylinder::{Asked, Place};
-use super::reach::{Both, Reach, Way, drift, oversize};
+use super::cylinder::{Asked, CylinderId};
+use super::reach::{Both, MethodKey, Reach, drift, oversize};
 use super::{Fault, Wanting, loads, tool};
 
 /// A cylinder as far as it is made.
@@ -44,7 +44,7 @@ pub fn prove_hole(
     let mut walk = Walk { hole, transitions, part, shop, states: BTreeMap::new(), centred: false, faults: Vec::new() };
     if let Some(diameter) = hole.state.diameter() {
         walk.states.insert(
-            Place::Main,
+            CylinderId::Main,
             State {
                 made_by: MadeBy::BlankHole,
                 largest: diameter,
@@ -66,7 +66,7 @@ struct Walk<'a, 'k> {
     transitions: &'a [Transition],
     part: &'a Part,
     shop: &'a Shop<'k>,
-    states: BTreeMap<Place, State>,
+    states: BTreeMap<CylinderId, State>,
     centred: bool,
     faults: Vec<Fault>,
 }
@@ -82,10 +82,10 @@ impl Walk<'_, '_> {
             self.spot(transition);
             return Ok(());
         }
-        let Some(place) = Place::of(transition) else { return Ok(()) };
+        let Some(place) = CylinderId::of(transition) else { return Ok(()) };
         let Some(asked) = Asked::of(place, self.hole, self.part, self.position()) else { return Ok(()) };
         // A step begins as the cylinder that it widens.
-        let before = self.states.get(&place).or_else(|| self.states.get(&Place::Main)).copied();
+        let before = self.states.get(&place).or_else(|| self.states.get(&CylinderId::Main)).copied();
         self.enters(transition, &asked);
         self.depths(transition, &asked, before);
         if transition.operation == Operation::Tap {
@@ -97,17 +97,17 @@ impl Walk<'_, '_> {
         }
         let follows: Vec<&Transition> = self.transitions[at + 1..]
             .iter()
-            .filter(|next| Place::of(next) == Some(place) && next.operation != Operation::Tap)
+            .filter(|next| CylinderId::of(next) == Some(place) && next.operation != Operation::Tap)
             .filter(|next| next.from_diameter_mm != next.diameter_mm)
             .collect();
         let last = follows.is_empty();
-        let way = Way {
+        let method = MethodKey {
             operation: transition.operation,
             centred: self.centred,
             after: before.map_or(MadeBy::Solid, |before| before.made_by),
             last,
         };
-        let Some(reach) = Reach::of(way, transition.diameter_mm, self.shop)? else { return Ok(()) };
+        let Some(reach) = Reach::of(method, transition.diameter_mm, self.shop)? else { return Ok(()) };
         if let Some(before) = before {
             self.stock(transition, &asked, before, reach, last);
             self.most(transition, before)?;
@@ -182,7 +182,7 @@ impl Walk<'_, '_> {
         let follows = operation.is_reaming() || operation == Operation::Tap;
         if let Some(before) = before.filter(|_| follows && !asked.through && !self.hole.through)
             && tip > before.depth
-            && Place::of(transition) == Some(Place::Main)
+            && CylinderId::of(transition) == Some(CylinderId::Main)
         {
             self.faults.push(Fault::Floor { operation, tip, opened: before.depth });
         }

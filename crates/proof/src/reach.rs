@@ -28,7 +28,7 @@ pub(crate) struct Reach {
 
 /// What identifies the method of a transition in the tables.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Way {
+pub(crate) struct MethodKey {
     pub operation: Operation,
     pub centred: bool,
     pub after: MadeBy,
@@ -37,12 +37,12 @@ pub(crate) struct Way {
 
 impl Reach {
     /// What a transition reaches in a hole of that diameter; none for a spot.
-    pub fn of(way: Way, diameter: Micrometres, shop: &Shop<'_>) -> Result<Option<Self>, KnowledgeError> {
-        if way.operation == Operation::CentreDrill {
+    pub fn of(method: MethodKey, diameter: Micrometres, shop: &Shop<'_>) -> Result<Option<Self>, KnowledgeError> {
+        if method.operation == Operation::CentreDrill {
             return Ok(None);
         }
         let knowledge = shop.knowledge;
-        let Way { operation, centred, after, last } = way;
+        let MethodKey { operation, centred, after, last } = method;
         let named = knowledge.ask(&WayOfTransitionFor { operation, centred, after, last })?.need(operation.name())?;
         let Some(row) = knowledge.ask(&ReachOfTransitionFor { way: named.way, diameter })?.winner()? else {
             return Ok(None);

@@ -18,11 +18,11 @@ pub struct Folder {
     /// Name and text of each file.
     pub files: &'static [(&'static str, &'static str)],
     /// Every message in the order of the names.
-    pub messages: &'static [Place],
+    pub messages: &'static [MessageSpan],
 }
 
 /// Where a message stands: the number of its file, and its bytes there. The name is the first that stands there.
-pub struct Place(pub u16, pub u32, pub u32);
+pub struct MessageSpan(pub u16, pub u32, pub u32);
 
 /// A language: its files, and its messages once they are asked for.
 pub struct Language {
@@ -169,7 +169,7 @@ impl Language {
     /// The number of a message, and its text in its file.
     fn text(&self, key: &str) -> Option<(usize, &'static str)> {
         let folder = self.folder()?;
-        let text = |Place(file, begin, end): &Place| {
+        let text = |MessageSpan(file, begin, end): &MessageSpan| {
             let (_, text) = folder.files.get(usize::from(*file))?;
             text.get(*begin as usize..*end as usize)
         };

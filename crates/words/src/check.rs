@@ -135,7 +135,7 @@ mod tests {
     use technolog_note::{Figure, Note};
 
     use super::*;
-    use crate::catalogue::{Folder, Place};
+    use crate::catalogue::{Folder, MessageSpan};
     use crate::{LANGUAGES, Lang};
 
     /// A language that was just begun: one folder, one line, three messages.

@@ -1,6 +1,6 @@
 //! The languages of the program. A new one is a folder in `languages/` and a line here.
 
-use super::catalogue::{Folder, Language, Place};
+use super::catalogue::{Folder, Language, MessageSpan};
 
 static FOLDERS: &[Folder] = include!(concat!(env!("OUT_DIR"), "/files.rs"));
 

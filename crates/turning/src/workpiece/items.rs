@@ -153,7 +153,7 @@ impl Reader<'_> {
     }
 
     fn item(&mut self, node: &Node, side: Side, owner: Owner) -> Option<ContourItem> {
-        let fields = self.problems.open_map(node)?;
+        let mut fields = self.problems.open_map(node)?;
         let mut mains = ITEMS.iter().filter(|(_, main)| node.get(main).is_some());
         let Some((kind, main)) = mains.next() else {
             let known = ITEMS.map(|(_, main)| main);
@@ -164,6 +164,9 @@ impl Reader<'_> {
                 // The other keys of such an item are no faults.
                 let kind = ITEMS.iter().find(|(_, known)| *known == main);
                 let keys = kind.map_or_else(Vec::new, |(kind, _)| kind.keys());
+                for key in &keys {
+                    fields.take(*key);
+                }
                 let others = known.into_iter().filter(|key| !keys.contains(key));
                 let all: Vec<&str> = others.chain(keys.iter().copied()).collect();
                 fields.finish(&all, &mut self.problems);

@@ -30,7 +30,7 @@ pub(super) struct Passes {
 /// The passes over a contour with hollows; the first piece leads from the beginning down to the contour.
 pub(super) fn hollows(legs: &[Leg], passes: Passes) -> Result<Vec<Stroke>, NoPasses> {
     let Some(first) = legs.first() else { return Ok(Vec::new()) };
-    let mut way = Way {
+    let mut roughing = HollowRoughing {
         legs,
         passes,
         strokes: vec![Stroke::Rapid(first.from)],
@@ -41,9 +41,9 @@ pub(super) fn hollows(legs: &[Leg], passes: Passes) -> Result<Vec<Stroke>, NoPas
     let mut from = Some(0);
     // Each turn takes one hollow; behind it the walk along the contour finds the next.
     while let Some(index) = from {
-        from = way.hollow(index)?;
+        from = roughing.hollow(index)?;
     }
-    Ok(way.strokes)
+    Ok(roughing.strokes)
 }
 
 /// Where the descent along a piece ended.
@@ -54,7 +54,7 @@ enum Down {
     Fell,
 }
 
-struct Way<'a> {
+struct HollowRoughing<'a> {
     legs: &'a [Leg],
     passes: Passes,
     strokes: Vec<Stroke>,
@@ -63,7 +63,7 @@ struct Way<'a> {
     left: usize,
 }
 
-impl Way<'_> {
+impl HollowRoughing<'_> {
     fn put(&mut self, stroke: Stroke) {
         self.strokes.push(stroke);
         self.at = stroke.end();
