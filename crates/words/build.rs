@@ -17,13 +17,15 @@ fn list(root: &str, to: &str) -> io::Result<()> {
     println!("cargo::rerun-if-changed={}", root.display());
     let mut list = "&[\n".to_owned();
     for folder in sorted(&root)? {
-        let files = sorted(&folder)?;
+        // Read once: places must be those of the very text.
+        let read = |file: PathBuf| Ok((name(&file), fs::read_to_string(file)?));
+        let files = sorted(&folder)?.into_iter().map(read).collect::<io::Result<Vec<_>>>()?;
         writeln!(list, "Folder {{ tag: {:?}, files: &[", name(&folder)).map_err(io::Error::other)?;
         for file in &files {
-            writeln!(list, "({:?}, include_str!({file:?})),", name(file)).map_err(io::Error::other)?;
+            writeln!(list, "{file:?},").map_err(io::Error::other)?;
         }
         list.push_str("], messages: &[\n");
-        for (_, [file, begin, end]) in messages(&files)? {
+        for (_, [file, begin, end]) in messages(&files) {
             writeln!(list, "MessageSpan({file}, {begin}, {end}),").map_err(io::Error::other)?;
         }
         list.push_str("] },\n");
@@ -34,19 +36,18 @@ fn list(root: &str, to: &str) -> io::Result<()> {
 
 /// Name of each message, number of its file, begin and end there, in the order of the names. The same name twice: the first stays,
 /// and the check of the catalogue tells it.
-fn messages(files: &[PathBuf]) -> io::Result<Vec<(String, [usize; 3])>> {
+fn messages(files: &[(String, String)]) -> Vec<(&str, [usize; 3])> {
     let mut messages = Vec::new();
-    for (number, file) in files.iter().enumerate().filter(|(_, file)| name(file).ends_with(".ftl")) {
-        let text = fs::read_to_string(file)?;
-        let places = divided(&text).into_iter();
+    for (number, (_, text)) in files.iter().enumerate().filter(|(_, (name, _))| name.ends_with(".ftl")) {
+        let places = divided(text).into_iter();
         messages.extend(places.map(|(begin, end)| {
             let name = text[begin..end].split([' ', '=']).next().unwrap_or_default();
-            (name.to_owned(), [number, begin, end])
+            (name, [number, begin, end])
         }));
     }
     messages.sort();
     messages.dedup_by(|later, first| later.0 == first.0);
-    Ok(messages)
+    messages
 }
 
 /// The places of the messages of a file. One begins with its name at the beginning of a line and ends before the next
