@@ -57,7 +57,7 @@ impl Amount {
     }
 }
 
-/// What stands below those that are shown; nothing where these are all.
+/// What stands below those that are shown; none if these are all.
 pub fn hidden(count: usize, lang: Lang) -> Option<String> {
     (count > 0).then(|| say!(lang, "cli-problems-hidden", count = count))
 }

@@ -45,7 +45,7 @@ impl Format {
         }
     }
 
-    /// What the ending of a file can mean, the usual first; nothing for an ending that says nothing, such as `.nc`.
+    /// What the ending of a file can mean, the usual first; none for an ending that says nothing, such as `.nc`.
     pub fn of_ending(file: &Path) -> Vec<Self> {
         let ending = ending(file);
         let means = |format: &Self| format.endings().contains(&ending.as_str());

@@ -28,24 +28,32 @@ pub fn asked() -> Lang {
     language(Lang::of_environment(std::env::var("LANG").ok().as_deref()))
 }
 
+/// The command without any words, as arguments are read.
+pub fn bare() -> Command {
+    Cli::command().disable_help_subcommand(true)
+}
+
 /// The command with its help in that language.
 pub fn command(lang: Lang) -> Command {
-    let command = Cli::command();
+    let command = bare();
     let names: Vec<String> = command.get_subcommands().map(|inner| inner.get_name().to_owned()).collect();
     let heading = lang.word("help-commands");
-    let command = told(command, lang).subcommand_help_heading(heading).disable_help_subcommand(true);
+    let command = told(command, lang).subcommand_help_heading(heading);
     names.into_iter().fold(command, |command, name| command.mut_subcommand(name, |inner| told(inner, lang)))
 }
 
 fn told(command: Command, lang: Lang) -> Command {
     let name = command.get_name().to_owned();
     let template = format!("{{about-with-newline}}\n{}: {{usage}}\n\n{{all-args}}", lang.word("help-usage"));
+    let positional: Vec<_> = command.get_positionals().map(|arg| arg.get_id().clone()).collect();
     command.about(lang.word(&format!("help-{name}")).to_owned()).help_template(template).mut_args(|arg| {
         let heading = lang.word(if arg.is_positional() { "help-arguments" } else { "help-options" });
         // What clap adds by itself is English.
         let more = [values(&arg, lang), default(&arg, lang)].into_iter().flatten();
         let help = more.fold(lang.word(&key(&name, &arg)).to_owned(), |help, more| format!("{help} {more}"));
+        let order = positional.iter().position(|id| id == arg.get_id());
         let arg = arg.help_heading(heading).help(help);
+        let arg = if let Some(order) = order { arg.display_order(order) } else { arg };
         if arg.get_action().takes_values() { arg.hide_possible_values(true).hide_default_value(true) } else { arg }
     })
 }

@@ -33,7 +33,7 @@ pub fn refuse_other(file: &str, text: &str, wanted: FileKind, context: &Context)
     Err(CliError::Unusable { problems: vec![problem], texts })
 }
 
-/// What is said of a file of another kind; nothing where it may be of that one.
+/// What is said of a file of another kind; none if it may be of that one.
 pub fn told(file: &str, text: &str, wanted: FileKind, context: &Context) -> Option<Diagnostic> {
     let (kind, place) = other_kind(file, text, wanted)?;
     let [is, wanted] = [kind, wanted].map(|kind| context.word(kind.name()));

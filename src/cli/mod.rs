@@ -118,7 +118,7 @@ impl Command {
     }
 }
 
-/// What the global options ask for.
+/// What the global options require.
 #[derive(Debug)]
 pub struct Context {
     /// The language of the answers.
@@ -276,7 +276,7 @@ pub enum CliError {
 }
 
 impl CliError {
-    /// The knowledge base lacks what is asked of it.
+    /// The knowledge base lacks what is required of it.
     pub fn of_knowledge(error: &KnowledgeError, lang: Lang) -> Self {
         Diagnostic::error("knowledge", technolog::note::Note::from(error), None).help(words::run_lint(lang)).into()
     }
@@ -293,7 +293,8 @@ pub fn main() -> ExitCode {
     let environment = std::env::var("LANG").ok();
     let default = Lang::of_environment(environment.as_deref());
     let lang = help::language(default);
-    let matches = match help::command(lang).try_get_matches() {
+    // The words of the help are looked up only where it is shown.
+    let matches = match help::bare().try_get_matches().or_else(|_| help::command(lang).try_get_matches()) {
         Ok(matches) => matches,
         Err(error) => return refused(&error, lang),
     };
@@ -322,7 +323,9 @@ pub fn main() -> ExitCode {
 
 /// Help and version, or arguments that fit no command.
 fn refused(error: &clap::Error, lang: words::Lang) -> ExitCode {
-    match usage::message(error, &mut help::command(lang), lang) {
+    let arguments: Vec<String> =
+        std::env::args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned()).collect();
+    match usage::message(error, &mut help::command(lang), &arguments, lang) {
         Some(message) => output::complain(&document::cleaned_lines(&message)),
         None => {
             let text = usage::worded(&error.render().to_string(), lang);

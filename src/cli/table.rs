@@ -201,7 +201,7 @@ fn table_csv(table: &Table) -> String {
     text
 }
 
-/// One line of RFC 4180, but for the line end, which is that of the other outputs.
+/// One line of RFC 4180, except for the line end, which is that of the other outputs.
 fn csv_line<'a>(cells: impl IntoIterator<Item = &'a str>) -> String {
     let cells: Vec<String> = cells
         .into_iter()

@@ -11,7 +11,7 @@ use super::words::Lang;
 
 /// What is wrong with the arguments and what to do; none where clap's own text is to be shown: help, version, and kinds of
 /// mistakes that this command line cannot meet.
-pub fn message(error: &Error, command: &mut Command, lang: Lang) -> Option<String> {
+pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang: Lang) -> Option<String> {
     let of = |kind| error.get(kind).map(text).unwrap_or_default();
     let (argument, value) = (of(ContextKind::InvalidArg), of(ContextKind::InvalidValue));
     let about = |code: &'static str| Note::new(code).with("argument", &argument).with("value", &value);
@@ -52,10 +52,18 @@ pub fn message(error: &Error, command: &mut Command, lang: Lang) -> Option<Strin
         more("usage-similar", of(kind));
     }
     let usage = of(ContextKind::Usage);
-    let usage = if usage.is_empty() { command.render_usage().to_string() } else { usage };
+    let usage = if usage.is_empty() { usage_of(command, arguments) } else { usage };
     let usage = usage.trim().trim_start_matches("Usage:").trim();
     let usage = worded(usage, lang);
     Some(format!("{said}\n\n{}: {usage}\n\n{}\n", lang.word("help-usage"), lang.word("usage-more")))
+}
+
+/// The usage of the command that the arguments name, where they name one.
+fn usage_of(command: &mut Command, arguments: &[String]) -> String {
+    command.build();
+    let named = arguments.iter().find(|argument| command.find_subcommand(argument).is_some());
+    let mut inner = named.and_then(|name| command.find_subcommand(name)).cloned();
+    inner.as_mut().unwrap_or(command).render_usage().to_string()
 }
 
 /// A whole number within bounds; which they are, else.
@@ -92,7 +100,8 @@ mod tests {
     fn said(arguments: &[&str]) -> String {
         let mut command = help::command(Lang::UK);
         let error = command.clone().try_get_matches_from(arguments).unwrap_err();
-        message(&error, &mut command, Lang::UK).unwrap_or_default()
+        let arguments: Vec<String> = arguments.iter().map(|&argument| argument.to_owned()).collect();
+        message(&error, &mut command, &arguments[1..], Lang::UK).unwrap_or_default()
     }
 
     #[test]
@@ -142,9 +151,15 @@ mod tests {
     }
 
     #[test]
+    fn the_usage_is_that_of_the_command() {
+        let said = said(&["technolog", "order", "x", "--effort", "many"]);
+        assert!(said.contains("\nВикористання: technolog order [ПАРАМЕТРИ] <FILE>\n"), "{said}");
+    }
+
+    #[test]
     fn help_and_version_stay_what_they_are() {
         let mut command = help::command(Lang::UK);
         let error = command.clone().try_get_matches_from(["technolog", "--version"]).unwrap_err();
-        assert_eq!(message(&error, &mut command, Lang::UK), None);
+        assert_eq!(message(&error, &mut command, &[], Lang::UK), None);
     }
 }

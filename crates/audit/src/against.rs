@@ -79,7 +79,7 @@ impl Auditor<'_> {
     /// Holds two plans beside each other.
     ///
     /// # Errors
-    /// The knowledge cannot answer.
+    /// The knowledge base has no answer.
     pub fn compare(&self, a: &Stated, b: &Stated) -> Result<Comparison, KnowledgeError> {
         let mut found = PlanComparison { a, b, differences: Vec::new() };
         found.rows();

@@ -22,7 +22,7 @@ use super::{checks, context, figures, graph, rules};
 /// Audits plans, one after the other or many at once.
 #[derive(Debug)]
 pub struct Auditor<'k> {
-    /// The knowledge that plans are held against.
+    /// The knowledge that plans are compared with.
     pub knowledge: &'k Knowledge,
     pub(super) cutters: Names<'k, NamedCutter<'k>>,
     pub(super) holders: Names<'k, HolderRow<'k>>,
@@ -61,7 +61,7 @@ impl<'k> Auditor<'k> {
     /// Checks a plan against the knowledge. The same part is planned once.
     ///
     /// # Errors
-    /// The knowledge cannot answer. What is wrong with the plan is a finding.
+    /// The knowledge base has no answer. What is wrong with the plan is a finding.
     pub fn audit(&self, stated: &Stated) -> Result<Audit, KnowledgeError> {
         let ours = self.ours(stated)?;
         self.audit_beside(stated, &ours)
@@ -90,7 +90,7 @@ impl<'k> Auditor<'k> {
     /// The same beside our own plan of the same part by the same method, where it was made already.
     ///
     /// # Errors
-    /// As of [`Auditor::audit`].
+    /// As for [`Auditor::audit`].
     pub fn audit_beside(&self, stated: &Stated, ours: &Plan) -> Result<Audit, KnowledgeError> {
         let context = context::Context::new(stated, ours, self)?;
         let mut graph = graph::Graph::new(stated, &self.tolerances);

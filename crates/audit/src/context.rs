@@ -41,7 +41,7 @@ impl<'a> Context<'a> {
     /// Looks up the tools.
     ///
     /// # Errors
-    /// The knowledge cannot answer.
+    /// The knowledge base has no answer.
     pub fn new(stated: &'a Stated, plan: &'a Plan, auditor: &'a Auditor<'a>) -> Result<Self, KnowledgeError> {
         let shop = Shop::new(&stated.part, stated.method, auditor.knowledge)?;
         let mut cutters = Vec::new();
@@ -166,8 +166,8 @@ impl<'a> Context<'a> {
         beyond.then(|| Note::new("audit-outside-series").with("least", least).with("most", most))
     }
 
-    /// The steps of the machine below and above a spindle speed, 1/min, `-` where there is none; nothing where the speed is
-    /// a step itself.
+    /// The steps of the machine below and above a spindle speed, 1/min, `-` where there is none; none if the speed is a
+    /// step itself.
     pub fn steps_around(&self, speed: f64) -> Option<(String, String)> {
         let steps = &self.shop.machine.spindle_steps;
         if steps.iter().any(|step| (step.0 - speed).abs() < 1e-6) {

@@ -303,7 +303,7 @@ impl<'a> Graph<'a> {
         slack
     }
 
-    /// The verdict on a stated figure; nothing where no formula computes it. Only when every formula is there.
+    /// The verdict on a stated figure; none if no formula computes it. Only when every formula is there.
     pub fn verdict(&self, id: Id) -> Option<&Verdict> {
         let verdicts = self.verdicts();
         verdicts.binary_search_by(|verdict| verdict.id.cmp(&id)).ok().and_then(|at| verdicts.get(at))

@@ -1,4 +1,4 @@
-//! The audit: anybody's plan held against the knowledge.
+//! The audit: any plan compared with the knowledge base.
 //!
 //! ```text
 //! plan.yaml → read → Stated ┐                ┌ rules  → graph → verdicts ┐
@@ -65,7 +65,7 @@ pub use write::by_hand;
 /// Checks one plan against the knowledge; many are audited faster by one [`Auditor`].
 ///
 /// # Errors
-/// The knowledge cannot answer. What is wrong with the plan is a finding.
+/// The knowledge base has no answer. What is wrong with the plan is a finding.
 pub fn audit(stated: &Stated, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
     Auditor::new(knowledge)?.audit(stated)
 }
@@ -73,7 +73,7 @@ pub fn audit(stated: &Stated, knowledge: &Knowledge) -> Result<Audit, KnowledgeE
 /// The same beside our own plan of the same part by the same method, where it was made already.
 ///
 /// # Errors
-/// As of [`audit()`].
+/// As for [`audit()`].
 pub fn audit_beside(stated: &Stated, ours: &Plan, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
     Auditor::new(knowledge)?.audit_beside(stated, ours)
 }

@@ -30,7 +30,7 @@ pub struct Scheme {
     pub rules: Vec<(String, f64)>,
 }
 
-/// Deductions by severity; nothing where the scheme is silent.
+/// Deductions by severity; none if the scheme is silent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[allow(missing_docs)] // the severities
 pub struct BySeverity {

@@ -58,8 +58,8 @@ pub(super) fn correct(graph: &mut Graph<'_>) {
     }
 }
 
-/// The figure whose misprint explains that a computed figure does not fit; nothing where it is that figure itself or
-/// where more than one may be it.
+/// The figure whose misprint explains that a computed figure does not fit; none if it is that figure itself or where
+/// more than one may be it.
 fn misprinted(graph: &Graph<'_>, computed: Id) -> Option<Suspect> {
     let suspects: Vec<Suspect> =
         graph.stated_inputs(computed).into_iter().filter_map(|id| suspect(graph, id, computed)).collect();

@@ -154,7 +154,7 @@ pub struct Tool {
 pub struct Factor {
     /// Its name, as in the table `card-corrections` or of the author's own.
     pub name: Text,
-    /// Its value; absent where the plan only names it.
+    /// Its value; absent if the plan only names it.
     pub value: Option<StatedFigure>,
 }
 

@@ -1,5 +1,5 @@
-//! A program of a lathe held against its turned part: the motions that its control makes of the text are carried through the
-//! proof, whoever wrote it.
+//! A program of a lathe compared with its turned part: the motions that its control makes of the text are carried
+//! through the proof, whoever wrote it.
 //!
 //! What is not known of it: a rapid of both axes is taken as a straight line, as the proof of our own toolpaths takes it.
 //! Where the tool stands before its first motion, and after one to a reference point, it is taken to be far away. A tool
@@ -24,7 +24,7 @@ use crate::turning::program::ProgramFile;
 /// Where a tool is taken to stand when nobody knows it, mm from the axis and from the face.
 const FAR: f64 = 1000.0;
 
-/// Holds a program of a set-up against the part, after what the jobs of the set-ups before it have left, and tells what
+/// Compares a program of a set-up with the part, after what the jobs of the set-ups before it have left, and tells what
 /// comes of it: what the proof finds, with the lines, or why nothing can be said.
 pub fn held(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
     let (proven, tools) = match prove(operation, set_up, text, run) {
@@ -186,7 +186,7 @@ fn plain(text: &str) -> String {
     text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_uppercase).collect()
 }
 
-/// Why a program cannot be held against the part.
+/// Why a program cannot be compared with the part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum NotHeld {
     /// It cuts from or to a place that is not known.

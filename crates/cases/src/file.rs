@@ -22,7 +22,7 @@ macro_rules! asking {
             $(#[$meta])*
             pub struct $name {
                 $($(#[$remark])* pub $field: $kind,)*
-                /// The table that is asked: `A.8`.
+                /// The table that is queried: `A.8`.
                 pub table: Option<String>,
                 /// What is known, by the names of the table's columns.
                 pub given: Option<BTreeMap<String, Scalar>>,

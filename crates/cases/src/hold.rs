@@ -38,7 +38,7 @@ impl Failure {
     }
 }
 
-/// What came in place of what is expected.
+/// What came instead of what is expected.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Came {
     /// This.

@@ -63,8 +63,8 @@ impl FileKind {
     }
 }
 
-/// What a file is that cannot be read as a file of that kind, and where it says so; nothing where it may be meant as one
-/// and has mistakes, or where nobody can tell.
+/// What a file is that cannot be read as a file of that kind, and where it says so; none if it may be meant as one and
+/// has mistakes, or where nobody can tell.
 pub fn other_kind(file: &str, text: &str, wanted: FileKind) -> Option<(FileKind, Place)> {
     if wanted != FileKind::Program && is_program(text) {
         return Some((FileKind::Program, Place { file: file.into(), line: 1, column: 1, width: 1 }));

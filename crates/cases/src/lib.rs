@@ -129,12 +129,12 @@ impl Case {
     /// Asks the question and holds the answer against what is expected: every way in which it is not so.
     ///
     /// # Errors
-    /// As of [`Self::answer`].
+    /// As for [`Self::answer`].
     pub fn run(&self, asker: &Asker<'_>) -> Result<Vec<Failure>, KnowledgeError> {
         Ok(self.against(&self.answer(asker)?, asker.knowledge))
     }
 
-    /// Holds an answer to the question against what is expected.
+    /// Compares an answer to the question with what is expected.
     pub fn against(&self, answer: &Value, knowledge: &Knowledge) -> Vec<Failure> {
         match &self.expected {
             Some(expected) => self.question.hold(expected, answer, &self.place, knowledge),

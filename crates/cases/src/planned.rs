@@ -91,8 +91,8 @@ static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     serde_json::to_value(generator.into_root_schema_for::<Plan>()).unwrap_or_default()
 });
 
-/// Holds the keys of an expectation against those that a plan may have, so that a misspelt one is told before anything is
-/// planned. `groups` is the number of groups of holes.
+/// Compares the keys of an expectation with those that a plan may have, so that a misspelt one is told before anything
+/// is planned. `groups` is the number of groups of holes.
 pub fn fit(expected: &Expected, groups: usize, problems: &mut Problems) {
     let definition = |name: &str| SCHEMA.get("$defs").and_then(|all| all.get(name));
     let holes: Vec<&Value> = ["HolePlan", "Short"].into_iter().filter_map(definition).collect();

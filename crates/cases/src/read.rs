@@ -134,7 +134,7 @@ impl Reader<'_> {
         self.problems.0.len() + self.meant.len()
     }
 
-    /// Holds an expectation against what such answers can have.
+    /// Compares an expectation with what such answers can have.
     fn fit(&mut self, expected: &mut Expected, question: &Question) {
         match question {
             Question::Table(question) => {

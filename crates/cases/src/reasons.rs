@@ -27,7 +27,7 @@ pub enum Why {
         row: usize,
         /// The first column that failed.
         column: String,
-        /// What that column asks for.
+        /// What that column requires.
         cell: String,
     },
 }

@@ -208,7 +208,7 @@ fn value_json(column: &Column, value: &Value) -> Json {
     }
 }
 
-/// Holds the keys of an expectation against the columns of the table; a single value of a list column is a list of one.
+/// Compares the keys of an expectation with the columns of the table; a single value of a list column is a list of one.
 pub fn fit(expected: &mut Expected, table: &Table, problems: &mut Problems) {
     match &mut expected.what {
         What::List(items) => items.iter_mut().for_each(|item| fit(&mut item.expected, table, problems)),

@@ -16,7 +16,7 @@ const WIDTH: usize = 110;
 /// A file with its open expectations filled in.
 #[derive(Debug, Default)]
 pub struct Filled {
-    /// The new text; absent where nothing was open.
+    /// The new text; absent if nothing was open.
     pub text: Option<String>,
     /// The numbers of the cases that were filled in.
     pub cases: Vec<usize>,

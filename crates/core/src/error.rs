@@ -14,7 +14,7 @@ pub use crate::knowledge::KnowledgeError;
 /// [`crate::reason::Uncut`] of cutting conditions.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Refusal<W = Reason> {
-    /// Planning stops: a table lacks what is asked of it.
+    /// Planning stops: a table lacks what is required of it.
     Knowledge(KnowledgeError),
     /// This alternative cannot be carried out, for that reason.
     Not(W),

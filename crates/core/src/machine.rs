@@ -57,11 +57,11 @@ pub struct Machine<'k> {
     /// The table of its record.
     pub table: &'k Table,
     record: Record<'k>,
-    /// What its programs are written for, as the command line names controls; absent where the record does not say.
+    /// What its programs are written for, as the command line names controls; absent if the record does not say.
     pub control: Option<&'k str>,
-    /// Length of its table, along X; absent where the record does not say.
+    /// Length of its table, along X; absent if the record does not say.
     pub table_length: Option<Micrometres>,
-    /// Width of its table, along Y; absent where the record does not say.
+    /// Width of its table, along Y; absent if the record does not say.
     pub table_width: Option<Micrometres>,
     /// The spindle's steps, ascending.
     pub spindle_steps: Vec<RevsPerMinute>,
@@ -97,7 +97,7 @@ pub struct Machine<'k> {
     pub tool_change_at: (Micrometres, Micrometres),
     /// Where the quill stands for a tool change.
     pub tool_change_z: Micrometres,
-    /// From the spindle's nose to the table with the quill up, least and greatest by the knee; absent where the record
+    /// From the spindle's nose to the table with the quill up, least and greatest by the knee; absent if the record
     /// does not say.
     pub nose_to_table: Option<(Micrometres, Micrometres)>,
     /// Number of the spindle's 7:24 taper.
@@ -114,7 +114,7 @@ pub struct Machine<'k> {
     pub tool_mass_max_kg: f64,
     /// Accuracy of position along an axis: σc of table A.6.
     pub position_accuracy: Micrometres,
-    /// Roundness of a cylinder milled by contour; absent where the record does not say.
+    /// Roundness of a cylinder milled by contour; absent if the record does not say.
     pub roundness: Option<Micrometres>,
     /// Whether it cuts threads with a tap.
     pub can_tap: bool,

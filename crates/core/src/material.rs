@@ -1,4 +1,4 @@
-//! What the part is made of, as the cutting tables ask for it.
+//! What the part is made of, as the cutting tables require it.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,7 +26,7 @@ pub struct Material<'k> {
     pub alloy_class: &'k str,
     /// Brinell hardness used for cutting.
     pub hardness: Decimal,
-    /// Tensile strength, MPa; zero where the tables do not ask for it.
+    /// Tensile strength, MPa; zero where the tables do not require it.
     pub strength: Decimal,
     designation: &'k str,
 }
@@ -57,7 +57,7 @@ pub fn named(knowledge: &Knowledge, text: &str) -> Result<String, Option<String>
     }
 }
 
-/// The figures of a steel in a delivery state; nothing where no standard at hand has that state of it.
+/// The figures of a steel in a delivery state; none if no standard at hand has that state of it.
 pub fn delivered(knowledge: &Knowledge, material: &str, state: DeliveryState) -> Option<MaterialState> {
     let is = |row: &DeliveryStates<'_>| row.material == material && row.state == state;
     let row = knowledge.find(is).ok().flatten()?;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// A cache of values by key. The first thread that asks for a value computes it; others wait for that value only.
+/// A cache of values by key. The first thread that needs a value computes it; others wait for that value only.
 #[derive(Debug)]
 pub struct Memo<V>(Mutex<BTreeMap<String, Arc<OnceLock<V>>>>);
 

@@ -107,7 +107,7 @@ impl<'k> PracticeSpeed<'k> {
         if inner { Self::share(SharedWork::Bore, turned, knowledge) } else { Ok(turned) }
     }
 
-    /// What shops drive with the blade of a grooving insert of a width; nothing where the table has no figure.
+    /// What shops drive with the blade of a grooving insert of a width; none if the table has no figure.
     ///
     /// # Errors
     /// The table cannot answer.
@@ -152,7 +152,7 @@ impl<'k> PracticeSpeed<'k> {
     }
 }
 
-/// The rows of the pages for the material; nothing for a hardness or a grade of somebody's own tables, which they lack.
+/// The rows of the pages for the material; none for a hardness or a grade of somebody's own tables, which they lack.
 ///
 /// # Errors
 /// The rule `practice-group` cannot answer.

@@ -33,7 +33,7 @@ pub fn quantity_noun(quantity: Quantity, lang: Lang) -> &'static str {
     lang.find(&format!("quantity-{}", key.replace('.', "-"))).unwrap_or(key)
 }
 
-/// A unit as people write it; nothing for a pure number.
+/// A unit as people write it; none for a pure number.
 pub fn unit(unit: Unit, lang: Lang) -> &'static str {
     match unit {
         Unit::None => "",

@@ -16,7 +16,7 @@ use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, 
 use super::drilling::Base;
 use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, power_of, rpm_at};
 
-/// What the cards cannot give, so that a plan by them rests on something else there.
+/// What the cards do not contain, so that a plan by them needs another source there.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum CardDoubt {

@@ -91,7 +91,8 @@ pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<DraftCo
     })
 }
 
-/// Kv = Kmv·Kpv·Klv, and what the cards leave out of it. A row that stands in is that of its own reference material; the factor of ours would not fit it.
+/// Kv = Kmv·Kpv·Klv, and what the cards leave out of it. A row of another group is for its own reference material, so
+/// the factor of the actual material does not apply.
 pub(super) fn speed_corrections<'k>(
     cut: &Cut,
     own_row: bool,

@@ -24,13 +24,13 @@ use super::figures::{self, Asking, missing};
 /// A factor and the row behind it.
 pub type Factor = (f64, Because);
 
-/// Kmv: how the material moves the speed.
+/// Kmv: factor of the material for the speed.
 ///
 /// Steel: Kg·(750/σB)^nv, in milling with the class's own nv where it has one. Grey iron (190/HB)^nv, malleable iron (150/HB)^nv. Copper and aluminium
 /// alloys: a figure of their class. (Косилова/Мещеряков т.2, facts 1.5.)
 ///
 /// # Errors
-/// A table has no figure for this material, or the knowledge cannot answer.
+/// A table has no figure for this material, or the knowledge base has no answer.
 pub fn material_speed<'k>(
     process: Process,
     tool_material: ToolMaterial,
@@ -72,10 +72,10 @@ pub fn material_speed<'k>(
     Ok((factor, Because { note: shown("material-speed-factor", factor), ..because }))
 }
 
-/// Kmp: how the material moves forces. Steel (σB/750)^n, grey iron (HB/190)^n, malleable (HB/150)^n.
+/// Kmp: factor of the material for forces. Steel (σB/750)^n, grey iron (HB/190)^n, malleable (HB/150)^n.
 ///
 /// # Errors
-/// As of [`material_speed`].
+/// As for [`material_speed`].
 pub fn material_force<'k>(
     process: Process,
     tool_material: ToolMaterial,
@@ -95,7 +95,7 @@ pub fn material_force<'k>(
     Ok((factor, Because::row(row.row, shown("material-force-factor", factor))))
 }
 
-/// The figure of the reference material and that of ours, MPa or HB; nothing of alloys, which have classes.
+/// The figure of the reference material and that of ours, MPa or HB; none for alloys, which have classes.
 fn compared(reference: Reference, material: &Material<'_>) -> Option<(f64, f64)> {
     let (strength, hardness) = (material.strength.to_f64(), material.hardness.to_f64());
     match reference {
@@ -152,14 +152,14 @@ pub(super) struct ByDepth {
     pub left_out: Option<CardDoubt>,
 }
 
-/// Klv: how the depth of the hole, in diameters, moves the speed.
+/// Klv: factor of the depth of the hole, in diameters, for the speed.
 pub(super) fn speed_by_depth<'k>(operation: Coefficients, cut: &Cut, shop: &impl Asking<'k>) -> Tried<ByDepth, Uncut> {
     let depth_ratio = depth_ratio(cut);
     let found = figures::within_reach(&DepthSpeedFactorFor { operation, depth_ratio }, shop.knowledge())?;
     by_depth(DepthSpeedFactorFor::TABLE, depth_ratio, found.map(|(row, cited)| (row.factor, cited)), shop)
 }
 
-/// Kls: how the depth of the hole, in diameters, moves the feed.
+/// Kls: factor of the depth of the hole, in diameters, for the feed.
 pub(super) fn feed_by_depth<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<ByDepth, Uncut> {
     let depth_ratio = depth_ratio(cut);
     let found = figures::within_reach(&DepthFeedFactorFor { depth_ratio }, shop.knowledge())?;
@@ -244,7 +244,7 @@ pub(crate) fn lasts(life: Minutes) -> Note {
 /// The surface of a hole's metal by the rule `surface`.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn surface_of(skin: bool, shop: &Shop<'_>) -> Result<Surface, KnowledgeError> {
     let material_group = shop.material.group;
     Ok(shop.knowledge.ask(&SurfaceFor { skin, material_group })?.need(material_group)?.surface)
@@ -253,7 +253,7 @@ pub fn surface_of(skin: bool, shop: &Shop<'_>) -> Result<Surface, KnowledgeError
 /// Kpv: the skin of the blank.
 ///
 /// # Errors
-/// The table has no such surface, or the knowledge cannot answer.
+/// The table has no such surface, or the knowledge base has no answer.
 pub fn surface<'k>(surface: Surface, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     let asked = shop.knowledge().ask(&SkinFactorFor { surface })?;
     let row = asked.winner()?.ok_or_else(|| missing(SkinFactorFor::TABLE, shop))?;

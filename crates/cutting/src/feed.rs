@@ -1,4 +1,4 @@
-//! Where a feed comes from: the rule `feed-choice` names the table and the multiple.
+//! Finds the feed: the rule `feed-choice` names the table and the factor.
 
 use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::units::Brinell;
@@ -22,12 +22,12 @@ use super::{Cut, factors, figures};
 pub(super) struct Feed {
     pub feed: MillimetresPerRev,
     pub because: Vec<Because>,
-    /// What the cards leave out of it.
+    /// What the cards cannot give for it.
     pub doubts: Vec<CardDoubt>,
 }
 
 impl Feed {
-    /// The same with the feed taken in place of the tabulated one.
+    /// The same with the feed taken instead of the tabulated one.
     pub fn or(self, taken: Option<MillimetresPerRev>) -> Self {
         Self { feed: taken.unwrap_or(self.feed), ..self }
     }
@@ -118,7 +118,7 @@ fn at<'k, Q: Question, A: Asking<'k>>(
     Ok((figures.map(feed), first))
 }
 
-/// The first diameter of a table, where the one that is asked lies below it (a centring spot of 1.8 mm).
+/// The first diameter of a table, where the one that is required lies below it (a centring spot of 1.8 mm).
 fn first_above(diameter: Micrometres, column: Option<&Column>) -> Option<Micrometres> {
     let (first, _) = *column?.domain.as_ref()?.intervals().first()?;
     (diameter.micrometres() < first).then(|| Micrometres::new(first))

@@ -1,5 +1,5 @@
-//! Asking the cutting tables: the material's own row, or by the rule `stand-in-material` another group's,
-//! marked as such. There is one way to a figure, and it never guesses silently.
+//! Queries of the cutting tables: the row of the material's own group, or by the rule `stand-in-material` that of
+//! another group, marked as such. A figure is never guessed silently.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::contract::{Question, TableRow};
@@ -12,7 +12,7 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::rules::{StandInMaterial, StandInMaterialFor, StandInOperationFor, StandInToolMaterialFor};
 
-/// Who asks the cutting tables: a shop that drills, or a cut on a lathe.
+/// Where cutting tables are queried for: a drilling machine, or a cut on a lathe.
 pub trait Asking<'k> {
     /// Every table.
     fn knowledge(&self) -> &'k Knowledge;
@@ -44,7 +44,7 @@ pub struct Figures<'k, R> {
     pub row: R,
     /// The same, to be cited.
     cited: RowRef<'k>,
-    /// Why another group's or tool material's row stands in; empty for the material's own.
+    /// Why the row of another group or tool material is used; empty for the material's own.
     stand_in: Vec<Because>,
     /// Whether the row is of the material's own group, whatever tool material it is of.
     own_group: bool,
@@ -61,7 +61,7 @@ impl<'k, R> Figures<'k, R> {
         std::iter::once(Because::row(self.cited, note)).chain(self.stand_in.clone()).collect()
     }
 
-    /// The same with what matters of the row.
+    /// The same with the relevant figures of the row.
     pub fn map<T>(self, of: impl FnOnce(R) -> T) -> Figures<'k, T> {
         let Self { row, cited, stand_in, own_group } = self;
         Figures { row: of(row), cited, stand_in, own_group }
@@ -71,7 +71,7 @@ impl<'k, R> Figures<'k, R> {
 /// The row of a table for the shop's material; `question` asks of a material group.
 ///
 /// # Errors
-/// The table has no figure for the material, or the knowledge cannot answer.
+/// The table has no figure for the material, or the knowledge base has no answer.
 pub fn ask<'k, Q: Question>(
     question: impl Fn(&'k str) -> Q,
     shop: &impl Asking<'k>,
@@ -106,7 +106,7 @@ pub(crate) fn ask_of_tool<'k, Q: Question>(
     Ok((figures, instead))
 }
 
-/// The tool material whose figures stand in for another in a table, by the rule.
+/// The tool material whose figures are used instead of another's in a table, by the rule.
 pub(crate) fn stand_in_tool_material<'k>(
     of_table: &str,
     tool_material: ToolMaterial,
@@ -118,7 +118,7 @@ pub(crate) fn stand_in_tool_material<'k>(
     Ok(Some((rule.instead, Because::row(rule.row, note.with("other", rule.instead.name())))))
 }
 
-/// The group whose figures stand in for the shop's material in a table, by the rule.
+/// The group whose figures are used instead of those of the material in a table, by the rule.
 pub(crate) fn stand_in<'k>(
     of_table: &str,
     shop: &impl Asking<'k>,
@@ -134,7 +134,7 @@ pub(crate) fn stand_in<'k>(
     Ok(Some((rule.group, Because::row(rule.row, note.with("material", material.designation())))))
 }
 
-/// The transition whose figures stand in for one that has none, by the rule `stand-in-operation`.
+/// The transition whose figures are used for one that has none, by the rule `stand-in-operation`.
 pub(crate) fn stand_in_operation<'k>(
     operation: Operation,
     shop: &impl Asking<'k>,
@@ -146,11 +146,11 @@ pub(crate) fn stand_in_operation<'k>(
     Ok((rule.instead, Because::row(rule.row, note)))
 }
 
-/// The row that answers, as its figures and to be cited; nothing where the table has none. A figure beyond the table's
-/// reach is one that the table does not have.
+/// The row that answers, as its figures and to be cited; none if the table has none. A figure outside the range of the
+/// table counts as missing.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn within_reach<'k, Q: Question>(
     question: &Q,
     knowledge: &'k Knowledge,
@@ -162,7 +162,7 @@ pub fn within_reach<'k, Q: Question>(
     }
 }
 
-/// A table has no figure for this material, and nothing stands in.
+/// A table has no figure for this material, and no other group's may be used.
 pub fn missing<'k>(table: &str, shop: &impl Asking<'k>) -> Refusal<Uncut> {
     Refusal::Not(Uncut::NoFigure { table: table.to_owned(), material: shop.material().designation().to_owned() })
 }

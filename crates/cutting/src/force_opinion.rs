@@ -1,7 +1,7 @@
 //! A second opinion on forces: the specific cutting force and a maker's formulas beside those of the handbook.
 //!
-//! The formula stays the method. Where its torque is less than two thirds of the other, the rule `force-opinion` takes the
-//! other: machine and clamps must bear the larger.
+//! The formula remains the method. If its torque is less than two thirds of the other, the rule `force-opinion` takes
+//! the other: machine and clamps must withstand the larger.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
@@ -14,12 +14,12 @@ use crate::units::{MillimetresPerRev, round_to};
 
 use super::{Cut, DraftConditions, PowerLaw};
 
-/// Holds the torque of a draft against that of the specific cutting force, by the rule `force-opinion`.
+/// Compares the torque of a draft with that of the specific cutting force, by the rule `force-opinion`.
 ///
 /// M = kc1·h^-mc·(D² − d²)·s / 8000 N·m, h = s / lips; D, d and h in mm, s in mm/rev, kc1 in MPa (tables
 /// `specific-cutting-force`, `force-opinion`). Nothing for a grade without a group of VDI 3323.
 ///
-/// They are compared at the feed of the tables, `tabulated`, so that a feed that is held back later changes no mind.
+/// They are compared at the feed of the tables, `tabulated`, so that a feed reduced later does not change the decision.
 pub(super) fn hold_torque(
     draft: &mut DraftConditions,
     tabulated: Option<MillimetresPerRev>,
@@ -50,8 +50,8 @@ pub(super) fn hold_torque(
     Ok(())
 }
 
-/// Thrust and torque of a drill by a maker's formulas beside ours: P = 570·K·D·s^0.85 N, M = K·D²·(0.0063 + 0.1684·s) N·m,
-/// D in mm, s in mm/rev (tables `drill-force-formula`, `drill-force-factor`); nothing where the pages have no K.
+/// Thrust and torque of a drill by a maker's formulas beside ours: P = 570·K·D·s^0.85 N, M = K·D²·(0.0063 + 0.1684·s)
+/// N·m, D in mm, s in mm/rev (tables `drill-force-formula`, `drill-force-factor`); none if the pages have no K.
 pub(super) fn makers(cut: &Cut, found: &Conditions, shop: &Shop<'_>) -> Result<Option<Because>, KnowledgeError> {
     let (Some(thrust), Some(torque)) = (found.axial_force_n, found.torque_n_m) else { return Ok(None) };
     if cut.operation != Operation::Drill || thrust.0 <= 0.0 || torque.0 <= 0.0 {

@@ -1,4 +1,4 @@
-//! What the handbook's formulas make of feed, depth of cut, diameter and tool life that somebody else chose.
+//! The handbook's formulas for a feed, depth of cut, diameter and tool life that were chosen elsewhere.
 
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
@@ -21,7 +21,7 @@ pub struct Handbook {
     pub speed_factor: f64,
     /// The rows behind the speed.
     pub speed_because: Vec<Because>,
-    /// The laws of torque and thrust, without Kp; absent where no row is known.
+    /// The laws of torque and thrust, without Kp; absent if no row is known.
     pub loads: Option<(LoadLaw, LoadLaw)>,
     /// Kp.
     pub load_factor: f64,
@@ -29,7 +29,7 @@ pub struct Handbook {
     pub loads_because: Vec<Because>,
 }
 
-/// The operation by which the tables of speed and tool life know a transition; nothing for those that they do not have
+/// The operation by which the tables of speed and tool life know a transition; none for those that they do not have
 /// (boring, milling, tapping, and tools that borrow the figures of others).
 pub fn operation_of(operation: Operation) -> Option<Coefficients> {
     match operation {
@@ -41,19 +41,19 @@ pub fn operation_of(operation: Operation) -> Option<Coefficients> {
     }
 }
 
-/// The tool life for which the handbook gives speeds, by the table `tool-life`; nothing where the transition has none.
+/// The tool life for which the handbook gives speeds, by the table `tool-life`; none if the transition has none.
 ///
 /// # Errors
-/// The tables have no figure for this material or diameter, or the knowledge cannot answer at all.
+/// The tables have no figure for this material or diameter, or the knowledge base has no answer at all.
 pub fn tool_life<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Option<(Minutes, Vec<Because>)>, Uncut> {
     operation_of(cut.operation).map(|operation| factors::tool_life(operation, cut, shop)).transpose()
 }
 
-/// The formulas of a cut at a feed; nothing for transitions that they do not cover. Reamers have no loads here: theirs
+/// The formulas of a cut at a feed; none for transitions that they do not cover. Reamers have no loads here: theirs
 /// need the number of teeth.
 ///
 /// # Errors
-/// As of [`tool_life`].
+/// As for [`tool_life`].
 pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) -> Tried<Option<Handbook>, Uncut> {
     let Some(operation) = operation_of(cut.operation) else { return Ok(None) };
     let reams = operation == Coefficients::Ream;
@@ -84,7 +84,7 @@ pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) 
 /// The feed of a transition by the tables, with the rows behind it.
 ///
 /// # Errors
-/// As of [`tool_life`].
+/// As for [`tool_life`].
 pub fn feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<(MillimetresPerRev, Vec<Because>), Uncut> {
     let found = feed::tabulated(cut, shop)?;
     Ok((found.feed, found.because))

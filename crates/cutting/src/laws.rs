@@ -1,4 +1,4 @@
-//! The handbook's power laws of drills, core drills and reamers, as their rows give them.
+//! The handbook's power laws of drills, core drills and reamers, from their rows.
 
 use crate::error::Tried;
 use crate::knowledge::vocabulary::ToolMaterial;

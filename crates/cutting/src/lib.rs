@@ -57,7 +57,7 @@ pub struct Cut {
     pub tool_diameter: Option<Micrometres>,
     /// The diameter before it; zero in solid metal.
     pub from: Micrometres,
-    /// Passes of the tool; milling adds to them what the mill's diameter asks for.
+    /// Passes of the tool; milling adds to them what the mill's diameter requires.
     pub passes: u32,
     /// Depth of the hole.
     pub depth: Micrometres,
@@ -180,7 +180,7 @@ impl PowerLaw {
 /// Conditions of a cut on the machine at hand.
 ///
 /// # Errors
-/// A table has no figure for this material, or the knowledge cannot answer at all.
+/// A table has no figure for this material, or the knowledge base has no answer at all.
 pub fn conditions(cut: &Cut, shop: &Shop<'_>) -> Tried<Conditions> {
     Ok(with_doubts(cut, shop)?.0)
 }
@@ -188,14 +188,14 @@ pub fn conditions(cut: &Cut, shop: &Shop<'_>) -> Tried<Conditions> {
 /// The same, and what the cards could not give for it.
 ///
 /// # Errors
-/// As of [`conditions`].
+/// As for [`conditions`].
 pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDoubt>)> {
     let operation = cut.operation;
     let Settled { draft, formula_speed, practice, held } =
         settle::settle(cut, shop).map_err(|refusal| refusal.map(|why| Reason::NoConditions { operation, why }))?;
     let speed = speed_at(held.rpm, draft.motion.turned);
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
-    // The power follows from the torque as it is printed, so that who reckons it again finds the same.
+    // The power follows from the torque as it is printed, so that who calculates it again finds the same.
     let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)).rounded(3));
     let power = torque.map(|torque| power_of(torque, held.rpm));
     // The life belongs to the formula's speed, also where practice is slower; where practice is faster, to that of practice.
@@ -217,7 +217,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         feed_mm_per_rev: held.feed.rounded(3),
         speed_m_per_min: speed.rounded(2),
         spindle_rpm: held.rpm,
-        // A tap's feed rate is pitch times speed to the last digit, or the thread is torn.
+        // A tap's feed rate is pitch times speed to the last digit; otherwise the thread is torn.
         feed_mm_per_min: feed_rate.rounded(if draft.motion.synchronous { 3 } else { 1 }),
         axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed, speed)).rounded(0)),
         torque_n_m: torque,

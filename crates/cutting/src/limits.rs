@@ -1,4 +1,4 @@
-//! What the machine lets through: spindle step, feed range, thrust, torque, power.
+//! The machine's limits: spindle step, feed range, thrust, torque, power.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::Percent;
@@ -52,18 +52,18 @@ impl<'k> Margin<'k> {
     }
 }
 
-/// The feed that the loads let through, when it is less than was asked.
+/// The feed that the loads allow, if it is less than the one required.
 pub(super) struct Borne {
     pub feed: MillimetresPerRev,
-    /// What lets no more through.
+    /// The limit.
     pub limit: Limit,
     pub because: Vec<Because>,
 }
 
-/// A load this much beyond its limit is at it: the limit was turned into a feed and back.
+/// A load that exceeds its limit by no more than this is at it: the limit was converted to a feed and back.
 const SLACK: f64 = 1e-9;
 
-/// Holds a feed inside drill strength, thrust and torque at a spindle step; nothing where they bear it.
+/// Reduces a feed to the limits of drill strength, thrust and torque at a spindle step; none if it is within them.
 pub(super) fn borne(
     draft: &DraftConditions,
     asked: MillimetresPerRev,
@@ -94,7 +94,7 @@ pub(super) fn borne(
     Ok(within(&bounds, asked, speed))
 }
 
-/// The feed that stays inside every bound, where the one asked does not.
+/// The feed within every limit, if the required one is not.
 fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresPerMinute) -> Option<Borne> {
     let mut borne: Option<Borne> = None;
     for bound in bounds.iter().flatten() {
@@ -132,7 +132,7 @@ pub(super) fn hold(
 ) -> Tried<LimitedConditions, Uncut> {
     let (rpm, limited_by, reason) = spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)?;
     let mut best = at_step(draft, cut, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
-    // Where power limits, a slower step lets more feed through: the quickest of them is taken.
+    // If power is the limit, a slower step allows more feed: the quickest of them is taken.
     for step in shop.machine.spindle_steps.iter().rev().filter(|step| step.0 < rpm.0) {
         if best.limited_by != Limit::SpindlePower {
             break;
@@ -191,8 +191,7 @@ fn at_step(
     Ok(LimitedConditions { feed, rpm, limited_by, reduced, because })
 }
 
-/// What a thin drill bears by itself (textbook 1.2.1, l. 223-226: below 10 mm the drill's own strength
-/// limits the feed).
+/// The strength of a thin drill (textbook 1.2.1, l. 223-226: below 10 mm the drill's own strength limits the feed).
 ///
 /// Permissible torque Mp = k·d³·τ/1000, N·m, with the polar section modulus k·d³ of the fluted section, mm³,
 /// and the permissible shear stress τ, MPa (table `drill-strength`); d is the tool's own diameter, which for a spot is
@@ -216,7 +215,7 @@ fn drill_strength<'k>(
     Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row: strength.row, margin: None }))
 }
 
-/// Holds a tap: its feed is its pitch and cannot give way, so the spindle does.
+/// Limits a tap: its feed is its pitch and cannot be reduced, so the speed is.
 ///
 /// The fastest step not above the computed speed at which power and feed rate suffice; the torque of a tap
 /// does not depend on speed, and where it is beyond the spindle the tap is refused.
@@ -254,7 +253,7 @@ pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMi
     Ok((taken.rpm, taken.limit, taken.because(wanted, shop)?))
 }
 
-/// A step of the series, before words are made of it: the loads ask for the step alone.
+/// A step of the series without its reasons: the loads need the step alone.
 struct SpindleStepChoice<'k> {
     rpm: RevsPerMinute,
     limit: Limit,

@@ -1,4 +1,4 @@
-//! Opening a hole with an end mill that goes round along circles.
+//! Opening a hole with an end mill that moves in circles.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Question;
@@ -19,7 +19,7 @@ use super::{Cut, CutMotion, CutterShape, DraftConditions, Loads, PowerLaw, facto
 /// The kind of mill in the milling tables: a solid end mill.
 const MILL: Mill = Mill::End;
 
-/// Conditions of milling a hole round (Косилова/Мещеряков т.2; facts 1.9).
+/// Conditions of milling a hole along circles (Косилова/Мещеряков т.2; facts 1.9).
 ///
 /// - V = Cv·D^q / (T^m·t^x·sz^y·B^u·z^p)·Kv, m/min, with Kv = Kmv·Kpv;
 /// - Pz = 10·Cp·t^x·sz^y·B^u·z / (D^q·n^w)·Kmp, N, with n the step that is driven; the torque is Pz·D/2000, N·m. No thrust is known;
@@ -150,7 +150,7 @@ fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Beca
 
 /// In how many equal parts, at least one, a length is cut so that none is longer than `longest`.
 fn parts(length: f64, longest: f64) -> u32 {
-    // A micrometre of slack, so that 10 mm in steps of 5 are two parts whatever the last bit says.
+    // A micrometre of slack, so that 10 mm in steps of 5 are two parts whatever the last bit is.
     libm::ceil((length - 0.001) / longest).max(1.0) as u32
 }
 

@@ -1,7 +1,7 @@
-//! A second opinion on speeds: what shops drive by public tables, beside the formulas of the handbook.
+//! A second opinion on speeds: shop practice by public tables, compared with the formulas of the handbook.
 //!
-//! The formula stays the method. Where it parts from the practice by more than a third, the rule `second-opinion` says
-//! which of them is taken; both stand in the reasons of the plan.
+//! The formula remains the method. If it differs from practice by more than a third, the rule `second-opinion` says
+//! which of the two is taken; the reasons of the plan name both.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -17,15 +17,15 @@ use super::{Cut, DraftConditions};
 /// What practice makes of a speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
-    /// The formula's stands.
+    /// The formula's speed is kept.
     No,
-    /// It is driven slower than the formula has it.
+    /// Practice is slower than the formula, and its speed is taken.
     Slower,
-    /// It is driven faster: the formula's tool life is not that of practice.
+    /// Practice is faster, and its speed is taken: the formula's tool life does not apply.
     Faster,
 }
 
-/// Holds the speed of a draft against practice, by the rule `second-opinion`.
+/// Compares the speed of a draft with practice, by the rule `second-opinion`.
 pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Result<Held, KnowledgeError> {
     let (speed, held, because) = held(draft.speed, cut, &shop.material, shop.knowledge)?;
     draft.speed = speed;
@@ -33,7 +33,7 @@ pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> R
     Ok(held)
 }
 
-/// The speed to drive in place of that of the formula, by the rule `second-opinion`, and why.
+/// The speed to drive instead of that of the formula, by the rule `second-opinion`, and why.
 ///
 /// # Errors The tables cannot answer.
 pub fn held(

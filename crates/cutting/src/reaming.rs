@@ -50,9 +50,9 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     })
 }
 
-/// Holds the last reamer, which is there for the surface, to what the formula has for a rough one: at the feed of that one and
-/// the largest stock that a rough reamer finds (table `stock-before-reaming`). By itself the formula drives it faster, since
-/// it takes less; what is fed slower for the surface is not won back by speed either. Nothing for other cuts.
+/// Holds the last reamer, which is there for the surface, to what the formula has for a rough one: at the feed of that
+/// one and the largest stock that a rough reamer finds (table `stock-before-reaming`). By itself the formula drives it
+/// faster, since it takes less; what the surface costs in feed is not made up by speed either. Nothing for other cuts.
 pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
     if !cut.operation.is_reaming() || cut.roughness.is_none() {
         return Ok(false);
@@ -77,7 +77,7 @@ pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Sh
 fn corrected_feed(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
     let Feed { feed, mut because, doubts } = feed::tabulated(cut, shop)?;
     let mut feed = feed.0;
-    // Only the last pass is asked for a roughness.
+    // Only the last pass needs a roughness.
     let rule = shop.knowledge.ask(&ReamingFeedConditionFor {
         tool_material: cut.tool_material,
         final_: cut.roughness.map(|_| true),
@@ -103,7 +103,7 @@ fn corrected_feed(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
     Ok(Feed { feed: MillimetresPerRev(feed), because, doubts })
 }
 
-/// The torque as a power law of the feed; absent where no row of forces is known, for it is not guessed.
+/// The torque as a power law of the feed; absent if no row of forces is known, for it is not guessed.
 fn torque(cut: &Cut, shop: &Shop<'_>) -> Tried<(Option<PowerLaw>, Vec<Because>), Uncut> {
     let question = |material_group, tool_material| BoringForceFor { material_group, tool_material };
     let Ok((figures, of_tool)) = figures::ask_of_tool(question, cut.tool_material, shop) else {

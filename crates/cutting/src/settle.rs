@@ -1,4 +1,4 @@
-//! Feed and speed settled with each other: a feed that a load cuts back is cut at the speed that belongs to it.
+//! Solves feed and speed together: a feed that a load reduces gets the speed that belongs to it.
 
 use crate::error::Tried;
 use crate::note::{Because, Note};
@@ -11,8 +11,8 @@ use super::limits::{self, Borne, LimitedConditions};
 use super::practice::{self, Held};
 use super::{Cut, DraftConditions, force_opinion, reaming};
 
-/// The most rounds of cutting the feed back. Loads that do not depend on the speed settle in one; those that do
-/// (boring, V^-0.15) grow smaller with the higher speed of a smaller feed.
+/// The most rounds of reducing the feed. Loads that do not depend on the speed settle in one; those that do (boring,
+/// V^-0.15) grow smaller with the higher speed of a smaller feed.
 const ROUNDS: usize = 8;
 
 /// Conditions for the feed that is taken.
@@ -20,18 +20,18 @@ pub(super) struct Settled {
     pub draft: DraftConditions,
     /// The speed of the formula for the feed taken, before practice and the spindle's steps.
     pub formula_speed: MetresPerMinute,
-    /// What practice makes of the speed.
+    /// The result of the comparison with practice.
     pub practice: Held,
     pub held: LimitedConditions,
 }
 
-/// The feed of the tables, or less where drill strength, thrust or torque ask for less; the speed that the formula
-/// has for it, V ~ 1/s^y, so that the tool lives as long as planned; its spindle step.
+/// The feed of the tables, or less where drill strength, thrust or torque need less; the speed that the formula has for
+/// it, V ~ 1/s^y, so that the tool lives as long as planned; its spindle step.
 ///
-/// Where power or the feed rate holds the feed, the speed is not raised again: both ask for less of it. The tool
-/// life is then that of the feed and speed taken.
+/// Where power or the feed rate holds the feed, the speed is not raised again: both need less of it. The tool life is
+/// then that of the feed and speed taken.
 ///
-/// It ends: from round to round the feed only falls.
+/// This terminates: the feed falls in each round.
 pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let mut found = at(cut, None, None, shop)?;
     let tabulated = Some(found.draft.feed);
@@ -62,7 +62,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     Ok(found.held(LimitedConditions { because, ..held }))
 }
 
-/// Conditions of a feed, before the machine is asked.
+/// Conditions of a feed, before the limits of the machine.
 struct DraftAtFeed {
     draft: DraftConditions,
     formula_speed: MetresPerMinute,
@@ -92,7 +92,7 @@ fn at(
     Ok(DraftAtFeed { draft, formula_speed, practice })
 }
 
-/// That the figures are those of the feed taken, which is not that of the tables.
+/// A note that the figures are for the feed taken and not for that of the tables.
 fn told(
     code: &'static str,
     feed: MillimetresPerRev,

@@ -14,7 +14,7 @@ use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors};
 ///
 /// - the feed is the pitch P, mm/rev;
 /// - V = Cv·D^q / (T^m·P^y)·Kmv, m/min;
-/// - M = 10·Cm·D^q·P^y·Kp, N·m; a tap pulls itself in, no thrust is known;
+/// - M = 10·Cm·D^q·P^y·Kp, N·m; a tap feeds itself, so no thrust is known;
 /// - D is the thread's nominal diameter and P its pitch, mm; T in min.
 ///
 /// In, the spindle reversed, and out again at the same feed rate: the path is twice the travel. Kmv and Kp

@@ -29,7 +29,7 @@ impl Document {
         self.blocks.push(Block::Heading { level, words: words.into() });
     }
 
-    /// Adds a paragraph; nothing for no words.
+    /// Adds a paragraph; none for no words.
     pub fn paragraph(&mut self, words: impl Into<Inlines>) {
         let words = words.into();
         if !words.is_empty() {

@@ -8,7 +8,7 @@ pub const WIDTH: &str = "<width>";
 pub struct Words<'w> {
     /// Stands before the names of columns for which a table had no room: `columns left out`.
     pub left_out: &'w str,
-    /// How to see them, with [`WIDTH`] in place of the width that shows all; backticks mark code. Empty to say nothing.
+    /// How to see them, with [`WIDTH`] instead of the width that shows all; backticks mark code. Empty to say nothing.
     pub see_all: &'w str,
     /// Stands before what helps against a finding: `help`.
     pub help: &'w str,

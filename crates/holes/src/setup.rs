@@ -20,7 +20,7 @@ use crate::units::{Micrometres, NewtonMetres, Newtons};
 /// another fixture is needed, which is no fault of the plan.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn clamping(
     part: &Part,
     holes: &[HolePlan],

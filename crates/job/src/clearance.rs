@@ -31,7 +31,7 @@ pub(super) fn change_over_part(
 /// Paths from hole to hole that cross a clamp of the part file. The height of clamps is not known.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn ways_over_clamps(
     setup: &SetUp,
     part: &Part,

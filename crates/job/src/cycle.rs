@@ -56,7 +56,7 @@ impl<'a> Feeding<'a> {
 /// How a tool is fed at each of its points; `top` is the entry face in the drawing's Z.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Result<Cycle, KnowledgeError> {
     let solid = transition.operation == Operation::Drill && transition.from == Micrometres::ZERO;
     let way = if solid { transition.depth - transition.start } else { Micrometres::ZERO };
@@ -68,7 +68,7 @@ pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Res
     let note = Note::new("machining-cycle").with("cycle", rule.cycle.name());
     let note = note.with("ratio", crate::units::round_to(ratio, 2));
 
-    // What a control is told stands on the machine's grid.
+    // Figures in programs are whole steps of the machine.
     let grid = |length: Micrometres| length.on_grid(shop.machine.resolution);
     let begin = grid(top - transition.start + transition.approach);
     let end = grid(top - transition.end);

@@ -6,7 +6,7 @@
 //!
 //! - `make` from a plan to the tree; `cycle` one transition's cycle, by the rule `machining-cycle`;
 //! - `part_position` where the part stands on the machine; `clearance` what the tools pass over;
-//! - `time` how long the work takes: cutting, rapid motions, and the operator's hands.
+//! - `time` how long the work takes: cutting, rapids and manual work.
 //!
 //! Architecture invariant: a job depends on no control and decides nothing that a rule can.
 
@@ -46,7 +46,7 @@ pub struct Job {
     pub setups: Vec<SetUp>,
     /// The length corrector of every tool, as G43 adds it.
     pub correctors: Vec<(u32, Micrometres)>,
-    /// What its reader must know: that the quill does not reach, that the part does not fit under the tools.
+    /// Findings: that the quill does not reach, that the part does not fit under the tools.
     pub findings: Vec<Finding>,
 }
 

@@ -17,7 +17,7 @@ use super::{Job, Pause, SetUp, Stop, ToolWork};
 /// The job of a plan, in the shop it was planned for.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     let part = &plan.part;
     let machine = &shop.machine;

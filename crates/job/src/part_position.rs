@@ -31,7 +31,7 @@ pub(super) struct PartPosition {
 ///   millimetres are taken, and said.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn stand(
     part: &Part,
     plan: &Plan,

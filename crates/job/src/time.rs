@@ -1,4 +1,4 @@
-//! How long a job takes: the motions of its cycles, the paths between them, tool changes and the operator's hands.
+//! How long a job takes: the motions of its cycles, the paths between them, tool changes and manual work.
 //!
 //! Every program written from the job takes this long on the machine: rapids by the slower axis at the machine's rate
 //! (textbook 3.9.1, 3.10.2), feeds along their path, dwells as they say.
@@ -14,7 +14,7 @@ use crate::units::{Micrometres, Minutes};
 
 use super::{Cycle, CycleKind, Job, Pause, SetUp, ToolWork, convention};
 
-/// What the operator's hands take while a program waits.
+/// Times of manual work while a program waits.
 #[derive(Clone, Copy, Debug)]
 pub struct Hands {
     /// To put a tool into the magazine.
@@ -90,7 +90,7 @@ impl Cycle {
                 took.feed_out = took.feed;
                 took.rapid = down + rapid.time(self.out - self.begin);
             }
-            // In and out, as machine time is reckoned for a tap.
+            // In and out, as machine time is calculated for a tap.
             CycleKind::Tap { .. } => {
                 took.feed = took.feed + took.feed;
                 took.rapid = down + rapid.time(self.out - self.begin);
@@ -140,7 +140,7 @@ impl Ways {
         self.rapid.time((from.x - to.x).abs().max((from.y - to.y).abs()))
     }
 
-    /// The quill from the tool-change position to the height of the ways of a cycle, or back.
+    /// The quill from the tool-change position to the height of the paths between points, or back.
     fn down(&self, out: Micrometres, correction: Micrometres, setup: &SetUp) -> Minutes {
         self.rapid.time(self.change_at.z - (setup.zero.z + out + correction))
     }
@@ -195,7 +195,7 @@ pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [Tool
         }
     }
     for (visit, (rapid, rounds)) in visits.iter_mut().zip(of_visit) {
-        // What is the same in every order of the points.
+        // The part of the time that does not depend on the order of the points.
         let more = rapid.0 - visit.rapid_min.0;
         visit.rapid_min = rapid.rounded(3);
         visit.nearest_rapid_min = Minutes(visit.nearest_rapid_min.0 + more).rounded(3);

@@ -32,7 +32,7 @@ impl technolog_note::Told for KnowledgeError {
 }
 
 impl KnowledgeError {
-    /// A table does not hold what is asked of it, for that reason.
+    /// A table does not hold what is required of it, for that reason.
     pub fn lacks(table: &str, why: impl Into<Note>) -> Self {
         let table = table.to_owned();
         Self::Table(TableError { table, file: String::new(), row: String::new(), problem: Box::new(why.into()) })

@@ -11,7 +11,7 @@ use crate::yaml::{Key, Node};
 pub(crate) enum Hint<'k> {
     /// This one was meant.
     Meant(&'k str),
-    /// It is this one but for Cyrillic letters.
+    /// It is this one except for Cyrillic letters.
     Alphabet(&'k str),
     /// The one that was meant stands already, in that line.
     Stands(&'k str, u32),

@@ -74,7 +74,7 @@ fn unpacked(bytes: &[u8]) -> Result<Table, TableError> {
     })
 }
 
-/// The compiled form of a table: what is asked of all of them without unpacking, and the rest.
+/// The compiled form of a table: what is required of all of them without unpacking, and the rest.
 #[derive(Serialize, Deserialize)]
 struct Packed<'a> {
     id: &'a str,

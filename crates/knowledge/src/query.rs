@@ -519,10 +519,10 @@ impl Knowledge {
         Ok(self.table(Q::TABLE)?.ask(question)?)
     }
 
-    /// As [`Self::ask`]; nothing where a figure is beyond the table's reach, which is one that the table does not have.
+    /// As [`Self::ask`]; none if a figure is beyond the table's reach, which is one that the table does not have.
     ///
     /// # Errors
-    /// As [`Self::ask`], but for that.
+    /// As [`Self::ask`], except for that.
     pub fn ask_within<'k, Q: Question>(
         &'k self,
         question: &Q,
@@ -563,7 +563,7 @@ impl Knowledge {
         self.table_of::<R>()?.read()
     }
 
-    /// The first row of which `is` holds; nothing where there is none.
+    /// The first row of which `is` holds; none if there is none.
     ///
     /// # Errors
     /// As [`Self::rows`].

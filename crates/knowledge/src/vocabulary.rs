@@ -1,7 +1,7 @@
 //! Words that many tables share, each stated once.
 //!
 //! What code must know word by word is an enum here; what it only passes from table to table is a table in
-//! `catalogs/vocabularies`. An enum column of any table says `of: NAME` in place of repeating the words.
+//! `catalogs/vocabularies`. An enum column of any table says `of: NAME` instead of repeating the words.
 
 use std::collections::BTreeMap;
 

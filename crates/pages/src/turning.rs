@@ -70,7 +70,7 @@ fn section(page: &mut Document, title: &str) {
     page.heading(2, format!("{}. {title}", before + 1));
 }
 
-/// The section of findings; nothing where there are none.
+/// The section of findings; none if there are none.
 fn findings<'f>(page: &mut Document, all: impl Iterator<Item = &'f note::Finding>, doubts: Doubts, lang: Lang) {
     let (listed, counted) = doubts.split(all);
     if counted.is_some() || !listed.is_empty() {

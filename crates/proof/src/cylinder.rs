@@ -1,4 +1,4 @@
-//! What the drawing asks of a cylinder of a hole, and which cylinder a transition works on.
+//! What the drawing requires of a cylinder of a hole, and which cylinder a transition works on.
 
 use crate::part::{Bottom, Face, Hole, Part, Thread, ToleratedDiameter};
 use crate::plan::{Feature, Transition};
@@ -6,13 +6,13 @@ use crate::units::{Micrometres, Roughness};
 
 /// A cylinder of a hole: the main one, or a step of that number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Place {
+pub(crate) enum CylinderId {
     Main,
     Step(usize),
 }
 
-impl Place {
-    /// The cylinder that a transition works on; nothing for edges, faces and cones.
+impl CylinderId {
+    /// The cylinder that a transition works on; none for edges, faces and cones.
     pub fn of(transition: &Transition) -> Option<Self> {
         match (transition.feature, transition.step) {
             (Feature::Bore | Feature::Thread, None) => Some(Self::Main),
@@ -22,7 +22,7 @@ impl Place {
     }
 }
 
-/// What the drawing asks of a cylinder.
+/// What the drawing requires of a cylinder.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Asked<'p> {
     pub diameter: &'p ToleratedDiameter,
@@ -38,10 +38,10 @@ pub(crate) struct Asked<'p> {
 }
 
 impl<'p> Asked<'p> {
-    /// What a cylinder of a hole is asked; nothing where the hole has no such step.
-    pub fn of(place: Place, hole: &'p Hole, part: &Part, position: Option<Micrometres>) -> Option<Self> {
+    /// What a cylinder of a hole must reach; none if the hole has no such step.
+    pub fn of(place: CylinderId, hole: &'p Hole, part: &Part, position: Option<Micrometres>) -> Option<Self> {
         match place {
-            Place::Main => Some(Self {
+            CylinderId::Main => Some(Self {
                 // It ends where the cylinders of the back face begin.
                 depth: hole.depth
                     - hole
@@ -58,7 +58,7 @@ impl<'p> Asked<'p> {
                 thread: hole.thread.as_ref(),
                 position: part.position_tolerance.or(position),
             }),
-            Place::Step(number) => hole.steps.get(number.checked_sub(1)?).map(|step| Self {
+            CylinderId::Step(number) => hole.steps.get(number.checked_sub(1)?).map(|step| Self {
                 diameter: &step.diameter,
                 roughness: step.roughness,
                 depth: step.depth,

@@ -1,4 +1,4 @@
-//! What fails in a plan, with the inequality that does not hold.
+//! What is wrong in a plan, with the inequality that fails.
 
 use crate::note::{Figure, Note, Severity};
 use crate::plan::Operation;
@@ -6,7 +6,7 @@ use crate::units::{ItGrade, MetresPerMinute, Micrometres, NewtonMetres, Newtons,
 
 pub use crate::tables::rules::Load;
 
-/// What a transition reaches, beside what is asked: at best, ordinarily, asked.
+/// What a transition reaches at best and ordinarily, and what is required.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wanting {
     /// The grade of a diameter.
@@ -25,7 +25,7 @@ pub enum Fault {
     NoStock { operation: Operation, before: Micrometres, may_be: Micrometres, shift: Micrometres, least: Micrometres },
     /// It takes more at once than such a tool may: on diameter.
     TooMuch { operation: Operation, stock: Micrometres, most: Micrometres },
-    /// The last transition reaches what is asked only at best, or not at all.
+    /// The last transition reaches the required value only at best, or not at all.
     Wanting { operation: Operation, what: Wanting },
     /// The hole may be wider than its upper limit.
     TooWide { operation: Operation, diameter: Micrometres, may_be: Micrometres, limit: Micrometres },
@@ -33,7 +33,7 @@ pub enum Fault {
     NotFinished { left: Micrometres, smallest: Micrometres, largest: Micrometres },
     /// A tool wider than the finished hole goes into it.
     Enters { operation: Operation, tool: Micrometres, limit: Micrometres },
-    /// A spot that stays to be seen around the finished hole.
+    /// A centring spot remains visible around the finished hole.
     SpotStays { spot: Micrometres, limit: Micrometres },
     /// The full diameter ends before the drawing's depth.
     TooShallow { operation: Operation, depth: Micrometres, asked: Micrometres },
@@ -45,15 +45,15 @@ pub enum Fault {
     TapHole { diameter: Micrometres, smallest: Micrometres, largest: Micrometres },
     /// A load takes more of the machine's limit than it may.
     Overload { operation: Operation, load: Load, value: f64, limit: f64, share: f64 },
-    /// The tool is driven faster than shops drive such a tool, by more than two honest tables part.
+    /// The speed is above that of shop practice by more than two good tables differ.
     TooFast { operation: Operation, value: MetresPerMinute, usual: MetresPerMinute, share: f64 },
-    /// The torque is beyond what a thin drill bears.
+    /// The torque exceeds the strength of a thin drill.
     Twists { operation: Operation, drill: Micrometres, value: NewtonMetres, limit: NewtonMetres },
-    /// The thrust is more than a long drill bears without buckling.
+    /// The thrust exceeds the buckling load of a long drill.
     Buckles { operation: Operation, drill: Micrometres, flutes: Micrometres, value: Newtons, limit: Newtons },
     /// A boring bar stands out further than so many of its diameters.
     BarSlender { operation: Operation, reach: Micrometres, bar: Micrometres, ratio: f64 },
-    /// A boring bar gives way to uneven stock by more than the tolerance of the hole.
+    /// A boring bar deflects under uneven stock by more than the tolerance of the hole.
     BarSprings { operation: Operation, spring: Micrometres, tolerance: Micrometres },
 }
 
@@ -141,7 +141,7 @@ const fn overload(load: Load) -> &'static str {
 }
 
 impl Wanting {
-    /// Whether what is asked is reached at best.
+    /// Whether the required value is reached at best.
     fn at_best(self) -> bool {
         match self {
             Self::Grade(best, _, asked) => best <= asked,
@@ -150,7 +150,7 @@ impl Wanting {
         }
     }
 
-    /// Whether even what is reached ordinarily suffices.
+    /// Whether what is ordinarily reached is enough.
     pub(crate) fn holds(self) -> bool {
         match self {
             Self::Grade(_, ordinary, asked) => ordinary <= asked,

@@ -1,4 +1,4 @@
-//! A hole on its way through the transitions: how wide it may be at worst, where its axis may lie, how deep it is.
+//! The state of a hole between transitions: its largest diameter, the offset of its axis, its depth.
 
 use std::collections::BTreeMap;
 
@@ -11,8 +11,8 @@ use crate::tables::rules::{MadeBy, ReamingCase};
 use crate::tables::standards::{MinorDiameterConstant, ThreadMinorDiameter};
 use crate::units::Micrometres;
 
-use super::cylinder::{Asked, Place};
-use super::reach::{Both, Reach, Way, drift, oversize};
+use super::cylinder::{Asked, CylinderId};
+use super::reach::{Both, MethodKey, Reach, drift, oversize};
 use super::{Fault, Wanting, loads, tool};
 
 /// A cylinder as far as it is made.
@@ -34,7 +34,7 @@ struct State {
 /// Everything that fails in the transitions of a hole.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn prove_hole(
     hole: &Hole,
     transitions: &[Transition],
@@ -44,7 +44,7 @@ pub fn prove_hole(
     let mut walk = Walk { hole, transitions, part, shop, states: BTreeMap::new(), centred: false, faults: Vec::new() };
     if let Some(diameter) = hole.state.diameter() {
         walk.states.insert(
-            Place::Main,
+            CylinderId::Main,
             State {
                 made_by: MadeBy::BlankHole,
                 largest: diameter,
@@ -66,7 +66,7 @@ struct Walk<'a, 'k> {
     transitions: &'a [Transition],
     part: &'a Part,
     shop: &'a Shop<'k>,
-    states: BTreeMap<Place, State>,
+    states: BTreeMap<CylinderId, State>,
     centred: bool,
     faults: Vec<Fault>,
 }
@@ -82,10 +82,10 @@ impl Walk<'_, '_> {
             self.spot(transition);
             return Ok(());
         }
-        let Some(place) = Place::of(transition) else { return Ok(()) };
+        let Some(place) = CylinderId::of(transition) else { return Ok(()) };
         let Some(asked) = Asked::of(place, self.hole, self.part, self.position()) else { return Ok(()) };
         // A step begins as the cylinder that it widens.
-        let before = self.states.get(&place).or_else(|| self.states.get(&Place::Main)).copied();
+        let before = self.states.get(&place).or_else(|| self.states.get(&CylinderId::Main)).copied();
         self.enters(transition, &asked);
         self.depths(transition, &asked, before);
         if transition.operation == Operation::Tap {
@@ -97,17 +97,17 @@ impl Walk<'_, '_> {
         }
         let follows: Vec<&Transition> = self.transitions[at + 1..]
             .iter()
-            .filter(|next| Place::of(next) == Some(place) && next.operation != Operation::Tap)
+            .filter(|next| CylinderId::of(next) == Some(place) && next.operation != Operation::Tap)
             .filter(|next| next.from_diameter_mm != next.diameter_mm)
             .collect();
         let last = follows.is_empty();
-        let way = Way {
+        let method = MethodKey {
             operation: transition.operation,
             centred: self.centred,
             after: before.map_or(MadeBy::Solid, |before| before.made_by),
             last,
         };
-        let Some(reach) = Reach::of(way, transition.diameter_mm, self.shop)? else { return Ok(()) };
+        let Some(reach) = Reach::of(method, transition.diameter_mm, self.shop)? else { return Ok(()) };
         if let Some(before) = before {
             self.stock(transition, &asked, before, reach, last);
             self.most(transition, before)?;
@@ -182,7 +182,7 @@ impl Walk<'_, '_> {
         let follows = operation.is_reaming() || operation == Operation::Tap;
         if let Some(before) = before.filter(|_| follows && !asked.through && !self.hole.through)
             && tip > before.depth
-            && Place::of(transition) == Some(Place::Main)
+            && CylinderId::of(transition) == Some(CylinderId::Main)
         {
             self.faults.push(Fault::Floor { operation, tip, opened: before.depth });
         }
@@ -262,7 +262,7 @@ impl Walk<'_, '_> {
             (None, Some(before)) => (before.axis, before.drift, before.led),
             (None, None) => (None, Micrometres::ZERO, false),
         };
-        // A reamer does not go where its lead went: what was opened before it stays the room of the next.
+        // A reamer's lead does not widen the hole: what was opened before stays the room of the next tool.
         let opened = before.filter(|_| transition.operation.is_reaming()).map(|before| before.depth);
         let depth = opened.unwrap_or(transition.depth_mm).max(transition.depth_mm);
         Ok(State {
@@ -275,7 +275,7 @@ impl Walk<'_, '_> {
         })
     }
 
-    /// A boring bar copies into the hole what it gives way to: stock that differs from hole to hole and around it.
+    /// A boring bar copies its deflection into the hole: stock varies from hole to hole and around it.
     fn springs(
         &mut self,
         transition: &Transition,
@@ -292,7 +292,7 @@ impl Walk<'_, '_> {
         Ok(())
     }
 
-    /// What the last transition leaves, against the drawing.
+    /// Compares what the last transition leaves with the drawing.
     fn finished(
         &mut self,
         transition: &Transition,
@@ -330,7 +330,7 @@ impl Walk<'_, '_> {
         }
         let wanting = wanting.into_iter().filter(|what| !what.holds());
         self.faults.extend(wanting.map(|what| Fault::Wanting { operation, what }));
-        // The size of these tools is not that of the field: they leave what they leave.
+        // The size of these tools does not follow the tolerance field.
         let fixed = matches!(operation, Operation::Drill | Operation::DrillOut | Operation::Counterbore);
         let may_be = left + width;
         if fixed && grade && may_be > largest {

@@ -1,14 +1,14 @@
-//! The proof of plans: every hole is followed through its transitions at worst, and held against drawing and machine.
+//! The proof of plans: every hole is simulated through its transitions at worst-case sizes and compared with drawing
+//! and machine.
 //!
-//! Who planned does not matter: it takes the transitions of a finished plan, ours or one that somebody wrote, and asks
-//! tables of its own, by which nothing is chosen: what a way of working reaches in practice, where its axis goes, what
-//! share of the machine's limits a load may take.
+//! It takes the transitions of any finished plan, made here or written by hand, and uses tables by which nothing is
+//! chosen: what a transition reaches in practice, where its axis goes, what share of a machine's limit a load may take.
 //!
 //! - `hole` walks through the transitions of a hole: sizes, positions and depths at worst;
-//! - `cylinder` what the drawing asks of the surface at hand; `reach` what the tables say of a transition;
+//! - `cylinder` what the drawing requires of a surface; `reach` what the tables say of a transition;
 //! - `loads` forces and power with their margin; `tool` what the tool itself bears; `fault` everything that can fail, as types.
 //!
-//! Architecture invariant: the proof knows no planner, chooses nothing and mends nothing.
+//! Architecture invariant: the proof does not use the planner, chooses nothing and corrects nothing.
 
 mod cylinder;
 mod fault;
@@ -33,7 +33,7 @@ use crate::shop::Shop;
 /// Everything that fails in a plan, hole by hole.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn prove(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Finding>, KnowledgeError> {
     let mut findings = Vec::new();
     for hole in &plan.part.holes {

@@ -1,4 +1,4 @@
-//! Loads of a transition against what the machine bears, with a margin.
+//! Loads of a transition compared with the machine's limits, with a margin.
 
 use crate::error::KnowledgeError;
 use crate::plan::Transition;
@@ -7,10 +7,10 @@ use crate::tables::rules::{Load, LoadMarginFor};
 
 use super::Fault;
 
-/// A load that is at its limit counts as held: limits are turned into feeds and back.
+/// A load at its limit counts as within it: limits are converted to feeds and back.
 pub(crate) const SLACK: f64 = 1.001;
 
-/// What of the loads of a transition takes too much of the machine.
+/// Which loads of a transition exceed their share of the machine's limits.
 pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fault>, KnowledgeError> {
     let (machine, conditions) = (&shop.machine, &transition.conditions);
     let loads = [

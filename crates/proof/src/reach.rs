@@ -1,4 +1,4 @@
-//! What the tables of practice say of a transition: what it reaches, where its axis goes.
+//! Practice tables for a transition: what it reaches and where its axis goes.
 
 use crate::error::KnowledgeError;
 use crate::part::tolerance_width;
@@ -18,17 +18,17 @@ pub(crate) struct Both<T> {
 /// What a transition reaches.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
-    /// The grade of its diameter; nothing of threads.
+    /// The grade of its diameter; none for threads.
     pub it: Option<Both<ItGrade>>,
     pub roughness: Both<Roughness>,
-    /// How far its axis may lie from where the program sends it; nothing where it goes the way of the hole.
+    /// How far its axis may lie from where the program sends it; none if it follows the hole.
     pub own_axis: Option<Both<Micrometres>>,
     worst: Worst,
 }
 
-/// What the way of a transition is told by.
+/// What identifies the method of a transition in the tables.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Way {
+pub(crate) struct MethodKey {
     pub operation: Operation,
     pub centred: bool,
     pub after: MadeBy,
@@ -36,13 +36,13 @@ pub(crate) struct Way {
 }
 
 impl Reach {
-    /// What a transition reaches in a hole of that diameter; nothing of a spot.
-    pub fn of(way: Way, diameter: Micrometres, shop: &Shop<'_>) -> Result<Option<Self>, KnowledgeError> {
-        if way.operation == Operation::CentreDrill {
+    /// What a transition reaches in a hole of that diameter; none for a spot.
+    pub fn of(method: MethodKey, diameter: Micrometres, shop: &Shop<'_>) -> Result<Option<Self>, KnowledgeError> {
+        if method.operation == Operation::CentreDrill {
             return Ok(None);
         }
         let knowledge = shop.knowledge;
-        let Way { operation, centred, after, last } = way;
+        let MethodKey { operation, centred, after, last } = method;
         let named = knowledge.ask(&WayOfTransitionFor { operation, centred, after, last })?.need(operation.name())?;
         let Some(row) = knowledge.ask(&ReachOfTransitionFor { way: named.way, diameter })?.winner()? else {
             return Ok(None);
@@ -57,8 +57,8 @@ impl Reach {
         }))
     }
 
-    /// How much wider than its tool a hole of that diameter may be, as the sizes at worst are reckoned; nothing where the
-    /// tables of tolerances end.
+    /// How much wider than its tool a hole of that diameter may be, for the sizes at worst; none if the tables of
+    /// tolerances end.
     pub fn width(&self, diameter: Micrometres, shop: &Shop<'_>) -> Option<Micrometres> {
         let it = self.it?;
         let grade = match self.worst {
@@ -69,7 +69,7 @@ impl Reach {
     }
 }
 
-/// How far the axis of a drilled hole runs off by its end; nothing for diameters that the table has not.
+/// How far the axis of a drilled hole runs off by its end; none for diameters that the table has not.
 pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let Some(asked) = shop.knowledge.ask_within(&DrillDriftFor { diameter })? else { return Ok(Micrometres::ZERO) };
     Ok(asked
@@ -77,10 +77,10 @@ pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) 
         .map_or(Micrometres::ZERO, |row| Micrometres::from_mm_rounded(row.drift * depth.to_mm() / 1000.0)))
 }
 
-/// How much wider than itself a drill cuts in the mean; nothing for diameters that the table has not.
+/// How much wider than itself a drill cuts in the mean; none for diameters that the table has not.
 ///
-/// Its largest figures would leave no stock over the handbook's own drills before reamers, Ø7.8 under Ø8: they are the worst
-/// of many drills, not of one that is ground right.
+/// Not the largest figures: they are of badly ground drills and would leave no stock after the handbook's own drills
+/// before reamers, Ø7.8 under Ø8.
 pub(crate) fn oversize(transition: &Transition, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let question = DrillOversizeFor { diameter: transition.diameter_mm };
     let Some(asked) = shop.knowledge.ask_within(&question)? else { return Ok(Micrometres::ZERO) };

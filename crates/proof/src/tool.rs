@@ -1,6 +1,6 @@
-//! What a transition asks of its tool: its speed, the strength of a thin drill, the stiffness of a boring bar.
+//! What a transition requires of its tool: its speed, the strength of a thin drill, the stiffness of a boring bar.
 //!
-//! A tool of tables that are not at hand, which a written plan may name, is not held against anything.
+//! A tool that is in no catalog, which a plan by hand may name, is not checked.
 
 use crate::error::KnowledgeError;
 use crate::plan::{Operation, Transition};
@@ -22,7 +22,7 @@ pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fau
         .collect())
 }
 
-/// How much, on the diameter, a boring bar gives way to what its stock differs by; nothing of other tools.
+/// How much, on the diameter, a boring bar deflects when its stock varies; none for other tools.
 ///
 /// Spring = L³ / (3·E·I) · share · kc1·s^(1-mc) · spread, mm, with I = π·d⁴/64; the bar's reach L and diameter d in mm, E in
 /// MPa, s in mm/rev (tables `proof-limits`, `specific-cutting-force`).
@@ -50,7 +50,7 @@ pub(crate) fn limit(name: ProofLimit, shop: &Shop<'_>) -> Result<f64, KnowledgeE
     Ok(shop.knowledge.need(name.name(), |row: &ProofLimits<'_>| row.name.is(name))?.value)
 }
 
-/// Faster than shops drive such a tool.
+/// Faster than shop practice for such a tool.
 fn too_fast(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
     let Some(table) = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table) else {
         return Ok(None);
@@ -64,7 +64,7 @@ fn too_fast(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, K
     Ok((value.0 > usual.0 * share * SLACK).then_some(Fault::TooFast { operation, value, usual, share }))
 }
 
-/// The torque is beyond what a thin drill bears.
+/// The torque exceeds the strength of a thin drill.
 ///
 /// Permissible torque = k·d³·τ / 1000, N·m, with the polar section modulus k·d³, mm³, and the shear stress τ, MPa (table
 /// `drill-strength`).
@@ -85,7 +85,7 @@ fn twists(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, Kno
     Ok((value.0 > limit.0 * SLACK).then_some(Fault::Twists { operation, drill, value, limit }))
 }
 
-/// The thrust is more than a long drill bears without buckling.
+/// The thrust exceeds the buckling load of a long drill.
 ///
 /// Permissible thrust = share·π²·E·v·d⁴ / (μ·L)², N, with E in MPa, the drill's diameter d and the length L of its flutes in
 /// mm (Euler; table `proof-limits`).

@@ -80,7 +80,7 @@ pub fn load(files: &[SourceFile<'_>]) -> Result<Knowledge, Vec<Diagnostic>> {
     if problems.is_empty() { Ok(knowledge) } else { Err(problems) }
 }
 
-/// What of a table is for people only: nothing reckons with it.
+/// What of a table is for people only: nothing calculates with it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ForPeople<'k> {
     /// The table's id.

@@ -30,7 +30,7 @@ rows! {
         overrun: Micrometres,
     }
 
-    /// Whether the position of the axis asks for boring.
+    /// Whether the position of the axis requires boring.
     pub struct BoringForPosition of One("boring-for-position") asked by BoringForPositionFor {
         position: Micrometres,
         bar_enters: bool,
@@ -332,7 +332,7 @@ rows! {
 }
 
 impl MadeBy {
-    /// What a hole is made by when an operation was the last; nothing for those that leave its cylinder as it is.
+    /// What a hole is made by when an operation was the last; none for those that leave its cylinder as it is.
     pub const fn of(operation: Operation) -> Option<Self> {
         match operation {
             Operation::Drill | Operation::DrillOut => Some(Self::Drill),

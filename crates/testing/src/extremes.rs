@@ -45,7 +45,7 @@ impl Span {
     }
 }
 
-/// What may stand in place of a figure: the least and the greatest that are admitted next to it without one refused
+/// What may stand instead of a figure: the least and the greatest that are admitted next to it without one refused
 /// between, found by halving; and every power of ten from a thousandth to a milliard that is admitted.
 pub fn admitted(figure: Span, text: &str, admits: impl Fn(&str) -> bool) -> Vec<String> {
     let here = figure.value(text);

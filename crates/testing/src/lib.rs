@@ -33,7 +33,7 @@ pub static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge(
 /// Audits of many plans: our own plan of a part is made once for all of them.
 pub static AUDITOR: LazyLock<Auditor<'static>> = LazyLock::new(|| Auditor::new(&KNOWLEDGE).unwrap());
 
-/// The shipped knowledge with one text of a file, which stands there once, put in place of another.
+/// The shipped knowledge with one text of a file, which stands there once, put instead of another.
 pub fn changed_knowledge(path: &str, old: &str, new: &str) -> Knowledge {
     let text = shipped::SOURCES.iter().find(|file| file.path == path).unwrap().text;
     assert_eq!(text.matches(old).count(), 1, "{path}: {old}");
@@ -72,7 +72,7 @@ pub fn plan_of_hole_by_tables(material: &str, machine: &str, thickness: &str, ke
 /// A route of a group: the one taken, one that lost, or one that cannot be carried out.
 #[derive(Clone, Debug)]
 pub struct RouteSummary {
-    /// Absent where the group has no route at all: findings name only the scheme.
+    /// Absent if the group has no route at all: findings name only the scheme.
     pub way: Option<RouteSource>,
     pub scheme: String,
     /// Operations with the diameters they leave; empty where it cannot be carried out.

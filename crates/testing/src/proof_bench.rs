@@ -1,4 +1,4 @@
-//! A part as the programs of a control are held against it.
+//! A part as the programs of a control are compared with it.
 
 use technolog::job::{self, Job};
 use technolog::machine::Machine;
@@ -35,7 +35,7 @@ impl ProofBench {
         Self::of_plan(planned(part, CuttingMethod::default()))
     }
 
-    /// A plan as it was once made: what programs are held against does not change with planning.
+    /// A plan as it was once made: what programs are compared with does not change with planning.
     pub fn of_plan(plan: Plan) -> Self {
         let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
         let job = job::make(&plan, &shop).unwrap();

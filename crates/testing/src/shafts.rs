@@ -100,7 +100,7 @@ pub fn objectives(per_pass: Half, rates: Rates) -> [Objective; 4] {
     [Objective::Path, Objective::PathAndPasses { per_pass_mm: per_pass }, Objective::Time { rates }, Objective::Passes]
 }
 
-/// All combinations of one direction per step, each as its passes: written down anew from the definition.
+/// All combinations of one direction per step, each as its passes: written down again from the definition.
 pub fn combinations(grid: &Grid) -> Vec<Vec<Pass>> {
     let count = grid.cylinders.len();
     (0..1_usize << count)

@@ -216,7 +216,7 @@ impl TurnedDraft {
             after_cylinder: false,
             after_face_up: false,
         };
-        // The bore: as wide as the thinnest place of the part allows, but for a wall of 4 mm.
+        // The bore: as wide as the thinnest place of the part allows, except for a wall of 4 mm.
         let widest = |spans: &[(i64, i64, i64)]| spans.iter().map(|span| span.2).max().unwrap_or(0);
         walk.radius = start;
         walk.cylinder(4_000, "");

@@ -1,4 +1,4 @@
-//! The stock carried through the motions, one after another.
+//! Removes stock motion by motion.
 
 use crate::fault::{Fault, Faults};
 use crate::note::Figure;
@@ -9,20 +9,21 @@ use crate::target::Target;
 use crate::tool::{Outline, Tool};
 use crate::units::{At, Mm};
 
-/// What is thinner is no finding, mm: ten times what chords may lie from their arcs.
+/// Thinner overlaps are ignored, mm: ten times the error of a chord.
 pub const TOLERANCE: f64 = 0.005;
 
-/// So many swept pieces wait before they are taken off the stock together, which is sooner done than one by one.
+/// So many swept pieces are collected before they are subtracted from the stock together, which is faster than one by
+/// one.
 const BATCH: usize = 128;
 
-/// What is over when all motions are done.
+/// The result after all motions.
 pub struct Carried<'s> {
     set_up: &'s SetUp,
     outlines: Vec<Outline>,
     bodies: Vec<(Figure, Region)>,
     pub target: Target,
     pub stock: Stock,
-    /// Cut, but not yet taken off the stock.
+    /// Cut, but not yet subtracted from the stock.
     waiting: Waiting,
     /// Where passes of the tool at work have cut a thread: not off the stock, whose crests stay.
     threaded: Vec<Convex>,
@@ -34,7 +35,7 @@ pub struct Carried<'s> {
 }
 
 impl<'s> Carried<'s> {
-    /// Through all motions.
+    /// Simulates all motions.
     pub fn through(set_up: &'s SetUp) -> Self {
         let target = Target::of(&set_up.profile);
         let body = |outline: &[At]| Region::enclosed([outline.iter().map(|at| at.spot()).collect()]);
@@ -61,9 +62,9 @@ impl<'s> Carried<'s> {
         carried
     }
 
-    /// The roundest nose that cut within reach of a piece of metal, mm; 0 where none did.
+    /// The largest nose radius that cut within reach of a piece of metal, mm; 0 where none did.
     pub fn nose_at(&self, spots: &[Spot]) -> f64 {
-        // A cut edge is on the grid, and its chords are where the sweep's are.
+        // A cut edge lies on the grid, and its chords coincide with those of the sweep.
         const TOUCH: f64 = 0.002;
         let window = Window::around(spots.iter().copied()).grown(TOUCH);
         let near = self.cuts.iter().filter(|(cut, _)| cut.meets(window));
@@ -128,7 +129,7 @@ impl<'s> Carried<'s> {
         }
     }
 
-    /// Where pieces meet metal that is not cut yet: how wide that is, and where. `cut` is what the motion itself cuts.
+    /// Where pieces meet uncut metal: the width and the place. `cut` is what the motion itself cuts.
     fn overlap(&self, pieces: &[Convex], cut: &[Convex]) -> Option<(Mm, At)> {
         let window = around(pieces, self.stock.0.window());
         let metal = self.stock.0.within(window);
@@ -177,7 +178,7 @@ impl<'s> Carried<'s> {
         }
     }
 
-    /// How deep a motion cuts into what is to stay.
+    /// How deep a motion cuts into the finished part.
     fn hold_profile(&mut self, motion: &Motion, cuts: &[Convex], thread: bool) {
         let keep = if thread { &self.target.keep_thread } else { &self.target.keep };
         let local = keep.within(around(cuts, keep.window()));
@@ -219,12 +220,12 @@ impl<'s> Carried<'s> {
     }
 }
 
-/// Swept pieces, put together two and two, then four and four: pieces of one pass lie over each other, and all of them at
-/// once would cross each other everywhere.
+/// Unites swept pieces in pairs, then the pairs, and so on: pieces of one pass overlap, and a union of all of them at
+/// once would have too many crossings.
 #[derive(Default)]
 struct Waiting {
     count: usize,
-    /// With how many pieces are in each, the most first.
+    /// With the number of pieces in each, the largest first.
     parts: Vec<(usize, Region)>,
 }
 
@@ -248,8 +249,7 @@ fn around(pieces: &[Convex], of: Window) -> Window {
     pieces.iter().map(Convex::window).filter(|window| window.meets(of)).fold(Window::NONE, Window::with)
 }
 
-/// Of what two things share: the width of its widest piece where that is narrowest, and its middle. What is thin as a whole
-/// is where they touch.
+/// Of an overlap: the least width of its widest piece, and its middle. An overlap that is thin everywhere is a contact.
 fn thickest(shared: &Region) -> Option<(Mm, At)> {
     let sized = shared.outer_pieces().filter_map(|piece| {
         let thickness = 2.0 * piece.area() / piece.around();

@@ -1,13 +1,13 @@
-//! What is wrong with a program, as types; each says its sentence.
+//! Faults of a program, as types; each makes its own note.
 
 use crate::note::{Figure, Note};
 use crate::set_up::Kind;
 use crate::units::{At, Block, Mm};
 
-/// Something that is wrong, once for each surface, tool or body: the worst of it, and how often.
+/// A fault, once for each surface, tool or body: its worst place, and how often.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fault {
-    /// Metal that was to stay is cut.
+    /// The finished part is cut (gouge).
     Gouge {
         /// The surface; none if its piece has no name.
         surface: Option<Figure>,
@@ -20,7 +20,7 @@ pub enum Fault {
         /// At how many places, motion by motion.
         count: usize,
     },
-    /// A cutter goes through metal at rapid.
+    /// A cutter moves through metal at rapid.
     RapidCut {
         /// The tool's designation.
         tool: String,
@@ -33,7 +33,7 @@ pub enum Fault {
         /// In how many motions.
         count: usize,
     },
-    /// A shank, a bar, or what of a drill does not cut goes through metal.
+    /// A shank, a bar or the non-cutting part of a drill moves through metal.
     Holder {
         /// The tool's designation.
         tool: String,
@@ -48,7 +48,7 @@ pub enum Fault {
         /// In how many motions.
         count: usize,
     },
-    /// A tool goes into a jaw, a centre, a steady rest.
+    /// A tool collides with a jaw, a centre or a steady rest.
     Struck {
         /// The tool's designation.
         tool: String,
@@ -137,7 +137,7 @@ impl Fault {
         }
     }
 
-    /// Whether it need not be wrong: what every nose leaves.
+    /// Whether it is only a note: the rounding that every nose leaves.
     pub const fn is_mild(&self) -> bool {
         matches!(self, Self::Corner { .. })
     }
@@ -170,7 +170,7 @@ impl Fault {
         }
     }
 
-    /// Takes in another one of the same kind, surface, tool and body; whether it was such a one.
+    /// Merges another fault of the same kind, surface, tool and body; false if it differs.
     fn take(&mut self, other: &Self) -> bool {
         let worse = match (&*self, other) {
             (Self::Gouge { surface: a, depth: mine, .. }, Self::Gouge { surface: b, depth, .. }) if a == b => {

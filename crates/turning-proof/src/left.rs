@@ -1,4 +1,4 @@
-//! What is left over the finished part when all is done: what stands, and what noses leave in inner corners.
+//! Material left on the finished part: stock, and what noses leave in inner corners.
 
 use std::collections::BTreeMap;
 
@@ -27,7 +27,7 @@ impl Left {
 /// How many spots of a side are looked at: enough for a shaft of half a metre.
 const MOST: usize = 1000;
 
-/// Holds what the motions left against the part.
+/// Compares what the motions left with the part.
 pub fn hold(carried: &mut Carried<'_>) {
     let over = carried.stock.0.made(&carried.target.may_stay, Rule::Without);
     for piece in over.outer_pieces() {
@@ -49,7 +49,7 @@ pub fn hold(carried: &mut Carried<'_>) {
     }
 }
 
-/// Which spots are farther from the contour than findings tolerate, and this set-up's.
+/// The spots that belong to this set-up and are farther from the contour than the tolerance of findings.
 fn left(carried: &Carried<'_>, spots: &[Spot]) -> Vec<Left> {
     let target = &carried.target;
     let nearest = target.nearest(spots);

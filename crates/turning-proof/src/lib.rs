@@ -1,24 +1,24 @@
-//! The proof of turned parts: stock is a region of the half-plane through the axis; each tool with its real edges, nose and holder is swept
-//! along the motions of a program, and what it does is held against the finished part.
+//! The proof of turned parts: stock is a region of the half-plane through the axis. Each tool, with its edges, nose and
+//! holder, is swept along the motions of a program, and the result is compared with the finished part.
 //!
-//! Who planned does not matter. It takes motions as a program was read back, and shares nothing with a planner, a writer or
-//! their geometry.
+//! It takes the motions of a program that was read back, and shares no code with the planner, the writers or their
+//! geometry.
 //!
 //! - `set_up` is what is proven, `tool` the tools, `stock` the metal, `units` lengths and places;
 //! - `plane` has the geometry: convex pieces, what they sweep, regions on a grid;
-//! - `target` is the finished part with its allowances; `carry` goes through the motions, `left` looks at what is over;
+//! - `target` is the finished part with its allowances; `carry` simulates the motions, `left` examines what is left;
 //! - `fault` is everything that can be wrong, as types.
 //!
 //! What is approximated, and to which side:
 //!
 //! - Arcs and noses are chords that lie at most 0.5 µm inside their circles, regions on a grid of 10 nm; findings begin at 5 µm.
-//! - What turns beyond the axis cuts on this side of it.
+//! - What lies beyond the axis cuts on this side of it, because the part turns.
 //! - A motion's own cut is out of the way of its holder from its beginning.
-//! - Passes of a thread leave the crests: they are held against its root, and take nothing off the stock.
+//! - Passes of a thread leave the crests: they are compared with its root, and take nothing off the stock.
 //! - An insert is a triangle of its nose and both edges, a holder the hull of a shank or bar and the ends of the edges.
-//! - A piece that is cut loose stays where it was.
+//! - A piece that is cut off stays where it was.
 //!
-//! Architecture invariant: the proof knows no planner, chooses nothing and mends nothing.
+//! Architecture invariant: the proof does not use the planner, chooses nothing and corrects nothing.
 
 mod carry;
 mod fault;
@@ -41,8 +41,8 @@ pub use stock::Stock;
 pub use tool::{Cutter, Hand, Holder, Side, Tool};
 pub use units::{At, Block, CubicMm, Degrees, Mm};
 
-/// Volumes of a set-up, within the stretch along the axis that it makes. Without faults what is removed is what was to be
-/// removed, but for what noses leave in corners.
+/// Volumes of a set-up, within the stretch along the axis that it makes. Without faults what is removed is what was to
+/// be removed, except for what noses leave in corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Volumes {
     /// Of the stock before.

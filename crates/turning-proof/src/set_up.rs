@@ -159,14 +159,14 @@ pub struct Motion {
 /// All that is proven together.
 #[derive(Clone, Debug, Default)]
 pub struct SetUp {
-    /// What is to be made.
+    /// The finished part.
     pub profile: Profile,
-    /// Of what: the blank, or what the set-up before left.
+    /// The stock before: the blank, or what the previous set-up left.
     pub stock: Stock,
-    /// What stands beside it.
+    /// Obstacles: jaws, centres, steady rests.
     pub bodies: Vec<Body>,
     /// The tools.
     pub tools: Vec<Tool>,
-    /// What they do, in the order of the program.
+    /// Their motions, in the order of the program.
     pub motions: Vec<Motion>,
 }

@@ -1,4 +1,4 @@
-//! The finished part as the stock is held against it: what must stay, what may stay, and whose edge is nearest.
+//! The finished part for comparison with the stock: what must stay, what may stay, and the nearest edge.
 
 use crate::note::Figure;
 use crate::plane::{Convex, Region, Rule, Spot, Window};
@@ -151,7 +151,7 @@ impl Target {
 
     /// The nearest edge to each of some spots.
     pub fn nearest(&self, spots: &[Spot]) -> Vec<Near> {
-        // Nearly always an edge lies close by; only where none does are all of them looked at.
+        // An edge is nearly always close by; only if none is, all of them are searched.
         const CLOSE: f64 = 0.1;
         let window = Window::around(spots.iter().copied()).grown(CLOSE);
         let meets = |edge: &&Edge| Window::around([edge.from, edge.to]).meets(window);

@@ -1,4 +1,4 @@
-//! Tools: what of them cuts, what holds it, and where their reference point lies.
+//! Tools: cutting edges, holders, and reference points.
 //!
 //! | cutter | reference point |
 //! |---|---|
@@ -35,7 +35,7 @@ pub enum Side {
     Inside,
 }
 
-/// What of a tool cuts.
+/// The cutting part of a tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cutter {
     /// A turning insert.
@@ -103,7 +103,7 @@ pub enum Cutter {
 }
 
 impl Cutter {
-    /// The roundest that it can leave an inner corner: its nose or the corner of its blade.
+    /// The largest radius that it can leave in an inner corner: its nose or the corner of its blade.
     pub const fn nose_radius(&self) -> Mm {
         match *self {
             Self::Insert { nose_radius, .. } => nose_radius,

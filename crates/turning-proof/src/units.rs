@@ -44,7 +44,7 @@ impl At {
     }
 }
 
-/// Whole micrometres: a proof knows no finer ones.
+/// Whole micrometres: a proof has no finer resolution.
 impl fmt::Display for Mm {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rounded = (self.0 * 1000.0).round() / 1000.0;

@@ -1,4 +1,4 @@
-//! The messages of one language, parsed when the first of them is said.
+//! The messages of one language. The build finds where each stands in its file; it is parsed when it is first said.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -6,35 +6,66 @@ use std::sync::OnceLock;
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::types::FluentNumber;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
-use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
+use fluent_syntax::ast::{Entry, Expression, InlineExpression, Message, Pattern, PatternElement};
 use technolog_note::Figure;
 
 type Bundle = FluentBundle<FluentResource>;
 
-/// The folders of all languages: the tag of each, then name and text of its files.
-pub type Folders = &'static [(&'static str, &'static [(&'static str, &'static str)])];
+/// The folder of a language, as the build lists it.
+pub struct Folder {
+    /// The tag of the language.
+    pub tag: &'static str,
+    /// Name and text of each file.
+    pub files: &'static [(&'static str, &'static str)],
+    /// Every message in the order of the names.
+    pub messages: &'static [MessageSpan],
+}
+
+/// Where a message stands: the number of its file, and its bytes there. The name is the first that stands there.
+pub struct MessageSpan(pub u16, pub u32, pub u32);
 
 /// A language: its files, and its messages once they are asked for.
 pub struct Language {
     pub(crate) tag: &'static str,
-    folders: Folders,
-    messages: OnceLock<Bundle>,
+    folders: &'static [Folder],
+    messages: OnceLock<Vec<Source>>,
+    /// Has no messages: its rules of numbers and plurals fill in those that are said.
+    bundle: OnceLock<Bundle>,
     remarks: OnceLock<BTreeMap<&'static str, &'static str>>,
     places: OnceLock<Vec<(&'static str, &'static str)>>,
-    /// Messages without gaps that are written in several pieces, as those with a brace are; by name and form.
-    joined: OnceLock<BTreeMap<(String, String), String>>,
+}
+
+/// A message, once it is said.
+#[derive(Default)]
+struct Source {
+    parsed: OnceLock<FluentResource>,
+    /// Its forms without gaps that are written in several pieces, as those with a brace are.
+    joined: OnceLock<BTreeMap<String, String>>,
+}
+
+impl Source {
+    /// The message of that text; none if it is written wrongly, which the check of the catalogue tells.
+    fn message(&self, text: &str) -> Option<&Message<&str>> {
+        let read = || match FluentResource::try_new(text.to_owned()) {
+            Ok(resource) | Err((resource, _)) => resource,
+        };
+        self.parsed.get_or_init(read).entries().find_map(|entry| match entry {
+            Entry::Message(message) => Some(message),
+            _ => None,
+        })
+    }
 }
 
 impl Language {
-    /// A language by the name of its folder.
-    pub const fn new(tag: &'static str, folders: Folders) -> Self {
+    /// A language by the tag of its folder.
+    pub const fn new(tag: &'static str, folders: &'static [Folder]) -> Self {
         Self {
             tag,
             folders,
             messages: OnceLock::new(),
+            bundle: OnceLock::new(),
             remarks: OnceLock::new(),
             places: OnceLock::new(),
-            joined: OnceLock::new(),
         }
     }
 
@@ -48,8 +79,12 @@ impl Language {
         self.all_files().iter().copied().filter(|(name, _)| name.ends_with(".ftl"))
     }
 
+    fn folder(&self) -> Option<&'static Folder> {
+        self.folders.iter().find(|folder| folder.tag == self.tag)
+    }
+
     fn all_files(&self) -> &'static [(&'static str, &'static str)] {
-        self.folders.iter().find(|(tag, _)| *tag == self.tag).map_or(&[], |(_, files)| files)
+        self.folder().map_or(&[], |folder| folder.files)
     }
 
     /// The remarks of table rows that this language has: English, translation.
@@ -71,7 +106,7 @@ impl Language {
         texts.flat_map(|(_, text)| text.lines()).filter_map(|line| line.split_once('\t'))
     }
 
-    /// A message with its figures filled in; nothing where this language has none of that name.
+    /// A message with its figures filled in; none if this language has none of that name.
     pub(crate) fn message(
         &self,
         key: &str,
@@ -99,62 +134,71 @@ impl Language {
 
     /// A message that is nothing but text.
     pub(crate) fn plain(&self, key: &str, form: Option<&str>) -> Option<&str> {
-        let pattern = self.pattern(key, form)?;
+        let (source, message) = self.found(key)?;
+        let pattern = pattern(message, form)?;
         if let [PatternElement::TextElement { value }] = pattern.elements.as_slice() {
             return Some(value);
         }
         if !gaps(pattern).is_empty() {
             return None;
         }
-        let joined = self.joined.get_or_init(|| self.join());
-        joined.get(&(key.to_owned(), form.unwrap_or_default().to_owned())).map(String::as_str)
+        let joined = source.joined.get_or_init(|| self.joined(message));
+        joined.get(form.unwrap_or_default()).map(String::as_str)
     }
 
-    fn join(&self) -> BTreeMap<(String, String), String> {
-        let mut joined = BTreeMap::new();
-        for (key, form) in self.files().flat_map(|(_, text)| names(text)) {
-            let pattern = self.pattern(&key, Some(form.as_str()).filter(|form| !form.is_empty()));
-            let Some(pattern) = pattern.filter(|pattern| pattern.elements.len() > 1 && gaps(pattern).is_empty()) else {
-                continue;
-            };
-            let text = self.bundle().format_pattern(pattern, None, &mut Vec::new()).into_owned();
-            joined.insert((key, form), text);
-        }
-        joined
+    fn joined(&self, message: &Message<&str>) -> BTreeMap<String, String> {
+        let forms = message.attributes.iter().map(|form| (form.id.name, &form.value));
+        let value = message.value.iter().map(|value| ("", value));
+        let without_gaps = value.chain(forms).filter(|(_, pattern)| gaps(pattern).is_empty());
+        let text = |pattern| self.bundle().format_pattern(pattern, None, &mut Vec::new()).into_owned();
+        without_gaps.map(|(form, pattern)| (form.to_owned(), text(pattern))).collect()
     }
 
     fn pattern(&self, key: &str, form: Option<&str>) -> Option<&Pattern<&str>> {
-        let message = self.bundle().get_message(key)?;
-        match form {
-            None => message.value(),
-            Some(form) => Some(message.get_attribute(form)?.value()),
-        }
+        pattern(self.found(key)?.1, form)
     }
 
-    /// Whether a message has a gap for this figure; nothing where there is no such message.
+    fn found(&self, key: &str) -> Option<(&Source, &Message<&str>)> {
+        let (index, text) = self.text(key)?;
+        let folder = self.folder()?;
+        let messages = self.messages.get_or_init(|| folder.messages.iter().map(|_| Source::default()).collect());
+        let source = messages.get(index)?;
+        Some((source, source.message(text)?))
+    }
+
+    /// The number of a message, and its text in its file.
+    fn text(&self, key: &str) -> Option<(usize, &'static str)> {
+        let folder = self.folder()?;
+        let text = |MessageSpan(file, begin, end): &MessageSpan| {
+            let (_, text) = folder.files.get(usize::from(*file))?;
+            text.get(*begin as usize..*end as usize)
+        };
+        let name = |place| text(place).map_or("", |text| text.split([' ', '=']).next().unwrap_or_default());
+        let index = folder.messages.binary_search_by(|place| name(place).cmp(key)).ok()?;
+        Some((index, text(&folder.messages[index])?))
+    }
+
+    /// Whether it has a message of that name.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.text(key).is_some()
+    }
+
+    /// Whether a message has a gap for this figure; none if there is no such message.
     pub(crate) fn mentions(&self, key: &str, figure: &str) -> Option<bool> {
         Some(gaps(self.pattern(key, None)?).contains(&figure))
     }
 
     /// A number as people write it in this language.
     pub(crate) fn number(&self, written: &str) -> String {
-        if self.bundle().has_message("decimal-comma") { with_comma(written) } else { written.to_owned() }
+        if self.has("decimal-comma") { with_comma(written) } else { written.to_owned() }
     }
 
     fn bundle(&self) -> &Bundle {
-        self.messages.get_or_init(|| {
+        self.bundle.get_or_init(|| {
             let mut bundle = Bundle::new_concurrent(vec![self.tag.parse().unwrap_or_default()]);
             // No invisible marks around figures: pages are copied into other programs.
             bundle.set_use_isolating(false);
-            for (_, text) in self.files() {
-                // A file with a fault gives its sound messages; the check of the catalogue tells the fault.
-                let resource = match FluentResource::try_new(text.to_owned()) {
-                    Ok(resource) | Err((resource, _)) => resource,
-                };
-                // The same name twice: the first stays, and the check tells it.
-                let _ = bundle.add_resource(resource);
-            }
-            if bundle.has_message("decimal-comma") {
+            if self.has("decimal-comma") {
                 bundle.set_formatter(Some(|value, _| match value {
                     FluentValue::Number(number) => Some(with_comma(&number.as_string())),
                     _ => None,
@@ -165,23 +209,17 @@ impl Language {
     }
 }
 
+fn pattern<'m>(message: &'m Message<&'m str>, form: Option<&str>) -> Option<&'m Pattern<&'m str>> {
+    match form {
+        None => message.value.as_ref(),
+        Some(form) => message.attributes.iter().find(|own| own.id.name == form).map(|own| &own.value),
+    }
+}
+
 /// A number with a comma before its decimals; where that is the rule, a minus is a sign of its own and no hyphen.
 fn with_comma(written: &str) -> String {
     let (sign, digits) = written.strip_prefix('-').map_or(("", written), |digits| ("−", digits));
     format!("{sign}{}", digits.replace('.', ","))
-}
-
-/// The names of all messages of a file, and of their forms.
-fn names(text: &str) -> Vec<(String, String)> {
-    let resource = fluent_syntax::parser::parse(text).unwrap_or_else(|(sound, _)| sound);
-    let mut names = Vec::new();
-    for entry in resource.body {
-        let Entry::Message(message) = entry else { continue };
-        let key = message.id.name.to_owned();
-        names.extend(message.attributes.iter().map(|form| (key.clone(), form.id.name.to_owned())));
-        names.push((key, String::new()));
-    }
-    names
 }
 
 /// The names of the figures that a pattern has gaps for.

@@ -33,6 +33,9 @@ pub fn entries(language: &Language) -> (BTreeMap<String, Entered>, Vec<String>) 
         for entry in resource.body {
             let Entry::Message(message) = entry else { continue };
             let name = message.id.name.to_owned();
+            if !language.has(&name) {
+                faults.push(format!("{place}: {name}: its name must stand at the beginning of a line"));
+            }
             let values = message.value.iter().map(|value| (String::new(), value));
             let forms = message.attributes.iter().map(|form| (form.id.name.to_owned(), &form.value));
             let mut of_forms = BTreeMap::new();
@@ -73,7 +76,7 @@ pub fn differences(language: &Language, english: &Language) -> (Vec<String>, Vec
 /// Messages that say something of the language itself.
 const LOCAL: &[&str] = &["decimal-comma"];
 
-/// The plural forms that a language asks for.
+/// The plural forms that a language requires.
 const PLURALS: &[(&str, &[&str])] = &[("uk", &["one", "few", "many"]), ("en", &["one", "other"])];
 
 fn plural_faults(tag: &str, pattern: &Pattern<&str>) -> Vec<String> {
@@ -132,20 +135,13 @@ mod tests {
     use technolog_note::{Figure, Note};
 
     use super::*;
+    use crate::catalogue::{Folder, MessageSpan};
     use crate::{LANGUAGES, Lang};
 
     /// A language that was just begun: one folder, one line, three messages.
-    static POLISH: Language = Language::new(
-        "pl",
-        &[(
-            "pl",
-            &[
-                ("general.ftl", "decimal-comma = tak\n"),
-                ("operations.ftl", "operation-drill = wiercenie\n    .verb = Wiercić\n"),
-                ("holes.ftl", "reaches-again = znowu klasa { $it }, { $roughness }\n"),
-            ],
-        )],
-    );
+    static POLISH: Language = Language::new("pl", FOLDERS);
+
+    static FOLDERS: &[Folder] = include!(concat!(env!("OUT_DIR"), "/test_files.rs"));
 
     #[test]
     fn a_third_language_may_be_partial() {

@@ -28,7 +28,7 @@ impl Lang {
     /// English, in which is said what another language lacks.
     pub const EN: Self = Self(&registered::EN);
 
-    /// Every registered language, the first one where nobody asks for another.
+    /// Every registered language, the first one unless another is chosen.
     pub fn all() -> impl Iterator<Item = Self> {
         LANGUAGES.iter().map(|language| Self(language))
     }

@@ -1,13 +1,13 @@
 //! The languages of the program. A new one is a folder in `languages/` and a line here.
 
-use super::catalogue::Language;
+use super::catalogue::{Folder, Language, MessageSpan};
 
-include!(concat!(env!("OUT_DIR"), "/files.rs"));
+static FOLDERS: &[Folder] = include!(concat!(env!("OUT_DIR"), "/files.rs"));
 
 /// One static for each language, and the list of them.
 macro_rules! languages {
     ($($(#[$doc:meta])* $name:ident = $tag:literal;)+) => {
-        $($(#[$doc])* pub static $name: Language = Language::new($tag, FILES);)+
+        $($(#[$doc])* pub static $name: Language = Language::new($tag, FOLDERS);)+
         /// Every registered language.
         pub static LANGUAGES: &[&Language] = &[$(&$name),+];
     };

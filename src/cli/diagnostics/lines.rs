@@ -56,7 +56,7 @@ impl<'t> Lines<'t> {
     }
 
     /// The line of a place, or what of it there is room for around the place, so many characters with the signs of cut
-    /// ends; nothing where the text has no such line.
+    /// ends; none if the text has no such line.
     pub fn around(&self, place: &Place, room: usize) -> Option<Stretch<'t>> {
         let line = self.lines.get(usize::try_from(place.line).ok()?.checked_sub(1)?)?;
         let number = |figure: u32| usize::try_from(figure).unwrap_or(usize::MAX);

@@ -17,7 +17,7 @@ pub struct Near<'t> {
     failed: Vec<usize>,
 }
 
-/// The rows with the fewest failing columns; none when in every row all that is asked fails.
+/// The rows with the fewest failing columns; none when in every row all that is required fails.
 pub fn rows<'t>(
     all: impl Iterator<Item = RowRef<'t>>,
     asked: usize,

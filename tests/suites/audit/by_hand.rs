@@ -1,5 +1,5 @@
-//! A plan of ours written down as people write one: what we plan by the formulas is right by the audit of plans by hand,
-//! too. So the formulas, reaches and lengths that are held against such plans are those of planning.
+//! A plan of ours written down as people write one: what we plan by the formulas is right by the audit of plans by
+//! hand, too. So the formulas, reaches and lengths that are compared with such plans are those of planning.
 
 use technolog::audit::{by_hand, read_plan};
 use technolog::note::Severity;

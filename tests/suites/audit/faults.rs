@@ -193,7 +193,7 @@ fn an_endless_number_of_a_plan_is_refused_as_it_is_written() {
 /// A group that we have no route for is unfinished, whoever wrote the plan.
 const UNMADE: &str = "audit-hole-not-made-either";
 
-/// What an audit finds wrong, but for groups that we have no route for either.
+/// What an audit finds wrong, except for groups that we have no route for either.
 fn wrong(audit: &Audit) -> Vec<String> {
     let wrong = audit.findings.iter().filter(|one| one.is_wrong() && one.rule != UNMADE);
     wrong.map(|one| format!("{} {:?}", said(one), one.note)).collect()

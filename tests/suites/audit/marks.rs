@@ -22,7 +22,7 @@ fn scheme(text: &str) -> Scheme {
     read_scheme("marks.yaml", text, &known().iter().map(String::as_str).collect::<Vec<_>>()).unwrap()
 }
 
-/// The plan without a slip but for one: the clamping force twice too large, and with it the force per clamp.
+/// The plan without a slip except for one: the clamping force twice too large, and with it the force per clamp.
 fn audited() -> Audit {
     let text = std::fs::read_to_string(root("tests/audit/right.yaml")).unwrap();
     let text =

@@ -18,7 +18,7 @@ struct Mutant {
     kind: &'static str,
     what: String,
     text: String,
-    /// The line that differs, from 1; absent where lines were moved.
+    /// The line that differs, from 1; absent if lines were moved.
     line: Option<usize>,
     /// The columns of what differs, where more than one figure stands in the line.
     columns: Option<Range<usize>>,

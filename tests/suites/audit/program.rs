@@ -20,7 +20,7 @@ struct Fault {
     from: String,
     #[serde(default)]
     to: String,
-    /// `severity rule field` of the slip; nothing where the program is right.
+    /// `severity rule field` of the slip; none if the program is right.
     finds: Vec<String>,
     /// Whether the slip is the plan's: whatever is told of the program must follow from it.
     #[serde(default)]
@@ -89,7 +89,7 @@ fn one_fault_of_a_program_is_charged_once() {
     }
 }
 
-/// A transition that our route does not have is held against what its own row says.
+/// A transition that our route does not have is compared with what its own row says.
 #[test]
 fn a_route_that_is_not_ours_is_compared_too() {
     let plan = text("steel-g44.yaml").unwrap();

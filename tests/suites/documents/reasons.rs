@@ -1,7 +1,8 @@
 //! Nothing is decided by a sentence: what planning, checks and audits go by are types, of which a note is made last.
 //!
 //! Code and figures of a note are private, and clippy forbids the methods that read them (`clippy.toml`) everywhere but
-//! where words are made of them. Clippy keeps silent about a path that leads nowhere; here it is held against the type.
+//! where words are made of them. Clippy keeps silent about a path that leads nowhere; here it is compared with the
+//! type.
 
 use std::any::type_name;
 use std::path::{Path, PathBuf};

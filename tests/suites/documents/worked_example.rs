@@ -75,7 +75,7 @@ const SPINDLE: [f64; 18] = [
     2000.0, 2500.0,
 ];
 
-/// Screws with the force that they bear at 80 MPa (facts 6), from the thickness that the example asks for.
+/// Screws with the force that they bear at 80 MPa (facts 6), from the thickness that the example requires.
 const SCREWS: [(&str, f64); 2] = [("M10", 4082.0), ("M12", 5878.0)];
 
 fn root() -> PathBuf {

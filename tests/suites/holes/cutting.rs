@@ -85,8 +85,8 @@ fn milling_by_hand() {
     assert_eq!(found.axial_force_n, None);
 }
 
-/// Chromium steel 40Х, annealed to HB 217 and so of 217·3.38 = 733 MPa, has its own exponent in milling:
-/// (750/733)^1.45 = 1.0338 in place of 1.2224.
+/// Chromium steel 40Х, annealed to HB 217 and so of 217·3.38 = 733 MPa, has its own exponent in milling: (750/733)^1.45
+/// = 1.0338 instead of 1.2224.
 #[test]
 fn milling_of_chromium_steel_by_hand() {
     let cut = Cut { cutter: Some(MILL), ..cut(Operation::Mill, 50.0, 60.0) };
@@ -285,10 +285,10 @@ fn boring_loads_are_those_of_the_speed_that_is_driven() {
 /// A feed that a load cuts back is driven at its own speed: (operation, material, d, D), then s, V of the formula, n,
 /// T, what limits.
 ///
-/// 1. Ø30 in 40ХН (HB 207, so 207·3.38 = 700 MPa, Kg 0.9): Kp = (700/750)^0.75 = 0.9496. The tabulated 0.48 asks for
-///    11 590 N, and 85 % of 9806 are 8335: s = (8335/(680·30·0.9496))^(1/0.7) = 0.2998; V = 9.8·30^0.4/(50^0.2·0.2998^0.5)
-///    ·1.0641·0.9 = 9.8·3.898/(2.1867·0.5475)·0.9577 = 30.56 m/min; practice ends at 26.7: n = 283, the step 315 is 11 %
-///    above, 29.69 m/min, so T = 50·(30.56/29.69)^5 = 57.8 min.
+/// 1. Ø30 in 40ХН (HB 207, so 207·3.38 = 700 MPa, Kg 0.9): Kp = (700/750)^0.75 = 0.9496. The tabulated 0.48 requires 11
+///    590 N, and 85 % of 9806 are 8335: s = (8335/(680·30·0.9496))^(1/0.7) = 0.2998; V = 9.8·30^0.4/(50^0.2·0.2998^0.5)
+///    ·1.0641·0.9 = 9.8·3.898/(2.1867·0.5475)·0.9577 = 30.56 m/min; practice ends at 26.7: n = 283, the step 315 is 11
+///    % above, 29.69 m/min, so T = 50·(30.56/29.69)^5 = 57.8 min.
 /// 2. Ø2 in steel 45: s = 0.0631 (see above); V = 7·2^0.4/(15^0.2·0.0631^0.7)·1.2224 = 7·1.3195/(1.7188·0.1446)·1.2224
 ///    = 45.4 m/min; n = 7230: 2500, 15.71 m/min, so T = 15·(45.4/15.71)^5 = 3040 min.
 #[test]
@@ -380,7 +380,7 @@ fn whatever_limits_the_feed_the_machine_bears_what_is_driven() {
 ///   (9750·6.375/500/461.8)^(1/0.75) = 0.174 mm/rev, 86.9 mm/min;
 /// - a slower step lets more through: at 315, 59.38 m/min, M = 495·s^0.75 and 197.3 N·m are let through, so s = 0.2933,
 ///   92.4 mm/min; at 250 all of 0.3 goes, but that is 75 mm/min only;
-/// - power asks for less speed, not for more, and the tool lives longer: at 0.2933 the formula has
+/// - power needs less speed, not for more, and the tool lives longer: at 0.2933 the formula has
 ///   420/(60^0.2·12^0.15·0.2933^0.2)·1.125 = 183.4 m/min, T = 60·(183.4/59.38)^5 = 16 860 min.
 #[test]
 fn where_power_holds_the_feed_the_speed_is_not_raised_and_the_life_is_told() {

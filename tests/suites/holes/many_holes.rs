@@ -22,7 +22,7 @@ fn a_thousand_holes_of_forty_kinds_are_planned() {
     let stops: usize = plan.sequence.iter().map(|visit| visit.stops.len()).sum();
     let made = plan.holes.iter().map(|hole| hole.transitions.iter().filter(|step| !step.elsewhere).count() * EACH);
     assert_eq!(stops, made.sum::<usize>());
-    // Forty kinds ask for more tools than the magazine holds: the plan says which are loaded by hand.
+    // Forty kinds require more tools than the magazine holds: the plan says which are loaded by hand.
     assert!(plan.tools.len() > machine.magazine);
     assert!(plan.findings.iter().any(|finding| finding.note.code() == "magazine-reloaded"), "{:?}", plan.findings);
     for load in 1..=plan.tools.iter().map(|tool| tool.load).max().unwrap_or_default() {

@@ -44,10 +44,10 @@ fn two_drilled_holes(clamps: &str) -> Plan {
     )
 }
 
-/// Steel 45, Kp = 0.8459. Ø20 drilled out from 10 at 0.76 mm/rev: M = 10·0.09·20·5^0.9·0.76^0.8·0.8459
-/// = 18·4.257·0.8029·0.8459 = 52.04 N·m, 180 mm from its clamp: W = 2.5·52.04/(0.25·0.18) = 2891 N. Ø10 at 0.25:
-/// M = 10·0.0345·10²·0.25^0.8·0.8459 = 9.63 N·m, 35 mm from it: W = 2.5·9.63/(0.25·0.035) = 2751 N; at 30 mm 3209 N,
-/// more than the larger torque asks for.
+/// Steel 45, Kp = 0.8459. Ø20 drilled out from 10 at 0.76 mm/rev: M = 10·0.09·20·5^0.9·0.76^0.8·0.8459 =
+/// 18·4.257·0.8029·0.8459 = 52.04 N·m, 180 mm from its clamp: W = 2.5·52.04/(0.25·0.18) = 2891 N. Ø10 at 0.25: M =
+/// 10·0.0345·10²·0.25^0.8·0.8459 = 9.63 N·m, 35 mm from it: W = 2.5·9.63/(0.25·0.035) = 2751 N; at 30 mm 3209 N, more
+/// than the larger torque requires.
 #[test]
 fn the_clamping_tells_the_hole_that_needs_the_largest_force_and_its_torque() {
     for (x, hole, torque, distance, force) in [(180, "far", 52.04, 180.0, 2891.0), (175, "near", 9.63, 30.0, 3209.0)] {
@@ -80,8 +80,8 @@ fn clamps_that_are_too_weak_are_shown_with_what_they_bear() {
 }
 
 /// Ø30 in the middle of a square of 100 mm and four holes Ø12, straps of half width 20. With the holes on the axes only
-/// the corners are free: (30, 30) is 30.3 mm from (0, 34), which asks for 26. With holes at the corners too no place is
-/// left, and the finding asks for another fixture without failing the plan: the clamps were our own thought.
+/// the corners are free: (30, 30) is 30.3 mm from (0, 34), which requires 26. With holes at the corners too no place is
+/// left, and the finding requires another fixture without failing the plan: the clamps were our own thought.
 #[test]
 fn clamps_of_our_own_are_moved_until_they_hold_and_never_fail_the_plan() {
     let holes = |more: &str| {
@@ -207,10 +207,10 @@ fn stepped() -> Workpiece {
     }
 }
 
-/// The bar Ø65 over Ø36.014: the stock of (65 - 36.014)/2 = 14.493 mm is two passes. The edge of the insert bears
-/// 7.8 mm, the least of the bounds at 0.5 mm/rev: that is the limit, and 14.493/7.8 = 1.86 is two passes as well. The
-/// first work takes 1.95 mm to Ø61.1; over it the second is reckoned there: n = 400, V = π·61.1·400/1000 = 76.8 m/min,
-/// not 81.7 of Ø65.
+/// The bar Ø65 over Ø36.014: the stock of (65 - 36.014)/2 = 14.493 mm is two passes. The edge of the insert bears 7.8
+/// mm, the least of the bounds at 0.5 mm/rev: that is the limit, and 14.493/7.8 = 1.86 is two passes as well. The first
+/// work takes 1.95 mm to Ø61.1; over it the second is calculated there: n = 400, V = π·61.1·400/1000 = 76.8 m/min, not
+/// 81.7 of Ø65.
 #[test]
 fn the_limit_is_what_a_pass_may_take_and_each_work_is_reckoned_where_it_begins() {
     let found = turned(&stepped(), &KNOWLEDGE).unwrap();

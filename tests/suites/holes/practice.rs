@@ -59,9 +59,9 @@ fn route_with<'a>(all: &'a [RouteSummary], with: &[Operation], without: &[Operat
     })
 }
 
-/// The most by which a diameter of ours differs from the handbook's, mm. The handbook leaves 0.1-0.2 for rough
-/// reaming and 0.04-0.07 for finish reaming, the textbook asks 0.25-0.5 and 0.05-0.15; the drills agree but for
-/// reamed holes up to Ø10, where the textbook's stock for the reamers asks for a drill a tenth away.
+/// The most by which a diameter of ours differs from the handbook's, mm. The handbook leaves 0.1-0.2 for rough reaming
+/// and 0.04-0.07 for finish reaming, the textbook asks 0.25-0.5 and 0.05-0.15; the drills agree except for reamed holes
+/// up to Ø10, where the textbook's stock for the reamers requires a drill a tenth away.
 const SPREAD: [(&str, f64); 4] = [("drill", 0.1), ("core_drill", 0.2), ("bore", 0.25), ("rough_ream", 0.01)];
 
 #[test]

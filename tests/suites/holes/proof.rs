@@ -1,5 +1,5 @@
 //! The proof of plans: every check finds the error that is planted for it, and no plan that passes breaks what is
-//! reckoned here by hand, without the program's tables.
+//! calculated here by hand, without the program's tables.
 
 use technolog::note::Severity;
 use technolog::plan::{CuttingMethod, Operation, Plan, Transition};
@@ -155,7 +155,7 @@ fn it12(diameter: f64) -> f64 {
     intervals.into_iter().find(|(to, _)| diameter <= *to).map_or(0.35, |(_, it)| it)
 }
 
-/// What a plan without errors must hold, reckoned without the tables of the program.
+/// What a plan without errors must hold, calculated without the tables of the program.
 fn holds_by_hand(plan: &Plan, keys: &str) {
     let hole = &plan.part.holes[0];
     let steps: Vec<&Transition> = plan.holes[0].transitions.iter().collect();

@@ -1,4 +1,4 @@
-//! The tables and what is asked of them: `table`, `lookup`, `lint`, and readings by somebody else.
+//! The tables and what is required of them: `table`, `lookup`, `lint`, and readings by somebody else.
 
 #![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(

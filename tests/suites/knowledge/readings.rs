@@ -1,4 +1,4 @@
-//! Two independent readings of the source tables, held against each other cell by cell.
+//! Two independent readings of the source tables, compared with each other cell by cell.
 //!
 //! The first reading is the shipped catalogs; the second is `tests/readings/*.csv`, made from the same
 //! sources by somebody else, with the columns named alike and one more for `doubt`. Where they differ, one

@@ -166,7 +166,8 @@ fn everything_that_tables_say_is_translated_and_no_translation_is_left_over() {
     }
 }
 
-/// Every word of an enum has a name in every language, but for designations, figures and ids, which have one name everywhere.
+/// Every word of an enum has a name in every language, except for designations, figures and ids, which have one name
+/// everywhere.
 #[test]
 fn every_word_of_an_enum_has_a_name() {
     let ids: BTreeSet<&str> = KNOWLEDGE.tables().map(|table| table.id.as_str()).collect();

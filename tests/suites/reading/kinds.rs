@@ -14,16 +14,16 @@ fn a_file_of_another_kind_is_told_once_with_its_command() {
         ("plan appendix-g/setting.yaml", "this is a setting file", "--setting appendix-g/setting.yaml`"),
         ("explain marks.yaml --hole A", "this is a marking scheme", "--marks marks.yaml`"),
         ("order cases/plate.test.yaml", "this is a file of tests", "`technolog test cases/plate.test.yaml`"),
-        ("order appendix-g/program.nc", "a list of points is wanted here", "`technolog check"),
+        ("order appendix-g/program.nc", "a list of points is needed here", "`technolog check"),
         ("plan ../catalogs/controls/program-conventions.yaml", "this is a table", "`technolog lint"),
         ("turn plate.yaml", "this is a file of a part with holes", "`technolog plan plate.yaml`"),
-        ("audit plate.yaml", "and a plan is wanted here", "`technolog plan plate.yaml`"),
-        ("test plate.yaml", "and a file of tests is wanted here", "`technolog plan plate.yaml`"),
-        ("check plate.yaml", "and an NC program is wanted here", "`technolog plan plate.yaml`"),
+        ("audit plate.yaml", "but a plan is needed here", "`technolog plan plate.yaml`"),
+        ("test plate.yaml", "but a file of tests is needed here", "`technolog plan plate.yaml`"),
+        ("check plate.yaml", "but an NC program is needed here", "`technolog plan plate.yaml`"),
         ("check ../docs/part.schema.json", "this is a YAML or JSON file", "`technolog --help`"),
-        ("check appendix-g/program.nc --setting plate.yaml", "a setting file is wanted here", "technolog plan"),
+        ("check appendix-g/program.nc --setting plate.yaml", "a setting file is needed here", "technolog plan"),
         ("check appendix-g/program.nc --part shaft.yaml", "this is a file of a turned part", "technolog turn"),
-        ("audit appendix-g/plan.yaml --marks plate.yaml", "a marking scheme is wanted here", "technolog plan"),
+        ("audit appendix-g/plan.yaml --marks plate.yaml", "a marking scheme is needed here", "technolog plan"),
     ] {
         let arguments: Vec<&str> = arguments.split(' ').collect();
         let answer = command(&root().join("examples"), &arguments, b"");

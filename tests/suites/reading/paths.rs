@@ -91,7 +91,7 @@ fn no_input_is_replaced_by_the_answer() {
     for (command, input) in READING {
         let absolute = folder.join(input).display().to_string();
         for output in [(*input).to_owned(), format!("know/../{input}"), absolute] {
-            // The ending of the file asks for a form that not every command has: that is another refusal.
+            // The ending of the file requires a form that not every command has: that is another refusal.
             let mut args: Vec<&str> = command.split(' ').collect();
             args.extend(["-o", &output]);
             let answer = run(&folder, &args);

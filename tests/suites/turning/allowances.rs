@@ -78,7 +78,8 @@ fn what_is_finished_elsewhere_gets_an_intermediate_allowance() {
     assert_eq!(codes, ["no-grade-to-compare", "no-grade-to-compare"]);
 }
 
-/// 12.2-2: new elements in place of the primary ones, in the contour that the lathe leaves: the same shaft from its file.
+/// 12.2-2: new elements instead of the primary ones, in the contour that the lathe leaves: the same shaft from its
+/// file.
 #[test]
 fn new_elements_replace_those_finished_elsewhere() {
     let text = "shaft: S\nmaterial: steel-45\nmachine: 16k20f3\n\

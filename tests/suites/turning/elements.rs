@@ -140,9 +140,9 @@ fn a_class_says_which_angle_stands_against_which() {
     assert_eq!(classes[1].because.table, "turning-element");
 }
 
-/// 12.1-12: grooves, reliefs and threads are additional by kind, and what tool they ask for. 12.1-14: they are bridged: a groove
-/// in a cylinder by the cylinder, a relief at a shoulder by cylinder and face to their corner, a face groove by the face; a
-/// thread stays.
+/// 12.1-12: grooves, reliefs and threads are additional by kind, and what tool they require. 12.1-14: they are bridged:
+/// a groove in a cylinder by the cylinder, a relief at a shoulder by cylinder and face to their corner, a face groove
+/// by the face; a thread stays.
 #[test]
 fn additional_kinds_are_bridged_as_the_lips_go_on() {
     let drawn = Drawn::from(20.0, 0.0).to(Thread, 20.0, 10.0).to(Cylinder, 20.0, 15.0);

@@ -363,7 +363,7 @@ proptest! {
     }
 }
 
-/// Whether no piece leads back, but for half a micrometre where an arc ends upright.
+/// Whether no piece leads back, except for half a micrometre where an arc ends upright.
 fn forward(contour: &Contour) -> bool {
     contour.pieces.iter().all(|piece| {
         let near = Half::new(1);

@@ -1,4 +1,4 @@
-//! The limiting depth of cut and the cutting conditions of turning, held against figures worked by hand from the
+//! The limiting depth of cut and the cutting conditions of turning, compared with figures worked by hand from the
 //! handbook's formulas and against the laws that both must obey.
 //!
 //! One case is worked in full: steel 45 (600 MPa), rolled, Ø65, PCLNR 2525M12 (φ 95, rake -6), 16К20Ф3, 0.6 mm/rev.
@@ -178,9 +178,10 @@ fn at_low_speeds_the_torque_decides() {
     assert_eq!(bound(&limit, Bound::SpindlePower).depth_mm, Some(mm(8.3)));
 }
 
-/// The case of the head of this file again, the spindle slowing down where its 8.25 kW ask for it: then the edge decides,
-/// at 7.8 mm. Pz there, at V: 3000·7.8·0.68173·V^-0.15·0.84590·1.1125 = 15013·V^-0.15; at 355 1/min (72.49 m/min) 7896 N and
-/// 9.54 kW, at 280 (57.18 m/min) 8182 N and 7.80 kW, so it turns at 280. The power still decides where it may not slow down.
+/// The case of the head of this file again, the spindle slowing down where its 8.25 kW require it: then the edge
+/// decides, at 7.8 mm. Pz there, at V: 3000·7.8·0.68173·V^-0.15·0.84590·1.1125 = 15013·V^-0.15; at 355 1/min (72.49
+/// m/min) 7896 N and 9.54 kW, at 280 (57.18 m/min) 8182 N and 7.80 kW, so it turns at 280. The power still decides
+/// where it may not slow down.
 #[test]
 fn a_slower_spindle_lets_the_edge_decide() {
     let knowledge = knowledge();

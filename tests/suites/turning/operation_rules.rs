@@ -8,7 +8,7 @@ use technolog::turning::operation::{Operation, plan};
 use technolog::turning::workpiece::read_workpiece;
 use technolog_testing::changed_knowledge;
 
-/// The shipped knowledge with one text of a rule put in place of another.
+/// The shipped knowledge with one text of a rule put instead of another.
 fn with(rule: &str, old: &str, new: &str) -> Knowledge {
     changed_knowledge(&format!("rules/{rule}.yaml"), old, new)
 }

@@ -229,8 +229,8 @@ fn a_contour_of_more_items_than_are_read_is_refused_at_the_first_of_them() {
     }
 }
 
-/// The figures of the map at the paper's own length are those of the paper's shaft: L/D = 34/65 lies between the ratios,
-/// so the shaft is made 65 mm long and held against a shaft of that length.
+/// The figures of the map at the paper's own length are those of the paper's shaft: L/D = 34/65 lies between the
+/// ratios, so the shaft is made 65 mm long and compared with a shaft of that length.
 #[test]
 fn the_map_stretches_the_shaft() {
     let map = json(&["examples/shaft.yaml", "--show", "map"]);

@@ -1,4 +1,4 @@
-//! Programs of lathes held against their part, as text: what the control makes of them is carried through the proof.
+//! Programs of lathes compared with their part, as text: what the control makes of them is carried through the proof.
 
 use technolog::audit::turned::{held, read_back, reader};
 use technolog::note::Severity;

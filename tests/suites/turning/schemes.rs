@@ -66,9 +66,9 @@ fn names(scheme: Scheme, levels: &Levels) -> String {
     points(&path(scheme, levels), levels).into_iter().map(|point| point.name).collect::<Vec<_>>().join(" ")
 }
 
-/// 12.4-7. Lecture l. 687-697: A, 4, 5, 6, (7, 8), 2, 9-16, 5; then 5, 17, 18, 19, 20, 21, 3, 17, 22, 23, 24, 3, 25, 26, A.
-/// Ours is the same up to 24, but for corner 2, which the tool passes between 16 and 5. Then we stop δ before corner 3
-/// at a point of its own (25), so that the end and the way off it count one more.
+/// 12.4-7. Lecture l. 687-697: A, 4, 5, 6, (7, 8), 2, 9-16, 5; then 5, 17, 18, 19, 20, 21, 3, 17, 22, 23, 24, 3, 25,
+/// 26, A. Ours is the same up to 24, except for corner 2, which the tool passes between 16 and 5. Then we stop δ before
+/// corner 3 at a point of its own (25), so that the end and the way off it count one more.
 #[test]
 fn verticals_visit_the_points_in_the_order_of_figure_12_7() {
     let found = names(Scheme::Verticals, &figure());
@@ -111,9 +111,9 @@ fn horizontals_a_visit_the_points_in_the_order_of_figure_12_9_a() {
     assert_eq!(working(Scheme::HorizontalsA, &figure()), "A 4 5 6 2 7 8 1 9 2 10 3 11 A");
 }
 
-/// 12.4-10. Lecture l. 778-786: layers 1, 2, 3, then the pass from 1 by 10, 2, 11, 3, 12 to A, with less than t_p between 8 and 1
-/// and between 9 and 10: so 8-9 is the third level, 9 its end at the face of 10. That 7 is not the point 11 asks for a
-/// second cylinder between two levels: t2 = 8 mm here.
+/// 12.4-10. Lecture l. 778-786: layers 1, 2, 3, then the pass from 1 by 10, 2, 11, 3, 12 to A, with less than t_p
+/// between 8 and 1 and between 9 and 10: so 8-9 is the third level, 9 its end at the face of 10. That 7 is not the
+/// point 11 requires a second cylinder between two levels: t2 = 8 mm here.
 #[test]
 fn horizontals_b_visit_the_points_in_the_order_of_figure_12_9_b() {
     let shaft = shaft(80_000, &[(51_200, 30_000), (64_000, 25_000), (70_000, 20_000)], 4_000, 3_000, Division::Full);

@@ -1,5 +1,5 @@
-//! The tables of lathes, turning tools and turning feeds, held against what their designations, standards and
-//! geometry say. Expectations stand here in the letters of ISO 5608 and ISO 1832, not in the tables.
+//! The tables of lathes, turning tools and turning feeds, compared with what their designations, standards and geometry
+//! say. Expectations stand here in the letters of ISO 5608 and ISO 1832, not in the tables.
 
 use std::collections::BTreeSet;
 

@@ -1,5 +1,5 @@
-//! The schemes of rough transitions: the lecture's orders of points, figures by hand, and laws held against a section of
-//! columns that knows nothing of how the ways are made (`crates/testing/src/section.rs`).
+//! The schemes of rough transitions: the lecture's orders of points, figures by hand, and laws compared with a section
+//! of columns that knows nothing of how the ways are made (`crates/testing/src/section.rs`).
 
 use proptest::prelude::*;
 use technolog::error::{Refusal, Tried};
@@ -462,7 +462,7 @@ proptest! {
     }
 
     /// 12.4-19 over any closed zone: between the first and the last motion at a feed there is no rapid, unless the last
-    /// motion along the contour begins anew.
+    /// motion along the contour begins again.
     #[test]
     fn a_closed_zone_is_not_left_between_passes(stock in valleys(), depth in 0.7_f64..4.0) {
         for scheme in [Scheme::PickUp, Scheme::SemiFinishing] {

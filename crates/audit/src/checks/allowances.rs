@@ -114,7 +114,7 @@ fn leaves(graph: &Graph<'_>, at: usize) -> Option<Micrometres> {
     value.map(Micrometres::from_mm_rounded)
 }
 
-/// What the last row is to leave: that it is not what the drawing asks for, the route says.
+/// What the last row must leave; the check of the route reports where that is not what the drawing requires.
 fn finished(context: &Context<'_>, hole: &Hole, last: Micrometres) -> Micrometres {
     let reference = context.plan.holes.iter().find(|plan| plan.name == hole.name);
     let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(|route| route.finish_elsewhere);

@@ -80,7 +80,7 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// Where the tip of a cutter leaves a part whose hole is blind, mm below its face; nothing where it stays inside.
+/// Where the tip of a cutter leaves a part whose hole is blind, mm below its face; none if it stays inside.
 fn breaks_through(
     context: &Context<'_>,
     graph: &Graph<'_>,

@@ -1,5 +1,5 @@
-//! What stands at the end of a hole: counterbores, countersinks, chamfers. Whether the drawing asks for what the rows cut,
-//! at its diameter and depth, and whether the rows cut what it asks for.
+//! What stands at the end of a hole: counterbores, countersinks, chamfers. Whether the drawing requires what the rows
+//! cut, at its diameter and depth, and whether the rows cut what it requires.
 
 use crate::error::KnowledgeError;
 use crate::note::{Figure, Note, Severity};
@@ -24,9 +24,9 @@ use super::route::of_hole;
 struct Opening {
     feature: Feature,
     diameter: Micrometres,
-    /// Absent where the drawing does not fix it: of a face.
+    /// Absent if the drawing does not fix it: of a face.
     depth: Option<Micrometres>,
-    /// Whether the drawing asks for it; the lead-in of a thread is ours.
+    /// Whether the drawing requires it; the lead-in of a thread is ours.
     asked: bool,
 }
 
@@ -82,7 +82,7 @@ fn ours(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
     plan.transitions.iter().any(makes)
 }
 
-/// Whether some row makes an opening that the drawing asks for: one of its own, a step drill, or centring as wide.
+/// Whether some row makes an opening that the drawing requires: one of its own, a step drill, or centring as wide.
 fn made(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -135,7 +135,7 @@ fn made(
     findings.push(finding.of_kind(FindingKind::Opening));
 }
 
-/// Whether the drawing asks for what a row cuts, and for that diameter and depth.
+/// Whether the drawing requires what a row cuts, and for that diameter and depth.
 fn asked_for(
     context: &Context<'_>,
     graph: &Graph<'_>,

@@ -32,7 +32,7 @@ impl Tips {
     }
 
     /// How far below its face the tip of a row's tool goes: depth, point and overrun. Where our own plan has the same
-    /// transition, its point and overrun are taken; nothing where the depth is not known.
+    /// transition, its point and overrun are taken; none if the depth is not known.
     pub fn of(&self, context: &Context<'_>, at: usize) -> Option<Micrometres> {
         let row = context.stated.rows.get(at).filter(|row| !row.elsewhere)?;
         let hole = context.hole(row)?;

@@ -18,7 +18,7 @@ pub(super) fn check<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
-    // Of a plan of ours every figure is held against our own plan.
+    // Of a plan of ours every figure is compared with our own plan.
     if context.stated.own {
         return Ok(());
     }
@@ -39,7 +39,7 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// As the rule calls a quantity; nothing for what it does not judge.
+/// As the rule calls a quantity; none for what it does not judge.
 fn kind(context: &Context<'_>, id: Id) -> Option<Tabulated> {
     match id.quantity {
         Q::Feed if operation(context, id) == Some(Operation::CentreDrill) => Some(Tabulated::SpotFeed),

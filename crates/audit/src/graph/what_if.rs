@@ -36,8 +36,8 @@ impl<'a> Graph<'a> {
         (formula.compute)(&inputs?).filter(|value| value.is_finite())
     }
 
-    /// Whether a stated figure would fit its formula if one figure of the plan, maybe itself, had another value; nothing
-    /// where no formula computes it.
+    /// Whether a stated figure would fit its formula if one figure of the plan, maybe itself, had another value; none
+    /// if no formula computes it.
     pub(crate) fn fits_if(&self, id: Id, other: Option<(Id, f64)>) -> Option<bool> {
         let formula = self.formula(id)?;
         let mut figure = self.stated.figure(id)?.clone();
@@ -115,7 +115,8 @@ impl<'a> Graph<'a> {
         self.misprinted.get(&misprinted).copied()
     }
 
-    /// Takes what a misprinted figure should have been, and what was computed from that; everything is judged anew by it.
+    /// Takes what a misprinted figure should have been, and what was computed from that; everything is judged again by
+    /// it.
     pub(crate) fn correct(&mut self, formula: Formula<'a>, computed: Id) {
         self.misprinted.insert(formula.output, computed);
         self.formulas.insert(formula.output, vec![formula]);

@@ -54,7 +54,7 @@ pub fn read_plan_node(node: &Node, file: &str, knowledge: &Knowledge, files: Fil
 /// The same of a file that may be something else, one of a folder: nothing, where it is readable but no plan.
 ///
 /// # Errors
-/// As of [`read_plan`].
+/// As for [`read_plan`].
 pub fn read_if_plan(
     file: &str,
     text: &str,

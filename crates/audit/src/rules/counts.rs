@@ -79,7 +79,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 graph.add(same(&MILL_DIAMETER, output, Id::new(Scope::Tool(tool), Q::Diameter)));
                 continue;
             }
-            // A step drill is reckoned by its wide diameter.
+            // A step drill is calculated by its wide diameter.
             if stated.figure(of_row(Q::Also)).is_some() {
                 graph.add(largest(&PASS_DIAMETER, output, vec![of_row(Q::Diameter), of_row(Q::Also)]));
             } else {

@@ -108,7 +108,7 @@ fn by_law(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micro
     Some(formulas.speed.at(diameter.to_mm(), depth.value, feed.value, life) * formulas.speed_factor)
 }
 
-/// What is cut under conditions, as far as the formulas ask; nothing where the cutter is not known.
+/// What is cut under conditions, as far as the formulas ask; none if the cutter is not known.
 fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> {
     let stated = context.stated;
     let conditions = &stated.conditions[at];
@@ -280,7 +280,7 @@ fn numbers(law: &LoadLaw, kp: f64) -> String {
     format!("{}·{}·{}", shown(law.factor), powers.join("·"), shown(kp))
 }
 
-/// A power as it is printed; nothing where the exponent is 0.
+/// A power as it is printed; none if the exponent is 0.
 fn power(base: &str, exponent: f64) -> String {
     if exponent == 0.0 {
         String::new()

@@ -41,7 +41,7 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
 /// Adds every formula to the graph, and what the tables give for figures without one.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     FAMILIES.iter().try_for_each(|family| family(context, graph))?;
     graph.know(conditions::by_tables(context)?);

@@ -41,7 +41,7 @@ impl Position {
         }
     }
 
-    /// The same but for one axis.
+    /// The same except for one axis.
     #[must_use]
     pub const fn with(mut self, axis: Axis, value: Micrometres) -> Self {
         match axis {

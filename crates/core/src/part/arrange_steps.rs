@@ -59,8 +59,8 @@ impl Cylinder {
 }
 
 impl Reader<'_> {
-    /// Holds the group's own diameter against the steps: it is the narrowest of them, or the cylinder that
-    /// goes on behind the last, which is then added. Says whether it was.
+    /// Compares the group's own diameter with the steps: it is the narrowest of them, or the cylinder that goes on
+    /// behind the last, which is then added. Says whether it was.
     pub(super) fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &Whole<'_>) -> Option<bool> {
         let Some(own) = &whole.own else { return Some(false) };
         let nominal = own.diameter.nominal;

@@ -38,7 +38,7 @@ pub(super) struct Centres {
 /// a slip in one key does not hide a slip in another.
 pub(super) struct Group {
     pub name: Option<(String, Place)>,
-    /// What a hole of the group cuts out, with its openings and its groove; nothing if that is not known.
+    /// What a hole of the group cuts out, with its openings and its groove; none if that is not known.
     pub spans: Vec<Span>,
     pub depth: Option<(Micrometres, Place)>,
     pub through: Option<bool>,

@@ -10,8 +10,8 @@ use super::read_features::Features;
 use super::{Blank, Point};
 
 impl Reader<'_> {
-    /// Holds the features against the hole's cylinders, given from the entry face inwards; `too_wide` is
-    /// the diameter from which on a hole of the blank leaves nothing to do.
+    /// Compares the features with the hole's cylinders, given from the entry face inwards; `too_wide` is the diameter
+    /// from which on a hole of the blank leaves nothing to do.
     pub(super) fn fit_features(&mut self, features: &Features, cylinders: &[Span], too_wide: Micrometres) {
         let Some(entry) = cylinders.first() else { return };
         let end = cylinders.last().map_or(entry.to, |last| last.to);

@@ -39,8 +39,8 @@ impl Reader<'_> {
 }
 
 impl Part {
-    /// The first figure that a table which is asked with it does not know, in words, and what to do: of a part that was
-    /// not read by [`super::read_part`].
+    /// The first figure that a table which is queried with it does not know, in words, and what to do: of a part that
+    /// was not read by [`super::read_part`].
     pub fn outside_tables(&self, knowledge: &Knowledge) -> Option<(Note, Note)> {
         let of_steps = self.holes.iter().flat_map(|hole| &hole.steps).map(|step| step.roughness);
         let mut all = self.holes.iter().map(|hole| hole.roughness).chain(of_steps);
@@ -53,8 +53,8 @@ impl Part {
     }
 }
 
-/// What is wrong with a roughness. The columns are those that are asked with it; the other tables are asked with the
-/// nearest one that they have.
+/// What is wrong with a roughness. The columns are those that are queried with it; the other tables are queried with
+/// the nearest one that they have.
 fn outside(roughness: Roughness, knowledge: &Knowledge) -> Option<Note> {
     let milling =
         knowledge.tables_of::<MillingFinishFeed>().map(|table| (table, MillingFinishFeedFor::roughness(table)));

@@ -75,7 +75,7 @@ impl Reader<'_> {
         items.get(..what.most()).unwrap_or(items)
     }
 
-    /// Counts the points of a list or a pattern, before they are made; nothing where they are too many, which is told once.
+    /// Counts the points of a list or a pattern, before they are made; none if they are too many, which is told once.
     pub(super) fn room_for(&mut self, points: usize, node: &Node) -> Option<()> {
         let before = self.counted_points;
         self.counted_points = before.saturating_add(points);

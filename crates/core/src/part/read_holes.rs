@@ -36,7 +36,7 @@ impl Reader<'_> {
         let name = name_node.and_then(|node| self.name(node));
         let steps_node = fields.take(form::Hole::steps);
         let steps = steps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
-        // An empty list asks for nothing; what is no list was meant to say the diameters.
+        // An empty list requires nothing; what is no list was meant to say the diameters.
         let stepped = steps_node.map_or_else(
             || fields.means(form::Hole::steps),
             |node| !matches!(&node.kind, NodeKind::Seq(items) if items.is_empty()),

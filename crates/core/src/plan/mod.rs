@@ -215,11 +215,11 @@ pub struct Conditions {
     pub spindle_rpm: RevsPerMinute,
     /// Feed rate, mm/min.
     pub feed_mm_per_min: MillimetresPerMinute,
-    /// Axial force, N; absent where no formula is known.
+    /// Axial force, N; absent if no formula is known.
     pub axial_force_n: Option<Newtons>,
-    /// Torque, N·m; absent where no formula is known.
+    /// Torque, N·m; absent if no formula is known.
     pub torque_n_m: Option<NewtonMetres>,
-    /// Cutting power, kW; absent where no formula is known.
+    /// Cutting power, kW; absent if no formula is known.
     pub power_kw: Option<Kilowatts>,
     /// Machine time of one hole, min.
     pub machine_time_min: Minutes,
@@ -227,7 +227,7 @@ pub struct Conditions {
     pub limited_by: Limit,
     /// Tool life at the speed of the spindle step, min: T·(V/Vstep)^(1/m).
     pub tool_life_min: Minutes,
-    /// Whether the speed is for cutting with coolant; absent where the figures do not say.
+    /// Whether the speed is for cutting with coolant; absent if the figures do not say.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub coolant: Option<bool>,
     /// The speed of the formula, or that of practice where it is faster, before the spindle's step was chosen, m/min.
@@ -284,7 +284,7 @@ pub struct ToolPlan {
     pub table: String,
     /// The cutter's diameter, mm.
     pub diameter_mm: Micrometres,
-    /// The diameter of the catalog that it is ground down from, mm; absent where it is used as it is bought.
+    /// The diameter of the catalog that it is ground down from, mm; absent if it is used as it is bought.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ground_from_mm: Option<Micrometres>,
     /// The holder's designation.

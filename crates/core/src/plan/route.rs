@@ -81,11 +81,12 @@ pub struct Route {
     pub finish_elsewhere: bool,
     /// Whether it holds grade, roughness and position.
     pub meets: bool,
-    /// The tolerance on centre distances the tables were asked with, mm.
+    /// The tolerance on centre distances the tables were queried with, mm.
     pub centre_tolerance_mm: Micrometres,
     /// Time of all holes of the group with the tool changes it adds to those of the other groups, min.
     pub time_min: Minutes,
-    /// Cost of that time: minutes times the `minute-rate` of the machine's record, in its currency; absent where it has no `minute-rate`.
+    /// Cost of that time: minutes times the `minute-rate` of the machine's record, in its currency; absent if it has no
+    /// `minute-rate`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cost: Option<f64>,
     /// By how much the runner-up is slower, min; below zero where a quicker one would take more places of a

@@ -104,9 +104,9 @@ pub enum Reason {
     SameAs { table: String, scheme: String },
     /// The proof of plans does not hold for it.
     NotProven { why: Note },
-    /// The position asks for boring, and it does not bore.
+    /// The position requires boring, and it does not bore.
     BoringAsked { position: Micrometres },
-    /// The position does not ask for boring, and it bores.
+    /// The position does not require boring, and it bores.
     BoringNotAsked { position: Micrometres },
 }
 

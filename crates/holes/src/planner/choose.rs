@@ -1,9 +1,10 @@
-//! Which route every group takes, all groups together: the stated order of routes.
+//! Chooses the routes of all groups together, in the documented order of routes.
 //!
-//! A route that holds grade, roughness and position goes before one that does not, and one that holds them ordinarily
-//! before one that does only at best; then the total time decides, with the tool changes it adds to those of the other
-//! groups; then the places of the magazine it adds; then the way (tables, complexes, search) and the names, so that the
-//! order is total and no file's order matters. Cost is time at the machine's rate, so it never decides alone.
+//! A route that reaches grade, roughness and position is preferred to one that does not, and one that reaches them
+//! ordinarily to one that does only at best; then the total time decides, with the tool changes it adds to those of the
+//! other groups; then the places of the magazine it adds; then the way (tables, complexes, search) and the names, so
+//! that the order is total and does not depend on the order of the file. Cost is time at the machine's rate, so it
+//! never decides alone.
 //!
 //! Groups are chosen one beside the others until no single move helps; then, tool by tool, every group that
 //! can use the tool takes it, or every group that uses it goes without, and what makes the whole part better
@@ -33,13 +34,13 @@ enum ToolKey {
 /// Times that differ less are the same as they are printed, min.
 const SAME: f64 = 5e-4;
 
-/// By what the routes of a group are ranked, best first.
+/// The ranking of the routes of a group, best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Rank {
-    /// Not of the tables, where those are preferred and have a route.
+    /// Not from the tables, although they are preferred and have a route.
     other_way: bool,
     misses: bool,
-    /// What it reaches only at best.
+    /// Requirements that it reaches only at best.
     at_best: usize,
     /// Places count before time while the magazine overflows.
     crowding: usize,
@@ -93,7 +94,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         }
     }
 
-    /// Takes on a group: the best of its routes beside the tools chosen so far.
+    /// Adds a group with its best route for the tools chosen so far.
     pub fn add(&mut self, group: usize, options: Options) {
         for choice in &options.choices {
             let mut own = Vec::new();
@@ -124,8 +125,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
         self.options[group].as_ref()?.choices.get(self.chosen[group]?)
     }
 
-    /// Reconsiders every group beside all the others, and tool by tool, until nothing gets better; then, if the
-    /// magazine does not suffice, once more with its places before the time.
+    /// Reconsiders every group, and tool by tool, until nothing improves; then, if the magazine is too small, once more
+    /// with places ranked before time.
     pub fn settle(&mut self, order: &[usize]) {
         for _ in 0..ROUNDS {
             let before = self.total();
@@ -144,7 +145,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             self.crowded = true;
             self.rounds(order);
             self.crowded = false;
-            // Fewer tools alone are worth no slower routes: they must fit.
+            // A slower route is justified only if the tools then fit into the magazine.
             if self.tools_used() > places {
                 self.restore(&before);
             }
@@ -180,7 +181,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         }
     }
 
-    /// Moves of single groups, each to its best route that leaves no other without what it borrows.
+    /// Changes single groups, each to its best route that does not take a borrowed drill from another.
     fn rounds(&mut self, order: &[usize]) {
         for _ in 0..ROUNDS {
             let mut changed = false;
@@ -296,7 +297,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         }
     }
 
-    /// The group's time and the routes it was weighed against, best first, with why each lost.
+    /// The group's time and the routes it was compared with, best first, with why each lost.
     pub fn weighed(&mut self, group: usize) -> Option<Weighed> {
         let chosen = self.chosen[group]?;
         // Beside the tools of the others.
@@ -348,7 +349,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
     }
 }
 
-/// What a group's route was weighed against.
+/// The routes that a group's route was compared with.
 pub(super) struct Weighed {
     pub time: Minutes,
     /// In the currency of the machine's record.

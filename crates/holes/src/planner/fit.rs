@@ -306,11 +306,11 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     fn new_outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
-        // Another machine has other limits, which are not known here.
+        // Another machine has other limits, which are unknown here.
         let other = step.elsewhere.then(|| self.shop.without_limits());
         let shop = other.as_ref().unwrap_or(self.shop);
         let (travel, reach) = self.travel(step);
-        // How far a tap of that machine would reach is not known here either.
+        // The reach of a tap on that machine is unknown too.
         let reach = if step.elsewhere { Micrometres::ZERO } else { reach };
         if step.operation == Operation::Mill {
             self.round_enough(step)?;
@@ -426,7 +426,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
 /// The feed travel of a step in one pass, and the approach above the metal.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn way(
     step: &RouteStep,
     hole: &Hole,

@@ -32,7 +32,7 @@ pub(super) fn choose_centre_drill(
         let first = draft.steps.iter().find(|one| one.step.operation == Operation::Drill).map(|one| one.step.diameter);
         let note = |code: &'static str, diameter| Note::new(code).with("needed", diameter);
         let (own, note) = match first {
-            // Wider than the first drill, so that the drill enters on the cone and not on its rim.
+            // Wider than the first drill, so that the drill starts on the cone and not on its rim.
             Some(drill) if !centre.makes_edge && drill < widest => {
                 (drill + Micrometres::new(1), note("centre-drill-for-all-over", drill))
             }
@@ -66,7 +66,7 @@ pub(super) fn choose_centre_drill(
         };
         match &fitted {
             Ok(tool) => {
-                // What a spot lets through is a matter of the tool that makes it.
+                // What a spot allows depends on the tool that makes it.
                 let fitting = Fitting::new(hole, &[], part, shop)?;
                 match Refusal::split(fitting.spotting(&centre.step, centre.travel, tool.diameter))? {
                     Ok(conditions) => centre.conditions = conditions.into(),

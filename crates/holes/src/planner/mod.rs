@@ -51,7 +51,7 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
 /// Plans a part by the schemes of the tables, wherever they can be carried out, and tells what the best plan would save.
 ///
 /// # Errors
-/// As of [`plan`].
+/// As for [`plan`].
 pub fn plan_by_tables(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result<Plan, KnowledgeError> {
     let best = plan(part, method, knowledge)?;
     let mut own = plan_by(part, method, Preference::Tables, knowledge)?;
@@ -68,7 +68,7 @@ pub fn plan_by_tables(part: &Part, method: CuttingMethod, knowledge: &Knowledge)
 /// Plans a part by that preference alone.
 ///
 /// # Errors
-/// As of [`plan`].
+/// As for [`plan`].
 pub fn plan_by(
     part: &Part,
     method: CuttingMethod,
@@ -128,14 +128,14 @@ pub fn plan_by(
         findings,
     };
     sequence::timed(&mut plan, &shop)?;
-    // Whoever chose and whatever was chosen: the plan as it stands is proven.
+    // The finished plan is proven, however it was chosen.
     plan.findings.extend(technolog_proof::prove(&plan, &shop)?);
     unconfirmed(&mut plan);
     Finding::in_order(&mut plan.findings);
     Ok(plan)
 }
 
-/// A group's draft: the chosen route with what it was weighed against, and what there is to say of it.
+/// A group's draft: the chosen route, the routes it was compared with, and the notes.
 fn draft(
     index: usize,
     hole: &Hole,
@@ -269,7 +269,7 @@ fn unconfirmed(plan: &mut Plan) {
         for reason in because {
             let Some(note) = reason.doubt() else { continue };
             match found.iter_mut().find(|finding| finding.note == note) {
-                // Said of several groups, it is said of the part.
+                // If it concerns several groups, it is a finding of the part.
                 Some(known) if known.hole.as_deref() != hole => known.hole = None,
                 Some(_) => {}
                 None => found.push(Finding { severity: Severity::Doubtful, hole: hole.map(str::to_owned), note }),

@@ -6,8 +6,8 @@ use crate::knowledge::alike::latin;
 use crate::note::{Finding, Note, Severity};
 use crate::part::Part;
 
-/// Groups whose names differ only in letters that look the same in both alphabets: nearly surely a slip, and where it is
-/// none the plan cannot be read all the same.
+/// Groups whose names differ only in letters that look the same in both alphabets: almost certainly a typing mistake;
+/// even if not, the plan cannot be read.
 pub(super) fn alike(part: &Part) -> impl Iterator<Item = Finding> {
     let mut names: BTreeMap<String, usize> = BTreeMap::new();
     for hole in &part.holes {

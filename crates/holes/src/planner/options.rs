@@ -55,7 +55,7 @@ pub(super) struct RefusedRoute {
     pub table: String,
     /// Empty where a way has no scheme at all.
     pub scheme: String,
-    /// What it would do, where that is known.
+    /// What it would make, if known.
     pub operations: Vec<AlternativeStep>,
     /// Whether it would hold grade, roughness and position.
     pub meets: bool,
@@ -83,19 +83,19 @@ impl RefusedRoute {
 pub(super) struct Options {
     /// What can be carried out.
     pub choices: Vec<Choice>,
-    /// What cannot, or is barred by a rule, with the reason.
+    /// Those that cannot, or are barred by a rule, with the reason.
     pub refused: Vec<RefusedRoute>,
-    /// The tolerance on centre distances the tables were asked with.
+    /// The tolerance on centre distances the tables were queried with.
     pub centre_tolerance: Micrometres,
     /// The row of A.6, or that it has none.
     pub stages: Option<Because>,
-    /// Whether the position asks for boring and no boring tool can be used.
+    /// Whether the position requires boring and no boring tool can be used.
     pub not_bored: bool,
-    /// What no axial tool makes, and openings that nothing opens.
+    /// What no axial tool makes, and openings that no tool can make.
     pub impossible: Vec<Note>,
-    /// What the drawing asks for and will hardly have meant.
+    /// What the drawing requires but probably does not mean.
     pub doubtful: Vec<Note>,
-    /// What the drawing does not ask for and cannot be done either.
+    /// What cannot be done, although the drawing does not require it.
     pub remarks: Vec<Note>,
 }
 
@@ -114,7 +114,7 @@ impl Options {
 /// Every route of a group of holes.
 ///
 /// # Errors
-/// The knowledge cannot answer. What makes the whole group impossible is a refusal.
+/// The knowledge base has no answer. What makes the whole group impossible is a refusal.
 pub(super) fn options(
     hole: &Hole,
     part: &Part,
@@ -128,7 +128,7 @@ pub(super) fn options(
     let reached = |size: &&DrillSize| size.reach >= fitting.drill_reach(&main.place, size.diameter);
     let drills: Vec<Micrometres> = all_drills.iter().filter(reached).map(|size| size.diameter).collect();
     let written = accuracy::centre_tolerance(hole, shop).map_err(Refusal::Not)?;
-    // The tables speak of machined faces: an unmachined one must be asked for as a tighter hole.
+    // The tables speak of machined faces: an unmachined one must be queried for as a tighter hole.
     let rough_face = accuracy::rough_face(main, part, shop)?;
     let loss = rough_face.as_ref().map_or(0.0, |(loss, _)| *loss);
     let centre_tolerance = Micrometres::from_mm_rounded(written.to_mm() / (1.0 + loss));
@@ -217,9 +217,9 @@ pub(super) fn options(
 }
 
 impl Finder<'_, '_> {
-    /// Section 1.2 on boring (rule `boring-for-position`): where the position asks for it, routes of complexes
-    /// and search that do not bore stand back; where it does not, those that bore; in both cases only while
-    /// another route can be carried out.
+    /// Section 1.2 on boring (rule `boring-for-position`): where the position requires it, routes of complexes and
+    /// search that do not bore are barred; where it does not, those that bore; in both cases only while another route
+    /// can be carried out.
     fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         let asked = self.boring_asked()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
@@ -242,12 +242,12 @@ impl Finder<'_, '_> {
         Ok(())
     }
 
-    /// Whether the position asks for boring if a bar entered.
+    /// Whether the position requires boring if a bar entered.
     fn close(&self) -> Result<bool, KnowledgeError> {
         self.asks_for_boring(true)
     }
 
-    /// Whether the position of the axis asks for boring, by the rule `boring-for-position`.
+    /// Whether the position of the axis requires boring, by the rule `boring-for-position`.
     pub fn boring_asked(&self) -> Result<bool, KnowledgeError> {
         self.asks_for_boring(self.task.main.diameter.nominal >= self.sizes.smallest_bore)
     }

@@ -21,7 +21,7 @@ impl Finder<'_, '_> {
         AuxiliaryKind::of(self.hole, &self.task.main, self.drilled)
     }
 
-    /// The three ways; what the tables finish on another machine is not weighed against the others.
+    /// The three sources; routes finished on another machine are not compared with the others.
     pub fn every_way(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         if let Some(candidate) = self.tapped_at_once()? {
             self.weigh(&candidate, options)?;
@@ -59,8 +59,7 @@ impl Finder<'_, '_> {
         }))
     }
 
-    /// The first scheme of the tables that can be carried out; what the tables rank behind it is not weighed
-    /// against it.
+    /// The first scheme of the tables that can be carried out; what the tables rank behind it is not compared with it.
     fn tables(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         let mut found = None;
         if let Some(kind) = kind {
@@ -168,7 +167,7 @@ impl Finder<'_, '_> {
         let faults = technolog_proof::prove_hole(self.hole, &transitions, self.part, self.shop)?;
         let (at_best, mut wrong): (Vec<_>, Vec<_>) =
             faults.iter().partition(|fault| fault.severity() == Severity::Doubtful);
-        // Who wants the scheme of the tables is told what it does not reach, and gets it.
+        // If the user prefers the tables, their scheme is taken and what it does not reach is reported.
         if self.preference == Preference::Tables && candidate.way == RouteSource::Tables {
             wrong.retain(|fault| !matches!(fault, Fault::Wanting { .. }));
         }
@@ -272,7 +271,7 @@ pub(super) fn refused(candidate: &Candidate, why: Reason) -> RefusedRoute {
     RefusedRoute { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
 }
 
-/// A way that has no candidate at all.
+/// A source without any candidate.
 pub(super) fn none(way: RouteSource, table: &str, why: Reason) -> RefusedRoute {
     RefusedRoute { way, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
 }

@@ -37,7 +37,7 @@ pub(super) fn after<'k>(
     shop.knowledge.ask(&NextTransitionFor { after: state, diameter })
 }
 
-/// The accuracy that a row of `next-transition` refers to, with the row that has it; absent where its transition only
+/// The accuracy that a row of `next-transition` refers to, with the row that has it; absent if its transition only
 /// prepares.
 pub(super) fn of_row<'k>(
     row: &NextTransition<'_>,
@@ -77,7 +77,7 @@ fn told_of_row(
 /// of the table the route was found in; and the position of the axis.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn write(
     steps: &mut [RouteStep],
     bore: &Bore,
@@ -101,7 +101,7 @@ pub fn write(
         } else {
             step.operation
         };
-        // A centring spot has no diameter yet: the rule is asked with the cylinder's.
+        // A centring spot has no diameter yet: the rule is queried with the cylinder's.
         let asked = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
         let next = if state == HoleState::Finished { Vec::new() } else { after(state, asked, shop)?.winners()? };
         if let Some(row) = next.iter().find(|row| row.operation == operation) {
@@ -158,8 +158,8 @@ pub fn write(
     Ok(())
 }
 
-/// What a transition that only prepares the next one leaves: the coarse end of what section 1.2.1 says of it
-/// by itself; absent where it says nothing.
+/// What a transition that only prepares the next one leaves: the coarse end of what section 1.2.1 says of it by itself;
+/// absent if it says nothing.
 fn by_itself(operation: Operation, shop: &Shop<'_>) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
     let says = |row: &TransitionAccuracy<'_>| row.prepares.as_ref().is_some_and(|own| own.contains(&operation));
     let Some(row) = shop.knowledge.find(says)? else { return Ok(None) };
@@ -249,7 +249,7 @@ impl Position {
 /// The largest share of position accuracy that an unmachined face costs (rule `rough-face`).
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn rough_face(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Option<(f64, Because)>, KnowledgeError> {
     let answer = shop.knowledge.ask(&RoughFaceFor { entry: part.entry, state: bore.before.state() })?;
     let Some(way) = answer.need(part.entry.name())?.loses else { return Ok(None) };

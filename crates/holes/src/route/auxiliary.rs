@@ -13,7 +13,7 @@ use super::Candidate;
 use super::bores::Bore;
 use super::scheme::{SchemeQuestion, with_transitions};
 
-/// What A.10 is asked about.
+/// What A.10 is queried for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AuxiliaryKind {
     /// A thread.
@@ -27,7 +27,7 @@ pub enum AuxiliaryKind {
 }
 
 impl AuxiliaryKind {
-    /// What A.10 is asked about a hole; nothing of plain and stepped holes, of holes finer than what drilling leaves
+    /// What A.10 is queried for a hole; none for plain and stepped holes, of holes finer than what drilling leaves
     /// (`drilled`), and where metal is no longer solid: A.10 begins in solid metal.
     pub fn of(hole: &Hole, main: &Bore, drilled: ItGrade) -> Option<Self> {
         if main.thread.is_some() {
@@ -66,7 +66,7 @@ impl AuxiliaryKind {
     }
 }
 
-/// The diameter A.10 and A.6 are asked with: of a thread its own, of the others that of the hole.
+/// The diameter A.10 and A.6 are queried with: of a thread its own, of the others that of the hole.
 pub fn diameter(question: &SchemeQuestion<'_>) -> Micrometres {
     question.bore.thread.as_ref().map_or(question.bore.diameter.nominal, |thread| thread.size)
 }
@@ -84,7 +84,7 @@ pub fn asked(question: &SchemeQuestion<'_>, kind: AuxiliaryKind) -> SchemesOfAux
 /// diameter. Counterboring and chamfering are planned with the hole's openings and left out here.
 ///
 /// # Errors
-/// The knowledge cannot answer, or A.10 has no scheme.
+/// The knowledge base has no answer, or A.10 has no scheme.
 pub fn candidates(question: &SchemeQuestion<'_>, kind: AuxiliaryKind, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let (name, diameter) = (kind.name(question), diameter(question));
     let answer = shop.knowledge.ask(&asked(question, kind))?;

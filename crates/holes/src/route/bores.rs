@@ -27,7 +27,7 @@ pub struct Task {
     pub edges: Vec<Edge>,
     /// What no axial tool makes.
     pub impossible: Vec<Note>,
-    /// What the drawing asks for and will hardly have meant.
+    /// What the drawing requires but probably does not mean.
     pub doubtful: Vec<Note>,
 }
 
@@ -87,7 +87,7 @@ pub struct Edge {
     pub start: Micrometres,
     /// The cylinder above it, through which the cutter enters; absent at the face.
     pub within: Option<Micrometres>,
-    /// Whether the drawing asks for it; a thread's own chamfer is ours.
+    /// Whether the drawing requires it; a thread's own chamfer is ours.
     pub asked: bool,
     /// The cylinder it is cut at, before its finishing.
     pub around: Micrometres,

@@ -20,7 +20,7 @@ pub struct Openings {
     pub countersunk: bool,
 }
 
-/// The kind of hole that A.4 files a cylinder under, and the diameter it is asked with.
+/// The kind of hole that A.4 files a cylinder under, and the diameter it is queried with.
 fn kind(question: &SchemeQuestion<'_>, openings: Openings) -> Option<(ComplexGroup, Micrometres)> {
     let bore = question.bore;
     let diameter = bore.diameter.nominal;
@@ -38,11 +38,11 @@ fn kind(question: &SchemeQuestion<'_>, openings: Openings) -> Option<(ComplexGro
 
 /// The complexes that A.4 gives a cylinder in solid metal, in its order.
 ///
-/// A complex's chamfering and counterboring are those of the hole's own openings and planned with them;
-/// centring is added where section 1.2.1 asks for it.
+/// A complex's chamfering and counterboring are those of the hole's own openings and planned with them; centring is
+/// added where section 1.2.1 requires it.
 ///
 /// # Errors
-/// The knowledge cannot answer, or A.4 has no complex for it.
+/// The knowledge base has no answer, or A.4 has no complex for it.
 pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let (it, nominal, centre) = (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
     let Some((kind, diameter)) = kind(question, openings) else {

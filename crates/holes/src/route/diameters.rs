@@ -46,7 +46,7 @@ pub struct Sizes<'a> {
 /// is known.
 ///
 /// # Errors
-/// The knowledge cannot answer. That no diameters work is a refusal that says why.
+/// The knowledge base has no answer. That no diameters work is a refusal that says why.
 pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<RouteStep>> {
     let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
     let mut steps: Vec<RouteStep> = Vec::new();
@@ -102,7 +102,7 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
 struct Finished {
     /// The diameter, with the most stock for another machine where one finishes the hole.
     after: Micrometres,
-    /// How much wider it may be left for that machine; absent where none finishes it.
+    /// How much wider it may be left for that machine; absent if none finishes it.
     slack: Option<Micrometres>,
     because: Option<Because>,
     /// The transitions there, each with the diameter it leaves.
@@ -284,7 +284,7 @@ impl Backwards<'_, '_> {
         Ok(RouteStep::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
     }
 
-    /// A drill of exactly the size the next transition asks for; under a thread one within the tolerance.
+    /// A drill of exactly the size the next transition requires; under a thread one within the tolerance.
     fn drill(self) -> Tried<RouteStep> {
         let mut found = self.sizes.drills.iter().copied().find(|drill| *drill == self.after);
         if found.is_none() && self.bore.thread.is_some() && self.after == self.bore.diameter.target() {

@@ -12,7 +12,7 @@ use super::bores::Bore;
 /// rough reamer (facts 4.2).
 const COARSEST: u8 = 9;
 
-/// The handbook's row for a precise cylinder in solid metal; nothing for others and for sizes it lacks.
+/// The handbook's row for a precise cylinder in solid metal; none for others and for sizes it lacks.
 pub(super) fn row<'k>(bore: &Bore, shop: &Shop<'k>) -> Result<Option<StepDiameters<'k>>, KnowledgeError> {
     if !bore.before.is_solid() || bore.diameter.it.number() > COARSEST || bore.thread.is_some() {
         return Ok(None);

@@ -36,7 +36,7 @@ pub struct Candidate {
     pub transitions: Vec<Operation>,
     /// Whether the tables finish the hole on another machine.
     pub finish_elsewhere: bool,
-    /// What the table it was found in says that it holds; absent where the chain itself must say it.
+    /// What the table it was found in says that it holds; absent if the chain itself must say it.
     pub promise: Option<Promise>,
     /// The rows it rests on.
     pub because: Vec<Because>,
@@ -47,9 +47,9 @@ pub struct Candidate {
 pub struct Promise {
     /// The grade.
     pub it: ItGrade,
-    /// The roughness; absent where the table does not ask for it.
+    /// The roughness; absent if the table does not require it.
     pub roughness: Option<Roughness>,
-    /// The tolerance on centre distances of its cell; absent where the table does not ask for it.
+    /// The tolerance on centre distances of its cell; absent if the table does not require it.
     pub position: Option<Micrometres>,
 }
 
@@ -89,7 +89,7 @@ pub struct RouteStep {
     pub pitch: Option<Micrometres>,
     /// Full angle of a cone, thousandths of a degree.
     pub angle_millideg: Option<u32>,
-    /// The cylinder above it that its cutter must pass; absent where there is none.
+    /// The cylinder above it that its cutter must pass; absent if there is none.
     pub within: Option<Micrometres>,
     /// What a step drill makes with the same stroke.
     pub also: Option<Micrometres>,

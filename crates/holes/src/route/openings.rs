@@ -19,7 +19,7 @@ use super::{Candidate, RouteStep, StepLocation};
 /// there already, and those of the search; a shoulder that must be flat takes only those that leave one.
 ///
 /// # Errors
-/// The knowledge cannot answer, or nothing opens it.
+/// The knowledge base has no answer, or nothing opens it.
 pub fn candidates(
     bore: &Bore,
     question: &SchemeQuestion<'_>,
@@ -62,7 +62,7 @@ pub fn candidates(
 /// The sizes of the catalogs' counterbores for about that diameter.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn counterbores(diameter: Micrometres, shop: &Shop<'_>) -> Result<Vec<Micrometres>, KnowledgeError> {
     let rule = shop.knowledge.ask(&ToolTablesFor { operation: Operation::Counterbore, diameter })?.winner()?;
     let mut sizes = Vec::new();

@@ -11,7 +11,7 @@ use super::RouteStep;
 /// rule; within a rank the narrower cylinder first, as they are given.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn sort(steps: &mut Vec<RouteStep>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let mut ranked = Vec::with_capacity(steps.len());
     // Within one cylinder its chain is already in order, and a later rank must not be overtaken by an earlier

@@ -21,12 +21,12 @@ use crate::units::{Decimal, ItGrade, Micrometres, Roughness, round_to};
 use super::bores::Bore;
 use super::{Candidate, Promise};
 
-/// What the tables are asked about.
+/// What the tables are queried for.
 #[derive(Clone, Copy, Debug)]
 pub struct SchemeQuestion<'a> {
     /// The cylinder.
     pub bore: &'a Bore,
-    /// The tolerance on centre distances that the tables are asked with.
+    /// The tolerance on centre distances that the tables are queried with.
     pub centre_tolerance: Micrometres,
     /// The same as the drawing has it: an unmachined face makes the tables be asked with a tighter one.
     pub drawn_tolerance: Micrometres,
@@ -80,7 +80,7 @@ impl Cell<'_> {
 /// grade, then finer grades (rule `empty-cell`).
 ///
 /// # Errors
-/// The knowledge cannot answer, or the tables give no scheme.
+/// The knowledge base has no answer, or the tables give no scheme.
 pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let knowledge = shop.knowledge;
     let bore = question.bore;
@@ -147,7 +147,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
 /// The stages of A.6, and whether they end on another machine.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn stages(
     question: &SchemeQuestion<'_>,
     hole: StagedHole,
@@ -169,10 +169,10 @@ pub fn stages(
     })
 }
 
-/// The filled cell of A.8 or A.9 of a cylinder's own grade and roughness; nothing where it is empty.
+/// The filled cell of A.8 or A.9 of a cylinder's own grade and roughness; none if it is empty.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn own_cell<'k>(
     question: &SchemeQuestion<'_>,
     knowledge: &'k Knowledge,
@@ -258,10 +258,10 @@ fn in_order(
     Ok(schemes.into_iter().map(|scheme| (scheme, Some(Because::answer(&answer.answer, note.clone())))).collect())
 }
 
-/// A candidate with its scheme's transitions and the centring that section 1.2.1 asks for.
+/// A candidate with its scheme's transitions and the centring that section 1.2.1 requires.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn with_transitions(
     mut candidate: Candidate,
     bore: &Bore,
@@ -319,7 +319,7 @@ pub(super) fn twin<'k>(scheme: &str, shop: &Shop<'k>) -> Result<Option<CentredTw
 /// Whether a cylinder is centred first, by the rule `centre-first`.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn centre_first(bore: &Bore, shop: &Shop<'_>) -> Result<(bool, Because), KnowledgeError> {
     let (diameter, it) = (bore.diameter.nominal, bore.diameter.it);
     let depth_ratio = Decimal::from_f64_rounded(bore.place.depth.to_mm() / diameter.to_mm());

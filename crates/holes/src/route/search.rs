@@ -58,7 +58,7 @@ pub type Cost<'a> = dyn Fn(&[RouteStep]) -> Tried<Minutes> + 'a;
 /// The routes of the search, fastest first.
 ///
 /// # Errors
-/// The knowledge cannot answer, or no path leads to the finished cylinder; the refusal names the transition
+/// The knowledge base has no answer, or no path leads to the finished cylinder; the refusal names the transition
 /// nearest to the end that failed.
 pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let mut graph = Graph::new(bore, sizes, cost, shop)?;
@@ -234,7 +234,7 @@ impl<'a, 'k> Graph<'a, 'k> {
             if previous.is_none() && state != accuracy::start(self.bore) {
                 continue;
             }
-            // A centring spot has no diameter of its own: the rule is asked with the cylinder's.
+            // A centring spot has no diameter of its own: the rule is queried with the cylinder's.
             let asked = if after > Micrometres::ZERO { after } else { self.bore.diameter.nominal };
             if !self.follows(state, asked)?.contains(&row.row.index) {
                 continue;

@@ -17,7 +17,7 @@ use super::{accuracy, bores};
 /// The answer of the tables.
 #[derive(Clone, Debug)]
 pub struct TableAnswer<'k> {
-    /// The row of A.8, A.9 or A.10; absent where their cell is empty.
+    /// The row of A.8, A.9 or A.10; absent if their cell is empty.
     pub row: Option<RowRef<'k>>,
     /// Its schemes as printed.
     pub schemes: Vec<String>,
@@ -30,7 +30,7 @@ pub struct TableAnswer<'k> {
 /// Asks the tables for the schemes of a hole's main cylinder.
 ///
 /// # Errors
-/// The knowledge cannot answer; that the drawing's tolerance cannot be read is an answer without a row.
+/// The knowledge base has no answer; that the drawing's tolerance cannot be read is an answer without a row.
 pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<TableAnswer<'k>, KnowledgeError> {
     let task = bores::task(hole, part, shop)?;
     let main = &task.main;
@@ -66,10 +66,10 @@ pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<TableAnswe
     Ok(TableAnswer { row: Some(row), schemes: schemes.into_iter().map(str::to_owned).collect(), ..nothing })
 }
 
-/// The transitions of a scheme of A.7, of `04 + centre` too; nothing where A.7 has no such scheme.
+/// The transitions of a scheme of A.7, of `04 + centre` too; none if A.7 has no such scheme.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn transitions(scheme: &str, shop: &Shop<'_>) -> Result<Option<Vec<Operation>>, KnowledgeError> {
     let (name, centred) = match scheme.strip_suffix(" + centre") {
         Some(name) => (name, true),
@@ -87,7 +87,7 @@ pub fn transitions(scheme: &str, shop: &Shop<'_>) -> Result<Option<Vec<Operation
 /// A scheme with the centring in front: its twin of the table `centred-twin`, else `04 + centre`.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn centred(scheme: &str, shop: &Shop<'_>) -> Result<String, KnowledgeError> {
     if transitions(scheme, shop)?.is_some_and(|own| own.first() == Some(&Operation::CentreDrill)) {
         return Ok(scheme.to_owned());
@@ -96,10 +96,10 @@ pub fn centred(scheme: &str, shop: &Shop<'_>) -> Result<String, KnowledgeError> 
     Ok(twin.map_or_else(|| format!("{scheme} + centre"), |twin| twin.centred.to_owned()))
 }
 
-/// The row of the rule `two-pass-drilling` that asks for two drills where one stands alone; nothing where one will do.
+/// The row of the rule `two-pass-drilling` that requires two drills where one stands alone; none if one will do.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn two_drills<'k>(diameter: Micrometres, shop: &Shop<'k>) -> Result<Option<RowRef<'k>>, KnowledgeError> {
     let question = TwoPassDrillingFor { diameter, first_drill_in_magazine: false };
     let row = shop.knowledge.ask(&question)?.need("this drill")?;

@@ -10,7 +10,7 @@ use super::tour::Space;
 /// The nodes that the search for a bound may join to trees, in all its rounds.
 const JOINED: usize = 800_000;
 
-/// The rounds that a bound over so many nodes gets where nobody asks for another number.
+/// The rounds that a bound over so many nodes gets unless another number is given.
 pub fn rounds(nodes: usize) -> usize {
     (JOINED / (nodes + nodes * nodes / 20_000).max(1)).clamp(25, 3000)
 }

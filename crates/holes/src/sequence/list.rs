@@ -45,7 +45,7 @@ pub struct ListFault {
     pub code: &'static str,
     /// What is wrong, with its figures.
     pub note: Note,
-    /// Where; absent where it concerns the whole file.
+    /// Where; absent if it concerns the whole file.
     pub place: Option<Place>,
 }
 

@@ -46,7 +46,7 @@ impl Metric {
         }
     }
 
-    /// The time that a cost means, min; nothing for a mere distance.
+    /// The time that a cost means, min; none for a mere distance.
     pub fn minutes(&self, cost: i64) -> Option<Minutes> {
         match self {
             Self::Euclid | Self::EuclidWhole => None,

@@ -1,10 +1,10 @@
 //! The order of tools and the path of each over its points.
 //!
-//! Tools change in the order in which the first hole needs them (the parallel method of textbook 1.3.1:
-//! each tool goes round all its points, then the next is taken); what that section says of each group is told
-//! beside it ([`mod@visiting`]). The path leads from the tool-change position and back, in the machine's own metric
-//! ([`metric`]): the shortest for few points, a short one for many ([`tour`]), with the book's rule, to the
-//! nearest point not yet visited, counted beside it, and a bound below which there is none ([`bound`]).
+//! Tools change in the order in which the first hole needs them (the parallel method of textbook 1.3.1: each tool goes
+//! round all its points, then the next is taken); what that section says of each group is told beside it
+//! ([`mod@visiting`]). The path leads from the tool-change position and back, in the machine's own metric ([`metric`]):
+//! the shortest for few points, a short one for many ([`tour`]), with the book's rule, to the nearest point not yet
+//! visited, counted for comparison, and a bound below which there is none ([`bound`]).
 
 pub mod bound;
 pub mod list;
@@ -69,7 +69,7 @@ pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: 
 /// carried out on it.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let job = job::make(plan, shop)?;
     let hands = job::Hands::read(shop.knowledge)?;
@@ -133,8 +133,8 @@ fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, paths: &mut Paths) -
     ToolVisit { tool, setup, stops, rapid_min, nearest_rapid_min, bound_min, path_mm }
 }
 
-/// The bound of a visit of a plan: what its rapids take at least, min. Its own time where it is proven.
-/// Absent where a bar is set by hand between its rounds over the points.
+/// The bound of a visit of a plan: what its rapids take at least, min. Its own time where it is proven. Absent if a bar
+/// is set by hand between its rounds over the points.
 pub fn visit_bound(visit: &ToolVisit, plan: &Plan, machine: &Machine<'_>) -> Option<Minutes> {
     let transition = |stop: &Stop| {
         let hole = plan.holes.iter().find(|hole| hole.name == stop.hole)?;
@@ -155,7 +155,7 @@ pub fn visit_bound(visit: &ToolVisit, plan: &Plan, machine: &Machine<'_>) -> Opt
     let space = Space::closed(&points, metric);
     let order: Vec<usize> = (0..points.len()).collect();
     let cost = space.length(&order);
-    // The withdrawals are the same in every order: only the way between the points can be saved.
+    // The withdrawals are the same in every order: only the path between the points can be saved.
     let saved =
         metric.minutes(cost - bound::lower_bound(&space, cost, bound::rounds(space.nodes()))).unwrap_or_default();
     // Rounded down, so that it stays a bound.

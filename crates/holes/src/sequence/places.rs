@@ -35,7 +35,7 @@ impl Bounds {
 
 /// What is looked for.
 pub(super) trait Quest {
-    /// What the best point of a box may cost; nothing where none of them is wanted.
+    /// What the best point of a box may cost; none if none of them is wanted.
     fn least(&self, number: usize, bounds: &Bounds) -> Option<i64>;
     /// A point that is looked at.
     fn meet(&mut self, point: usize);
@@ -43,12 +43,12 @@ pub(super) trait Quest {
 
 /// A box by its number, with where its points stand.
 #[derive(Clone)]
-struct Part {
+struct BoxOfPoints {
     number: usize,
     range: Range<usize>,
 }
 
-impl Part {
+impl BoxOfPoints {
     fn halves(&self) -> Option<[Self; 2]> {
         let Range { start, end } = self.range;
         let middle = start.midpoint(end);
@@ -66,12 +66,12 @@ impl<'p> Places<'p> {
         places
     }
 
-    fn all(&self) -> Part {
-        Part { number: 0, range: 0..self.order.len() }
+    fn all(&self) -> BoxOfPoints {
+        BoxOfPoints { number: 0, range: 0..self.order.len() }
     }
 
     /// Finds the corners of a box, and halves it across its longer side.
-    fn halve(&mut self, part: &Part) {
+    fn halve(&mut self, part: &BoxOfPoints) {
         let at = |&index: &u32| self.points[index as usize];
         let own = &mut self.order[part.range.clone()];
         let lowest = own.iter().copied().min().unwrap_or_default();
@@ -98,7 +98,7 @@ impl<'p> Places<'p> {
         boxes
     }
 
-    fn boxes_in(&self, part: &Part, boxes: &mut [Vec<u32>]) {
+    fn boxes_in(&self, part: &BoxOfPoints, boxes: &mut [Vec<u32>]) {
         self.order[part.range.clone()].iter().for_each(|&point| boxes[point as usize].push(part.number as u32));
         part.halves().iter().flatten().for_each(|half| self.boxes_in(half, boxes));
     }
@@ -108,11 +108,11 @@ impl<'p> Places<'p> {
         self.seek_in(&self.all(), quest);
     }
 
-    fn seek_in(&self, part: &Part, quest: &mut impl Quest) {
+    fn seek_in(&self, part: &BoxOfPoints, quest: &mut impl Quest) {
         let Some(mut halves) = part.halves() else {
             return self.order[part.range.clone()].iter().for_each(|&point| quest.meet(point as usize));
         };
-        let least = |half: &Part, quest: &_| Quest::least(quest, half.number, &self.bounds[half.number]);
+        let least = |half: &BoxOfPoints, quest: &_| Quest::least(quest, half.number, &self.bounds[half.number]);
         match halves.each_ref().map(|half| least(half, quest)) {
             [Some(one), Some(other)] if other < one => halves.reverse(),
             [None, Some(_)] => halves.reverse(),

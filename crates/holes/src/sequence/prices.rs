@@ -38,7 +38,7 @@ pub(super) struct Prices<'s> {
     places: Places<'s>,
     /// What each edge of a node pays.
     pub(super) of: Vec<i64>,
-    /// Of each node the others with the cost of going there; nothing of the node beside the tree.
+    /// Of each node the others with the cost of going there; none for the node beside the tree.
     pub(super) edges: Edges,
     /// Edges of each node in the last tree.
     degrees: Vec<i64>,

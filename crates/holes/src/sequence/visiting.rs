@@ -46,10 +46,10 @@ pub fn mixture(tools: usize, round: Minutes, changed: Minutes) -> Option<(usize,
 /// Which method the book's rule gives to each group with more than one tool, with the times of both; and a
 /// finding where this machine cannot keep the rule.
 ///
-/// The machine's true times count the table's way to the change position, which every change needs: for the
-/// parallel method it is in the round already; for the sequential one it is gone from and to each hole for each
-/// tool, in place of the round. As a round is never longer than going to each of its holes and back on its own,
-/// the sequential method never saves time on such a machine, and no mixture of both does.
+/// The machine's true times count the table's way to the change position, which every change needs: for the parallel
+/// method it is in the round already; for the sequential one it is gone from and to each hole for each tool, instead of
+/// the round. As a round is never longer than going to each of its holes and back on its own, the sequential method
+/// never saves time on such a machine, and no mixture of both does.
 ///
 /// # Errors
 /// The knowledge base lacks the rule.
@@ -68,7 +68,7 @@ pub fn visiting(
     Ok(all)
 }
 
-/// That the machine cannot visit a group as the rule says; nothing where it can.
+/// That the machine cannot visit a group as the rule says; none if it can.
 pub fn not_kept(own: &Visiting, machine: &Machine<'_>) -> Option<Finding> {
     if own.method == VisitingMethod::Parallel || own.finishing_tools < 2 || own.holes < 2 {
         return None;

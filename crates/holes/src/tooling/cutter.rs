@@ -32,11 +32,11 @@ pub struct Cutter<'s, 'k> {
     pub diameter: Micrometres,
     /// By what it was chosen.
     pub by: By<'k>,
-    /// What was passed over for it.
+    /// The cutters that were rejected before it.
     pub over: Vec<Note>,
 }
 
-/// By what a cutter was chosen: most are looked at and not taken, so that the words are made of it last.
+/// Why a cutter was chosen, as data: most cutters are considered and not taken, so sentences are made last.
 #[derive(Clone, Debug)]
 pub enum By<'k> {
     /// The order of the tables for a transition; `ground`: the size its row has, where it is ground down from that.
@@ -47,7 +47,7 @@ pub enum By<'k> {
         operation: Operation,
         /// The size of the catalog, where it is ground down.
         ground: Option<Micrometres>,
-        /// The size that is asked.
+        /// The size that is required.
         size: Micrometres,
     },
     /// Both diameters of a step drill.
@@ -98,7 +98,7 @@ fn steps(narrow: Micrometres, wide: Micrometres) -> Note {
     Note::new("step-drill").with("narrow", narrow).with("wide", wide)
 }
 
-/// What is asked of a cutter.
+/// What is required of a cutter.
 #[derive(Clone, Copy, Debug)]
 pub struct CutterNeed<'a> {
     /// The transition.
@@ -158,7 +158,7 @@ pub(super) type Tables<'s, 'k> = Vec<(&'k ToolHead, &'s [CutterRow<'k>])>;
 /// right size do not.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn cutters<'s, 'k>(
     need: &CutterNeed<'_>,
     shop: &'s Shop<'k>,
@@ -206,7 +206,7 @@ pub(super) fn cutters<'s, 'k>(
 /// Step drills of both diameters, in the order of the tables; class A before B, as the tables have them.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn step_drills<'s, 'k>(
     need: &CutterNeed<'_>,
     wide: Micrometres,
@@ -245,12 +245,12 @@ pub(super) fn step_drills<'s, 'k>(
     Ok((cutters, rejected))
 }
 
-/// Whether a larger cutter may be ground down to the size that is asked.
+/// Whether a larger cutter may be ground down to the size that is required.
 pub(super) fn is_grindable(operation: Operation) -> bool {
     operation.is_reaming() || operation == Operation::CoreDrill
 }
 
-/// A figure that the row of a cutter must have, whatever its table.
+/// A figure that the row of a cutter must have in every table.
 ///
 /// # Errors
 /// The row lacks it.

@@ -45,7 +45,7 @@ pub struct Assembly {
 /// Puts a cutter into the first holder that takes it.
 ///
 /// # Errors
-/// The knowledge cannot answer. That no holder fits is not an error: the inner `Err` says why.
+/// The knowledge base has no answer. That no holder fits is not an error: the inner `Err` says why.
 pub fn assemble<'k>(
     cutter: &Cutter<'_, 'k>,
     need: &CutterNeed<'_>,

@@ -1,6 +1,6 @@
 //! Cutters and holders from the catalogs, and whether they reach.
 //!
-//! - `cutter`: what is asked of a cutter, and every one that fits, in the order of the tables;
+//! - `cutter`: what is required of a cutter, and every one that fits, in the order of the tables;
 //! - `sizes`: which rows are of the right size; `reach`: why one of them cannot be used;
 //! - `holder`: the holder for its shank; [`named`]: a cutter that a plan names.
 
@@ -23,7 +23,7 @@ pub use sizes::{DrillSize, drill_sizes};
 /// The first cutter that fits together with a holder that takes it within the machine's overhang.
 ///
 /// # Errors
-/// The knowledge cannot answer. That nothing fits is not an error: the inner `Err` says why each did not.
+/// The knowledge base has no answer. That nothing fits is not an error: the inner `Err` says why each did not.
 pub fn find_tool<'s, 'k>(
     need: &CutterNeed<'_>,
     shop: &'s Shop<'k>,
@@ -36,7 +36,7 @@ pub fn find_tool<'s, 'k>(
 /// part long enough to pass through, its wide part of the form that the opening asks.
 ///
 /// # Errors
-/// As of [`find_tool`].
+/// As for [`find_tool`].
 pub fn find_step_drill<'s, 'k>(
     need: &CutterNeed<'_>,
     wide: Micrometres,

@@ -51,12 +51,12 @@ pub fn cutter_names(knowledge: &Knowledge) -> Result<Vec<NamedCutter<'_>>, Table
 /// Every holder of the catalogs.
 ///
 /// # Errors
-/// As of [`cutter_names`].
+/// As for [`cutter_names`].
 pub fn holders(knowledge: &Knowledge) -> Result<Vec<HolderRow<'_>>, TableError> {
     knowledge.tables_of::<HolderRow<'_>>().flat_map(Table::rows).collect()
 }
 
-/// Why a cutter does not do what is asked of it; nothing where it does.
+/// Why a cutter is not suitable; none if it is.
 pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Unfit> {
     let operation = need.operation;
     if !cutter.head.operations.contains(&operation) {
@@ -69,7 +69,7 @@ pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machi
     refuse(&cutter.row, need, machine)
 }
 
-/// What of a cutter is not of the size that is asked: what its kind is chosen by.
+/// Which size of a cutter, by which its kind is chosen, is not the required one.
 fn of_other_size(row: &CutterRow<'_>, need: &CutterNeed<'_>) -> OfOther {
     let operation = need.operation;
     if operation.is_boring()
@@ -100,11 +100,11 @@ pub fn of_other_bottom(cutter: &NamedCutter<'_>, through: bool) -> Option<Note> 
     (cutter.designation == stated && right != stated).then(|| Note::new(code).with("known", right))
 }
 
-/// The row of the rule `holder-for-shank` by which a cutter asks for another family of holders than this one's; nothing
-/// where it is of that family.
+/// The row of the rule `holder-for-shank` by which a cutter requires another family of holders than this one's; none if
+/// it is of that family.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn other_family<'k>(
     holder: &HolderRow<'_>,
     cutter: &NamedCutter<'_>,
@@ -116,7 +116,7 @@ pub fn other_family<'k>(
     Ok((holder.row.table.id != id).then_some((knowledge.table(id)?, family)))
 }
 
-/// Why a holder does not take a cutter; nothing where it does.
+/// Why a holder does not take a cutter; none if it does.
 pub fn not_taken(holder: &HolderRow<'_>, cutter: &NamedCutter<'_>, machine: &Machine<'_>) -> Option<HolderFault> {
     // What a family of holders is chosen by stands in its rows.
     let takes = match cutter.head.shank {
@@ -134,7 +134,7 @@ pub fn not_taken(holder: &HolderRow<'_>, cutter: &NamedCutter<'_>, machine: &Mac
 /// How far a cutter may stand out by the rule of section 5.2 item 5: least, most, and why.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn overhang<'k>(
     cutter: &NamedCutter<'k>,
     operation: Operation,

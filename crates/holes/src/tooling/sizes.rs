@@ -1,4 +1,4 @@
-//! Which rows of a table are of the size that is asked, and what sizes there are where none is.
+//! Which rows of a table are of the size that is required, and what sizes there are where none is.
 
 use std::cmp::Reverse;
 use std::rc::Rc;
@@ -115,7 +115,7 @@ pub struct DrillSize {
 /// Every drill size that this machine can hold, ascending: found once, asked for every hole.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
     let tables = shop.shelf.cutters().iter().filter(|tables| tables.head.operations.contains(&Operation::Drill));
     let mut drills = Vec::new();

@@ -91,17 +91,17 @@ crate::vocabulary! {
     pub enum Use {
         /// Code reads it.
         Planning = "planning",
-        /// It is for people; nothing reckons with it.
+        /// It is for people; nothing calculates with it.
         Documentation = "documentation",
     }
 }
 
 /// What a cell is read as.
 pub trait FromCell<'t>: Sized {
-    /// What is asked of the column.
+    /// What is required of the column.
     const SHAPE: Shape;
 
-    /// The value; nothing where the cell is not of that shape.
+    /// The value; none if the cell is not of that shape.
     fn from_cell(cell: &'t Cell) -> Option<Self>;
 }
 
@@ -110,7 +110,7 @@ pub trait FromValue<'t>: Sized {
     /// What the value is.
     const HOLDS: Holds;
 
-    /// The value; nothing where it is something else.
+    /// The value; none if it is something else.
     fn from_value(value: &'t Value) -> Option<Self>;
 }
 
@@ -119,11 +119,11 @@ pub trait AsInput {
     /// What the column must take.
     const SHAPE: Shape;
 
-    /// The input; nothing where the table's default is to stand.
+    /// The input; none if the table's default is to stand.
     fn as_input(&self) -> Option<Input<'_>>;
 }
 
-/// One column that a row type asks for.
+/// One column that a row type requires.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RequiredColumn {
     /// The name of the column, and of the field.

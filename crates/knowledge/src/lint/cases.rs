@@ -139,7 +139,7 @@ pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Holds one example against its table.
+/// Compares one example with its table.
 fn run(table: &Table, case: &Case) -> Result<(), Note> {
     let mut values: Vec<(&str, Value)> = Vec::new();
     for (name, text) in &case.given {

@@ -1,4 +1,4 @@
-//! Proof: every word of a vocabulary is answered by the tables that are asked with it.
+//! Proof: every word of a vocabulary is answered by the tables that are queried with it.
 //!
 //! The gaps themselves are found table by table ([`super::coverage`]); this is the one finding that lists the tables, for
 //! whoever adds a word.

@@ -47,7 +47,7 @@ impl Language {
     /// Reads the language of a control.
     ///
     /// # Errors
-    /// There is no such control, or a table of it is missing or lacks what is asked of it.
+    /// There is no such control, or a table of it is missing or lacks what is required of it.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         match control {
             "2c42-65" => control_2c42_65::Control::read(knowledge).map(Self::Control2c42),

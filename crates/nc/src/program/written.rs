@@ -64,7 +64,7 @@ pub struct ProgramLine {
     pub text: String,
     /// Its purpose.
     pub role: LineRole,
-    /// The work it belongs to; absent where it serves several or none.
+    /// The work it belongs to; absent if it serves several or none.
     pub work: Option<WorkRef>,
     /// The cycle of that work, where it is for one.
     pub cycle: Option<usize>,

@@ -111,7 +111,7 @@ fn about(finding: &Finding, lang: Lang) -> String {
     }
 }
 
-/// What of it: `подача S`, `позначення`; nothing where it is about the whole.
+/// What of it: `подача S`, `позначення`; none if it is about the whole.
 pub(super) fn what(finding: &Finding, lang: Lang) -> String {
     match finding.quantity {
         Some(quantity) => {

@@ -190,7 +190,7 @@ fn dots(canvas: &mut Canvas, (x, y): At) {
     }
 }
 
-/// A stretch of the way with the head of its arrow in the middle; nothing where it has no length.
+/// A stretch of the way with the head of its arrow in the middle; none if it has no length.
 fn arrow(canvas: &mut Canvas, from: At, to: At, pen: Pen) {
     let long = libm::hypot(to.0 - from.0, to.1 - from.1);
     if long < 0.5 {

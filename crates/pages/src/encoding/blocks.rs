@@ -7,7 +7,7 @@ pub(super) enum Word {
     Address(char, String),
     /// What stands in brackets or behind a semicolon: the control reads over it.
     Comment(String),
-    /// `/`: what follows is left out when the operator asks for it.
+    /// `/`: what follows is left out when the operator requires it.
     Skip,
     /// `%`: a tape or file begins or ends.
     Tape,

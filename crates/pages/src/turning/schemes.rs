@@ -10,7 +10,7 @@ use super::cells::{Cell, arrow, figure, rounded, span, table};
 use super::phrases::{said, schemes_column, terms, word};
 use super::section;
 
-/// The sections; nothing where there is no stock.
+/// The sections; none if there is no stock.
 pub(super) fn sections(page: &mut Document, found: &Schemes, lang: Lang) {
     let Some(best) = &found.best_scheme else { return };
     section(page, say!(lang, "turn-levels-and-zones"));

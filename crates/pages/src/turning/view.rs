@@ -38,7 +38,7 @@ impl View {
         length.to_mm() * self.scale
     }
 
-    /// Pieces as a path in the language of SVG; each chain of them begins anew.
+    /// Pieces as a path in the language of SVG; each chain of them begins again.
     fn path(&self, pieces: impl IntoIterator<Item = Piece>) -> String {
         let mut path = String::new();
         let mut here: Option<Point> = None;

@@ -22,7 +22,7 @@ vocabulary! {
         WithHole = "cast-or-pre-machined",
     }
 
-    /// Whether the position of the axis asks for boring.
+    /// Whether the position of the axis requires boring.
     pub enum BoringAsked {
         Asked = "asked",
         NotAsked = "not-asked",
@@ -82,13 +82,13 @@ vocabulary! {
         Deg15 = "15deg",
     }
 
-    /// The grade that a table of schemes is asked with.
+    /// The grade that a table of schemes is queried with.
     pub enum GradeAsked {
         Own = "own",
         It13 = "13",
     }
 
-    /// The column of centre tolerances that a table of schemes is asked with.
+    /// The column of centre tolerances that a table of schemes is queried with.
     pub enum CentreColumn {
         Own = "own",
         UpTo03 = "0.05-0.3",
@@ -186,7 +186,7 @@ vocabulary! {
         Counterbore = "counterbore",
     }
 
-    /// By which figure a size at worst is reckoned.
+    /// By which figure a size at worst is calculated.
     pub enum Worst {
         /// What the way reaches at best.
         Best = "best",

@@ -76,7 +76,7 @@ vocabulary! {
         Beyond = "beyond",
     }
 
-    /// How a part is held against bending.
+    /// How a part is supported against bending.
     pub enum PartSupport {
         /// In the chuck alone.
         Chuck = "chuck",
@@ -86,7 +86,7 @@ vocabulary! {
         ChuckAndCentre = "chuck-and-centre",
     }
 
-    /// What a part asks for that gives way too far.
+    /// What a part needs if it deflects too far.
     pub enum SupportAsked {
         /// Another set-up.
         SecondSetUp = "second-set-up",
@@ -309,7 +309,7 @@ rows! {
         modulus: Megapascals,
     }
 
-    /// What a slender part asks for.
+    /// What a slender part requires.
     pub struct TurningSupport of One("turning-support") asked by TurningSupportFor {
         support: PartSupport,
         slenderness: f64,

@@ -61,13 +61,13 @@ impl Convex {
         self.window
     }
 
-    /// What it sweeps on a straight way.
+    /// What it sweeps along a straight line.
     pub fn swept(&self, from: Spot, to: Spot) -> Option<Self> {
         let ends = if from == to { vec![from] } else { vec![from, to] };
         Self::hull(ends.iter().flat_map(|end| self.corners.iter().map(|corner| corner.plus(*end))))
     }
 
-    /// What it is in the half-plane, once the metal has turned: what lies beyond the axis cuts on this side of it.
+    /// The piece in the half-plane after a turn of the part: what lies beyond the axis cuts on this side of it.
     pub fn folded(self) -> Vec<Self> {
         if self.window.least.r >= 0.0 {
             return vec![self];

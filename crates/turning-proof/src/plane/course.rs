@@ -25,7 +25,7 @@ pub fn chords(centre: Spot, from: Spot, to: Spot, angle: f64) -> Vec<Spot> {
     let step = if radius > CHORD { 2.0 * libm::acos(1.0 - CHORD / radius) } else { TAU };
     let count = (angle.abs() / step).ceil().max(1.0);
     let begin = from.minus(centre);
-    // Of a radius that differs at both ends, as far as a control tolerates it, nothing jumps.
+    // If the radius differs at both ends within the tolerance of the control, it changes gradually.
     let grown = to.minus(centre).length() - radius;
     let mut ends: Vec<Spot> = (1..count as usize)
         .map(|index| {

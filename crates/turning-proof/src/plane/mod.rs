@@ -49,7 +49,7 @@ impl Spot {
         libm::hypot(self.z, self.r)
     }
 
-    /// The same direction, 1 mm long; nothing for no direction.
+    /// The same direction, 1 mm long; none for no direction.
     pub fn unit(self) -> Self {
         let length = self.length();
         if length > 0.0 { self.times(1.0 / length) } else { self }

@@ -10,7 +10,7 @@ use super::{Convex, Spot, Window};
 /// Steps of the grid in a millimetre: 10 nm, a five-hundredth of what findings tolerate.
 const GRID: f64 = 100_000.0;
 
-/// Crumbs that are smaller are dropped, in cells of the grid: 10⁻⁶ mm², such as 5 µm by 0.2 µm.
+/// Smaller regions are dropped, in cells of the grid: 10⁻⁶ mm², such as 5 µm by 0.2 µm.
 const CRUMB: u64 = 10_000;
 
 /// A closed chain of corners on the grid.
@@ -150,7 +150,7 @@ impl Region {
         self.edges().map(|(a, b)| b.minus(a).length()).sum()
     }
 
-    /// The volume of what it is when it turns round the axis, mm³ (Pappus: 2π times its static moment, edge by edge).
+    /// Its volume of revolution about the axis, mm³ (Pappus: 2π times its static moment, edge by edge).
     pub fn turned_volume(&self) -> f64 {
         std::f64::consts::TAU / 6.0 * self.edges().map(|(a, b)| a.cross(b) * (a.r + b.r)).sum::<f64>()
     }

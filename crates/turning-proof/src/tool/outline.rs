@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use super::{Cutter, Hand, Holder, Side, Tool};
 use crate::plane::{Convex, Spot, chords, turned};
 
-/// How far shanks, bars and drills go on, mm: beyond it stands the turret, of which nothing is known.
+/// The length of shanks, bars and drills, mm: the turret behind them is unknown.
 const FAR: f64 = 100.0;
 /// A bar reaches as deep as bores do, mm.
 const BAR: f64 = 500.0;
@@ -15,7 +15,7 @@ const BAR: f64 = 500.0;
 pub struct Outline {
     /// What cuts.
     pub cuts: Vec<Convex>,
-    /// What must not touch metal.
+    /// The part that must not touch metal.
     pub holds: Vec<Convex>,
 }
 
@@ -144,7 +144,7 @@ fn behind_face(holder: Holder, depth: f64) -> Vec<Spot> {
     Convex::rectangle(Spot::new(depth, 0.0), far).to_vec()
 }
 
-/// What of a drill cuts, and its shank.
+/// The cutting part of a drill, and its shank.
 fn drill(radius: f64, point_angle: f64, flute: f64) -> (Vec<Spot>, Vec<Spot>) {
     let point = (radius / libm::tan((point_angle / 2.0).to_radians())).min(flute);
     let cuts = [(0.0, 0.0), (point, radius), (flute, radius), (flute, 0.0)].map(|(z, r)| Spot::new(z, r));

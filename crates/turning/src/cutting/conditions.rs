@@ -41,9 +41,9 @@ pub struct TurningConditions {
     pub spindle_rpm: RevsPerMinute,
     /// The feed rate.
     pub feed_mm_per_min: MillimetresPerMinute,
-    /// Tool life at the spindle's step: T·(V/Vstep)^(1/m); absent where no formula is for the material.
+    /// Tool life at the spindle's step: T·(V/Vstep)^(1/m); absent if no formula is for the material.
     pub tool_life_min: Option<Minutes>,
-    /// Pz; absent where no figures are known.
+    /// Pz; absent if no figures are known.
     pub main_force_n: Option<Newtons>,
     /// Py, across the feed, in grooving against it; absent if no figures are known.
     pub radial_force_n: Option<Newtons>,
@@ -73,9 +73,9 @@ impl TurningConditions {
 
 /// Conditions of a cut at a depth. With a roughness the feed is that of finishing, but never above that of roughing.
 ///
-/// The speed is that of the tool life, held against practice, on the spindle step below it. If the spindle power is not enough, the speed is
-/// reduced until it is. Feed rates outside the range of the axis are set to its end. A grooving tool cuts its own
-/// width, whatever depth is given.
+/// The speed is that of the tool life, compared with practice, on the spindle step below it. If the spindle power is
+/// not enough, the speed is reduced until it is. Feed rates outside the range of the axis are set to its end. A
+/// grooving tool cuts its own width, whatever depth is given.
 ///
 /// # Errors No feed or speed is known; the roughness is finer than the tables or the lathe allow; the depth is not
 /// above zero; threads; a broken table.

@@ -131,7 +131,7 @@ pub fn least_finishing_depth(
 }
 
 /// Whether a tool may cut on its way back (rule `turning-cut-back`): with its second edge, φ1 being its angle then. A
-/// zigzag asks for it.
+/// zigzag requires it.
 ///
 /// # Errors The knowledge base lacks the rule, or a row of it.
 pub fn cuts_back(tool: &TurningTool<'_>, knowledge: &Knowledge) -> Result<(bool, Because), KnowledgeError> {

@@ -5,7 +5,7 @@
 //! - `laws` makes power laws of depth and speed from the coefficient tables, for one cut and one feed;
 //! - `speed` holds the formula of the speed against what shops drive;
 //! - [`rough_feed`] and [`finish_feed`] take feeds from their tables;
-//! - `stiffness` is how far a part in chuck or centres gives way;
+//! - `stiffness` is how far a part in chuck or centres deflects;
 //! - `bounds` is what tool and lathe can carry, [`limiting_depth`] the largest depth within all of it;
 //! - [`conditions`] is feed, speed, spindle step and forces at a given depth.
 //!
@@ -58,7 +58,7 @@ pub struct Cut<'a, 'k> {
     /// How far into a bore the cut goes, from its mouth; none outside, and where it is not known. A bar then stands out as
     /// far as `turning-limits` lets it.
     pub bore_depth: Option<Micrometres>,
-    /// How the part gives way there; none where it is not known or does not matter.
+    /// How the part deflects there; none if it is unknown or does not matter.
     pub part: Option<&'a Flexibility>,
 }
 

@@ -1,4 +1,4 @@
-//! The cutting speed: by the handbook's formula, held against what shops drive; where the formula has no figures for
+//! The cutting speed: by the handbook's formula, compared with what shops drive; where the formula has no figures for
 //! the material, what shops drive.
 
 use crate::error::{KnowledgeError, Tried};

@@ -5,7 +5,7 @@ use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 use crate::turning::toolpath::{Move, Purpose, Toolpath};
 
-/// How far the tool keeps off.
+/// The clearances of the tool.
 #[derive(Clone, Copy, Debug)]
 pub struct Clearance {
     /// How far before the metal the feed begins.
@@ -16,7 +16,7 @@ pub struct Clearance {
     pub wall: Half,
 }
 
-/// The way along a contour over what stands above it, both as the reference point of the tool meets them
+/// The toolpath along a contour through the stock above it, both offset for the reference point of the tool
 /// ([`crate::turning::nose`]).
 ///
 /// 1. A face at the free end is cut first, from outside towards the axis: there the edge beside the tip cuts, and the
@@ -30,8 +30,8 @@ pub fn along(contour: &Contour, standing: &Contour, clearance: Clearance) -> Too
     seen_outside(contour, standing, |contour, standing, ceiling| outside(contour, standing, ceiling, clearance))
 }
 
-/// The way along a hollow from lip to lip, down onto its beginning and up from its end. It begins and ends above what
-/// stands beside it, at a home before the whole side.
+/// The toolpath along a hollow from lip to lip, down to its beginning and up from its end. It begins and ends above the
+/// metal beside it, at a home before the whole side.
 pub fn dip(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
     seen_outside(contour, standing, |contour, standing, ceiling| {
         let Clearance { approach, .. } = clearance;
@@ -55,7 +55,7 @@ pub fn dip(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolp
     })
 }
 
-/// A way that is made outside; a bore is the same inside out.
+/// A toolpath is made for the outside; a bore is turned inside out first.
 fn seen_outside(
     contour: &Contour,
     standing: &Contour,
@@ -74,7 +74,7 @@ fn seen_outside(
     Toolpath { from: seen.from.inside_out(top), moves: moves.collect() }
 }
 
-/// The way outside; `ceiling` is where the axis is, for a bore seen inside out.
+/// The toolpath outside; `ceiling` is where the axis is, for a bore seen inside out.
 fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearance: Clearance) -> Toolpath {
     let Clearance { approach, retract, wall } = clearance;
     let limited = |radius: Half| ceiling.map_or(radius, |ceiling| radius.min(ceiling));
@@ -116,7 +116,7 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
         }
     }
     if let Some(first) = rest.first() {
-        // On the axis the metal lies all round: the way in is along it.
+        // On the axis there is metal all round, so the tool enters along it.
         let ahead = if first.from.radius <= Half::ZERO { Vector::new(1.0, 0.0) } else { first.direction_at_start() };
         let before = first.from.moved(ahead.times(-approach.to_mm()));
         let before = Point { radius: limited(before.radius), z: before.z };

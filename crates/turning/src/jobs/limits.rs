@@ -8,11 +8,11 @@ use crate::note::{Because, Figure, Note, Told};
 use crate::tables::turning::jobs::{JobLimit, JobLimits};
 use crate::units::Micrometres;
 
-/// Asks the table, and keeps what it answered.
+/// Queries the table and keeps its answers.
 #[derive(Clone, Debug)]
 pub(super) struct Limits<'k> {
     knowledge: &'k Knowledge,
-    /// The rows that were asked.
+    /// The rows that were used.
     pub because: Vec<Because>,
 }
 

@@ -1,7 +1,7 @@
-//! What the tools of a set-up do, one job after another: each with its tool, its toolpath, its speed and feeds. Programs,
-//! times, settings, drawings and the proof use nothing else of an operation.
+//! The jobs of a set-up in order, each with its tool, toolpath, speed and feeds. Programs, times, settings, drawings
+//! and the proof use nothing else of an operation.
 //!
-//! A toolpath leads the tool's **reference point**, the one whose place the offsets of the control give:
+//! A toolpath is that of the tool's **reference point**, whose place the offsets of the control give:
 //!
 //! | tool | reference point |
 //! |---|---|
@@ -107,9 +107,9 @@ pub struct Job {
     pub tool: JobTool,
     /// The surfaces that it makes or prepares.
     pub surfaces: Vec<SurfaceName>,
-    /// The way of the reference point, in the coordinates of the set-up. It begins and ends clear of the metal.
+    /// The toolpath of the reference point, in the coordinates of the set-up. It begins and ends clear of the metal.
     pub path: Toolpath,
-    /// How fast it goes.
+    /// Its speed and feeds.
     #[serde(skip)]
     pub pace: Pace,
     /// Feed, speed, spindle step and loads, if a lathe is named.
@@ -123,13 +123,13 @@ pub struct Job {
     /// The zone that it clears and the index of the work in it, of a rough job.
     #[serde(skip)]
     pub zone: Option<(usize, usize)>,
-    /// What there is to say of it: how it was divided, what limits it.
+    /// Notes: how it was divided, what limits it.
     pub notes: Vec<Note>,
     /// The rows that it rests on.
     pub because: Vec<Because>,
 }
 
-/// A tool as programs, settings and proofs know it.
+/// A tool for programs, settings and proofs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct JobTool {
     /// Its designation in the catalog.

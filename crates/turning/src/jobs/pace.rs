@@ -1,11 +1,11 @@
-//! How fast a job goes, and how long it takes.
+//! Speed and feeds of a job, and its time.
 
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::transitions;
 use crate::units::{MillimetresPerMinute, Minutes, RevsPerMinute, round_to};
 
-/// How fast a job goes.
+/// Speed and feeds of a job.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pace {
     /// By cutting conditions: the spindle, and feeds per revolution.

@@ -177,7 +177,7 @@ mod tests {
         assert!((made.pace.feeds().unwrap().plunge.0 - 0.1).abs() < 1e-9);
     }
 
-    /// A blade of 3 mm that reaches 15 mm parts a tube of Ø40 with a bore of 20; solid Ø40 asks for 20 mm and the round
+    /// A blade of 3 mm that reaches 15 mm parts a tube of Ø40 with a bore of 20; solid Ø40 requires 20 mm and the round
     /// corner, which no blade has.
     #[test]
     fn a_blade_too_short_and_jaws_too_near_are_refused() {

@@ -19,7 +19,7 @@ pub enum NoJob {
     NoTool { surface: SurfaceName },
     /// Speed or feed is not known.
     Cutting(CuttingRefusal),
-    /// It is no valley of walls and a floor.
+    /// It is not a groove with walls and a floor.
     NotAValley { surface: SurfaceName },
     /// Even the narrowest blade is wider than the room at the floor.
     TooNarrow { surface: SurfaceName, room: Half, width: Micrometres },
@@ -33,11 +33,11 @@ pub enum NoJob {
     FaceTooSmall { surface: SurfaceName, diameter: Micrometres, least: Micrometres },
     /// Its mouth does not face the free end.
     FacesChuck { surface: SurfaceName },
-    /// It goes under both sides of its mouth: no insert has both angles.
+    /// It undercuts both sides of its mouth: no insert has both angles.
     Undercut { surface: SurfaceName, main: f64, secondary: f64 },
-    /// The tool or the lathe does not bear it.
+    /// It exceeds what the tool or the lathe can carry.
     Overloaded { tool: String, bound: Bound },
-    /// No insert has that pitch.
+    /// No insert cuts that pitch.
     NoPitch { pitch: Micrometres, least: Micrometres, most: Micrometres },
     /// The table of passes has no such pitch.
     NoPasses { pitch: Micrometres },
@@ -53,7 +53,7 @@ pub enum NoJob {
     ThreadOnNoCylinder { surface: SurfaceName },
     /// No drill of the catalogs is so small, or reaches so deep.
     NoDrill { diameter: Micrometres, depth: Half },
-    /// The spindle or the drive of Z does not bear the drill at the least feed.
+    /// The drill exceeds the spindle or the drive of Z even at the least feed.
     DrillTooStrong { diameter: Micrometres, force: Newtons, most: Newtons },
     /// No centre hole is so small.
     NoCentreHole { diameter: Micrometres, least: Micrometres },

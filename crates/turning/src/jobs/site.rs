@@ -1,4 +1,4 @@
-//! Where a job works: a side of a set-up, and where a tool is clear of everything.
+//! Where a job works: the side of a set-up, and where a tool is clear of everything.
 
 use crate::error::{Refusal, Tried};
 use crate::knowledge::vocabulary::Surface;
@@ -14,13 +14,13 @@ use crate::units::Micrometres;
 
 use super::refused::NoJob;
 
-/// A side of a set-up as it is when the job begins: turned to its finished contour, but for what the job makes.
+/// The side of a set-up when the job begins: turned to its finished contour, except what the job makes.
 #[derive(Clone, Copy, Debug)]
 pub struct Site<'a> {
     /// The finished surfaces from the free end, in the coordinates of the set-up.
     pub profile: &'a Profile,
-    /// Clear of everything: outside the radius over which, inside the radius under which the tool goes by, and a Z
-    /// before the free face.
+    /// Clear of everything: the radius beyond which (in a bore below which) the tool passes, and a Z before the free
+    /// face.
     pub clear: Point,
 }
 

@@ -57,7 +57,7 @@ pub struct Task<'a, 'k> {
     pub stock: Half,
     /// How far into a bore the cut goes; none outside.
     pub bore_depth: Option<Micrometres>,
-    /// How the part gives way there.
+    /// How the part deflects there.
     pub part: Option<&'a Flexibility>,
 }
 
@@ -99,7 +99,7 @@ pub fn depth(
     }
 }
 
-/// What the part asks for where its bending leaves no sensible depth.
+/// What the part requires where its bending leaves no sensible depth.
 ///
 /// # Errors The knowledge base lacks a table.
 fn asks(limit: &LimitingDepth, bench: &Bench<'_, '_>) -> Result<Option<(Finding, Because)>, KnowledgeError> {

@@ -1,4 +1,4 @@
-//! What is cut into the finished contour of a side: grooves, reliefs, threads.
+//! The jobs that cut into the finished contour: grooves, reliefs, threads.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Finding, Severity};

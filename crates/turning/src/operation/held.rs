@@ -1,4 +1,4 @@
-//! The part as it stands in a set-up, for what bends it.
+//! The part in a set-up, to calculate its bending.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -23,10 +23,10 @@ pub struct Held {
 }
 
 impl Held {
-    /// How the part of a set-up stands; none where it is not held, or where its contours are no body.
+    /// How the part is held in a set-up; none if it is not held or its contours enclose no body.
     ///
-    /// It is taken as it will be: what the set-up turns with the finished contour, in a second set-up all of it, with its
-    /// bore. So it is never thinner than reckoned, and bends no more.
+    /// It is taken as it will be: what the set-up turns with the finished contour, in a second set-up all of it, with
+    /// its bore. So it is never thinner than calculated and never bends more.
     ///
     /// # Errors The knowledge base lacks a table.
     pub fn of(
@@ -73,12 +73,12 @@ impl Held {
         Ok(held.map(|part| Self { part, jaws_at }))
     }
 
-    /// How it gives way between two places, Z of the set-up; with a tolerance the cut finishes a diameter of it.
+    /// How it deflects between two places, Z of the set-up; with a tolerance the cut finishes a diameter of it.
     pub fn over(&self, from: Half, to: Half, tolerance: Option<Micrometres>) -> Flexibility {
         self.part.over(self.jaws_at - from, self.jaws_at - to, tolerance)
     }
 
-    /// What the part asks for where its bending leaves no sensible depth, by the rule `turning-support`.
+    /// What the part requires where its bending leaves no sensible depth, by the rule `turning-support`.
     ///
     /// # Errors The knowledge base lacks the rule, or a row of it.
     pub fn asks(&self, knowledge: &Knowledge) -> Result<(Finding, Because), KnowledgeError> {

@@ -155,8 +155,8 @@ fn rough(
     }))
 }
 
-/// A path that leaves a wall at its feed as high as a pass is deep, and at rapid only then: an edge that leans back has
-/// left metal there before its tip.
+/// A path that leaves a wall at feed by the depth of a pass, and only then at rapid: an edge that leans back has left
+/// metal in front of its tip.
 fn eased(path: &Toolpath, height: Half) -> Toolpath {
     let mut eased = Toolpath::at(path.from);
     let mut along = false;
@@ -323,12 +323,12 @@ fn allowance(side: &SideWork) -> Half {
     side.layers.allowances.iter().filter_map(|one| one.allowance_mm).max().unwrap_or(over_face)
 }
 
-/// What a finishing pass is to do.
+/// The task of a finishing pass.
 struct Finishing<'a> {
     side: Side,
-    /// What it leaves.
+    /// The contour that it leaves.
     contour: &'a Contour,
-    /// What stands before it.
+    /// The contour before it.
     standing: &'a Contour,
     /// The surfaces that it finishes.
     surfaces: Vec<&'a Surface>,
@@ -432,7 +432,7 @@ impl Finishing<'_> {
     }
 
     /// The finest roughness that the pass must leave, with the rows of those that the drawing does not give. What
-    /// another machine finishes, and what is finer than the lathe reaches, is not asked of it.
+    /// another machine finishes, and what is finer than the lathe reaches, is not required of it.
     fn roughness(&self, bench: &Bench<'_, '_>) -> Result<(Roughness, Vec<Because>), KnowledgeError> {
         let (mut finest, mut because): (Option<Roughness>, Vec<Because>) = (None, Vec::new());
         let here = self.surfaces.iter().filter(|surface| bench.elsewhere.iter().all(|one| one.surface != surface.name));
@@ -499,7 +499,7 @@ fn largest(contour: &Contour) -> Micrometres {
     contour.radii().map_or(Half::ZERO, |(_, most)| most).diameter()
 }
 
-/// The angles that a contour asks of a tool that follows it; the face at the free end asks for none.
+/// The angles that a contour asks of a tool that follows it; the face at the free end requires none.
 fn needs(contour: &Contour) -> Needs {
     let outer = |piece: &Piece| match contour.side {
         Side::Outer => *piece,

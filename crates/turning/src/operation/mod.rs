@@ -8,9 +8,9 @@
 //! 4. zones ([`crate::turning::zones`]), [`tools`] for them;
 //! 5. [`depth`]: the limiting depth, cutting conditions and feeds;
 //! 6. [`work`]: the seven schemes over each zone, and the one that is taken;
-//! 7. `unfinished`: what of the part is then still to be made, and where a path would spoil it.
+//! 7. `unfinished`: what is still to be made then, and where a path would damage the part.
 //!
-//! What a rule or a table can decide is not decided here: the rules are asked in this order, and their reasons kept.
+//! What a rule or a table can decide is not decided here: the rules are evaluated in this order and their reasons kept.
 
 pub mod by_passes;
 mod clip;

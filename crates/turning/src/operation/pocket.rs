@@ -13,7 +13,7 @@ use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::transitions::Stock;
-use crate::turning::zones::{Part, Zone, ZoneKind};
+use crate::turning::zones::{Zone, ZoneKind, ZonePart};
 
 use super::clip;
 use super::level::raised;
@@ -102,7 +102,7 @@ fn stands(stock: &Stock) -> bool {
 }
 
 /// A contour with a closed part bridged level from its lower lip.
-fn bridge(rough: &Contour, part: &Part) -> Option<Contour> {
+fn bridge(rough: &Contour, part: &ZonePart) -> Option<Contour> {
     let outer = rough.side == Side::Outer;
     let (first, last) = (part.contour.first()?.from, part.contour.last()?.to);
     // For a bore, the lower lip is the one with the larger radius.

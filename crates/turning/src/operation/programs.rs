@@ -22,7 +22,7 @@ use super::unfinished::reaches_axis;
 use super::work::ZoneWork;
 use super::{Operation, SetUpWork, proof};
 
-/// What is written of an operation.
+/// Which programs of an operation are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// Every motion by itself.

@@ -1,5 +1,5 @@
-//! An operation held against the proof of turning: what its jobs do to the stock, set-up by set-up. The proof knows
-//! nothing of how they came about; here they only change their form.
+//! Checks an operation with the turning proof: what its jobs do to the stock, set-up by set-up. The proof is
+//! independent of the planner; here jobs are only converted for it.
 
 use technolog_turning_proof as proof;
 
@@ -18,16 +18,16 @@ use proof::{At, Block, Cutter, Fault, Holder, Kind, Mm, Motion, Sense, SetUp, St
 use super::unfinished::undone;
 use super::{Operation, SetUpWork};
 
-/// What the proof says of every set-up, in the order of work.
+/// The result of the proof for each set-up, in the order of work.
 #[derive(Clone, Debug)]
 pub struct Proven {
     /// The number of the set-up.
     pub set_up: u8,
-    /// What it says; or why it says nothing.
+    /// The result; or why there is none.
     pub proof: Result<proof::Proof, proof::Refused>,
 }
 
-/// Carries the blank through the jobs of all set-ups.
+/// Simulates the jobs of all set-ups on the blank.
 pub fn prove(operation: &Operation) -> Vec<Proven> {
     prove_with(operation, motions_of)
 }
@@ -38,7 +38,7 @@ pub fn motions_of(set_up: &SetUpWork) -> Vec<Motion> {
     jobs.flat_map(|(index, job)| motions(&job.path, index)).collect()
 }
 
-/// Carries the blank through motions that somebody else gives for each set-up, with the tools of its jobs by index.
+/// Simulates given motions of each set-up on the blank, with the tools of its jobs by index.
 pub fn prove_with(operation: &Operation, motions: impl Fn(&SetUpWork) -> Vec<Motion>) -> Vec<Proven> {
     let workpiece = &operation.workpiece;
     let inner = workpiece.blank.inner.as_ref();
@@ -130,7 +130,7 @@ pub fn told<'a>(
     proof.faults.iter().filter(is_told).map(move |fault| (severity(fault), fault))
 }
 
-/// Whether a fault would spoil the part, or hit it, a holder or what stands beside it.
+/// Whether a fault would damage the part or cause a collision.
 fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
     match fault {
         Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } => false,
@@ -283,7 +283,7 @@ fn tool(tool: &JobTool) -> proof::Tool {
     let degrees = |angle: Degrees| proof::Degrees(angle.0);
     let (cutter, holder) = match &tool.body {
         Body::Drill { diameter_mm, point_angle_deg, flute_mm } => {
-            // Without a figure the whole of it cuts.
+            // If the length is unknown, the whole edge cuts.
             let flute = flute_mm.map_or(Mm(1000.0), mm);
             let point_angle = degrees(*point_angle_deg);
             (Cutter::Drill { diameter: mm(*diameter_mm), point_angle, flute }, Holder::None)
@@ -334,7 +334,7 @@ fn tool(tool: &JobTool) -> proof::Tool {
                 (Some((_, width)), _) if blade => Holder::shank_of_blade(mm(*width)),
                 (Some((_, width)), _) => Holder::shank(mm(*width), hand),
                 (None, Some(bar)) => {
-                    // Without a figure a bar enters what is a quarter wider.
+                    // If the smallest bore is unknown, a quarter more than the diameter of the bar.
                     let least = min_bore_mm.map_or(Mm(bar.to_mm() * 1.25), mm);
                     Holder::bar(mm(*bar), least)
                 }

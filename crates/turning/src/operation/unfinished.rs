@@ -1,5 +1,5 @@
-//! What the operation leaves undone, and where its paths would spoil the part. Each is a finding of severity wrong: a
-//! plan that is not whole must not pass for one that is.
+//! What the operation does not make, and where its paths would damage the part. Each is a finding of severity wrong: an
+//! incomplete plan must not look complete.
 
 use crate::note::{Finding, Note, Severity};
 use crate::turning::contour::{Side, Surface, SurfaceKind, SurfaceName};
@@ -11,7 +11,7 @@ use crate::turning::toolpath::Toolpath;
 use super::work::ZoneWork;
 use super::{Operation, SetUpWork, SideWork};
 
-/// What of the part is not made, and what would be spoilt.
+/// What of the part is not made, and what would be damaged.
 pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
     let mut findings = Vec::new();
     for set_up in &operation.set_ups {

@@ -205,7 +205,7 @@ impl InProcessStock {
         }
     }
 
-    /// Puts a stretch in place of what was there.
+    /// Puts a stretch instead of what was there.
     fn replace(&mut self, new: StockSpan) {
         let first = self.cells.partition_point(|cell| cell.to <= new.from);
         let last = self.cells.partition_point(|cell| cell.from < new.to);

@@ -1,7 +1,7 @@
 //! The items of a contour as the file has them: each value with its place, as far as it could be read.
 
 use crate::knowledge::diagnostic::Place;
-use crate::knowledge::form::{KeyOf, meant};
+use crate::knowledge::form::{Form, KeyOf, meant};
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::turning::contour::Side;
 use crate::turning::length::Half;
@@ -40,6 +40,25 @@ enum ItemKind {
     Arc,
     Thread,
     Groove,
+}
+
+impl ItemKind {
+    /// The keys of such an item.
+    fn keys(self) -> Vec<&'static str> {
+        fn names<F: Form>() -> Vec<&'static str> {
+            F::KEYS.iter().map(|key| key.name()).collect()
+        }
+        match self {
+            Self::From => names::<FromItem>(),
+            Self::Face => names::<FaceItem>(),
+            Self::Cylinder => names::<CylinderItem>(),
+            Self::Cone => names::<ConeItem>(),
+            Self::Chamfer => names::<ChamferItem>(),
+            Self::Arc => names::<ArcItem>(),
+            Self::Thread => names::<ThreadItem>(),
+            Self::Groove => names::<GrooveItem>(),
+        }
+    }
 }
 
 /// The kinds, each with the key that says so.
@@ -134,15 +153,22 @@ impl Reader<'_> {
     }
 
     fn item(&mut self, node: &Node, side: Side, owner: Owner) -> Option<ContourItem> {
-        let fields = self.problems.open_map(node)?;
+        let mut fields = self.problems.open_map(node)?;
         let mut mains = ITEMS.iter().filter(|(_, main)| node.get(main).is_some());
         let Some((kind, main)) = mains.next() else {
             let known = ITEMS.map(|(_, main)| main);
             let attributes = FaceItem::ATTRIBUTES.map(KeyOf::name);
             let NodeKind::Map(entries) = &node.kind else { return None };
-            let mistyped = |key: &str| !attributes.contains(&key) && meant(key, &known).is_some();
-            if entries.iter().any(|(key, _)| mistyped(&key.text)) {
-                let all: Vec<&str> = known.into_iter().chain(attributes).collect();
+            let mistyped = |key: &str| meant(key, &known).filter(|_| !attributes.contains(&key));
+            if let Some(main) = entries.iter().find_map(|(key, _)| mistyped(&key.text)) {
+                // The other keys of such an item are no faults.
+                let kind = ITEMS.iter().find(|(_, known)| *known == main);
+                let keys = kind.map_or_else(Vec::new, |(kind, _)| kind.keys());
+                for key in &keys {
+                    fields.take(*key);
+                }
+                let others = known.into_iter().filter(|key| !keys.contains(key));
+                let all: Vec<&str> = others.chain(keys.iter().copied()).collect();
                 fields.finish(&all, &mut self.problems);
                 return None;
             }

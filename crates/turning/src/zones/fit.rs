@@ -55,10 +55,10 @@ pub struct Fit {
     pub refused: Vec<RefusedTool>,
 }
 
-/// Compares tools with a zone. The face of the free end asks for an edge that does not lead its tip.
+/// Compares tools with a zone. The face of the free end requires an edge that does not lead its tip.
 pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
     let mut compared = Fit { fitting: Vec::new(), refused: Vec::new() };
-    let closed = |part: &&super::Part| part.kind == ZoneKind::Closed;
+    let closed = |part: &&super::ZonePart| part.kind == ZoneKind::Closed;
     let floor = zone.parts.iter().filter(closed).map(|part| part.floor_length).min();
     for tool in tools {
         let mut why = refusals(zone.needs, zone.passage, floor, tool);

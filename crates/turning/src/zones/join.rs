@@ -10,15 +10,15 @@ use crate::turning::length::Half;
 
 use super::fit::{ToolAngles, refusals};
 use super::kind::{Bounds, Circumstances, ZoneKind, scheme, together};
-use super::parts::{Needs, Part};
+use super::parts::{Needs, ZonePart};
 use super::{Feed, NOTHING, Stock, Zone};
 
 /// Groups of neighbours, each as long as one of the tools reaches all of it. From one end that gives the fewest groups.
 /// A part that no tool reaches is a group of its own.
-pub(super) fn groups(parts: Vec<Part>, tools: &[ToolAngles]) -> Vec<Vec<Part>> {
-    let mut groups: Vec<Vec<Part>> = Vec::new();
+pub(super) fn groups(parts: Vec<ZonePart>, tools: &[ToolAngles]) -> Vec<Vec<ZonePart>> {
+    let mut groups: Vec<Vec<ZonePart>> = Vec::new();
     for part in parts {
-        let reach = |group: &[Part]| {
+        let reach = |group: &[ZonePart]| {
             let touches = group.last().is_some_and(|last| last.to_z == part.from_z);
             let needs = group.iter().fold(part.needs, |sum, one| sum.and(one.needs));
             // A grooving tool goes straight in: it reaches one groove, and nothing beside it.
@@ -37,7 +37,7 @@ pub(super) fn groups(parts: Vec<Part>, tools: &[ToolAngles]) -> Vec<Vec<Part>> {
 ///
 /// # Errors The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
 pub(super) fn zone(
-    parts: Vec<Part>,
+    parts: Vec<ZonePart>,
     feed: Feed,
     stock: Stock<'_>,
     knowledge: &Knowledge,
@@ -100,7 +100,7 @@ pub struct Returns {
 ///
 /// There are no passes for a depth that is not above zero.
 pub fn idle_returns(zone: &Zone, depth: Half) -> Returns {
-    let mut parts: Vec<&Part> = zone.parts.iter().collect();
+    let mut parts: Vec<&ZonePart> = zone.parts.iter().collect();
     parts.sort_by_key(|part| part.from_z);
     if depth <= Half::ZERO {
         return Returns { depth_mm: depth, split: 0, joined: 0, saved: 0 };
@@ -110,8 +110,8 @@ pub fn idle_returns(zone: &Zone, depth: Half) -> Returns {
     let (mut split, mut joined) = (0, 0);
     let mut above = top;
     while above > lowest {
-        let here = |part: &Part| part.floor < above && part.top > above - depth;
-        let mut before: Option<&Part> = None;
+        let here = |part: &ZonePart| part.floor < above && part.top > above - depth;
+        let mut before: Option<&ZonePart> = None;
         for part in &parts {
             let goes_on = before.is_some_and(|before| before.to_z == part.from_z && before.border <= above - depth);
             if here(part) {

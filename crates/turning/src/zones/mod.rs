@@ -27,7 +27,7 @@ use super::length::{Half, negative_z};
 pub use fit::{Fit, ToolAngles, fit};
 pub use join::{Returns, idle_returns};
 pub use kind::{SchemeChoice, ZoneKind};
-pub use parts::{Needs, Part};
+pub use parts::{Needs, ZonePart};
 pub use setup::{Hold, SetUp, TurnedSide, Workpiece, least_length, set_ups};
 
 /// What is roughed in one set-up on one side, in the coordinates of that set-up.
@@ -78,7 +78,7 @@ pub struct Zone {
     pub kind: ZoneKind,
     /// Its parts: one or, for a combined zone, in the order of fig. 12.3 г, the open ones before the half-open and the
     /// closed.
-    pub parts: Vec<Part>,
+    pub parts: Vec<ZonePart>,
     /// The angles that a tool needs.
     pub needs: Needs,
     /// The narrowest place that a boring bar passes, a diameter; none outside.

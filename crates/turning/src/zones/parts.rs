@@ -41,7 +41,7 @@ impl Needs {
 
 /// A part of the stock.
 #[derive(Clone, Debug, Serialize)]
-pub struct Part {
+pub struct ZonePart {
     /// Z of its beginning, towards the chuck.
     #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from_z: Half,
@@ -56,7 +56,7 @@ pub struct Part {
     pub greatest_radius: Half,
     /// Open, half-open or closed.
     pub kind: ZoneKind,
-    /// The angles that it asks for.
+    /// The angles that it requires.
     pub needs: Needs,
     /// The length of its floor along the axis; a grooving tool must not be wider.
     #[serde(rename = "floor_length_mm")]
@@ -81,9 +81,9 @@ pub struct Part {
 /// A stock, taken apart.
 pub struct Apart {
     /// The stock before the face of the free end, if there is any; for outer stocks only.
-    pub face: Option<Part>,
+    pub face: Option<ZonePart>,
     /// The parts along the axis, from the free end.
-    pub along: Vec<Part>,
+    pub along: Vec<ZonePart>,
 }
 
 /// A part while it is collected.
@@ -213,7 +213,7 @@ fn part(
     blank: &Contour,
     top: Option<Half>,
     knowledge: &Knowledge,
-) -> Result<Part, KnowledgeError> {
+) -> Result<ZonePart, KnowledgeError> {
     let (from_z, to_z) = (draft.start_z(), draft.end_z());
     let steep: Vec<(f64, f64)> = draft.bits.iter().map(|bit| steepness(*bit)).collect();
     let steepest = |of: fn(&(f64, f64)) -> f64| Degrees(round_to(steep.iter().map(of).fold(0.0, f64::max), 4));
@@ -230,7 +230,7 @@ fn part(
     let floor_length = draft.bits.iter().filter(|bit| bit.is_cylinder()).map(|bit| bit.to.z - bit.from.z).sum();
     let (least_radius, greatest_radius) = top.map_or((floor, surface), |top| (top - surface, top - floor));
     let contour = Contour { side: Side::Outer, pieces: draft.bits.clone() };
-    Ok(Part {
+    Ok(ZonePart {
         from_z,
         to_z,
         least_radius,
@@ -267,7 +267,7 @@ fn surface(blank: &Contour, from: Half, to: Half) -> Half {
 }
 
 /// The stock before the face of the free end.
-fn face(rough: &Contour, blank: &Contour, knowledge: &Knowledge) -> Result<Option<Part>, KnowledgeError> {
+fn face(rough: &Contour, blank: &Contour, knowledge: &Knowledge) -> Result<Option<ZonePart>, KnowledgeError> {
     let (Some(part), Some(raw)) = (rough.start(), blank.start()) else { return Ok(None) };
     if raw.z >= part.z {
         return Ok(None);
@@ -275,7 +275,7 @@ fn face(rough: &Contour, blank: &Contour, knowledge: &Knowledge) -> Result<Optio
     let bounds = Bounds { ahead: false, behind: false };
     let classified = alone(bounds, knowledge)?;
     let most = surface(blank, raw.z, part.z);
-    Ok(Some(Part {
+    Ok(Some(ZonePart {
         from_z: raw.z,
         to_z: part.z,
         // The nose of a tool leads it beyond the axis.

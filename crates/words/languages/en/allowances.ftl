@@ -1,5 +1,5 @@
 no-lathe-to-compare = no lathe is named: there is nothing to compare the accuracy and roughness of the surfaces with
-no-grade-to-compare = { $surface }: neither grade nor roughness is given, so there is nothing to compare with the lathe
+no-grade-to-compare = { $surface }: neither grade nor roughness is given, so it cannot be compared with what the lathe reaches
 finished-elsewhere = { $surface }: the lathe does not hold its accuracy or roughness; the later operation is { $operation }
 finished-elsewhere-unknown = { $surface }: the lathe does not hold its accuracy or roughness, and what finishes it is not known; no intermediate allowance is left
 elsewhere-allowance = { $surface }: intermediate allowance { $allowance } mm on one side

@@ -27,6 +27,7 @@ trace-on = on
 trace-off = off
 trace-left = left
 trace-right = right
+trace-min = min
 trace-lead = lead
 trace-away = away
 trace-thread = thread

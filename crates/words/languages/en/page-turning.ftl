@@ -161,7 +161,7 @@ turn-panel = { $variant }: cutting path { $path } mm, { $count } { $count ->
 turn-frames = { $variant }: { $path } mm, { $count } { $count ->
         [one] pass
        *[other] passes
-    }; pale: what still stands
+    }; pale: in-process stock
 turn-frame = { $number }. { $kind }, { $length } mm, { $sum } in all
 turn-scheme-panel = { $scheme }: cutting { $cutting } mm, idle { $idle } mm, { $time } min
 turn-working-feed = working feed

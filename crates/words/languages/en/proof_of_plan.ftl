@@ -22,9 +22,9 @@ not-proven = the plan is not proven: { $why }
 reamed-short = over the flat floor the reamer leaves { $lead } mm of the depth unreamed: its lead
 lost-by-preference = the tables are preferred; it would be quicker by { $quicker } min
 tables-preferred = the tables are preferred: { $own } min; the best plan takes { $best } min and saves { $saves } min
-no-place-for-clamps = two or four straps find no place on the face that holds: { $why }; a vice, or a fixture of its own, is needed, against M = { $torque } N·m
+no-place-for-clamps = there is no place on the face where two or four straps would hold the part: { $why }; a vice or a special fixture is needed, to hold against M = { $torque } N·m
 proof-too-fast = { $operation }: speed { $value } m/min > { $percent } % of the upper end of practice, { $usual } m/min
 proof-twists = { $operation }: torque { $value } N·m > { $limit } N·m that the drill of Ø{ $drill } bears
 proof-buckles = { $operation }: thrust { $value } N > { $limit } N that the drill of Ø{ $drill } with flutes of { $flutes } mm bears without buckling
 proof-bar-slender = { $operation }: the bar reaches out { $reach } mm > { $ratio } times its diameter of { $bar } mm
-proof-bar-springs = { $operation }: the bar gives way by { $spring } mm on the diameter to uneven stock > { $tolerance } mm of tolerance
+proof-bar-springs = { $operation }: uneven stock deflects the bar by { $spring } mm on the diameter > { $tolerance } mm of tolerance

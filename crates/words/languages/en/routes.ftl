@@ -13,10 +13,10 @@ bored-by-another = { $operation } is another transition's work here
 no-centre-in-a-hole = no centring: there is a hole already (grade { $it }, Ø{ $diameter }, { $ratio } D)
 # What a route holds.
 reaches = reaches grade { $it }, { $roughness }
-rough-face = drilling into an unmachined face costs { $percent } % of the accuracy of centre distances; the tables are asked with a tighter tolerance
+rough-face = drilling into an unmachined face costs { $percent } % of the accuracy of centre distances; the tables are queried with a tighter tolerance
 misses-grade = by the tables it reaches grade { $it }, but { $asked } is required
 misses-roughness = by the tables it reaches { $roughness }, but { $asked } is required
-chamfer-inside-thread = the chamfer Ø{ $diameter } is narrower than the thread { $thread }: it leads no tap in
+chamfer-inside-thread = the chamfer Ø{ $diameter } is narrower than the thread { $thread }: it does not guide the tap
 reaches-again = the same again by a wider tool: grade { $it }, { $roughness }
 reaches-by-itself = prepares the next transition: by itself grade { $it }, { $roughness }
 reaches-no-worse = prepares the next transition and makes nothing worse: grade { $it }, { $roughness }

@@ -4,8 +4,8 @@ element-by-kind = { $surface }: an additional element by its kind; tool: { $take
 element-rises = { $surface }: it rises { $rise }°, steeper than φ = { $main }°; tool: { $take }
 element-falls = { $surface }: it falls { $fall }°, steeper than φ1 = { $secondary }°; tool: { $take }
 element-leads-back = { $surface }: it leads back towards the free end, or lies under what does; tool: { $take }
-element-in-shadow = { $surface }: it lies behind a steep fall, where a tool with φ1 = { $secondary }° does not come; tool: { $take }
-element-in-corner = { $surface }: it lies before a steep rise, where a tool with φ = { $main }° does not come; tool: { $take }
+element-in-shadow = { $surface }: it lies behind a steep fall, where a tool with φ1 = { $secondary }° does not reach; tool: { $take }
+element-in-corner = { $surface }: it lies before a steep rise, where a tool with φ = { $main }° does not reach; tool: { $take }
 element-in-valley = { $surface }: a wall of a valley whose floor the tool does not reach; tool: { $take }
 element-beyond = { $surface }: it lies behind a fall after which the contour never rises again, so it is turned from the other end
 element-partly = { $surface }: a part of it the tool would make, but the whole element is additional
@@ -29,4 +29,4 @@ tool-wider-than-groove = the tool is { $width } mm wide, the floor { $floor } mm
 tool-only-for-grooves = a grooving tool is for closed zones, and this one is { $kind }
 jaws-close = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm; turning they sweep at most Ø{ $sweep }
 jaws-close-alone = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm
-jaws-grip-little = set-up { $number }: to stay off the tool the jaws grip { $length } mm, and { $least } mm are wanted: grip it by bored jaws, or take less depth
+jaws-grip-little = set-up { $number }: to stay off the tool the jaws grip { $length } mm, and { $least } mm are required: use bored jaws, or a smaller depth of cut

@@ -3,11 +3,11 @@ check-title = Перевірка програми { $program }
 check-made = Зроблено з того, що вимагає план
 check-not-compared = програму не порівняно з деталлю: програма з помилкою в тексті не виконується
 check-mend-first = виправте помилки, названі вище, і перевірте ще раз
-check-trace = Рухи: рядок, кадр, рух, положення осей верстата, мм
-trace-rapid = швидко
+check-trace = Переміщення: рядок, кадр, дія, положення осей верстата, мм
+trace-rapid = прискор.
 trace-feed = подача
-trace-arc-cw = дуга-G2
-trace-arc-ccw = дуга-G3
+trace-arc-cw = дуга G2
+trace-arc-ccw = дуга G3
 trace-dwell = пауза
 trace-spindle = шпиндель
 trace-coolant = МОР
@@ -21,16 +21,17 @@ trace-centre = центр
 trace-turns = обертів
 trace-s = с
 trace-stopped = стоїть
-trace-clockwise = за-год.-стрілкою
-trace-counterclockwise = проти-год.-стрілки
+trace-clockwise = за год. стрілкою
+trace-counterclockwise = проти год. стрілки
 trace-on = увімкнено
 trace-off = вимкнено
 trace-left = ліворуч
 trace-right = праворуч
+trace-min = хв
 trace-lead = крок
-trace-away = в-нуль
+trace-away = відвід
 trace-thread = різь
-trace-optional = за-потреби
+trace-optional = за потреби
 check-errors = { $count } { $count ->
         [one] помилка
         [few] помилки
@@ -47,10 +48,10 @@ check-notes = { $count } { $count ->
        *[many] зауважень
     }
 check-times = Час, хв
-check-times-of = { $total } (робоча подача – { $feed }, прискорені переміщення – { $rapid }, паузи – { $dwell }, заміна інструмента – { $change })
-check-lathe-times = подача { $feed }, витримки { $dwell }; прискорених ходів і змін інструмента не враховано: назвіть верстат через --machine
-check-lathe-times-of = { $total } (подача { $feed }, прискорено { $rapid }, витримки { $dwell }); не враховано зміни інструмента та прискорені ходи невідомої довжини: { $left }
-check-lathe-trace = Рухи: рядок, рух, положення (діаметр, Z) у мм
+check-times-of = { $total } (робоча подача – { $feed }, холості ходи – { $rapid }, паузи – { $dwell }, заміна інструмента – { $change })
+check-lathe-times = робоча подача { $feed }, паузи { $dwell }; холостих ходів і заміни інструмента не враховано: назвіть верстат через --machine
+check-lathe-times-of = { $total } (робоча подача { $feed }, холості ходи { $rapid }, паузи { $dwell }); не враховано заміни інструмента та холості ходи невідомої довжини: { $left }
+check-lathe-trace = Переміщення: рядок, дія, положення (діаметр, Z), мм
 # The knowledge base that was checked.
 lint-title = Перевірка бази знань
 lint-documentation = Графи й рядки лише для читача

@@ -127,7 +127,7 @@ turn-jobs = Переходи за інструментами
 turn-job = Перехід
 turn-job-nose = r
 turn-job-of = установ { $number }
-turn-job-time = Установ { $number }: різання і прискорені ходи { $time } хв, { $count ->
+turn-job-time = Установ { $number }: різання і холості ходи { $time } хв, { $count ->
         [one] інструмент
         [few] інструменти
        *[many] інструментів

@@ -134,7 +134,7 @@ impl Bench {
         (String::from_utf8([output.stdout, output.stderr].concat()).unwrap(), output.status.code())
     }
 
-    /// The knowledge as it stands now, held against the contracts of the code.
+    /// The knowledge as it stands now, compared with the contracts of the code.
     pub fn knowledge(&self) -> Knowledge {
         let files = Knowledge::read_folder(&self.folder).unwrap();
         let files: Vec<SourceFile<'_>> = files.iter().map(|(path, text)| SourceFile { path, text }).collect();

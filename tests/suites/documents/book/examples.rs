@@ -8,7 +8,7 @@ use super::shell::Shell;
 /// Pages whose `yaml` blocks are tables, cases and settings. Other tests hold those.
 const OTHER: [&str; 6] = ["adding", "cases", "catalog-format", "control-2c42-65", "tables", "turning-lecture"];
 
-/// A part that is whole but for its holes.
+/// A part that is whole except for its holes.
 const PART: &str =
     "part: P\nmaterial: steel-45\nblank: {kind: plate, length: 500, width: 300, thickness: 40}\nmachine: gf2171\n";
 const HOLE: &str = "name: A\ndiameter: 10H12\nthrough: true\nroughness: Ra 12.5\ncentre_tolerance: 0.46\n";

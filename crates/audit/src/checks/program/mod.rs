@@ -29,10 +29,10 @@ use super::super::quantity::Quantity as Q;
 use causes::Seen;
 use stated_plan::{NotComparable, Reading, held, unordered};
 
-/// The transitions of every hole as a plan states them; nothing where it does not say enough.
+/// The transitions of every hole as a plan states them; none if it does not say enough.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn stated_holes(context: &Context<'_>, graph: &Graph<'_>) -> Result<Option<Vec<HolePlan>>, KnowledgeError> {
     let plan = unordered(context, graph, &Setting::default(), Reading::Stated)?;
     Ok(plan.ok().map(|plan| plan.holes))

@@ -41,7 +41,7 @@ type Comparable<T> = Result<T, NotComparable>;
 /// The stated plan in our own form, or why that is impossible.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn held(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -59,7 +59,7 @@ pub(super) fn held(
 /// The same without the order over the points.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub(super) fn unordered(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -254,7 +254,7 @@ impl Making<'_, '_, '_> {
         })
     }
 
-    /// The transition with the speed and feed of its row; nothing where neither the plan nor ours has them.
+    /// The transition with the speed and feed of its row; none if neither the plan nor ours has them.
     fn conditions(&self, at: usize, ours: bool, mut made: Transition) -> Option<Transition> {
         let figure = |quantity: fn(&super::super::super::stated::Conditions) -> Q| {
             let conditions = self.context.stated.conditions_of(at)?;

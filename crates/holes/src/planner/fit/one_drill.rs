@@ -1,4 +1,4 @@
-//! Two drills against one: what the second one costs in time and saves in thrust.
+//! Two drills compared with one: what the second one costs in time and saves in thrust.
 
 use crate::cutting;
 use crate::error::KnowledgeError;
@@ -18,11 +18,11 @@ pub(super) struct SingleDrill {
     thrust: Option<Newtons>,
 }
 
-/// What it depends on: the step's place, its diameters, its passes, the grade that is asked, and what follows.
+/// What it depends on: the step's place, its diameters, its passes, the grade that is required, and what follows.
 pub(super) type SingleKey = (StepLocation, Micrometres, Option<Micrometres>, u32, Option<ItGrade>, Option<Operation>);
 
 impl Fitting<'_, '_> {
-    /// Says what the second drill costs in time and saves in thrust against one drill of full size.
+    /// Reports what the second drill costs in time and saves in thrust, compared with one drill of full size.
     pub fn compare_with_one_drill(&self, fitted: &mut [Fitted]) -> Result<(), KnowledgeError> {
         let Some(second) = fitted
             .iter()

@@ -24,11 +24,11 @@ pub struct Range<'k> {
     pub least_is_ours: bool,
 }
 
-/// The range of a transition after another in a hole of that nominal diameter; nothing for those that neither section
+/// The range of a transition after another in a hole of that nominal diameter; none for those that neither section
 /// 1.2.1 nor practice gives a stock.
 ///
 /// # Errors
-/// The knowledge cannot answer.
+/// The knowledge base has no answer.
 pub fn range<'k>(
     operation: Operation,
     previous: Option<Operation>,

@@ -37,8 +37,8 @@ impl Effort {
     }
 }
 
-/// The tries where nobody asks for another number: what half a second allows, as making ready takes longer the more
-/// points there are.
+/// The tries unless another number is given: what half a second allows, as making ready takes longer the more points
+/// there are.
 pub fn usual_tries(points: usize) -> u64 {
     const MOST: u64 = 10_000;
     MOST.saturating_sub(points as u64).max(200)

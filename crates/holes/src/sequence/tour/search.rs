@@ -1,10 +1,10 @@
 //! Many points: the book's tour, improved, then kicked and improved again as long as one may.
 //!
-//! A kick turns the order of three neighbouring stretches round (the double bridge of Martin, Otto and Felten, 1991), so
-//! that only their ends have to be looked at again. What it costs depends on the stretches alone, not on the length of the
-//! tour. A kick that does not pay is undone, or sometimes followed by a few more beside it and undone with them if these
-//! do not pay either. Where nothing pays for long the search begins anew, and the best tour is remembered. Nothing looks
-//! ahead to the end, so a search of so many tries is the beginning of every longer one.
+//! A kick turns the order of three neighbouring stretches round (the double bridge of Martin, Otto and Felten, 1991),
+//! so that only their ends have to be looked at again. What it costs depends on the stretches alone, not on the length
+//! of the tour. A kick that does not pay is undone, or sometimes followed by a few more beside it and undone with them
+//! if these do not pay either. Where nothing pays for long the search begins again, and the best tour is remembered.
+//! Nothing looks ahead to the end, so a search of so many tries is the beginning of every longer one.
 
 use super::Space;
 use super::candidates::Candidates;
@@ -18,7 +18,7 @@ const ONE_OF: usize = 5;
 const FOLLOWED: usize = 4;
 const BESIDE: usize = 100;
 const LOSS: i64 = 3;
-/// After so many tries for each node in which nothing paid, the search begins anew: other kicks lead elsewhere.
+/// After so many tries for each node in which nothing paid, the search begins again: other kicks lead elsewhere.
 const PATIENCE: u64 = 2;
 /// The fewest nodes whose tour can be kicked.
 const FEWEST: usize = 8;

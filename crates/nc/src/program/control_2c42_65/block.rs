@@ -44,7 +44,7 @@ pub(super) struct Maker<'a> {
     pub budget: usize,
 }
 
-/// What a block asks for beside its steps.
+/// What a block requests besides its steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum After {
     /// The next block.
@@ -56,7 +56,7 @@ pub(super) enum After {
 }
 
 impl Maker<'_> {
-    /// Tells a breach of a rule.
+    /// Reports a broken rule.
     pub(super) fn fault(&mut self, code: &'static str, span: Span) {
         self.tell(code, span, &[]);
     }
@@ -118,7 +118,7 @@ impl Maker<'_> {
         }
     }
 
-    /// F, S, T, D, H, R, Q, held against the machine.
+    /// F, S, T, D, H, R, Q, compared with the machine.
     fn take_numbers(&mut self, words: &BlockWords) {
         if let Some(feed) = words.get('F') {
             self.take_feed(feed);

@@ -61,7 +61,7 @@ pub(super) struct Cycle {
     pub out_at_feed: bool,
 }
 
-/// What belongs to the codes of functions, or to the letters of addresses: an array, since every word asks for it.
+/// What belongs to the codes of functions, or to the letters of addresses: an array, since every word needs it.
 #[derive(Clone, Debug)]
 pub(super) struct ByCode<T>(Vec<Option<T>>);
 
@@ -122,7 +122,7 @@ impl Control {
     /// Reads the language from the tables.
     ///
     /// # Errors
-    /// A table is missing or lacks what is asked of it.
+    /// A table is missing or lacks what is required of it.
     pub fn read(knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let table = knowledge.table_of::<Record<'_>>()?;
         let record: Vec<Record<'_>> = table.rows().collect::<Result<_, _>>()?;

@@ -258,7 +258,7 @@ fn meeting(first: &Element, second: &Element, end: Point, start: Point, offset: 
     let turn = before[0] * behind[1] - before[1] * behind[0];
     let onwards = before[0] * behind[0] + before[1] * behind[1] > 0.0;
     if onwards && turn.abs() < SMOOTH {
-        // Tangent but for the rounding of the numbers.
+        // Tangent except for the rounding of the numbers.
         return Some(near.map_or(vec![end, start], |point| vec![point]));
     }
     // Of an exact turning round neither side is the inside.

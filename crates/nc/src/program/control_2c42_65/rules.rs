@@ -91,7 +91,7 @@ pub(super) const RULES: &[Rule] = &[
     ("cycle-at-tool-change", Warning, "3.12.1*"),
 ];
 
-/// A breach of a rule.
+/// A broken rule.
 pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
     Fault::of(RULES, code, span, block)
 }

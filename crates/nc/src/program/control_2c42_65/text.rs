@@ -109,7 +109,7 @@ impl SourceLine<'_> {
         Span { line: self.number, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
     }
 
-    /// One line; nothing of an empty one and of the sign `%` that begins a tape.
+    /// One line; none for an empty one and of the sign `%` that begins a tape.
     fn block(&mut self) -> Option<Block> {
         let before = self.faults.len();
         let end = self.text.trim_end().len();

@@ -35,7 +35,7 @@ pub(super) struct Maker<'a> {
     pub used: [bool; 26],
 }
 
-/// What a block asks for beside its steps.
+/// What a block requests besides its steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum After {
     /// The next block.
@@ -47,7 +47,7 @@ pub(super) enum After {
 }
 
 impl Maker<'_> {
-    /// Tells a breach of a rule.
+    /// Reports a broken rule.
     pub(super) fn fault(&mut self, code: &'static str, span: Span) -> &mut Fault {
         self.faults.push(fault(code, span, self.block.number));
         let last = self.faults.len() - 1;
@@ -95,7 +95,7 @@ impl Maker<'_> {
         after
     }
 
-    /// F, S, T, held against the machine.
+    /// F, S, T, compared with the machine.
     fn numbers(&mut self, words: &BlockWords) {
         if let Some(feed) = self.take(words, 'F') {
             self.state.feed = feed.value() * if self.state.inches() { 25.4 } else { 1.0 };
@@ -297,7 +297,7 @@ impl Maker<'_> {
         self.steps.push(MotionStep { motion, at: self.state.at, block: self.block });
     }
 
-    /// One more step to a position; nothing where a straight motion would not move.
+    /// One more step to a position; none if a straight motion would not move.
     pub(super) fn go(&mut self, motion: Motion, to: Position, floating: [Floating; 3], span: Span) {
         let from = std::mem::replace(&mut self.state.at, to);
         self.state.floating = floating;

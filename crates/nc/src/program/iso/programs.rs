@@ -20,7 +20,7 @@ pub(super) struct Programs {
     pub passed: BTreeMap<usize, usize>,
 }
 
-/// What a call asks for.
+/// What a call requires.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Call {
     pub name: String,

@@ -76,7 +76,7 @@ pub(super) const RULES: &[Rule] = &[
     ("tap-counterclockwise", Error, "cycles"),
 ];
 
-/// A breach of a rule.
+/// A broken rule.
 pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
     Fault::of(RULES, code, span, block)
 }

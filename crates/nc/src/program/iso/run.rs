@@ -132,7 +132,7 @@ impl<S: Sink> ProgramRun<'_, S> {
         };
         let after = maker.make(words);
         let Maker { state, steps, faults, .. } = maker;
-        // Nothing of a block that is not good, but its modes.
+        // Of a block with an error only the modes are kept.
         self.running.carry_out(&steps, faults, steps.len());
         self.state = state;
         match (after, &block.label) {

@@ -101,7 +101,7 @@ impl SourceLine<'_> {
         Span { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
     }
 
-    /// One line; nothing of one that is empty or all comment.
+    /// One line; none for one that is empty or all comment.
     fn block(&mut self, line: &str) -> Option<Block> {
         let before = self.faults.len();
         let characters = self.characters(line);

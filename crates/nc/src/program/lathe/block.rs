@@ -1,5 +1,5 @@
-//! One block, on a copy of the state: words are read, everything is checked while motions are made, and only when nothing
-//! is wrong the motions go out.
+//! One block, on a copy of the state: words are read and everything is checked while motions are made; motions are
+//! output only if there is no error.
 //!
 //! The order within a block: modes; feed, speed, tool; spindle and coolant; dwell; the motion or the cycle; stop and end.
 
@@ -16,7 +16,7 @@ use crate::program::{Fault, Span};
 use crate::tables::controls::lathe_reading::{Does, LatheGroup};
 use crate::units::{MillimetresPerRev, Seconds};
 
-/// A block on its way.
+/// A block during its execution.
 pub(super) struct Maker<'a> {
     pub language: &'a LatheLanguage,
     pub state: State,
@@ -26,11 +26,11 @@ pub(super) struct Maker<'a> {
     pub number: Option<u32>,
     /// Whether a cycle makes the motions.
     pub of_cycle: bool,
-    /// Motions that may still be made.
+    /// How many more motions may be made.
     pub budget: usize,
 }
 
-/// What a block asks for beside its motions.
+/// What a block requests besides its motions.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum After {
     Next,
@@ -50,7 +50,7 @@ pub(super) struct Shape {
 const ARC_TOLERANCE: (f64, f64) = (0.005, 0.001);
 
 impl Maker<'_> {
-    /// Tells a breach of a rule.
+    /// Reports a broken rule.
     pub fn tell(&mut self, code: &'static str, span: Span) {
         self.faults.push(fault(code, span, self.number));
     }
@@ -67,7 +67,7 @@ impl Maker<'_> {
         self.language.kind == kind
     }
 
-    /// Lets a motion out of the block.
+    /// Outputs a motion of the block.
     pub fn put(&mut self, act: LatheAct, to: LathePlace) {
         let (from, modes, line, of_cycle) = (self.state.at, self.state.lathe_modes(), self.span.line, self.of_cycle);
         self.motions.push(LatheMotion { act, from, to, modes, line, of_cycle });
@@ -271,7 +271,7 @@ impl Maker<'_> {
         After::Next
     }
 
-    /// Words that nothing asked for.
+    /// Words that no function used.
     pub fn unused(&mut self, words: &BlockWords) {
         if self.broken() {
             return;
@@ -316,7 +316,7 @@ impl Maker<'_> {
         }
     }
 
-    /// To where the system of the part does not reach: the axes that are named are unknown behind it.
+    /// To a place whose part coordinates are unknown: the named axes are unknown afterwards.
     fn away(&mut self, words: &BlockWords, axes: bool, span: Span) {
         self.start_said(span);
         let mut to = self.state.at;

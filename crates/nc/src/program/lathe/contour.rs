@@ -1,7 +1,7 @@
 //! Contours of cycles: lines and arcs in the half-plane, in the frame in which passes go towards smaller `z` and come
 //! deeper towards smaller `x`. What differs between outside and inside, along and across, is a turn of this frame.
 
-/// Two lengths that are taken for one, mm.
+/// Lengths that differ less are equal, mm.
 pub(super) const SAME: f64 = 1e-6;
 
 /// A point: `z` along the passes, `x` square to them, mm.

@@ -1,4 +1,4 @@
-//! The language of a control of lathes as data, from the tables lathe-functions and lathe-read-cycles.
+//! The language of a lathe control as data, from the tables lathe-functions and lathe-read-cycles.
 
 use std::collections::BTreeMap;
 
@@ -34,7 +34,7 @@ impl LatheLanguage {
     /// Reads the language of a control.
     ///
     /// # Errors
-    /// There is no such control, or a table is missing or lacks what is asked of it.
+    /// There is no such control, or a table is missing or lacks what is required of it.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let unknown = || KnowledgeError::lacks("lathe-functions", note!("nc-interpreter", control = control));
         let kind = LatheReader::from_word(control).ok_or_else(unknown)?;

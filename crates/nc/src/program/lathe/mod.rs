@@ -1,12 +1,12 @@
-//! Programs of lathes read back: LinuxCNC, Fanuc (0i-TF, system A) and Sinumerik. docs/lathe-programs-read.md tells what of
-//! the three languages is carried out. Nothing here is shared with who writes such programs.
+//! Programs of lathes read back: LinuxCNC, Fanuc (0i-TF, system A) and Sinumerik. docs/lathe-programs-read.md says what
+//! of the three languages is read. Nothing here is shared with the code that writes such programs.
 //!
 //! - `control` the language as data, from the tables lathe-functions and lathe-read-cycles;
 //! - `text` blocks with their places, `expression` numbers that depend on parameters, `words` the words of a block;
 //! - `block` one block and the motions it makes, `state` what stays from block to block;
 //! - `contour` pieces of contours and the frame of passes, `roughing` passes over them, `cycles` the cycles that make
 //!   passes of a contour, `threads` those that cut threads;
-//! - `run` the way through the blocks; `motion` what comes of it; `time` how long it takes; `rules` every rule.
+//! - `run` the execution of the blocks; `motion` the result; `time` how long it takes; `rules` every rule.
 
 mod block;
 mod contour;

@@ -1,4 +1,4 @@
-//! What a program of a lathe does, whatever its control: the motions of the tool in the half-plane of the part.
+//! The motions of a lathe program, the same for every control: the motions of the tool in the half-plane of the part.
 //!
 //! Positions are those of the programmed point of the tool in the system of the part: the radius (never the diameter) and
 //! Z, mm, as the program has it. Seen with Z to the right and the radius upwards.
@@ -112,7 +112,7 @@ pub enum LatheAct {
     },
     /// A line bound to the spindle.
     Thread {
-        /// The way along the line in one turn.
+        /// Travel along the line per turn of the spindle.
         lead: MillimetresPerRev,
     },
     /// The axes wait.

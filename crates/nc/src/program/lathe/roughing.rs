@@ -7,7 +7,7 @@
 
 use super::contour::{Leg, Round, SAME, Spot, Stroke};
 
-/// What keeps passes from being made.
+/// Why passes cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum NoPasses {
     /// More strokes than the budget.
@@ -30,7 +30,7 @@ pub(super) struct Passes {
 /// The passes over a contour with hollows; the first piece leads from the beginning down to the contour.
 pub(super) fn hollows(legs: &[Leg], passes: Passes) -> Result<Vec<Stroke>, NoPasses> {
     let Some(first) = legs.first() else { return Ok(Vec::new()) };
-    let mut way = Way {
+    let mut roughing = HollowRoughing {
         legs,
         passes,
         strokes: vec![Stroke::Rapid(first.from)],
@@ -41,12 +41,12 @@ pub(super) fn hollows(legs: &[Leg], passes: Passes) -> Result<Vec<Stroke>, NoPas
     let mut from = Some(0);
     // Each turn takes one hollow; behind it the walk along the contour finds the next.
     while let Some(index) = from {
-        from = way.hollow(index)?;
+        from = roughing.hollow(index)?;
     }
-    Ok(way.strokes)
+    Ok(roughing.strokes)
 }
 
-/// What the walk down a piece came to.
+/// Where the descent along a piece ended.
 enum Down {
     /// It does not fall.
     Rises,
@@ -54,7 +54,7 @@ enum Down {
     Fell,
 }
 
-struct Way<'a> {
+struct HollowRoughing<'a> {
     legs: &'a [Leg],
     passes: Passes,
     strokes: Vec<Stroke>,
@@ -63,7 +63,7 @@ struct Way<'a> {
     left: usize,
 }
 
-impl Way<'_> {
+impl HollowRoughing<'_> {
     fn put(&mut self, stroke: Stroke) {
         self.strokes.push(stroke);
         self.at = stroke.end();
@@ -74,7 +74,7 @@ impl Way<'_> {
         Ok(())
     }
 
-    /// Cuts a hollow out, then goes up behind it; the piece that falls into the next.
+    /// Clears a hollow, then follows the contour up behind it; returns the piece that falls into the next hollow.
     fn hollow(&mut self, mut index: usize) -> Result<Option<usize>, NoPasses> {
         let mut level = self.top;
         while index < self.legs.len() {

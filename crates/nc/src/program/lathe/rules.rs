@@ -71,7 +71,7 @@ pub(super) const RULES: &[Rule] = &[
     ("lathe-arc-unsaid", Error, "cycles"),
 ];
 
-/// A breach of a rule.
+/// A broken rule.
 pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
     Fault::of(RULES, code, span, block)
 }

@@ -175,7 +175,7 @@ struct Run<'a> {
 }
 
 /// Where the run goes after a block.
-enum Way {
+enum Next {
     On,
     To(usize),
     Back,
@@ -184,7 +184,7 @@ enum Way {
 
 impl Run<'_> {
     fn main(&mut self) {
-        if matches!(self.program(0..self.programs.end, 0), Way::On) {
+        if matches!(self.program(0..self.programs.end, 0), Next::On) {
             let last = self.blocks.get(self.programs.end.wrapping_sub(1));
             if let Some((span, number)) = last.map(|block| (block.span, block.number)) {
                 self.tell(fault("program-without-end", span, number));
@@ -198,7 +198,7 @@ impl Run<'_> {
         }
     }
 
-    fn program(&mut self, range: Range<usize>, depth: usize) -> Way {
+    fn program(&mut self, range: Range<usize>, depth: usize) -> Next {
         let mut index = range.start;
         while index < range.end {
             if let Some(behind) = self.programs.passed.get(&index) {
@@ -206,19 +206,19 @@ impl Run<'_> {
                 continue;
             }
             match self.block(index, depth) {
-                Way::On => index += 1,
-                Way::To(next) => index = next,
+                Next::On => index += 1,
+                Next::To(next) => index = next,
                 way => return way,
             }
         }
-        Way::On
+        Next::On
     }
 
-    fn block(&mut self, index: usize, depth: usize) -> Way {
-        let Some(block) = self.blocks.get(index) else { return Way::Out };
+    fn block(&mut self, index: usize, depth: usize) -> Next {
+        let Some(block) = self.blocks.get(index) else { return Next::Out };
         if self.left == 0 {
             self.tell(fault("run-too-long", block.span, block.number).with("budget", BUDGET));
-            return Way::Out;
+            return Next::Out;
         }
         self.left -= 1;
         for (name, value, span) in &block.sets {
@@ -246,7 +246,7 @@ impl Run<'_> {
         };
         maker.points(&words);
         maker.before_motion(&words);
-        let mut next = Way::On;
+        let mut next = Next::On;
         let cycle = words
             .functions
             .iter()
@@ -271,7 +271,7 @@ impl Run<'_> {
         let call = self.call(block, &words);
         maker.unused(&words);
         let Maker { state, motions, faults, .. } = maker;
-        // Nothing of a block that is not good, but its modes.
+        // Of a block with an error only the modes are kept.
         if !faults.iter().any(Fault::is_error) {
             self.left = self.left.saturating_sub(motions.len());
             self.motions.extend(motions);
@@ -279,12 +279,12 @@ impl Run<'_> {
         self.state = state;
         faults.into_iter().for_each(|fault| self.tell(fault));
         match after {
-            After::End => return Way::Out,
+            After::End => return Next::Out,
             After::Return if depth == 0 => {
                 self.tell(fault("return-without-call", block.span, block.number));
-                return Way::Out;
+                return Next::Out;
             }
-            After::Return => return Way::Back,
+            After::Return => return Next::Back,
             After::Next => {}
         }
         match call {
@@ -308,23 +308,23 @@ impl Run<'_> {
         words.names.first().map(|(name, span)| (name.clone(), 1, *span))
     }
 
-    fn run_call(&mut self, name: &str, times: u32, span: Span, number: Option<u32>, depth: usize) -> Way {
+    fn run_call(&mut self, name: &str, times: u32, span: Span, number: Option<u32>, depth: usize) -> Next {
         let Some(range) = self.programs.named.get(name).cloned() else {
             let is_word = self.language.kind == LatheReader::Sinumerik;
             let (code, key) = if is_word { ("unknown-word", "word") } else { ("subprogram-missing", "number") };
             self.tell(fault(code, span, number).with(key, name.to_owned()));
-            return Way::On;
+            return Next::On;
         };
         if depth >= DEPTH {
             self.tell(fault("calls-too-deep", span, number).with("limit", DEPTH));
-            return Way::Out;
+            return Next::Out;
         }
         for _ in 0..times {
-            if matches!(self.program(range.clone(), depth + 1), Way::Out) {
-                return Way::Out;
+            if matches!(self.program(range.clone(), depth + 1), Next::Out) {
+                return Next::Out;
             }
         }
-        Way::On
+        Next::On
     }
 
     /// G70, G71, G72 with the blocks of their contour; where the run goes on.
@@ -335,7 +335,7 @@ impl Run<'_> {
         does: Does,
         span: Span,
         index: usize,
-    ) -> Option<Way> {
+    ) -> Option<Next> {
         if self.language.kind == LatheReader::LinuxCnc {
             let name = words.take("Q").map_or(0.0, |value| value.value).max(0.0) as u64;
             let Some(range) = self.programs.named.get(&name.to_string()).cloned() else {
@@ -370,7 +370,7 @@ impl Run<'_> {
             self.blocks.get(from).is_some_and(|block| names_axis(block, "X", "U") && names_axis(block, "Z", "W"));
         maker.fanuc_cycle(words, does, span, begin, legs, type_two);
         // The control goes on behind the contour where the call stands before it.
-        (does != Does::Finish && to > index).then_some(Way::To(to + 1))
+        (does != Does::Finish && to > index).then_some(Next::To(to + 1))
     }
 
     /// CYCLE95, CYCLE97 and MSG.
@@ -403,7 +403,7 @@ impl Run<'_> {
         }
     }
 
-    /// The pieces of a contour; its blocks are read and nothing of them is carried out.
+    /// The pieces of a contour; its blocks are read but not executed.
     fn legs(&self, maker: &mut Maker<'_>, range: Range<usize>, begin: LathePoint, finite: bool) -> Option<Vec<Leg>> {
         let known = begin.radius_mm.is_finite();
         let mut state = maker.state.clone();

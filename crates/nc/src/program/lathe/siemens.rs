@@ -27,7 +27,7 @@ impl Fields {
 }
 
 impl Maker<'_> {
-    /// The arguments of a call, held against the table.
+    /// The arguments of a call, compared with the table.
     fn call_fields(&mut self, cycle: &str, arguments: &[Argument], span: Span) -> Option<Fields> {
         let known = self.language.cycle(cycle, Form::One);
         if arguments.len() > known.all.len() {

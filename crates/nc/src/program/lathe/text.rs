@@ -1,5 +1,5 @@
-//! The text of a program of a lathe as blocks, for the three controls. Nothing is understood here; a word that cannot be
-//! read is reported and left out.
+//! The text of a program of a lathe as blocks, for the three controls. Words are split here and interpreted elsewhere;
+//! a word that cannot be read is reported and left out.
 
 use super::LatheReader;
 use super::expression::{Expression, Reader};
@@ -96,7 +96,7 @@ impl Line<'_> {
         Span { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
     }
 
-    /// The characters that count: no comments; blanks only where names end with them.
+    /// The significant characters: no comments, and spaces only where they end a name.
     fn characters(&mut self, line: &str) -> Vec<(usize, char)> {
         let siemens = self.control == LatheReader::Sinumerik;
         let (mut kept, mut comment, mut quoted) = (Vec::new(), None, false);

@@ -196,7 +196,7 @@ impl Maker<'_> {
 
     /// X or U, Z or W of a thread: where it begins and ends.
     ///
-    /// `kept` is the end of the block before, and whether this one gives X and Z anew.
+    /// `kept` is the end of the block before, and whether this one gives X and Z again.
     fn ends_of_thread(
         &mut self,
         words: &BlockWords,

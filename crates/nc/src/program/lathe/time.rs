@@ -8,7 +8,7 @@ use super::motion::{LatheAct, LatheFeed, LatheModes, LatheMotion, LathePoint, La
 use crate::motion::Sense;
 use crate::units::{MillimetresPerMinute, Minutes};
 
-/// What the times of a lathe ask of it.
+/// The rates of a lathe that times need.
 #[derive(Clone, Copy, Debug)]
 pub struct LatheRates {
     /// Rapid along Z.

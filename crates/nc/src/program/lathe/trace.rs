@@ -11,10 +11,10 @@ fn place(at: LathePlace) -> String {
     x.into_iter().chain(z).collect::<Vec<_>>().join(" ")
 }
 
-fn feed(feed: LatheFeed) -> String {
+fn feed(feed: LatheFeed, word: &dyn Fn(&'static str) -> &'static str) -> String {
     match feed {
         LatheFeed::PerRevolution(feed) => format!("F{}", shown(feed.0)),
-        LatheFeed::PerMinute(feed) => format!("F{}/min", shown(feed.0)),
+        LatheFeed::PerMinute(feed) => format!("F{}/{}", shown(feed.0), word("min")),
     }
 }
 
@@ -23,10 +23,10 @@ pub fn line_in(motion: &LatheMotion, word: &dyn Fn(&'static str) -> &'static str
     let (name, more) = match motion.act {
         LatheAct::Rapid => ("rapid", String::new()),
         LatheAct::Away => ("away", String::new()),
-        LatheAct::Feed { feed: at } => ("feed", feed(at)),
+        LatheAct::Feed { feed: at } => ("feed", feed(at, word)),
         LatheAct::Arc { feed: at, centre, sense } => {
             let name = if sense == Sense::Clockwise { "arc-cw" } else { "arc-ccw" };
-            (name, format!("{} {} {}", word("centre"), place(centre.into()), feed(at)))
+            (name, format!("{} {} {}", word("centre"), place(centre.into()), feed(at, word)))
         }
         LatheAct::Thread { lead } => ("thread", format!("{} {}", word("lead"), shown(lead.0))),
         LatheAct::Dwell { seconds } => ("dwell", format!("{} {}", shown(seconds.0), word("s"))),

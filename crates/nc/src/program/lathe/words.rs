@@ -108,7 +108,7 @@ impl BlockWords {
         self.values.iter().find(|value| value.name == name)
     }
 
-    /// The words that nothing has asked for.
+    /// The words that no function used.
     pub fn unused(&self) -> Vec<Value> {
         let used = self.used.borrow();
         self.values

@@ -105,7 +105,7 @@ fn goes_on(cut: &Cut, rest: &[TipMove], top: Micrometres) -> bool {
 }
 
 impl Cut {
-    /// Z where its first feed begins; absent where it never feeds.
+    /// Z where its first feed begins; absent if it never feeds.
     pub fn begin(&self) -> Option<Micrometres> {
         self.moves.iter().find(|made| made.feed().is_some()).map(|made| made.from[2])
     }

@@ -221,7 +221,7 @@ pub struct Finding {
     pub code: Code,
     /// How grave.
     pub severity: Severity,
-    /// Where in the program; absent where it is nowhere.
+    /// Where in the program; absent if it is nowhere.
     #[serde(flatten)]
     pub block: Option<BlockRef>,
     /// Its figures; the note has them too.

@@ -168,7 +168,7 @@ pub(super) fn walk(
 }
 
 /// What is added along Z after every tool change: the value that is brought in most often there; where none is, the one
-/// of that tool elsewhere, but for a reference tool, which needs none.
+/// of that tool elsewhere, except for a reference tool, which needs none.
 fn longer(steps: &[MotionStep], references: &BTreeSet<u32>) -> BTreeMap<usize, Micrometres> {
     let (mut section, mut tool) = (0, 0);
     let mut tools: BTreeMap<usize, u32> = BTreeMap::new();

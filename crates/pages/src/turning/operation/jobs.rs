@@ -1,5 +1,7 @@
 //! The jobs of an operation, tool by tool: what an operator reads first.
 
+use std::collections::BTreeSet;
+
 use crate::document::{Block, Column, Document, Item};
 use technolog_turning::operation::programs::{place, stations};
 use technolog_turning::operation::{Operation, SetUpWork};
@@ -17,7 +19,8 @@ pub(super) fn jobs(page: &mut Document, operation: &Operation, lang: Lang) {
         let rows = set_up.jobs.iter().map(|job| row(job, place(&stations, job), lang)).collect();
         page.heading(3, say!(lang, "turn-set-up", number = set_up.set_up.number));
         page.push(table(columns(lang), rows, lang));
-        page.paragraph(time(set_up, lang));
+        let places = set_up.jobs.iter().filter_map(|job| place(&stations, job)).collect::<BTreeSet<_>>();
+        page.paragraph(time(set_up, places.len(), lang));
         let told = set_up.jobs.iter().flat_map(|job| {
             let place = place(&stations, job).map_or_else(String::new, |place| format!("T{place}: "));
             job.notes.iter().map(move |note| Item::from(format!("{place}{}", lang.say(note))))
@@ -63,9 +66,7 @@ fn row(job: &Job, place: Option<u32>, lang: Lang) -> Vec<Cell> {
     ]
 }
 
-fn time(set_up: &SetUpWork, lang: Lang) -> String {
+fn time(set_up: &SetUpWork, tools: usize, lang: Lang) -> String {
     let time: f64 = set_up.jobs.iter().map(|job| job.time_min.0).sum();
-    let mut tools: Vec<&str> = set_up.jobs.iter().map(|job| job.tool.designation.as_str()).collect();
-    tools.dedup();
-    say!(lang, "turn-job-time", number = set_up.set_up.number, time = fixed(time, 2, lang), count = tools.len())
+    say!(lang, "turn-job-time", number = set_up.set_up.number, time = fixed(time, 2, lang), count = tools)
 }

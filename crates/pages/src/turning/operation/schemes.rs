@@ -41,7 +41,7 @@ pub(super) fn schemes(
     page.blocks.push(Block::List(told.into_iter().map(Item::from).collect()));
 }
 
-/// Feed, speed and what they take; nothing where they are not known.
+/// Feed, speed and what they take; none if they are not known.
 fn conditions(work: &Work, lang: Lang) -> String {
     let Some(found) = &work.pace.conditions else { return String::new() };
     let feed = figure(round_to(found.feed_mm_per_rev.0, 3), lang);

@@ -1,5 +1,5 @@
-//! Which tool cuts a groove: of the blades that go in, the widest; of a groove with a tolerance the widest that is
-//! narrower than the floor, so that both walls are turned. A relief too narrow for every blade is followed by a turning
+//! Chooses the tool of a groove: the widest blade that fits; for a groove with a tolerance the widest one narrower than
+//! the floor, so that both walls are turned. A relief too narrow for every blade is cut along its contour by a turning
 //! tool whose edges clear its walls.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
@@ -23,7 +23,7 @@ use super::valley::{Lie, Valley};
 use super::ways::{self, Edge, Ways};
 use super::{division, not, taken};
 
-/// A tool with its way and its pace.
+/// A tool with its toolpath and its pace.
 pub(super) struct Chosen<'k> {
     pub tool: TurningTool<'k>,
     pub ways: Ways,
@@ -34,7 +34,7 @@ pub(super) struct Chosen<'k> {
     pub by_nose: bool,
 }
 
-/// The first tool that does it; otherwise why the last of them does not.
+/// The first tool that can cut it; otherwise why the last one cannot.
 pub(super) fn choose<'k>(
     site: Site<'_>,
     surface: &Surface,
@@ -59,8 +59,8 @@ pub(super) fn choose<'k>(
     not(why)
 }
 
-/// Of two reasons that of the tool which came further: narrower blades are tried later, and that they are too wide as
-/// well says more than that a wide one is.
+/// Of two reasons the one of the tool that got further: narrower blades are tried later, and it says more that even
+/// they are too wide.
 fn later(one: NoJob, other: NoJob) -> NoJob {
     match (&one, &other) {
         (NoJob::TooNarrow { .. } | NoJob::NoTool { .. }, _) => other,
@@ -191,9 +191,9 @@ fn of_cutting(refusal: Refusal<CuttingRefusal>) -> Refusal<NoJob> {
     refusal.map(NoJob::Cutting)
 }
 
-/// How long the blade must be: from the floor to the highest that stands beside it as far as its holder reaches. The
-/// shank of a right-hand tool lies towards the free end, that of a left-hand one towards the chuck; a bar passes all
-/// that lies before the groove.
+/// How long the blade must be: from the floor to the highest metal beside it within reach of its holder. The shank of a
+/// right-hand tool lies towards the free end, that of a left-hand one towards the chuck; a bar passes all that lies
+/// before the groove.
 fn deep(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>, ways: &Ways) -> Half {
     if valley.lie == Lie::Face {
         return valley.depth();
@@ -267,7 +267,7 @@ fn reaching<'k>(tool: &TurningTool<'k>, valley: &Valley, approach: Half) -> Turn
 /// How far a tool in a bore may draw back from its wall: half of what the bore is wider than it must be for the bar, so
 /// that the bar does not touch the other side. Outside without a bound.
 fn play(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>) -> Half {
-    /// Enough to come off the wall.
+    /// Enough to leave the wall.
     const LEAST: Half = Half::new(400);
     let end = valley.pieces.last().map_or(Half::ZERO, |piece| piece.to.z);
     match (valley.lie, tool.min_bore) {
@@ -283,8 +283,8 @@ pub(in super::super) struct Pace {
     pub because: Vec<Because>,
 }
 
-/// By the handbook, with the feed of the blade's maker as its upper end; by the maker alone where the handbook has no
-/// figures of the material's own. Slower in a bore and in a face.
+/// By the handbook, limited by the feed of the blade's maker; by the maker alone if the handbook has no figures for the
+/// material. Slower in a bore and in a face.
 fn pace(cut: &Cut<'_, '_>, width: Micrometres, lie: Lie, limits: &mut Limits<'_>) -> Tried<Pace, NoJob> {
     let mut pace = blade_pace(cut, width)?;
     if lie != Lie::Outside {
@@ -326,7 +326,7 @@ fn figures_of<Q: Question>(question: &Q, cut: &Cut<'_, '_>) -> Result<bool, Know
     Ok(technolog_cutting::figures::within_reach(question, cut.knowledge)?.is_some())
 }
 
-/// The feed along walls and floor: at most a share of the blade's width, what the blade bears sideways, that of the
+/// The feed along walls and floor: at most a share of the blade's width, what the blade can carry sideways, that of the
 /// roughness, and never above that straight in.
 fn along_walls(
     cut: &Cut<'_, '_>,

@@ -108,7 +108,7 @@ fn division(corner: Half, limits: &mut Limits<'_>, knowledge: &Knowledge) -> Tri
     })
 }
 
-/// A way seen from the mouth, in the set-up: from where the tool is clear, and back.
+/// A toolpath seen from the mouth, in the set-up: from where the tool is clear, and back.
 fn in_set_up(ways: &Toolpath, valley: &Valley, site: Site<'_>, approach: Half) -> Toolpath {
     let lie = valley.lie;
     let (from, to) = (lie.seen(ways.from), lie.seen(ways.end()));
@@ -132,7 +132,7 @@ fn in_set_up(ways: &Toolpath, valley: &Valley, site: Site<'_>, approach: Half) -
     path
 }
 
-/// That a tool does not do it.
+/// A tool that cannot cut it.
 fn not<T>(why: NoJob) -> Tried<T, NoJob> {
     Err(Refusal::Not(why))
 }

@@ -1,4 +1,4 @@
-//! Grooves of real parts, and their ways worked off by columns, which know the blade and the profile only.
+//! Grooves of real parts; their toolpaths are simulated by columns that know only the blade and the profile.
 
 use super::*;
 use crate::material::Material;
@@ -140,7 +140,7 @@ impl Columns {
     }
 }
 
-/// Works a job off: its deepest gouge, its deepest rapid, and what stands above what the edge could reach, mm.
+/// Executes a job: its deepest gouge, its deepest rapid, and what stands above what the edge could reach, mm.
 fn worked_off(part: &Workpiece, job: &Job, surface: &Surface, side: Side) -> (f64, f64, f64) {
     let face = surface.kind == SurfaceKind::FaceGroove;
     let Body::Insert { nose_radius_mm, width_mm, .. } = job.tool.body else { panic!("a blade") };
@@ -313,7 +313,7 @@ fn reliefs_before_a_shoulder_are_cut() {
     }
 }
 
-/// What no tool makes is refused with its inequality.
+/// A groove that no tool can make is refused with the inequality that fails.
 #[test]
 fn what_no_tool_makes_is_refused() {
     let refused = |outer: &str, inner: &str, side| job(&part(outer, inner, "steel-45"), side).0.unwrap_err();

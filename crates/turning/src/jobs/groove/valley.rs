@@ -1,5 +1,5 @@
 //! The shape of a groove seen from its mouth: `z` along the mouth, `radius` out of the metal, so that grooves outside,
-//! inside and in a face are one; and where the centre of a round corner goes that touches it.
+//! inside and in a face are handled alike; and the path of the centre of a round corner that touches it.
 
 use crate::error::{Refusal, Tried};
 use crate::turning::contour::{Curve, Piece, Side, Surface, SurfaceKind, Turn};
@@ -30,7 +30,7 @@ impl Lie {
         }
     }
 
-    /// A piece likewise.
+    /// The same for a piece.
     pub fn piece(self, piece: Piece) -> Piece {
         piece.mapped(self != Self::Outside, |point| self.seen(point))
     }
@@ -40,7 +40,7 @@ impl Lie {
 #[derive(Clone, Debug)]
 pub(super) struct Valley {
     pub lie: Lie,
-    /// In the order of `z`.
+    /// Its pieces in the order of `z`.
     pub pieces: Vec<Piece>,
     /// How high its mouth lies.
     pub mouth: Half,
@@ -48,7 +48,7 @@ pub(super) struct Valley {
     pub floor: Half,
 }
 
-/// Less than this two ends of pieces are apart by rounding only, mm.
+/// Ends of pieces nearer than this differ by rounding only, mm.
 const APART: f64 = 0.002;
 
 impl Valley {
@@ -124,9 +124,9 @@ impl Valley {
         if sharp { Half::ZERO } else { radii.min().unwrap_or(Half::ZERO) }
     }
 
-    /// The way of the centre of a round corner of a radius that touches the groove all along; none if it is too large.
-    /// Walls go on beyond the mouth by that radius, because a shoulder may stand over them, and because the edge of a
-    /// groove that is less deep than the corner must not be rounded.
+    /// The path of the centre of a round corner that touches the groove everywhere; none if it is too large. Walls go
+    /// on beyond the mouth by that radius, because a shoulder may stand over them, and because the edge of a groove
+    /// that is less deep than the corner must not be rounded.
     pub fn centres(&self, corner: f64) -> Option<Way> {
         let mut way: Vec<Span> = Vec::new();
         let last = self.pieces.len().saturating_sub(1);
@@ -176,7 +176,7 @@ impl Valley {
     }
 }
 
-/// A stretch of a way: a line, or an arc about a centre that is hollow as the corner it comes of.
+/// A stretch of a toolpath: a line, or an arc about a centre that is hollow as the corner it comes of.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     pub from: Vector,
@@ -234,11 +234,11 @@ impl Span {
     }
 }
 
-/// The way of a centre over a groove, from one end of the mouth to the other.
+/// The path of a centre over a groove, from one end of the mouth to the other.
 #[derive(Clone, Debug)]
 pub(super) struct Way {
     spans: Vec<Span>,
-    /// How low it goes, mm.
+    /// Its lowest height, mm.
     low: f64,
 }
 
@@ -277,7 +277,7 @@ impl Way {
         )
     }
 
-    /// All of it, moved.
+    /// The whole of it, moved.
     pub fn whole(&self, by: Vector) -> Vec<Piece> {
         self.spans.iter().map(|span| span.piece(by)).filter(|piece| !piece.is_nothing()).collect()
     }

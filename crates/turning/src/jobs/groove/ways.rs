@@ -1,4 +1,4 @@
-//! The way of a blade through a groove: plunges, the middle first, then sides and floor, each side from its mouth
+//! The toolpath of a blade through a groove: plunges, the middle first, then sides and floor, each side from its mouth
 //! inwards with the corner that belongs to it.
 //!
 //! The blade is a straight edge between two round corners; it reaches as far as both corners do, because a valley with
@@ -33,7 +33,7 @@ pub(super) struct Division {
     pub approach: Half,
 }
 
-/// A way, seen from the mouth, from before the mouth to before it.
+/// A toolpath, seen from the mouth, from before the mouth to before it.
 #[derive(Clone, Debug)]
 pub(super) struct Ways {
     pub path: Toolpath,
@@ -69,10 +69,10 @@ impl Edge {
     }
 }
 
-/// Rounding of places, mm: a blade as wide as its groove has no room, but for half micrometres.
+/// Rounding of places, mm: a blade as wide as its groove has no room, except for half micrometres.
 const TRIFLE: f64 = 0.002;
 
-/// The way of a blade; none if it does not reach the floor.
+/// The toolpath of a blade; none if it does not reach the floor.
 pub(super) fn blade(valley: &Valley, edge: Edge, division: Division) -> Option<Ways> {
     let finished = valley.centres(edge.corner)?;
     let room = edge.room(&finished);
@@ -118,7 +118,8 @@ pub(super) fn blade(valley: &Valley, edge: Edge, division: Division) -> Option<W
     Some(Ways { path: builder.path, plunges, at_once, steps: builder.steps })
 }
 
-/// The way of a turning tool from the mouth at the less `z` to the other; none if its nose does not reach the floor.
+/// The toolpath of a turning tool from the mouth at the less `z` to the other; none if its nose does not reach the
+/// floor.
 pub(super) fn nose(valley: &Valley, edge: Edge, division: Division) -> Option<Ways> {
     let finished = valley.centres(edge.corner)?;
     if edge.room(&finished) < -TRIFLE {
@@ -132,7 +133,7 @@ pub(super) fn nose(valley: &Valley, edge: Edge, division: Division) -> Option<Wa
     for piece in pieces {
         builder.path.follow(piece, Purpose::Finish);
     }
-    // Off the wall before it is left at rapid.
+    // Leaves the wall at feed before the rapid.
     let end = builder.path.end();
     let off = division.approach;
     builder.path.go(Point { radius: end.radius, z: end.z - Half::from(division.allowance) }, Purpose::Return);
@@ -177,7 +178,7 @@ fn places(way: &Way, edge: Edge, division: Division, (fall, rise): (f64, f64)) -
     places
 }
 
-/// Strings a way together.
+/// Assembles a toolpath.
 struct Builder {
     path: Toolpath,
     division: Division,
@@ -195,7 +196,7 @@ impl Builder {
         self.mouth + self.division.approach
     }
 
-    /// Across over the mouth.
+    /// Across above the mouth.
     fn over(&mut self, z: Half) {
         self.path.go(Point { radius: self.above(), z }, Purpose::Rapid);
     }

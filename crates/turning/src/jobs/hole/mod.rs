@@ -1,5 +1,5 @@
-//! Holes on the axis: the spot for a drill, the centre holes of ГОСТ 14034, and drilling. Feed, speed, torque and thrust
-//! are of the same tables and formulas as those of holes in plates, held by the lathe.
+//! Holes on the axis: the spot for a drill, the centre holes of ГОСТ 14034, and drilling. Feed, speed, torque and
+//! thrust follow the same tables and formulas as for holes in plates, within the limits of the lathe.
 
 mod pace;
 
@@ -83,7 +83,7 @@ impl Drill<'_> {
 
 /// The jobs of a hole: one drill, or by the rule `two-pass-drilling` a narrower one before it.
 ///
-/// # Errors As of [`drill`].
+/// # Errors As for [`drill`].
 pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
     let question = TwoPassDrillingFor { diameter: hole.diameter, first_drill_in_magazine: false };
     let asked = bench.knowledge.ask(&question)?;
@@ -106,7 +106,8 @@ pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
 
 /// The job of drilling, with the widest drill that is no wider than the hole and reaches its end.
 ///
-/// # Errors No drill is so small or so long; the lathe does not bear it; the knowledge base lacks a table.
+/// # Errors No drill is small enough or long enough; it exceeds the limits of the lathe; the knowledge base lacks a
+/// table.
 pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
     let mut limits = Limits::of(bench.knowledge);
@@ -174,7 +175,7 @@ pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     })
 }
 
-/// A cut on the axis with nothing else said of it.
+/// A cut on the axis with default values.
 fn cut(
     operation: Operation,
     diameter: Micrometres,
@@ -247,7 +248,7 @@ fn drills<'k>(most: Micrometres, bench: &Bench<'_, 'k>) -> Tried<Vec<Drill<'k>>,
     Ok(found.into_iter().map(|(_, drill)| drill).collect())
 }
 
-/// How a drill goes in.
+/// The infeed of a drill.
 #[derive(Clone, Copy, Debug)]
 struct Steps {
     kind: HoleCycle,
@@ -257,7 +258,7 @@ struct Steps {
 }
 
 impl Steps {
-    /// The way of the point along the axis, and its steps.
+    /// The path of the point along the axis, and its steps.
     fn way(self, from: Half, face: Half, tip: Half) -> (Toolpath, i64) {
         let at = |z: Half| Point { radius: Half::ZERO, z };
         let mut path = Toolpath::at(at(from));
@@ -322,7 +323,7 @@ fn centred(row: &CentreHole<'_>, form: CentreForm, face: Half, note: Note, bench
     };
     let depth = cone + row.pilot_length;
     let cut = Cut {
-        // Its thin pilot bears less feed than its body.
+        // Its thin pilot allows less feed than its body.
         feed_diameter: Some(row.pilot),
         tool_diameter: Some(row.pilot),
         ..cut(Operation::CentreDrill, mouth, Micrometres::ZERO, depth, ToolMaterial::HighSpeedSteel)

@@ -1,4 +1,5 @@
-//! Feed and speed of a tool on the axis, by the formulas of holes, held by spindle and drives of the lathe.
+//! Feed and speed of a tool on the axis, by the formulas of holes, within the limits of spindle and drives of the
+//! lathe.
 
 use crate::error::{Refusal, Tried};
 use crate::knowledge::Knowledge;
@@ -16,7 +17,7 @@ use technolog_cutting::{Cut, handbook, practice, rpm_at, speed_at};
 
 use super::super::refused::{NoJob, of_tables};
 
-/// How a tool on the axis turns and is fed.
+/// Speed and feed of a tool on the axis.
 pub(super) struct Pace {
     pub speed: Speed,
     pub feed: Feeds,
@@ -33,8 +34,9 @@ impl<'k> Asking<'k> for Bench<'_, 'k> {
     }
 }
 
-/// The pace of a cut: feed and speed of the tables; the speed held against practice, the spindle at most as fast; the feed reduced until thrust, torque
-/// and power are borne. A load grows with a power of the feed, so the feed that it bears follows from it.
+/// The pace of a cut: feed and speed of the tables; the speed compared with practice, the spindle at most as fast; the
+/// feed reduced until thrust, torque and power are within their limits. A load is a power law of the feed, so its limit
+/// gives a feed.
 ///
 /// # Errors The tables have no figures; or even the least feed of the lathe is too much.
 pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<Pace, NoJob> {

@@ -1,10 +1,10 @@
 //! Metric threads, outside and in a bore, turned pass by pass towards the chuck: right-hand threads with a right-hand
 //! tool.
 //!
-//! How deep: the flanks lie where the profile of ISO 68-1 has them, whatever the nose of the insert. From the crests to
-//! the sharp point of the flanks it is 7/8 H outside and 3/4 H in a bore, with H = √3/2 · P; a round tip of radius r ends
-//! r before that point. Inserts of full profile have r = H/6 outside, so 17/24 H = 0.6134 P, and H/12 in a bore, so
-//! 2/3 H = 0.5774 P: as makers' tables of passes have it.
+//! Depth: the flanks are those of the profile of ISO 68-1 for any nose of the insert. From the crests to the sharp
+//! point of the flanks it is 7/8 H outside and 3/4 H in a bore, with H = √3/2 · P; a round tip of radius r ends r
+//! before that point. Inserts of full profile have r = H/6 outside, so 17/24 H = 0.6134 P, and H/12 in a bore, so 2/3 H
+//! = 0.5774 P: as makers' tables of passes have it.
 
 mod crests;
 mod passes;
@@ -152,7 +152,7 @@ fn insert<'k>(
     let mut tools = TurningTool::all(bench.knowledge)?;
     tools.retain(|tool| (tool.kind, tool.works) == (ToolKind::Threading, place) && tool.hand == Hand::R);
     tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
-    // How deep an insert of an unknown nose must go is not known.
+    // The depth for an insert of unknown nose is not known.
     tools.retain(|tool| tool.nose_radius.is_some());
     let ranges = || tools.iter().filter_map(|tool| tool.pitch);
     let bounds = ranges().map(|(least, _)| least).min().zip(ranges().map(|(_, most)| most).max());
@@ -221,7 +221,7 @@ fn spindle(thread: &Thread, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<(
     }
     let rpm = match lathe.spindle {
         Spindle::Steps(_) => rpm,
-        // Whole revolutions, as a program writes them; rounded down, so that the feed follows.
+        // Whole revolutions, as a program writes them; rounded down to keep the feed within the limit.
         Spindle::Range { min, .. } => RevsPerMinute(rpm.0.floor().max(min.0)),
     };
     let MetresPerMinute(used) = speed_at(rpm, thread.size).rounded(1);
@@ -292,7 +292,7 @@ fn way(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site
     path
 }
 
-/// What is told of the crests of an outer thread.
+/// The notes about the crests of an outer thread.
 fn crests(side: Side, thread: &Thread, surface: &crate::turning::contour::SurfaceName) -> Option<Note> {
     let named = |code| Note::new(code).with("surface", surface);
     match (side, Crests::of(thread)) {

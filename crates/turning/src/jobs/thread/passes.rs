@@ -42,7 +42,7 @@ impl Passes {
         for number in 1..=count as i64 {
             let before = depths.last().copied().unwrap_or(Half::ZERO);
             let reach = Half::from(reached(number as f64)).max(before + least);
-            // What would be left for a last pass too thin goes with this one.
+            // A remainder too thin for a pass of its own is added to this one.
             if reach + least > whole {
                 break;
             }

@@ -1,7 +1,7 @@
 //! The room before and behind a thread.
 //!
-//! Before it the drive of the carriage comes up to the pitch, behind it it comes to a stand. Heights are radii outside and
-//! their negatives in a bore, so that metal is always below.
+//! Before it the carriage accelerates to the pitch, behind it it stops. Heights are radii outside and their negatives
+//! in a bore, so that metal is always below.
 
 use crate::error::{Refusal, Tried};
 use crate::turning::contour::{Piece, Side, Surface, SurfaceKind};
@@ -12,7 +12,7 @@ use crate::units::Micrometres;
 use super::super::refused::NoJob;
 use super::super::site::Site;
 
-/// What a thread needs beside itself.
+/// The room that a thread needs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Room {
     /// The cylinder that the thread is cut on.
@@ -90,7 +90,7 @@ impl Room {
         let no_run_out =
             |needs: Half, room: Half| Err(Refusal::Not(NoJob::NoRunOut { surface: surface.name.clone(), needs, room }));
         let (to, pull_out) = match low {
-            // The contour is below the roots somewhere: a relief, a neck, or the air behind a bore.
+            // Somewhere the contour is below the roots: a relief, a neck, or the end of a bore.
             Some(low) if low <= root => {
                 let open = free.iter().find(|one| one.radii().0 <= root);
                 let open = open.and_then(|one| {
@@ -110,7 +110,7 @@ impl Room {
                 let (relief, root) = (diameter(low), diameter(root));
                 return Err(Refusal::Not(NoJob::ReliefTooShallow { surface: surface.name.clone(), relief, root }));
             }
-            // Metal goes on as high as the crests: the tool is drawn out of it, at 45° or flatter.
+            // Behind the thread there is metal up to the crests: the tool is withdrawn through it, at 45° or flatter.
             _ => (end + self.run_out.max(crest - root + self.lift), true),
         };
         if let Some(stands) = stands {

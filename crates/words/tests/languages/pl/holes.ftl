@@ -1,0 +1,1 @@
+reaches-again = znowu klasa { $it }, { $roughness }

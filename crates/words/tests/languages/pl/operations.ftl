@@ -1,0 +1,2 @@
+operation-drill = wiercenie
+    .verb = Wiercić
