@@ -7,6 +7,8 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
 use technolog::report;
 use technolog::turning::operation::programs::{Form, OperationProgram, programs};
+use technolog::turning::operation::setting;
+use technolog::turning::operation::tool_table;
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::program::NotWritten;
 use technolog::turning::workpiece::Workpiece;
@@ -122,6 +124,54 @@ pub fn program(
         }
         Err(error) => Err(not_written(written, error.note(), context)),
     }
+}
+
+/// Shows the tool list and the setting sheet that belong to the programs of an operation.
+///
+/// # Errors
+/// The knowledge base lacks something, or the answer cannot be written.
+pub fn setting(
+    operation: &Operation,
+    control: Control,
+    format: Format,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<Outcome, CliError> {
+    let setting = set(operation, control, knowledge, context)?;
+    match format {
+        Format::Json => context.emit_json(&setting)?,
+        Format::Yaml => context.emit_yaml(&setting)?,
+        _ => context.emit_document(&report::turning::setting_page(&setting, context.lang), format)?,
+    }
+    Ok(Outcome::Done)
+}
+
+/// Writes the tool table of LinuxCNC.
+///
+/// # Errors
+/// Another control was named, the knowledge base lacks something, or the answer cannot be written.
+pub fn tool_table(
+    operation: &Operation,
+    control: Control,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<Outcome, CliError> {
+    if control.name() != tool_table::CONTROL {
+        return Err(super::turn::refused("no-tool-table", context));
+    }
+    let setting = set(operation, control, knowledge, context)?;
+    context.emit(&tool_table::tool_table(&setting))?;
+    Ok(Outcome::Done)
+}
+
+fn set(
+    operation: &Operation,
+    control: Control,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<setting::Setting, CliError> {
+    let set = setting::setting(operation, control.name(), knowledge);
+    set.map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
 fn not_written(written: &OperationProgram, note: Note, context: &Context) -> CliError {

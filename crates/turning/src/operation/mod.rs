@@ -28,6 +28,8 @@ mod pocket;
 pub mod prepare;
 pub mod programs;
 pub mod proof;
+pub mod setting;
+pub mod tool_table;
 pub mod tools;
 mod unfinished;
 pub mod work;

@@ -153,6 +153,25 @@ turn-programs-are = give one of these with --number: { $known }
 turn-no-programs = there is no program, because no zone of the part could be planned
 turn-see-operation = `technolog turn FILE --show operation` says why
 turn-tool-not-written = { $tool }: { $why }
+# The setting sheet of a lathe.
+turn-setting-zero = Control: { $control }. Z 0 is the finished face of the free end, X 0 the axis. The programs lead the theoretical point of each tool, already offset for its nose: nothing is compensated on the control.
+turn-setting-stand = Set-up { $number }: { $held }; the stock reaches { $stock } mm before Z 0
+turn-setting-tools = Tools
+turn-setting-insert = Insert
+turn-setting-shank = Shank, { $unit }
+turn-setting-tip = Tip
+turn-setting-measured = How the offsets are measured
+turn-setting-offsets = T{ $place }: X: { $x }; Z: { $z }
+set-x-diameter = touch a turned diameter and enter what it measures
+set-x-bore = touch a bore and enter what it measures
+set-x-axis = the tool stands on the axis of the spindle: X 0
+set-z-face = touch a finished face and enter its Z
+set-z-blade = touch a finished face with the side of the blade towards the chuck and enter its Z
+set-z-shoulder = touch a shoulder that looks towards the chuck and enter its Z
+set-z-point = touch a finished face with the point and enter its Z
+set-z-thread = bring the point over a finished face by eye and enter its Z
+set-z-nose = the centre of the nose; no face touches it, so measure it with a presetter
+set-z-presetter = the theoretical point; the edge leans over a face, so measure it with a presetter
 # Drawings.
 turn-panel = { $variant }: cutting path { $path } mm, { $count } { $count ->
         [one] pass
