@@ -1,6 +1,7 @@
 //! The part of `technolog turn` that plans contours: the page of the whole operation, its drawing and its programs.
 
 use clap::ValueEnum;
+use serde::Serialize;
 use technolog::audit::turned;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
@@ -8,6 +9,7 @@ use technolog::note::Note;
 use technolog::report;
 use technolog::turning::operation::programs::{Form, OperationProgram, programs};
 use technolog::turning::operation::setting;
+use technolog::turning::operation::times::{Times, times};
 use technolog::turning::operation::tool_table;
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::program::NotWritten;
@@ -39,6 +41,14 @@ impl Control {
     }
 }
 
+/// An operation with the times of its set-ups.
+#[derive(Serialize)]
+struct Answer<'a> {
+    #[serde(flatten)]
+    operation: &'a Operation,
+    times: &'a [Times],
+}
+
 /// Shows the whole operation; a drawing has the ways of all schemes where they are asked for.
 ///
 /// # Errors
@@ -51,14 +61,17 @@ pub fn page(
     context: &Context,
 ) -> Result<Outcome, CliError> {
     let operation = plan(workpiece, knowledge, context)?;
+    let times = times(&operation, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let answer = Answer { operation: &operation, times: &times };
     match format {
-        Format::Json => context.emit_json(&operation)?,
-        Format::Yaml => context.emit_yaml(&operation)?,
+        Format::Json => context.emit_json(&answer)?,
+        Format::Yaml => context.emit_yaml(&answer)?,
         Format::Svg => {
             context.emit_cleaned(&report::turning::operation_drawing(&operation, all_schemes, context.lang))?
         }
         _ => {
-            let page = report::turning::operation_page(&operation, knowledge, context.amount.doubts(), context.lang);
+            let page =
+                report::turning::operation_page(&operation, &times, knowledge, context.amount.doubts(), context.lang);
             drawn(page, format, context, "turn-figure", |lang| {
                 report::turning::operation_drawing(&operation, all_schemes, lang)
             })?;
@@ -160,7 +173,8 @@ pub fn tool_table(
         return Err(super::turn::refused("no-tool-table", context));
     }
     let setting = set(operation, control, knowledge, context)?;
-    context.emit(&tool_table::tool_table(&setting))?;
+    let head = say!(context.lang, "turn-tool-table-head", part = setting.part.as_str());
+    context.emit(&tool_table::tool_table(&setting, &head))?;
     Ok(Outcome::Done)
 }
 

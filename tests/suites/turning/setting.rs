@@ -2,14 +2,18 @@
 
 use std::process::Command;
 
+use technolog::program::lathe::{LatheAct, LatheFeed, LatheLanguage, LatheSpeed, Subprogram, read};
+use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::setting::setting;
+use technolog::turning::operation::times::times;
 use technolog::turning::operation::tool_table::tool_table;
+use technolog::turning::tooling::Lathe;
 use technolog_testing::KNOWLEDGE;
 
 use crate::operation::{example, planned};
 
 fn table_of(name: &str) -> String {
-    tool_table(&setting(&planned(&example(name)), "linuxcnc", &KNOWLEDGE).unwrap())
+    tool_table(&setting(&planned(&example(name)), "linuxcnc", &KNOWLEDGE).unwrap(), "Втулка")
 }
 
 /// By hand from the catalog: noses of 0.8 and of a blade 0.4 mm, as diameters; a right-hand tool outside is 2 for LinuxCNC
@@ -56,4 +60,58 @@ fn the_interpreter_of_linuxcnc_reads_the_table() {
     assert_eq!(told[0], "D1.600000 I85.000000 J5.000000 Q2.000000\")");
     assert_eq!(told[1], "D1.600000 I275.000000 J355.000000 Q3.000000\")");
     assert_eq!(told[4], "D0.800000 I0.000000 J0.000000 Q2.000000\")");
+}
+
+/// The motions of a program as its control reads them, timed by itself: way over feed and spindle speed, rapids straight at
+/// the rate of the lathe's record, from wherever the place of the tool is known.
+fn timed(text: &str, rapid: f64) -> (f64, f64) {
+    let language = LatheLanguage::read("linuxcnc-lathe", &KNOWLEDGE).unwrap();
+    let run = read(text, &language, &[] as &[Subprogram<'_>]);
+    let (mut cutting, mut rapids) = (0.0, 0.0);
+    for motion in &run.motions {
+        let Some((from, to)) = motion.from.point().zip(motion.to.point()) else { continue };
+        let (across, along) = (to.radius_mm - from.radius_mm, to.z_mm - from.z_mm);
+        let straight = across.hypot(along);
+        let (length, feed) = match motion.act {
+            LatheAct::Rapid => {
+                rapids += straight / rapid;
+                continue;
+            }
+            LatheAct::Feed { feed } => (straight, feed),
+            LatheAct::Arc { feed, centre, .. } => {
+                let radius = (from.radius_mm - centre.radius_mm).hypot(from.z_mm - centre.z_mm);
+                (2.0 * radius * (straight / 2.0 / radius).asin(), feed)
+            }
+            LatheAct::Thread { lead, .. } => (straight, LatheFeed::PerRevolution(lead)),
+            _ => continue,
+        };
+        let Some(LatheSpeed::Spindle(rpm)) = motion.modes.speed else { panic!("{motion:?}") };
+        cutting += match feed {
+            LatheFeed::PerRevolution(feed) => length / (feed.0 * rpm.0),
+            LatheFeed::PerMinute(feed) => length / feed.0,
+        };
+    }
+    (cutting, rapids)
+}
+
+/// The page's times are those of its programs, read back. The lathe has steps of speed, so nothing is at G96.
+#[test]
+fn times_are_those_of_the_program() {
+    for name in ["turned-stepped", "turned-bushing", "turned-sleeve"] {
+        let operation = planned(&example(name));
+        let rapid = Lathe::find(&KNOWLEDGE, operation.workpiece.machine.as_deref().unwrap()).unwrap().rapid_z.0;
+        let times = times(&operation, &KNOWLEDGE).unwrap();
+        let programs = programs(&operation, "linuxcnc", Form::Motions, None, &KNOWLEDGE).unwrap();
+        for (times, program) in times.iter().zip(&programs) {
+            let Ok(files) = &program.files else { continue };
+            let (cutting, rapids) = timed(&files[0].text, rapid);
+            assert!((times.cutting_min.0 - cutting).abs() < 0.005, "{name}: {} {cutting}", times.cutting_min.0);
+            assert!((times.rapid_min.0 - rapids).abs() < 0.005, "{name}: {} {rapids}", times.rapid_min.0);
+            let calls = files[0].text.lines().filter(|line| line.contains(" M6")).count();
+            assert_eq!(times.tool_changes, calls, "{name}");
+            // 4 s, 2 s and half a minute of `chuck-and-tailstock`: the record of the lathe has no time of its own.
+            let around = times.tool_change_min.0 + times.spindle_start_min.0 + times.load_min.0;
+            assert!((around - (calls as f64 * 0.1 + 0.5)).abs() < 1e-9, "{name}: {around}");
+        }
+    }
 }

@@ -29,6 +29,7 @@ pub mod prepare;
 pub mod programs;
 pub mod proof;
 pub mod setting;
+pub mod times;
 pub mod tool_table;
 pub mod tools;
 mod unfinished;

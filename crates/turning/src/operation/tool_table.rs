@@ -16,10 +16,9 @@ use super::setting::Setting;
 /// The control that has such a table.
 pub const CONTROL: &str = "linuxcnc";
 
-/// The file. The offsets are 0 until they are measured; the remark before the lines says so.
-pub fn tool_table(setting: &Setting) -> String {
-    let mut file =
-        format!("; {}: X and Z are 0 until they are measured (touch off into the tool table)\n", ascii(&setting.part));
+/// The file; `head` is the remark before its lines, one line of ASCII. The offsets are 0 until they are measured.
+pub fn tool_table(setting: &Setting, head: &str) -> String {
+    let mut file = format!("; {}\n", ascii(head).replace('\n', " "));
     for tool in &setting.tools {
         let station = &tool.station;
         let place = station.place;

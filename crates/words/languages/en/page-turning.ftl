@@ -125,10 +125,11 @@ turn-jobs = Jobs, tool by tool
 turn-job = Work
 turn-job-nose = r
 turn-job-of = set-up { $number }
-turn-job-time = Set-up { $number }: cutting and rapids { $time } min, { $count ->
-        [one] tool
-       *[other] tools
-    } { $count }.
+turn-job-time = Set-up { $number }: cutting { $cutting } min, rapids { $rapids } min, { $count ->
+        [one] tool change
+       *[other] tool changes
+    } ({ $count }) { $changes } min, spindle starts { $starts } min, loading and unloading { $load } min; { $total } min in all.
+turn-job-time-without = Cutting and rapids are those of the program; times of changes, starts and loading are rows of `chuck-and-tailstock`, unless the record of the lathe has its own; starts and loading are not confirmed. The ways to the change position of the turret and back are not in them: the setter chooses where it is.
 turn-does-face = face
 turn-does-centre = centre
 turn-does-drill = drill
@@ -162,6 +163,7 @@ turn-setting-shank = Shank, { $unit }
 turn-setting-tip = Tip
 turn-setting-measured = How the offsets are measured
 turn-setting-offsets = T{ $place }: X: { $x }; Z: { $z }
+turn-tool-table-head = { $part }: X and Z are 0 until they are measured, touch off into the tool table
 set-x-diameter = touch a turned diameter and enter what it measures
 set-x-bore = touch a bore and enter what it measures
 set-x-axis = the tool stands on the axis of the spindle: X 0
