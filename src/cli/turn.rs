@@ -60,6 +60,8 @@ enum Show {
     Schemes,
     Program,
     Cycle,
+    Setting,
+    ToolTable,
 }
 
 impl Show {
@@ -68,7 +70,19 @@ impl Show {
         match self {
             Self::Program => Some(Form::Motions),
             Self::Cycle => Some(Form::Cycles),
-            Self::Passes | Self::Steps | Self::Map | Self::Operation | Self::Schemes => None,
+            _ => None,
+        }
+    }
+
+    /// The formats that it has. A program is text, a tool table too; their endings are those of the control.
+    const fn formats(self) -> (&'static str, &'static [Format]) {
+        match self {
+            Self::Program | Self::Cycle => ("turn --show=program", &[Format::Text]),
+            Self::ToolTable => ("turn --show=tool-table", &[Format::Text]),
+            Self::Setting => {
+                ("turn --show=setting", &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml])
+            }
+            _ => ("turn", &FORMATS),
         }
     }
 }
@@ -117,23 +131,22 @@ const FORMATS: [Format; 6] = [Format::Text, Format::Markdown, Format::Html, Form
 /// # Errors
 /// The file cannot be used; every mistake in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = match args.show.program() {
-        // A program is text; its ending is the control's.
-        Some(_) => context.format("turn --show=program", &[Format::Text])?,
-        None => context.format("turn", &FORMATS)?,
-    };
+    let (command, formats) = args.show.formats();
+    let format = context.format(command, formats)?;
     let knowledge = knowledge::load(context)?;
     let read = read(&args.shaft, knowledge, context)?;
     if let Some(form) = args.show.program() {
-        let operation = match (&read, args.variant) {
-            (Turned::Stepped(shaft), Some(variant)) => by_passes(shaft, variant, args, knowledge, context)?,
-            (Turned::Contoured(_), Some(_)) => return Err(refused("only-for-steps", context)),
-            (Turned::Stepped(shaft), None) => turn_operation::plan(&Workpiece::from(shaft), knowledge, context)?,
-            (Turned::Contoured(workpiece), None) => turn_operation::plan(workpiece, knowledge, context)?,
-        };
+        let operation = operation_of(&read, args, knowledge, context)?;
         let spindle = args.spindle.map(|speed| RevsPerMinute(f64::from(speed)));
         let wanted = Wanted { control: args.control, form, number: args.number as usize, spindle };
         return turn_operation::program(&operation, wanted, knowledge, context);
+    }
+    if matches!(args.show, Show::Setting | Show::ToolTable) {
+        let operation = operation_of(&read, args, knowledge, context)?;
+        return match args.show {
+            Show::Setting => turn_operation::setting(&operation, args.control, format, knowledge, context),
+            _ => turn_operation::tool_table(&operation, args.control, knowledge, context),
+        };
     }
     let mut shaft = match read {
         Turned::Stepped(shaft) if matches!(args.show, Show::Operation | Show::Schemes) => {
@@ -188,6 +201,16 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
     }
     Ok(Outcome::Done)
+}
+
+/// The operation whose programs are written.
+fn operation_of(read: &Turned, args: &Args, knowledge: &Knowledge, context: &Context) -> Result<Operation, CliError> {
+    match (read, args.variant) {
+        (Turned::Stepped(shaft), Some(variant)) => by_passes(shaft, variant, args, knowledge, context),
+        (Turned::Contoured(_), Some(_)) => Err(refused("only-for-steps", context)),
+        (Turned::Stepped(shaft), None) => turn_operation::plan(&Workpiece::from(shaft), knowledge, context),
+        (Turned::Contoured(workpiece), None) => turn_operation::plan(workpiece, knowledge, context),
+    }
 }
 
 /// The operation of a shaft that is roughed by one of its sequences of passes.

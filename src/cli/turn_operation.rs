@@ -1,12 +1,16 @@
 //! The part of `technolog turn` that plans contours: the page of the whole operation, its drawing and its programs.
 
 use clap::ValueEnum;
+use serde::Serialize;
 use technolog::audit::turned;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
 use technolog::report;
 use technolog::turning::operation::programs::{Form, OperationProgram, programs};
+use technolog::turning::operation::setting;
+use technolog::turning::operation::times::{Times, times};
+use technolog::turning::operation::tool_table;
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::program::NotWritten;
 use technolog::turning::workpiece::Workpiece;
@@ -37,6 +41,14 @@ impl Control {
     }
 }
 
+/// An operation with the times of its set-ups.
+#[derive(Serialize)]
+struct Answer<'a> {
+    #[serde(flatten)]
+    operation: &'a Operation,
+    times: &'a [Times],
+}
+
 /// Shows the whole operation; a drawing has the ways of all schemes where they are asked for.
 ///
 /// # Errors
@@ -49,14 +61,17 @@ pub fn page(
     context: &Context,
 ) -> Result<Outcome, CliError> {
     let operation = plan(workpiece, knowledge, context)?;
+    let times = times(&operation, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let answer = Answer { operation: &operation, times: &times };
     match format {
-        Format::Json => context.emit_json(&operation)?,
-        Format::Yaml => context.emit_yaml(&operation)?,
+        Format::Json => context.emit_json(&answer)?,
+        Format::Yaml => context.emit_yaml(&answer)?,
         Format::Svg => {
             context.emit_cleaned(&report::turning::operation_drawing(&operation, all_schemes, context.lang))?
         }
         _ => {
-            let page = report::turning::operation_page(&operation, knowledge, context.amount.doubts(), context.lang);
+            let page =
+                report::turning::operation_page(&operation, &times, knowledge, context.amount.doubts(), context.lang);
             drawn(page, format, context, "turn-figure", |lang| {
                 report::turning::operation_drawing(&operation, all_schemes, lang)
             })?;
@@ -122,6 +137,55 @@ pub fn program(
         }
         Err(error) => Err(not_written(written, error.note(), context)),
     }
+}
+
+/// Shows the tool list and the setting sheet that belong to the programs of an operation.
+///
+/// # Errors
+/// The knowledge base lacks something, or the answer cannot be written.
+pub fn setting(
+    operation: &Operation,
+    control: Control,
+    format: Format,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<Outcome, CliError> {
+    let setting = set(operation, control, knowledge, context)?;
+    match format {
+        Format::Json => context.emit_json(&setting)?,
+        Format::Yaml => context.emit_yaml(&setting)?,
+        _ => context.emit_document(&report::turning::setting_page(&setting, context.lang), format)?,
+    }
+    Ok(Outcome::Done)
+}
+
+/// Writes the tool table of LinuxCNC.
+///
+/// # Errors
+/// Another control was named, the knowledge base lacks something, or the answer cannot be written.
+pub fn tool_table(
+    operation: &Operation,
+    control: Control,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<Outcome, CliError> {
+    if control.name() != tool_table::CONTROL {
+        return Err(super::turn::refused("no-tool-table", context));
+    }
+    let setting = set(operation, control, knowledge, context)?;
+    let head = say!(context.lang, "turn-tool-table-head", part = setting.part.as_str());
+    context.emit(&tool_table::tool_table(&setting, &head))?;
+    Ok(Outcome::Done)
+}
+
+fn set(
+    operation: &Operation,
+    control: Control,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<setting::Setting, CliError> {
+    let set = setting::setting(operation, control.name(), knowledge);
+    set.map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
 fn not_written(written: &OperationProgram, note: Note, context: &Context) -> CliError {

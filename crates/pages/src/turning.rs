@@ -9,6 +9,7 @@ mod operation_drawing;
 mod phrases;
 mod schemes;
 mod schemes_drawing;
+mod setting;
 mod view;
 
 use crate::document::{Block, Column, Document, Drawing, Field, Keep, Table};
@@ -30,6 +31,7 @@ pub use frames::frames;
 pub use map::{map_drawing, map_page};
 pub use operation::{operation_page, programs_list};
 pub use operation_drawing::operation_drawing;
+pub use setting::setting_page;
 
 /// The whole page of a shaft.
 pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> Document {

@@ -38,6 +38,8 @@ vocabulary! {
         CentreAngle = "centre-angle",
         QuillShare = "quill-share",
         ToolChangeTime = "tool-change-time",
+        SpindleStartTime = "spindle-start-time",
+        LoadTime = "load-time",
     }
 }
 

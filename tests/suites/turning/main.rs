@@ -20,6 +20,7 @@ mod passes;
 mod programs;
 mod read_back;
 mod schemes;
+mod setting;
 mod tools;
 mod transitions;
 mod workpiece;

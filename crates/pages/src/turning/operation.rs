@@ -11,6 +11,7 @@ use crate::knowledge::Knowledge;
 use technolog_turning::allowances::areas::Area;
 use technolog_turning::operation::Operation;
 use technolog_turning::operation::programs::OperationProgram;
+use technolog_turning::operation::times::Times;
 use technolog_turning::operation::work::Work;
 use technolog_words::say;
 
@@ -19,7 +20,13 @@ use super::phrases::{material, rests_on, word};
 use super::{Doubts, Lang, fields, findings, section};
 
 /// The whole page.
-pub fn operation_page(operation: &Operation, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> Document {
+pub fn operation_page(
+    operation: &Operation,
+    times: &[Times],
+    knowledge: &Knowledge,
+    doubts: Doubts,
+    lang: Lang,
+) -> Document {
     let mut page = Document::new(lang.tag(), operation.workpiece.name.as_str());
     head(&mut page, operation, knowledge, lang);
     if !operation.blank_advice.is_empty() {
@@ -48,7 +55,7 @@ pub fn operation_page(operation: &Operation, knowledge: &Knowledge, doubts: Doub
     page.heading(3, say!(lang, "turn-total"));
     page.paragraph(total(operation, lang));
     section(&mut page, say!(lang, "turn-jobs"));
-    jobs::jobs(&mut page, operation, lang);
+    jobs::jobs(&mut page, operation, times, lang);
     findings(&mut page, operation.findings.iter(), doubts, lang);
     page
 }

@@ -31,6 +31,12 @@ vocabulary! {
         Nothing = "nothing",
     }
 
+    /// In which order a control counts the places of a tool's tip.
+    pub enum TipNumbering {
+        LinuxCnc = "linuxcnc",
+        Common = "common",
+    }
+
     /// How a length across the axis is measured.
     pub enum Measure {
         Radius = "radius",
@@ -88,6 +94,7 @@ rows! {
         ending: Option<&'t str>,
         point: Option<bool>,
         comment: Option<&'t str>,
+        tip_numbering: Option<TipNumbering>,
         known_words: Option<Vec<&'t str>>,
     } shown { version }
 
@@ -107,6 +114,14 @@ rows! {
         side: Side,
         cycle: &'t str,
         machining: Option<i64>,
+    }
+
+    /// Places of the tip of a tool, from the centre of its nose.
+    pub struct LatheTipPlaces of One("lathe-tip-places") {
+        numbering: TipNumbering,
+        radial: i64,
+        axial: i64,
+        number: i64,
     }
 
     /// Words of programs for lathes.

@@ -205,21 +205,6 @@ impl Tip {
         let nose = nose.to_mm();
         Vector::new(f64::from(self.axial) * nose, f64::from(self.radial) * nose)
     }
-
-    /// The number of the tip's place as controls count it, with X away from the axis: 1 to 4 corners, 5 to 8 sides.
-    pub const fn quadrant(self) -> u8 {
-        match (self.radial, self.axial) {
-            (1, -1) => 1,
-            (1, 1) => 2,
-            (-1, 1) => 3,
-            (-1, -1) => 4,
-            (0, -1) => 5,
-            (1, _) => 6,
-            (0, 1) => 7,
-            (-1, _) => 8,
-            _ => 9,
-        }
-    }
 }
 
 impl JobTool {

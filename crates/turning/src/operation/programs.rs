@@ -108,7 +108,7 @@ fn hits_centre(job: &Job) -> bool {
 }
 
 /// The jobs of a set-up as sections of its program. Jobs that follow each other with one tool at one pace are one.
-fn sections(
+pub(super) fn sections(
     set_up: &SetUpWork,
     stations: &[Station],
     form: Form,

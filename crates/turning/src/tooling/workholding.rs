@@ -3,7 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure as Figure};
-use crate::units::{Degrees, Micrometres};
+use crate::units::{Degrees, Micrometres, Minutes};
 
 use super::Lathe;
 
@@ -55,8 +55,22 @@ impl<'k> Lathe<'k> {
     pub fn tool_change(&self, knowledge: &'k Knowledge) -> Result<Seconds, KnowledgeError> {
         match self.tool_change {
             Some(time) => Ok(time),
-            None => Ok(Seconds(figure(Figure::ToolChangeTime, knowledge)?)),
+            None => Seconds::of_table(Figure::ToolChangeTime, knowledge),
         }
+    }
+}
+
+impl Seconds {
+    /// A time of `chuck-and-tailstock`.
+    ///
+    /// # Errors The knowledge base lacks that table, or its row.
+    pub fn of_table(name: Figure, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        Ok(Self(figure(name, knowledge)?))
+    }
+
+    /// The same in minutes.
+    pub fn minutes(self) -> Minutes {
+        Minutes(self.0 / 60.0)
     }
 }
 

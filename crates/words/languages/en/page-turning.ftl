@@ -125,10 +125,11 @@ turn-jobs = Jobs, tool by tool
 turn-job = Work
 turn-job-nose = r
 turn-job-of = set-up { $number }
-turn-job-time = Set-up { $number }: cutting and rapids { $time } min, { $count ->
-        [one] tool
-       *[other] tools
-    } { $count }.
+turn-job-time = Set-up { $number }: cutting { $cutting } min, rapids { $rapids } min, { $count ->
+        [one] tool change
+       *[other] tool changes
+    } ({ $count }) { $changes } min, spindle starts { $starts } min, loading and unloading { $load } min; { $total } min in all.
+turn-job-time-without = Cutting and rapids are those of the program; times of changes, starts and loading are rows of `chuck-and-tailstock`, unless the record of the lathe has its own; starts and loading are not confirmed. The ways to the change position of the turret and back are not in them: the setter chooses where it is.
 turn-does-face = face
 turn-does-centre = centre
 turn-does-drill = drill
@@ -153,6 +154,26 @@ turn-programs-are = give one of these with --number: { $known }
 turn-no-programs = there is no program, because no zone of the part could be planned
 turn-see-operation = `technolog turn FILE --show operation` says why
 turn-tool-not-written = { $tool }: { $why }
+# The setting sheet of a lathe.
+turn-setting-zero = Control: { $control }. Z 0 is the finished face of the free end, X 0 the axis. The programs lead the theoretical point of each tool, already offset for its nose: nothing is compensated on the control.
+turn-setting-stand = Set-up { $number }: { $held }; the stock reaches { $stock } mm before Z 0
+turn-setting-tools = Tools
+turn-setting-insert = Insert
+turn-setting-shank = Shank, { $unit }
+turn-setting-tip = Tip
+turn-setting-measured = How the offsets are measured
+turn-setting-offsets = T{ $place }: X: { $x }; Z: { $z }
+turn-tool-table-head = { $part }: X and Z are 0 until they are measured, touch off into the tool table
+set-x-diameter = touch a turned diameter and enter what it measures
+set-x-bore = touch a bore and enter what it measures
+set-x-axis = the tool stands on the axis of the spindle: X 0
+set-z-face = touch a finished face and enter its Z
+set-z-blade = touch a finished face with the side of the blade towards the chuck and enter its Z
+set-z-shoulder = touch a shoulder that looks towards the chuck and enter its Z
+set-z-point = touch a finished face with the point and enter its Z
+set-z-thread = bring the point over a finished face by eye and enter its Z
+set-z-nose = the centre of the nose; no face touches it, so measure it with a presetter
+set-z-presetter = the theoretical point; the edge leans over a face, so measure it with a presetter
 # Drawings.
 turn-panel = { $variant }: cutting path { $path } mm, { $count } { $count ->
         [one] pass

@@ -1,10 +1,11 @@
 //! The jobs of an operation, tool by tool: what an operator reads first.
 
-use std::collections::BTreeSet;
 
 use crate::document::{Block, Column, Document, Item};
+use crate::units::Minutes;
+use technolog_turning::operation::Operation;
 use technolog_turning::operation::programs::{place, stations};
-use technolog_turning::operation::{Operation, SetUpWork};
+use technolog_turning::operation::times::Times;
 use technolog_turning::program::Speed;
 use technolog_turning::{jobs::Job, jobs::Pace};
 use technolog_words::say;
@@ -13,19 +14,23 @@ use super::super::Lang;
 use super::super::cells::{Cell, fixed, table};
 
 /// The jobs of every set-up.
-pub(super) fn jobs(page: &mut Document, operation: &Operation, lang: Lang) {
+pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], lang: Lang) {
     let stations = stations(operation);
     for set_up in operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty()) {
         let rows = set_up.jobs.iter().map(|job| row(job, place(&stations, job), lang)).collect();
         page.heading(3, say!(lang, "turn-set-up", number = set_up.set_up.number));
         page.push(table(columns(lang), rows, lang));
-        let places = set_up.jobs.iter().filter_map(|job| place(&stations, job)).collect::<BTreeSet<_>>();
-        page.paragraph(time(set_up, places.len(), lang));
+        if let Some(times) = times.iter().find(|times| times.set_up == set_up.set_up.number) {
+            page.paragraph(time(times, lang));
+        }
         let told = set_up.jobs.iter().flat_map(|job| {
             let place = place(&stations, job).map_or_else(String::new, |place| format!("T{place}: "));
             job.notes.iter().map(move |note| Item::from(format!("{place}{}", lang.say(note))))
         });
         page.blocks.push(Block::List(told.collect()));
+    }
+    if !times.is_empty() {
+        page.paragraph(say!(lang, "turn-job-time-without"));
     }
 }
 
@@ -66,7 +71,18 @@ fn row(job: &Job, place: Option<u32>, lang: Lang) -> Vec<Cell> {
     ]
 }
 
-fn time(set_up: &SetUpWork, tools: usize, lang: Lang) -> String {
-    let time: f64 = set_up.jobs.iter().map(|job| job.time_min.0).sum();
-    say!(lang, "turn-job-time", number = set_up.set_up.number, time = fixed(time, 2, lang), count = tools)
+fn time(times: &Times, lang: Lang) -> String {
+    let shown = |time: Minutes| fixed(time.0, 2, lang);
+    say!(
+        lang,
+        "turn-job-time",
+        number = times.set_up,
+        cutting = shown(times.cutting_min),
+        rapids = shown(times.rapid_min),
+        count = times.tool_changes,
+        changes = shown(times.tool_change_min),
+        starts = shown(times.spindle_start_min),
+        load = shown(times.load_min),
+        total = shown(times.total())
+    )
 }

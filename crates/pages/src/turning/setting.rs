@@ -1,0 +1,78 @@
+//! What the operator of a lathe sets before a program runs: the tools in the turret, the tips, where offsets are measured.
+
+use crate::document::{Block, Column, Document, Inlines, Item, Keep};
+use technolog_turning::jobs::{Body, JobTool, Work};
+use technolog_turning::operation::setting::{SetTool, Setting, Stand};
+use technolog_words::say;
+
+use super::Lang;
+use super::cells::{Cell, table};
+
+/// The tool list and setting sheet of an operation.
+pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
+    let mut page = Document::new(lang.tag(), say!(lang, "setting-title", part = setting.part.as_str()));
+    page.paragraph(say!(lang, "turn-setting-zero", control = setting.control.as_str()));
+    page.push(Block::List(setting.set_ups.iter().map(|stand| stands(stand, lang)).collect()));
+    page.heading(2, say!(lang, "turn-setting-tools"));
+    page.push(table(columns(lang), setting.tools.iter().map(|tool| row(tool, lang)).collect(), lang));
+    page.heading(2, say!(lang, "turn-setting-measured"));
+    let measured = setting.tools.iter().map(|tool| {
+        let (x, z) = (lang.say(&tool.x), lang.say(&tool.z));
+        Item::from(say!(lang, "turn-setting-offsets", place = tool.station.place, x = x, z = z))
+    });
+    page.push(Block::List(measured.collect()));
+    page
+}
+
+fn stands(stand: &Stand, lang: Lang) -> Item {
+    let held = lang.say(&stand.held);
+    say!(lang, "turn-setting-stand", number = stand.set_up, held = held, stock = stand.face_stock_mm).into()
+}
+
+fn columns(lang: Lang) -> [Column; 10] {
+    let mm = lang.word("unit-mm");
+    let number = |key| Column::number(lang.word(key), "");
+    // A designation stays on one line.
+    let text = |key| Column::text(lang.word(key));
+    [
+        Column::text("T"),
+        text("turn-tool").least(14),
+        text("turn-setting-insert").keep(Keep::Useful),
+        Column::text(Inlines::from(say!(lang, "turn-setting-shank", unit = mm))).keep(Keep::Useful),
+        Column::number(say!(lang, "turn-job-nose"), mm),
+        number("turn-setting-tip"),
+        text("turn-set-up-column"),
+        text("turn-job"),
+        Column::text("X"),
+        Column::text("Z"),
+    ]
+}
+
+fn row(tool: &SetTool, lang: Lang) -> Vec<Cell> {
+    let station = &tool.station;
+    let nose = station.tool.nose_radius().to_mm();
+    let set_ups: Vec<String> = tool.set_ups.iter().map(u8::to_string).collect();
+    let works: Vec<&str> = tool.works.iter().map(|work: &Work| lang.term("turn-does", work.name())).collect();
+    vec![
+        format!("T{}", station.place).into(),
+        station.tool.designation.as_str().into(),
+        tool.insert.as_deref().unwrap_or_default().into(),
+        shank(&station.tool).into(),
+        if nose > 0.0 { Cell::Figure(nose, 2) } else { Cell::empty() },
+        tool.orientation.map_or_else(Cell::empty, |number| Cell::count(usize::from(number))),
+        set_ups.join(", ").into(),
+        works.join(", ").into(),
+        // The operator writes what he measures.
+        "______".into(),
+        "______".into(),
+    ]
+}
+
+/// What is clamped: height and width of a square shank, or the diameter of a bar; empty where the catalog has neither.
+fn shank(tool: &JobTool) -> String {
+    match &tool.body {
+        Body::Insert { shank_mm: Some((height, width)), .. } => format!("{height}×{width}"),
+        Body::Insert { bar_mm: Some(bar), .. } => format!("Ø{bar}"),
+        Body::Insert { .. } | Body::Drill { .. } | Body::CentreDrill { .. } => String::new(),
+    }
+}

@@ -1,0 +1,201 @@
+//! What the operator sets before the programs of an operation run: how the part stands in each set-up, which tool stands in
+//! which place, how the control counts its tip, and where its offsets are measured.
+//!
+//! The programs lead the reference point of a tool ([`crate::turning::jobs`]), offset for its nose already: the offsets of
+//! the control give this point, and no radius correction is asked of it.
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::knowledge::contract::Word;
+use crate::note::Note;
+use crate::tables::controls::lathe::{LatheControl, LatheControls, LatheTipPlaces};
+use crate::turning::jobs::{Body, JobTool, Tip, Work};
+use crate::turning::length::Half;
+use crate::turning::tooling::{Hand, Place, ToolKind, TurningTool};
+use crate::units::Degrees;
+
+use super::Operation;
+use super::programs::{Station, place, stations};
+
+/// The setting of an operation for a control.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Setting {
+    /// The part.
+    pub part: String,
+    /// The control.
+    pub control: String,
+    /// How the part stands in each set-up that has a program.
+    pub set_ups: Vec<Stand>,
+    /// The tools by their places in the turret.
+    pub tools: Vec<SetTool>,
+}
+
+/// How a part stands in a set-up. Z 0 is the finished face of its free end.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Stand {
+    /// The number of the set-up.
+    pub set_up: u8,
+    /// Where it is held.
+    pub held: Note,
+    /// How far the stock reaches before Z 0, mm.
+    pub face_stock_mm: Half,
+}
+
+/// A tool as it is set.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SetTool {
+    /// Its place in the turret, and its shape.
+    #[serde(flatten)]
+    pub station: Station,
+    /// Its insert by ISO 1832, if the catalog has it.
+    pub insert: Option<String>,
+    /// The set-ups that use it.
+    pub set_ups: Vec<u8>,
+    /// What it does in them.
+    pub works: Vec<Work>,
+    /// The place of its tip as the control counts it, 1 to 9; none where the numbers of the control are not known.
+    pub orientation: Option<u8>,
+    /// How its offset along X is measured.
+    pub x: Note,
+    /// How its offset along Z is measured.
+    pub z: Note,
+}
+
+/// The setting of an operation.
+///
+/// # Errors There is no such control, or the knowledge base lacks a table.
+pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> Result<Setting, KnowledgeError> {
+    let stations = stations(operation);
+    let table = knowledge.table_of::<LatheControls<'_>>()?;
+    let known = LatheControl::from_word(control).ok_or_else(|| KnowledgeError::no_row(table, control))?;
+    let numbering = knowledge.need(control, |row: &LatheControls<'_>| row.control == known)?.tip_numbering;
+    let part = &operation.workpiece;
+    let worked = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty());
+    let set_ups = worked.map(|work| {
+        let far = part.blank.end() - part.length();
+        Stand {
+            set_up: work.set_up.number,
+            held: work.set_up.because.note.clone(),
+            face_stock_mm: if work.set_up.turned_over { far } else { part.blank.face() },
+        }
+    });
+    let tools = stations.iter().map(|station| {
+        let uses =
+            |set_up: &&super::SetUpWork| set_up.jobs.iter().any(|job| place(&stations, job) == Some(station.place));
+        let mut works = Vec::new();
+        for job in operation.set_ups.iter().flat_map(|set_up| &set_up.jobs) {
+            if place(&stations, job) == Some(station.place) && !works.contains(&job.work) {
+                works.push(job.work);
+            }
+        }
+        let tip = station.tool.tip().unwrap_or(ON_AXIS);
+        let orientation = match numbering {
+            Some(numbering) => {
+                let is_it = |row: &LatheTipPlaces| {
+                    (row.numbering, row.radial, row.axial) == (numbering, i64::from(tip.radial), i64::from(tip.axial))
+                };
+                u8::try_from(knowledge.need(&format!("{tip:?}"), is_it)?.number).ok()
+            }
+            None => None,
+        };
+        let insert = TurningTool::find(knowledge, &station.tool.designation)?.and_then(|tool| tool.insert);
+        Ok(SetTool {
+            insert: insert.map(str::to_owned),
+            set_ups: operation.set_ups.iter().filter(uses).map(|set_up| set_up.set_up.number).collect(),
+            works,
+            orientation,
+            x: Note::new(along_x(&station.tool)),
+            z: Note::new(along_z(&station.tool)),
+            station: station.clone(),
+        })
+    });
+    Ok(Setting {
+        part: part.name.clone(),
+        control: control.to_owned(),
+        set_ups: set_ups.collect(),
+        tools: tools.collect::<Result<_, KnowledgeError>>()?,
+    })
+}
+
+/// The tip of a drill points along the axis to the chuck.
+const ON_AXIS: Tip = Tip { radial: 0, axial: 1 };
+
+/// How X of the reference point is measured.
+const fn along_x(tool: &JobTool) -> &'static str {
+    match tool.body {
+        Body::Insert { works: Place::Inner, .. } => "set-x-bore",
+        Body::Insert { .. } => "set-x-diameter",
+        Body::Drill { .. } | Body::CentreDrill { .. } => "set-x-axis",
+    }
+}
+
+/// How Z of the reference point is measured. A face touches the theoretical point where the edge does not lean over it, that
+/// is from φ = 90° on.
+fn along_z(tool: &JobTool) -> &'static str {
+    match tool.body {
+        Body::Drill { .. } | Body::CentreDrill { .. } => "set-z-point",
+        Body::Insert { kind: ToolKind::Threading, .. } => "set-z-thread",
+        Body::Insert { kind: ToolKind::Grooving, .. } => "set-z-blade",
+        Body::Insert { kind: ToolKind::FaceGrooving, .. } => "set-z-face",
+        Body::Insert { hand: Hand::N, .. } => "set-z-nose",
+        Body::Insert { lead_angle_deg, .. } if lead_angle_deg < Degrees(90.0) => "set-z-presetter",
+        Body::Insert { hand: Hand::L, .. } => "set-z-shoulder",
+        Body::Insert { .. } => "set-z-face",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shipped;
+    use crate::tables::controls::lathe::TipNumbering;
+    use crate::turning::operation::plan;
+    use crate::turning::workpiece::read_workpiece;
+
+    const PART: &str = "shaft: P\nmaterial: steel-45\nblank: {kind: bar, diameter: 50, length: 80, face: 1}\n\
+                        machine: 16k20f3\nouter:\n  - {from: {d: 0, z: 0}}\n  - {face: 30}\n  - {cylinder: -40}\n  - \
+                        {face: 46}\n  - {cylinder: -50}\n";
+
+    fn of(control: &str) -> Setting {
+        let knowledge = shipped::knowledge().unwrap();
+        let workpiece = read_workpiece("part", PART, &knowledge).unwrap();
+        setting(&plan(&workpiece, &knowledge).unwrap(), control, &knowledge).unwrap()
+    }
+
+    /// A right-hand tool outside: 2 for LinuxCNC (glcanon.py: the nose lies at +X +Z of its point), 3 for Fanuc.
+    #[test]
+    fn controls_count_the_same_tip_differently() {
+        let numbers = |control| of(control).tools.iter().map(|tool| tool.orientation).collect::<Vec<_>>();
+        assert!(numbers("linuxcnc").iter().all(|number| *number == Some(2)));
+        assert!(numbers("fanuc").iter().all(|number| *number == Some(3)));
+        assert!(numbers("sinumerik").iter().all(|number| *number == Some(3)));
+        assert!(numbers("nc-201").iter().all(Option::is_none));
+    }
+
+    /// 1 mm before the free end; turned over, 80 long with 1 before it and a part of 50: 80 - 1 - 50 = 29.
+    #[test]
+    fn the_stock_before_each_face_is_that_of_the_blank() {
+        let setting = of("linuxcnc");
+        let stock: Vec<f64> = setting.set_ups.iter().map(|stand| stand.face_stock_mm.to_mm()).collect();
+        assert_eq!(stock, [1.0, 29.0]);
+        assert!(setting.tools.iter().all(|tool| !tool.set_ups.is_empty() && !tool.works.is_empty()));
+    }
+
+    /// Whatever tip a tool can have, both orders have another number for each.
+    #[test]
+    fn every_place_of_a_tip_has_its_own_number() {
+        let knowledge = shipped::knowledge().unwrap();
+        let rows = knowledge.rows::<LatheTipPlaces>().unwrap();
+        for numbering in [TipNumbering::LinuxCnc, TipNumbering::Common] {
+            let of = |row: &&LatheTipPlaces| row.numbering == numbering;
+            let mut numbers: Vec<i64> = rows.iter().filter(of).map(|row| row.number).collect();
+            let mut places: Vec<_> = rows.iter().filter(of).map(|row| (row.radial, row.axial)).collect();
+            numbers.sort_unstable();
+            places.sort_unstable();
+            places.dedup();
+            assert_eq!((numbers, places.len()), ((1..=9).collect(), 9));
+        }
+    }
+}
