@@ -67,6 +67,31 @@ fn silent(operation: &Operation) -> Vec<String> {
     found
 }
 
+/// A finishing pass takes off what lies on the surfaces that it finishes, not what lies on others of its side: the face of
+/// the pull rod, here with a cone in place of its shoulder, has more than its neck.
+#[test]
+fn a_pass_is_as_deep_as_what_it_finishes() {
+    let path = format!("{}/examples/turned-neck.yaml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    let short = text.replace("{face: 40}", "{cone: {d: 40, z: -75}}");
+    assert_ne!(short, text);
+    let operation = planned(&read_workpiece("part", &short, &KNOWLEDGE).unwrap());
+    let mut of_a_hollow = 0;
+    for set_up in &operation.set_ups {
+        let layers = |side: Side| set_up.sides.iter().filter(move |one| one.side == side).map(|one| &one.layers);
+        for job in set_up.jobs.iter().filter(|job| job.work == technolog::turning::jobs::Work::Finish) {
+            let known = layers(job.side).flat_map(|layers| &layers.allowances);
+            let own = known.clone().filter(|one| job.surfaces.contains(&one.surface));
+            let most = own.filter_map(|one| one.allowance_mm).max();
+            let (Some(most), Some(conditions)) = (most, &job.conditions) else { continue };
+            assert_eq!(conditions.depth_mm, most.rounded_up(), "{:?}", job.surfaces);
+            let greatest = known.filter_map(|one| one.allowance_mm).max();
+            of_a_hollow += usize::from(greatest > Some(most));
+        }
+    }
+    assert!(of_a_hollow > 0, "the part shows the difference");
+}
+
 /// What of an operation would spoil the part or cut at rapid; and why it could not be proven.
 fn spoilt(operation: &Operation) -> Vec<String> {
     const SPOILS: [&str; 4] = ["swept-gouge", "swept-rapid", "swept-off-axis", "turning-not-proven"];

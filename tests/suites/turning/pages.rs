@@ -23,6 +23,18 @@ fn every_example_has_its_page() {
     insta::assert_snapshot!("page_shaft_forging_operation_en", page);
 }
 
+/// A row of a groove has its feed and its speed. By hand: 1400 1/min on Ø30 is π·30·1.4 = 131.9 m/min; its program feeds
+/// F0.1.
+#[test]
+fn grooves_tell_feed_and_speed() {
+    let (_, page) = turn(&["examples/turned-stepped.yaml", "--lang", "en"]);
+    let row = |work: &str| -> Vec<&str> {
+        let line = page.lines().find(|line| line.split('|').nth(1).is_some_and(|cell| cell.trim() == work));
+        line.map(|line| line.split('|').map(str::trim).collect()).unwrap_or_default()
+    };
+    assert_eq!(row("groove").get(5..8), Some(&["0.10", "131.9", "1400"][..]), "{page}");
+}
+
 /// Eight parts of every day: six are made whole, and their programs are written for three controls. The holder meets the
 /// tall shoulder of the disc, so that it has none; the slender shaft gives way, which its page says.
 #[test]

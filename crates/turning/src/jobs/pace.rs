@@ -3,7 +3,8 @@
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::transitions;
-use crate::units::{MillimetresPerMinute, Minutes, RevsPerMinute, round_to};
+use crate::units::{MetresPerMinute, Micrometres, MillimetresPerMinute, Minutes, RevsPerMinute, round_to};
+use technolog_cutting::speed_at;
 
 /// Speed and feeds of a job.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +42,15 @@ impl Pace {
                 Some(rpm) => Some(Speed::Spindle(*rpm)),
                 None => None,
             },
+        }
+    }
+
+    /// The cutting speed, m/min: the constant one, or that of the spindle at the largest diameter that is cut. None if
+    /// neither is known.
+    pub fn cutting_speed(&self, largest: Option<Micrometres>) -> Option<MetresPerMinute> {
+        match self.speed()? {
+            Speed::Cutting { speed, .. } => Some(speed),
+            Speed::Spindle(rpm) => largest.map(|diameter| speed_at(rpm, diameter)),
         }
     }
 

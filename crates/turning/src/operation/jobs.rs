@@ -20,6 +20,7 @@ use crate::turning::zones::{Feed, Needs, SetUp, TurnedSide};
 use crate::units::{Degrees, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 
 use super::depth::{self, Task};
+use super::layers::Layers;
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
 use super::{SideWork, clip, crests, features};
@@ -240,13 +241,13 @@ fn finish(
         surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO)
     };
     let faces = contour.start() == side.layers.left.start();
-    let surfaces = surfaces.into_iter().filter(|surface| faces || !face(surface)).collect();
+    let surfaces: Vec<&Surface> = surfaces.into_iter().filter(|surface| faces || !face(surface)).collect();
     let task = Finishing {
         side: side.side,
         contour: &contour,
         standing,
+        allowance: allowance(&side.layers, &surfaces),
         surfaces,
-        allowance: allowance(side),
         needs: needs(&contour),
     };
     task.job(bench, findings, |seen, standing, clearance| Some(along(seen, standing, clearance)))
@@ -283,7 +284,7 @@ fn finish_hollow(
             contour,
             standing: &side.layers.left,
             surfaces: surfaces.clone(),
-            allowance: allowance(side),
+            allowance: allowance(&hollow.layers, &surfaces),
             needs: needs(&clip::between(contour, own.0, own.1)),
         };
         let (from_z, to_z) = within(SEAM);
@@ -316,11 +317,14 @@ fn without_face(contour: &Contour) -> Contour {
     Contour { side: contour.side, pieces: contour.pieces.iter().skip(faces).copied().collect() }
 }
 
-/// The largest finishing allowance of a side; of a far face alone, which is no surface of the set-up, that over it.
-fn allowance(side: &SideWork) -> Half {
+/// The largest finishing allowance of the surfaces that a pass finishes; of a far face alone, which is no surface of the
+/// set-up, that over it. Where none of them is known, the largest of the side.
+fn allowance(layers: &Layers, surfaces: &[&Surface]) -> Half {
     let start = |contour: &Contour| contour.start().map_or(Half::ZERO, |start| start.z);
-    let over_face = start(&side.layers.left) - start(&side.layers.rough);
-    side.layers.allowances.iter().filter_map(|one| one.allowance_mm).max().unwrap_or(over_face)
+    let over_face = start(&layers.left) - start(&layers.rough);
+    let known = layers.allowances.iter().filter_map(|one| Some((&one.surface, one.allowance_mm?)));
+    let own = known.clone().filter(|(name, _)| surfaces.iter().any(|surface| surface.name == **name));
+    own.map(|one| one.1).max().or_else(|| known.map(|one| one.1).max()).unwrap_or(over_face)
 }
 
 /// The task of a finishing pass.

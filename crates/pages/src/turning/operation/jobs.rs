@@ -1,13 +1,13 @@
 //! The jobs of an operation, tool by tool: what an operator reads first.
 
-
 use crate::document::{Block, Column, Document, Item};
-use crate::units::Minutes;
-use technolog_turning::operation::Operation;
+use crate::units::{Micrometres, MillimetresPerRev, Minutes};
+use technolog_turning::jobs::{Body, Job, Pace, Work};
+use technolog_turning::length::Half;
 use technolog_turning::operation::programs::{place, stations};
 use technolog_turning::operation::times::Times;
+use technolog_turning::operation::{Operation, SetUpWork};
 use technolog_turning::program::Speed;
-use technolog_turning::{jobs::Job, jobs::Pace};
 use technolog_words::say;
 
 use super::super::Lang;
@@ -17,7 +17,7 @@ use super::super::cells::{Cell, fixed, table};
 pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], lang: Lang) {
     let stations = stations(operation);
     for set_up in operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty()) {
-        let rows = set_up.jobs.iter().map(|job| row(job, place(&stations, job), lang)).collect();
+        let rows = set_up.jobs.iter().map(|job| row(job, set_up, place(&stations, job), lang)).collect();
         page.heading(3, say!(lang, "turn-set-up", number = set_up.set_up.number));
         page.push(table(columns(lang), rows, lang));
         if let Some(times) = times.iter().find(|times| times.set_up == set_up.set_up.number) {
@@ -48,15 +48,18 @@ fn columns(lang: Lang) -> [Column; 9] {
     ]
 }
 
-fn row(job: &Job, place: Option<u32>, lang: Lang) -> Vec<Cell> {
+fn row(job: &Job, set_up: &SetUpWork, place: Option<u32>, lang: Lang) -> Vec<Cell> {
     let nose = job.tool.nose_radius().to_mm();
-    let (rpm, feed) = match job.pace {
-        Pace::PerRev { speed: Speed::Spindle(rpm), .. } => (Some(rpm.0), None),
-        Pace::PerRev { speed: Speed::Cutting { .. }, .. } => (None, None),
-        Pace::PerMinute { spindle, .. } => (spindle.map(|rpm| rpm.0), None),
+    let rpm = match job.pace {
+        Pace::PerRev { speed: Speed::Spindle(rpm), .. } => Some(rpm),
+        Pace::PerRev { speed: Speed::Cutting { .. }, .. } => None,
+        Pace::PerMinute { spindle, .. } => spindle,
     };
     let conditions = job.conditions.as_ref();
-    let feed = feed.or(conditions.map(|conditions| conditions.feed_mm_per_rev.0));
+    let feed = conditions.map(|conditions| conditions.feed_mm_per_rev).or_else(|| main_feed(job));
+    let speed = conditions
+        .map(|conditions| conditions.speed_m_per_min)
+        .or_else(|| job.pace.cutting_speed(diameter(job, set_up)));
     let or_empty = |figure: Option<f64>, places| figure.map_or_else(Cell::empty, |figure| Cell::Figure(figure, places));
     vec![
         place.map_or_else(Cell::empty, |place| format!("T{place}").into()),
@@ -64,11 +67,38 @@ fn row(job: &Job, place: Option<u32>, lang: Lang) -> Vec<Cell> {
         lang.term("turn-side", job.side.name()).into(),
         job.tool.designation.as_str().into(),
         if nose > 0.0 { Cell::Figure(nose, 2) } else { Cell::empty() },
-        or_empty(feed, 3),
-        or_empty(conditions.map(|conditions| conditions.speed_m_per_min.0), 1),
-        or_empty(rpm, 1),
+        or_empty(feed.map(|feed| feed.0), 3),
+        or_empty(speed.map(|speed| speed.0), 1),
+        or_empty(rpm.map(|rpm| rpm.0), 1),
         Cell::Figure(job.time_min.0, 2),
     ]
+}
+
+/// The feed of a job that has no conditions of its own: straight in, or the pitch.
+fn main_feed(job: &Job) -> Option<MillimetresPerRev> {
+    let feeds = job.pace.feeds()?;
+    Some(match job.work {
+        Work::Centre | Work::Drill | Work::Groove | Work::PartOff => feeds.plunge,
+        Work::Thread => feeds.thread,
+        Work::Face | Work::Rough => feeds.cut,
+        Work::Finish => feeds.finish,
+    })
+}
+
+/// The largest diameter that such a job cuts; none of a centre hole, which has no one diameter.
+fn diameter(job: &Job, set_up: &SetUpWork) -> Option<Micrometres> {
+    match (job.work, &job.tool.body, &job.thread) {
+        (Work::Drill, Body::Drill { diameter_mm, .. }, _) => Some(*diameter_mm),
+        (Work::Thread, _, Some(thread)) => Some(thread.crest_radius_mm.max(thread.root_radius_mm).diameter()),
+        (Work::Groove, ..) => {
+            let sides = [&set_up.set_up.outer, &set_up.set_up.inner];
+            let surfaces = sides.into_iter().flatten().flat_map(|side| &side.profile.surfaces);
+            let made = surfaces.filter(|surface| job.surfaces.contains(&surface.name));
+            let pieces = made.flat_map(|surface| &surface.pieces);
+            pieces.map(|piece| piece.from.radius.max(piece.to.radius)).max().map(Half::diameter)
+        }
+        _ => None,
+    }
 }
 
 fn time(times: &Times, lang: Lang) -> String {
