@@ -23,7 +23,7 @@ pub enum OutlineItem {
     Groove(&'static str, i64, i64),
     /// Down over a length by 20°, along, up a face.
     Neck(i64, i64),
-    /// The thread of that number of [`THREADS`], so long before its relief and a face up.
+    /// The thread of that number of a list, so long before its relief and a face up.
     Thread(usize, i64),
 }
 

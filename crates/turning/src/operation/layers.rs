@@ -113,7 +113,10 @@ pub fn layers(
     };
     let finish = between(&rough, &left);
     let rough = up_to(rough, face);
-    let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, set_up, bench, findings)? else {
+    // A face that the file leaves no allowance is made before: what a chamfer beside it lacks is not missed.
+    let face_is_made = left.pieces.first().is_some_and(|face| face.is_face()) && distances.first() == Some(&Half::ZERO);
+    let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, face_is_made, set_up, bench, findings)?
+    else {
         return Ok(None);
     };
     let part = stretch.profile.contour();
@@ -219,7 +222,7 @@ pub fn before_face(
     let at = |point: Point| Point { radius: point.radius, z: point.z - distance };
     let rough = Contour { side: Side::Outer, pieces: vec![face.mapped(false, at)] };
     let finish = between(&rough, &main);
-    let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, set_up, bench, findings)? else {
+    let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, false, set_up, bench, findings)? else {
         return Ok(None);
     };
     let mut areas = areas(&blank, &rough, &main, &main);
@@ -330,6 +333,7 @@ struct SideStock {
 
 fn standing(
     rough: &Contour,
+    face_is_made: bool,
     set_up: &SetUp,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
@@ -353,7 +357,7 @@ fn standing(
         let outer = seen(&workpiece.blank.outer);
         let outer = if set_up.turned_over { faced(outer, workpiece.blank.inner.as_ref()) } else { outer };
         let blank = reach(&outer);
-        let rough = behind_blank(rough, &blank, findings);
+        let rough = behind_blank(rough, &blank, face_is_made, findings);
         return Ok(Some(SideStock { blank, rough, drilled_first: None }));
     }
     if let Some(inner) = &workpiece.blank.inner {
@@ -368,14 +372,14 @@ fn standing(
 }
 
 /// The rough contour from the beginning of the blank on. If the stock on the face is less than its allowance, there is
-/// a finding.
-fn behind_blank(rough: &Contour, blank: &Contour, findings: &mut Vec<Finding>) -> Contour {
+/// a finding, unless the face is made before.
+fn behind_blank(rough: &Contour, blank: &Contour, face_is_made: bool, findings: &mut Vec<Finding>) -> Contour {
     let (Some(start), Some(raw), Some(end)) = (rough.start(), blank.start(), rough.end()) else { return rough.clone() };
     if start.z >= raw.z {
         return rough.clone();
     }
     let note = Note::new("face-stock-thin").with("lack", raw.z - start.z);
-    findings.push(Finding::of_part(Severity::Doubtful, note));
+    findings.extend((!face_is_made).then(|| Finding::of_part(Severity::Doubtful, note)));
     let mut clipped = super::clip::between(rough, raw.z, end.z);
     if let Some(first) = clipped.start() {
         let face = Piece::line(Point { radius: start.radius, z: raw.z }, first);

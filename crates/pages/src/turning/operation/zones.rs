@@ -4,6 +4,7 @@ use crate::document::{Block, Column, Document, Inlines, Item, Keep};
 use crate::note::{Figure, Note};
 use technolog_turning::contour::Side;
 use technolog_turning::cutting::LimitingDepth;
+use technolog_turning::length::Half;
 use technolog_turning::operation::work::ZoneWork;
 use technolog_turning::operation::{Operation, SetUpWork, SideWork};
 use technolog_turning::zones::Feed;
@@ -122,7 +123,7 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
 /// Where a zone lies, and the angles that it needs, before those that its tool has.
 fn bounds(one: &ZoneWork, lang: Lang) -> [Cell; 4] {
     let zone = &one.zone;
-    let diameter = |radius: technolog_turning::length::Half| rounded(2.0 * radius.to_mm(), lang);
+    let diameter = |radius: Half| rounded(2.0 * radius.to_mm(), lang);
     let angle = |needs: f64, has: Option<f64>| match has {
         Some(has) => format!("{} ≤ {}", rounded(needs, lang), rounded(has, lang)),
         None => rounded(needs, lang),
@@ -130,7 +131,8 @@ fn bounds(one: &ZoneWork, lang: Lang) -> [Cell; 4] {
     let has = one.tool.as_ref().filter(|tool| tool.width_mm.is_none());
     [
         format!("{} → {}", z(zone.from_z, lang), z(zone.to_z, lang)).into(),
-        format!("{}…{}", diameter(zone.least_radius), diameter(zone.greatest_radius)).into(),
+        // The nose passes the axis, the metal does not.
+        format!("{}…{}", diameter(zone.least_radius.max(Half::ZERO)), diameter(zone.greatest_radius)).into(),
         angle(zone.needs.main.0, has.map(|tool| tool.main_angle_deg.0)).into(),
         angle(zone.needs.secondary.0, has.map(|tool| tool.secondary_angle_deg.0)).into(),
     ]
