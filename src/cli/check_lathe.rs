@@ -71,7 +71,9 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
             context.emit_document(&problems::untitled(page, format), format)?;
         }
     }
-    Ok(if run.faults.iter().any(is_serious) { Outcome::Findings } else { Outcome::Done })
+    // Who asks for the part is not told "done" of a program that was not held against it.
+    let unproven = args.part.is_some() && run.faults.iter().all(|fault| fault.code != turned::HELD);
+    Ok(if unproven || run.faults.iter().any(is_serious) { Outcome::Findings } else { Outcome::Done })
 }
 
 /// The contours that CYCLE95 names and that stand in files of their own beside the program: `NAME.SPF`.

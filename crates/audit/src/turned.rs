@@ -53,10 +53,11 @@ pub fn held(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Ve
         Err(refused) => {
             let note = Note::new("turning-not-proven").with("number", set_up).with("why", refused.note());
             faults.push(fault("turning-not-proven", Severity::Doubtful, note, end));
+            return faults;
         }
     }
-    let note = Note::new("turned-held").with("number", set_up).with("of", operation.set_ups.len());
-    faults.push(fault("turned-held", Severity::Note, note, end));
+    let note = Note::new(HELD).with("number", set_up).with("of", operation.set_ups.len());
+    faults.push(fault(HELD, Severity::Note, note, end));
     faults
 }
 
@@ -123,7 +124,10 @@ fn prove(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Resul
 }
 
 /// Where in the list of rules these findings stand: docs/lathe-programs-read.md.
-const RULE: &str = "part";
+pub const RULE: &str = "part";
+
+/// The code of what says that a program was held against the part.
+pub const HELD: &str = "turned-held";
 
 fn fault(code: &'static str, severity: Severity, note: Note, line: u32) -> Fault {
     let span = Span { line, column: 1, width: 1 };

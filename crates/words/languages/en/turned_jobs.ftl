@@ -56,3 +56,4 @@ part-off = parted off behind { $face } mm by { $tool }, { $width } mm of bar are
 part-off-slow = from the radius of { $radius } mm inwards the feed is { $feed } mm/rev
 part-off-pip = the blade goes { $beyond } mm beyond the axis, so that no pip stays; a blade that leans by 4 to 6 degrees leaves it on the bar
 job-first-drill = Ø{ $diameter } is drilled in two passes, the first at most Ø{ $most }
+thread-flanks = { $surface }: the passes of { $thread } end at the basic profile, where a GO ring may not go on yet: gauge it and take { $below } mm more off the diameter by the offset, for the middle of the tolerance of its pitch diameter (ISO 965-1)

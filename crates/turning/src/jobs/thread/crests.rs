@@ -28,25 +28,24 @@ impl Crests {
         let field = field.split('-').next().unwrap_or(field);
         let class = field.get(field.len().checked_sub(2)?..)?;
         let pitch = thread.pitch.to_mm();
-        let upper = match class.get(1..)? {
-            "h" => 0.0,
-            "g" => -(15.0 + 11.0 * pitch),
-            "f" => -(30.0 + 11.0 * pitch),
-            "e" => -(50.0 + 11.0 * pitch),
-            _ => return None,
-        };
-        let share = match class.get(..1)? {
-            "4" => 0.63,
-            "6" => 1.0,
-            "8" => 1.6,
-            _ => return None,
-        };
+        let (upper, share) = deviation(class, pitch)?;
         let tolerance = share * (180.0 * libm::cbrt(pitch * pitch) - 3.15 / libm::sqrt(pitch));
         let size = thread.size.to_mm() * 1000.0;
         let hundredth = |um: f64| Micrometres::new(um as i64 * 10);
         let least = hundredth(libm::ceil((size + upper - tolerance) / 10.0));
         let most = hundredth(libm::floor((size + upper) / 10.0));
         Some(Self { class: class.to_owned(), least, most })
+    }
+
+    /// How much the pitch diameter in the middle of its tolerance lies below the basic profile, where pitch and crests have
+    /// one class. ISO 965-1: the pitch diameter has the same es, and its tolerance of grade 6 is
+    /// Td2 = 90·P^0.4·d^0.1 µm (d of the thread for the mean of its range: within 3 %), of grades 4 and 8 the same shares.
+    pub fn pitch_below(thread: &Thread) -> Option<Micrometres> {
+        let field = thread.written.split_once('-').map_or("6g", |(_, field)| field);
+        let class = field.split('-').next().filter(|class| class.len() == 2)?;
+        let (upper, share) = deviation(class, thread.pitch.to_mm())?;
+        let tolerance = share * 90.0 * libm::pow(thread.pitch.to_mm(), 0.4) * libm::pow(thread.size.to_mm(), 0.1);
+        Some(Micrometres::from_mm_rounded(libm::round((tolerance / 2.0 - upper) / 10.0) / 100.0))
     }
 
     /// The diameter in the middle.
@@ -58,6 +57,24 @@ impl Crests {
     pub fn middle_radius(&self) -> Half {
         Half::radius_of(self.middle())
     }
+}
+
+/// The fundamental deviation es of a class, µm, and the share of its grade in the tolerances of grade 6.
+fn deviation(class: &str, pitch: f64) -> Option<(f64, f64)> {
+    let upper = match class.get(1..)? {
+        "h" => 0.0,
+        "g" => -(15.0 + 11.0 * pitch),
+        "f" => -(30.0 + 11.0 * pitch),
+        "e" => -(50.0 + 11.0 * pitch),
+        _ => return None,
+    };
+    let share = match class.get(..1)? {
+        "4" => 0.63,
+        "6" => 1.0,
+        "8" => 1.6,
+        _ => return None,
+    };
+    Some((upper, share))
 }
 
 #[cfg(test)]
@@ -86,6 +103,17 @@ mod tests {
             let [low, high] = [found.least.micrometres() - least, found.most.micrometres() - most];
             assert!((-3..=16).contains(&low) && (-10..=3).contains(&high), "{written}: {found:?}");
             assert!(least < found.middle().micrometres() && found.middle().micrometres() < most, "{written}");
+        }
+    }
+
+    /// Tables of ISO 965-2: d2 of M30x2-6g is 28.663 to 28.493, 0.123 below the basic 28.701 in the middle; of M10-6g 8.994 to
+    /// 8.862, 0.098 below 9.026.
+    #[test]
+    fn the_pitch_diameter_lies_below_the_basic_profile() {
+        for (written, size, pitch, below) in [("M30x2-6g", 30_000, 2_000, 120), ("M10-6g", 10_000, 1_500, 100)] {
+            let (size, pitch) = (Micrometres::new(size), Micrometres::new(pitch));
+            let thread = Thread { surface: String::new(), written: written.to_owned(), size, pitch };
+            assert_eq!(Crests::pitch_below(&thread), Some(Micrometres::new(below)), "{written}");
         }
     }
 

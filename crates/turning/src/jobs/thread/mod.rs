@@ -123,6 +123,7 @@ pub fn thread(
         notes.push(Note::new("thread-pulled-out").with("surface", &surface.name).with("length", found.to - piece.to.z));
     }
     notes.extend(crests(side, thread, &surface.name));
+    notes.extend(flanks(side, thread, &surface.name));
     because.extend(limits.because);
     Ok(Job {
         work: Work::Thread,
@@ -290,6 +291,17 @@ fn way(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site
     path.go(Point { radius: start.radius, z: cut.from_z_mm }, Purpose::Rapid);
     path.go(start, Purpose::Rapid);
     path
+}
+
+/// What its passes leave to the gauge: they end at the basic profile.
+fn flanks(side: Side, thread: &Thread, surface: &crate::turning::contour::SurfaceName) -> Option<Note> {
+    let below = Crests::pitch_below(thread).filter(|_| side == Side::Outer)?;
+    Some(
+        Note::new("thread-flanks")
+            .with("surface", surface)
+            .with("thread", thread.written.as_str())
+            .with("below", below),
+    )
 }
 
 /// The notes about the crests of an outer thread.
