@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde::Serialize;
-use technolog::cases::{FileKind, other_kind};
+use technolog::cases::FileKind;
 use technolog::document::{Block, Document, Table};
 use technolog::knowledge::{Diagnostic, Place, Severity};
 use technolog::motion::MotionStep;
@@ -77,14 +77,6 @@ pub(super) struct Finding<'a> {
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if let Some(control) = args.control.as_deref().filter(|control| LatheLanguage::NAMES.contains(control)) {
         return check_lathe::run(args, control, context);
-    }
-    let is_turned = |part: &PathBuf| {
-        let text = std::fs::read_to_string(part).unwrap_or_default();
-        let kind = other_kind(&part.display().to_string(), &text, FileKind::Part);
-        kind.is_some_and(|(kind, _)| kind == FileKind::Turned)
-    };
-    if args.control.is_none() && args.part.as_ref().is_some_and(is_turned) {
-        return Err(super::turn::refused("lathe-control-missing", context));
     }
     if args.set_up.is_some() {
         return Err(super::turn::refused("set-up-of-lathe", context));
@@ -243,9 +235,7 @@ pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnost
         Some(path) => format!("{path}: {sentence}"),
         None => sentence,
     };
-    let hint = context.lang.remedy(&fault.note).unwrap_or_default();
-    let help = say!(context.lang, "cli-by-rule", what = hint.as_str(), section = fault.rule);
-    let help = Some(help.trim_start().to_owned().into())
-        .filter(|_| fault.rule != technolog::audit::turned::RULE || !hint.is_empty());
+    let help = context.lang.remedy(&fault.note);
+    let help = help.map(|what| say!(context.lang, "cli-by-rule", what = what, section = fault.rule).into());
     Diagnostic { severity, code: fault.code, message: message.into(), place: Some(place), help }
 }

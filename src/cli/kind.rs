@@ -40,7 +40,7 @@ pub fn told(file: &str, text: &str, wanted: FileKind, context: &Context) -> Opti
     let message = say!(context.lang, "cli-other-kind", is = is, wanted = wanted);
     let help = match kind {
         FileKind::Part => say!(context.lang, "cli-kind-command", command = format!("technolog plan {file}")),
-        FileKind::Turned => say!(context.lang, "cli-kind-command", command = format!("technolog turn {file}")),
+        FileKind::Turned => say!(context.lang, "cli-kind-turned", file = file),
         FileKind::Plan => say!(context.lang, "cli-kind-command", command = format!("technolog audit {file}")),
         FileKind::Cases => say!(context.lang, "cli-kind-command", command = format!("technolog test {file}")),
         FileKind::Program => say!(context.lang, "cli-kind-command", command = format!("technolog check {file}")),

@@ -281,8 +281,7 @@ fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective,
     })
 }
 
-/// What the command cannot do with what it was given.
-/// What this command cannot do, in the words of that name.
+/// What a command cannot do with what it was given, in the words of that name.
 pub fn refused(code: &'static str, context: &Context) -> CliError {
     let note = Note::new(code);
     let problem = Diagnostic::error(code, context.lang.say(&note), None);

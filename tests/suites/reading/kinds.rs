@@ -22,6 +22,12 @@ fn a_file_of_another_kind_is_told_once_with_its_command() {
         ("check plate.yaml", "but an NC program is needed here", "`technolog plan plate.yaml`"),
         ("check ../docs/part.schema.json", "this is a YAML or JSON file", "`technolog --help`"),
         ("check appendix-g/program.nc --setting plate.yaml", "a setting file is needed here", "technolog plan"),
+        ("check appendix-g/program.nc --part shaft.yaml", "this is a file of a turned part", "technolog turn"),
+        (
+            "check appendix-g/program.nc --part shaft.yaml",
+            "this is a file of a turned part",
+            "--control linuxcnc-lathe",
+        ),
         ("audit appendix-g/plan.yaml --marks plate.yaml", "a marking scheme is needed here", "technolog plan"),
     ] {
         let arguments: Vec<&str> = arguments.split(' ').collect();
@@ -30,14 +36,4 @@ fn a_file_of_another_kind_is_told_once_with_its_command() {
         assert_eq!((answer.code, told.matches("error[").count()), (Some(2), 1), "{arguments:?}: {told}");
         assert!(told.contains("error[other-kind]") && told.contains(said) && told.contains(help), "{told}");
     }
-}
-
-/// A turned part is held against programs of lathes: which control it is must be said.
-#[test]
-fn a_turned_part_asks_for_the_control_of_its_lathe() {
-    let arguments = ["check", "appendix-g/program.nc", "--part", "shaft.yaml"];
-    let answer = command(&root().join("examples"), &arguments, b"");
-    let told = answer.answer + &answer.beside;
-    assert_eq!((answer.code, told.matches("error[").count()), (Some(2), 1), "{told}");
-    assert!(told.contains("error[lathe-control-missing]") && told.contains("--control linuxcnc-lathe"), "{told}");
 }

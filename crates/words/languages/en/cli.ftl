@@ -126,6 +126,7 @@ cli-alien-ending = `{ $command }` writes no { $ending } files
 cli-known-endings = it writes { $known }; an ending of programs, such as .nc, or none does too
 cli-other-kind = this is { $is }, but { $wanted } is needed here
 cli-kind-command = its command is `{ $command }`
+cli-kind-turned = its command is `technolog turn { $file }`; a program for it is checked by `technolog check PROGRAM --control linuxcnc-lathe --part { $file }`
 cli-kind-setting-of = it is for `technolog check … --setting { $file }`
 cli-kind-marks-of = it is for `technolog audit … --marks { $file }`
 cli-kind-table-of = it is for `technolog lint --knowledge …`

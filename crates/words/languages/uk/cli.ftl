@@ -129,6 +129,7 @@ cli-alien-ending = команда `{ $command }` не пише файлів { $e
 cli-known-endings = вона пише { $known }; годиться й закінчення програм, як-от .nc, або ніякого
 cli-other-kind = це { $is }, а тут потрібен { $wanted }
 cli-kind-command = для нього є команда `{ $command }`
+cli-kind-turned = для нього є команда `technolog turn { $file }`, а програму до нього перевіряє `technolog check PROGRAM --control linuxcnc-lathe --part { $file }`
 cli-kind-setting-of = він потрібен для `technolog check … --setting { $file }`
 cli-kind-marks-of = він потрібен для `technolog audit … --marks { $file }`
 cli-kind-table-of = він потрібен для `technolog lint --knowledge …`
