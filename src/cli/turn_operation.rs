@@ -127,7 +127,7 @@ pub fn program(
                 };
                 return Err(not_written(written, note, context));
             }
-            if turned::reader(wanted.control.name()).is_none() {
+            if turned::reader(wanted.control.name(), knowledge).map_err(lacking)?.is_none() {
                 super::output::complain(&say!(context.lang, "turn-not-read-back", control = wanted.control.name()));
             }
             let texts: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();

@@ -10,14 +10,16 @@ use technolog_turning_proof::{At, Block, Kind, Mm, Motion, Sense, Way};
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::knowledge::contract::Word;
 use crate::motion;
 use crate::note::{Note, Severity};
 use crate::program::lathe::{
     LatheAct, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, Subprogram, is_serious, read,
 };
 use crate::program::{Fault, Span};
+use crate::tables::controls::lathe::{LatheControl, LatheControls};
 use crate::turning::operation::programs::{place, stations};
-use crate::turning::operation::proof::{Proven, motions_of, prove_with, rejected, told};
+use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::turning::program::ProgramFile;
 
@@ -27,35 +29,31 @@ const FAR: f64 = 1000.0;
 /// Compares a program of a set-up with the part, after what the jobs of the set-ups before it have left, and tells what
 /// comes of it: what the proof finds, with the lines, or why nothing can be said.
 pub fn held(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
-    let (proven, tools) = match prove(operation, set_up, text, run) {
-        Ok(proven) => proven,
+    let Compared { work, proven, tools } = match compared(operation, set_up, text, run) {
+        Ok(compared) => compared,
         Err(why) => return vec![*why],
     };
-    let work = operation.set_ups.iter().find(|one| one.set_up.number == set_up);
-    let taken = tools.iter().filter(|tool| !tool.is_named).zip(std::iter::repeat(work));
-    let mut faults: Vec<Fault> = taken.filter_map(|(tool, work)| Some(tool.taken(work?))).collect();
+    let taken: Vec<&Called> = tools.iter().filter(|tool| !tool.is_named).collect();
+    let mut faults: Vec<Fault> = taken.iter().map(|tool| tool.taken(work)).collect();
     let end = run.motions.last().map_or(1, |motion| motion.line);
-    // What stands in the end is the work of all tools; what is cut or hit in a line, of the tool that moves there.
-    let is_sure = |line: Option<u32>| {
-        let moved = line.map(|line| run.motions.iter().filter(move |motion| motion.line == line));
-        let of = moved.map(|mut motions| motions.find_map(|motion| motion.modes.tool));
-        tools
-            .iter()
-            .filter(|tool| !tool.is_named)
-            .all(|tool| of.is_some_and(|of| of.is_none_or(|of| of.number != tool.number)))
-    };
-    match &proven.proof {
-        Ok(proof) => faults.extend(told(operation, set_up, proof).map(|(severity, found)| {
-            let line = found.block().and_then(|block| u32::try_from(block.0).ok());
-            let least = if is_sure(line) { Severity::Error } else { Severity::Doubtful };
-            fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
-        })),
+    let proof = match &proven.proof {
+        Ok(proof) => proof,
         Err(refused) => {
             let note = Note::new("turning-not-proven").with("number", set_up).with("why", refused.note());
             faults.push(fault("turning-not-proven", Severity::Doubtful, note, end));
             return faults;
         }
-    }
+    };
+    // What stands in the end is the work of all tools; what is cut or hit in a line, of the tool that moves there.
+    let is_sure = |line: Option<u32>| match line.and_then(|line| run.motions.iter().find(|one| one.line == line)) {
+        Some(motion) => taken.iter().all(|tool| motion.modes.tool.is_none_or(|of| of.number != tool.number)),
+        None => taken.is_empty(),
+    };
+    faults.extend(told(operation, set_up, proof).map(|(severity, found)| {
+        let line = found.block().and_then(|block| u32::try_from(block.0).ok());
+        let least = if is_sure(line) { Severity::Error } else { Severity::Doubtful };
+        fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
+    }));
     let note = Note::new(HELD).with("number", set_up).with("of", operation.set_ups.len());
     faults.push(fault(HELD, Severity::Note, note, end));
     faults
@@ -73,7 +71,7 @@ pub fn read_back(
     files: &[ProgramFile],
     knowledge: &Knowledge,
 ) -> Result<Option<Note>, KnowledgeError> {
-    let Some(language) = reader(control) else { return Ok(None) };
+    let Some(language) = reader(control, knowledge)? else { return Ok(None) };
     let Some((main, rest)) = files.split_first() else { return Ok(None) };
     let language = LatheLanguage::read(language, knowledge)?;
     let beside: Vec<Subprogram<'_>> =
@@ -83,20 +81,20 @@ pub fn read_back(
     if let Some(fault) = run.faults.iter().find(|fault| is_serious(fault)) {
         return Ok(Some(at_line(fault.span.line, fault.note.clone())));
     }
-    Ok(match prove(operation, set_up, &main.text, &run) {
-        Ok((proven, _)) => rejected(operation, &proven),
+    Ok(match compared(operation, set_up, &main.text, &run) {
+        Ok(compared) => rejected(operation, &compared.proven),
         Err(why) => Some(at_line(why.span.line, why.note.clone())),
     })
 }
 
-/// The language in which programs for a control of a lathe are read back; none for one that nobody reads.
-pub fn reader(control: &str) -> Option<&'static str> {
-    match control {
-        "linuxcnc" => Some("linuxcnc-lathe"),
-        "fanuc" => Some("fanuc-lathe"),
-        "sinumerik" => Some("sinumerik"),
-        _ => None,
-    }
+/// The language in which programs for a control of a lathe are read back, by `lathe-controls`; none where nobody reads them.
+///
+/// # Errors
+/// There is no such control.
+pub fn reader(control: &str, knowledge: &Knowledge) -> Result<Option<&'static str>, KnowledgeError> {
+    let known = LatheControl::from_word(control);
+    let row = knowledge.need(control, |row: &LatheControls<'_>| Some(row.control) == known)?;
+    Ok(row.read_as.map(Word::word))
 }
 
 /// The name of a file without its ending.
@@ -104,23 +102,27 @@ fn stem(name: &str) -> &str {
     name.split_once('.').map_or(name, |(stem, _)| stem)
 }
 
+/// A program of a set-up after its proof.
+struct Compared<'o> {
+    work: &'o SetUpWork,
+    proven: Proven,
+    tools: Vec<Called>,
+}
+
 /// The proof of a program with the tools that it calls, or why there is none.
-fn prove(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Result<(Proven, Vec<Called>), Box<Fault>> {
+fn compared<'o>(operation: &'o Operation, set_up: u8, text: &str, run: &LatheRun) -> Result<Compared<'o>, Box<Fault>> {
     if run.faults.iter().any(Fault::is_error) {
         return Err(Box::new(fault("turned-mend-first", Severity::Note, Note::new("turned-mend-first"), 1)));
     }
-    let missing = || {
+    let work = operation.set_ups.iter().find(|one| one.set_up.number == set_up).ok_or_else(|| {
         let numbers: Vec<String> = operation.set_ups.iter().map(|one| one.set_up.number.to_string()).collect();
         let note = Note::new("turned-no-set-up").with("number", set_up).with("known", numbers.join(", "));
         Box::new(fault("turned-no-set-up", Severity::Error, note, 1))
-    };
-    let work = operation.set_ups.iter().find(|one| one.set_up.number == set_up).ok_or_else(missing)?;
+    })?;
     let tools = tools(operation, work, text, run);
     let motions = motions(&run.motions, &tools)
         .map_err(|why| Box::new(fault(why.code(), Severity::Doubtful, why.note(), why.line())))?;
-    let all = prove_with(operation, |one| if one.set_up.number == set_up { motions.clone() } else { motions_of(one) });
-    let proven = all.into_iter().find(|one| one.set_up == set_up).ok_or_else(missing)?;
-    Ok((proven, tools))
+    Ok(Compared { work, proven: prove_set_up(operation, &operation.proven, work, motions), tools })
 }
 
 /// Where in the list of rules these findings stand: docs/lathe-programs-read.md.

@@ -59,7 +59,7 @@ fn programs_of_the_examples_do_what_their_toolpaths_do() {
                     .iter()
                     .map(|file| Subprogram { name: file.name.trim_end_matches(".SPF"), text: &file.text })
                     .collect();
-                let language = LatheLanguage::read(reader(control).unwrap(), &KNOWLEDGE).unwrap();
+                let language = LatheLanguage::read(reader(control, &KNOWLEDGE).unwrap().unwrap(), &KNOWLEDGE).unwrap();
                 let run = read(&files[0].text, &language, &beside);
                 let told = held(&operation, written.set_up, &files[0].text, &run);
                 assert_eq!(grave(&told), [], "{name} {control} {form:?} {}", written.set_up);

@@ -3,6 +3,7 @@
 pub use technolog_knowledge::vocabulary::LatheControl;
 use technolog_knowledge::{rows, vocabulary};
 
+use super::lathe_reading::LatheReader;
 use crate::turning::part::Side;
 
 vocabulary! {
@@ -95,6 +96,7 @@ rows! {
         point: Option<bool>,
         comment: Option<&'t str>,
         tip_numbering: Option<TipNumbering>,
+        read_as: Option<LatheReader>,
         known_words: Option<Vec<&'t str>>,
     } shown { version }
 

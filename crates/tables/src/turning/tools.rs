@@ -78,6 +78,8 @@ vocabulary! {
         JawClearance = "jaw-clearance",
         /// The least of it, where little is left to grip.
         JawClearanceLeast = "jaw-clearance-least",
+        /// How much of its edge a tool brings into a wall on its way up.
+        WallShare = "wall-share",
         /// To what depths are told.
         DepthStep = "depth-step",
         /// Where feeds and formulas end.

@@ -298,6 +298,13 @@ pub fn jaw_clearance(knowledge: &Knowledge) -> Result<[Micrometres; 2], Knowledg
     Ok([of(Limit::JawClearanceLeast)?, of(Limit::JawClearance)?])
 }
 
+/// Which share of its edge a tool may bring into a wall on its way up.
+///
+/// # Errors `turning-limits` does not have it.
+pub fn wall_share(knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
+    Ok(ratio(knowledge, Limit::WallShare)?.0)
+}
+
 /// The shallowest pass worth roughing with.
 ///
 /// # Errors `turning-limits` does not have it.

@@ -31,7 +31,7 @@ use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
 
 pub use bounds::{Bound, Load, UnknownBound};
-pub use bounds::{bar_overhang, jaw_clearance, least_sensible_depth};
+pub use bounds::{bar_overhang, jaw_clearance, least_sensible_depth, wall_share};
 pub use conditions::{TurningConditions, conditions};
 pub use feed::{Feed, cuts_back, finish_feed, least_finishing_depth, rough_feed, unsaid_roughness};
 pub use limit::{BoundTold, LimitingDepth, limiting_depth};

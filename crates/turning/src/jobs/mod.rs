@@ -207,6 +207,9 @@ impl Tip {
     }
 }
 
+/// The edge of an insert whose row has none: shorter than those of the catalog.
+pub const UNKNOWN_EDGE: Micrometres = Micrometres::from_mm(10);
+
 impl JobTool {
     /// A turning tool of the catalog.
     pub fn of(tool: &TurningTool<'_>) -> Self {

@@ -2,12 +2,13 @@
 //! into them.
 
 use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind, SurfaceName};
 use crate::turning::elements::{Element, steepness};
 use crate::turning::jobs::along::{Clearance, along, dip};
 use crate::turning::jobs::hole::{self, Hole, HoleEnd};
-use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
+use crate::turning::jobs::{Body, Job, JobTool, Pace, UNKNOWN_EDGE, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::nose::{tightest, up_to};
 use crate::turning::point::Point;
@@ -24,7 +25,7 @@ use super::layers::Layers;
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
 use super::{SideWork, clip, crests, features};
-use crate::turning::cutting::{Direction, TurningConditions, unsaid_roughness};
+use crate::turning::cutting::{Direction, TurningConditions, unsaid_roughness, wall_share};
 use technolog_core::part::tolerance_width;
 
 /// The jobs of a set-up.
@@ -411,7 +412,8 @@ impl Finishing<'_> {
             notes.push(Note::new("nose-fills-hollow").with("nose", nose.radius).with("hollow", tight));
         }
         let made = JobTool::of(&tool);
-        let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm, wall: wall(&made) };
+        let wall = wall(&made, bench.knowledge)?;
+        let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm, wall };
         let Some(path) = way(&seen, &standing, clearance) else { return Ok(None) };
         let pace = finishing(pace_of(&paced, bench), bench);
         let pace = constant_speed(pace, paced.conditions.as_ref(), bench);
@@ -462,15 +464,13 @@ impl Finishing<'_> {
     }
 }
 
-/// How high a wall a tool finishes upwards: two thirds of its edge, so that the holder stays off what stands above.
-fn wall(tool: &JobTool) -> Half {
-    /// Where the edge's length is not known, mm.
-    const EDGE: i64 = 10;
-    let edge = match &tool.body {
-        Body::Insert { edge_mm: Some(edge), .. } => *edge,
-        _ => Micrometres::from_mm(EDGE),
+/// How high a wall a tool finishes upwards, so that its holder stays off what stands above: `wall-share` of its edge.
+fn wall(tool: &JobTool, knowledge: &Knowledge) -> Result<Half, KnowledgeError> {
+    let edge = match tool.body {
+        Body::Insert { edge_mm, .. } => edge_mm,
+        _ => None,
     };
-    Half::from(edge.to_mm() * 2.0 / 3.0)
+    Ok(Half::from(edge.unwrap_or(UNKNOWN_EDGE).to_mm() * wall_share(knowledge)?))
 }
 
 /// The feed of finishing is the main feed of its conditions, or the one that the file states.

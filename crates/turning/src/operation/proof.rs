@@ -6,7 +6,7 @@ use technolog_turning_proof as proof;
 use crate::note::{Figure, Finding, Note, Severity, Told};
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Surface, SurfaceKind, Turn};
 use crate::turning::jobs::thread::Crests;
-use crate::turning::jobs::{Body, JobTool};
+use crate::turning::jobs::{Body, JobTool, UNKNOWN_EDGE};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::tooling::{Hand, Place, ToolKind};
@@ -29,42 +29,37 @@ pub struct Proven {
 
 /// Simulates the jobs of all set-ups on the blank.
 pub fn prove(operation: &Operation) -> Vec<Proven> {
-    prove_with(operation, motions_of)
-}
-
-/// The motions of all jobs of a set-up.
-pub fn motions_of(set_up: &SetUpWork) -> Vec<Motion> {
-    let jobs = set_up.jobs.iter().enumerate();
-    jobs.flat_map(|(index, job)| motions(&job.path, index)).collect()
-}
-
-/// Simulates given motions of each set-up on the blank, with the tools of its jobs by index.
-pub fn prove_with(operation: &Operation, motions: impl Fn(&SetUpWork) -> Vec<Motion>) -> Vec<Proven> {
-    let workpiece = &operation.workpiece;
-    let inner = workpiece.blank.inner.as_ref();
-    let mut stock =
-        Stock::between(&chain(&whole_blank(&workpiece.blank.outer, inner)), &inner.map(chain).unwrap_or_default());
-    let mut over = false;
     let mut proven = Vec::new();
     for set_up in &operation.set_ups {
-        if set_up.set_up.turned_over != over {
-            stock = stock.turned_over(Mm(workpiece.length().to_mm()));
-            over = set_up.set_up.turned_over;
-        }
-        let task = SetUp {
-            profile: profile(operation, set_up),
-            stock: stock.clone(),
-            bodies: bodies(set_up),
-            tools: set_up.jobs.iter().map(|job| tool(&job.tool)).collect(),
-            motions: motions(set_up),
-        };
-        let done = proof::prove(&task);
-        if let Ok(done) = &done {
-            stock = done.left.clone();
-        }
-        proven.push(Proven { set_up: set_up.set_up.number, proof: done });
+        let jobs = set_up.jobs.iter().enumerate();
+        let motions = jobs.flat_map(|(index, job)| motions(&job.path, index)).collect();
+        proven.push(prove_set_up(operation, &proven, set_up, motions));
     }
     proven
+}
+
+/// Simulates given motions of a set-up on what those before it have left, with the tools of its jobs by index.
+pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork, motions: Vec<Motion>) -> Proven {
+    let workpiece = &operation.workpiece;
+    let number = set_up.set_up.number;
+    let earlier = operation.set_ups.iter().zip(before).take_while(|(work, _)| work.set_up.number != number);
+    let left = earlier.filter_map(|(work, one)| Some((one.proof.as_ref().ok()?.left.clone(), work.set_up.turned_over)));
+    let (mut stock, over) = left.last().unwrap_or_else(|| {
+        let inner = workpiece.blank.inner.as_ref();
+        let outer = chain(&whole_blank(&workpiece.blank.outer, inner));
+        (Stock::between(&outer, &inner.map(chain).unwrap_or_default()), false)
+    });
+    if set_up.set_up.turned_over != over {
+        stock = stock.turned_over(Mm(workpiece.length().to_mm()));
+    }
+    let task = SetUp {
+        profile: profile(operation, set_up),
+        stock,
+        bodies: bodies(set_up),
+        tools: set_up.jobs.iter().map(|job| tool(&job.tool)).collect(),
+        motions,
+    };
+    Proven { set_up: number, proof: proof::prove(&task) }
 }
 
 /// The jaws of a set-up and the chuck behind them, as they turn.
@@ -319,14 +314,14 @@ fn tool(tool: &JobTool) -> proof::Tool {
                     lead_angle: degrees(*lead_angle_deg),
                     trail_angle: degrees(*trail_angle_deg),
                     nose_radius: mm(*nose_radius_mm),
-                    edge_length: edge_mm.map_or(Mm(EDGE), mm),
+                    edge_length: mm(edge_mm.unwrap_or(UNKNOWN_EDGE)),
                     hand,
                     side,
                 },
                 ToolKind::Grooving => Cutter::Blade { width, corner_radius, depth, side },
                 ToolKind::FaceGrooving => Cutter::FaceBlade { width, corner_radius, depth },
                 ToolKind::Threading => {
-                    Cutter::Thread { angle: proof::Degrees(60.0), reach: edge_mm.map_or(Mm(EDGE), mm), side }
+                    Cutter::Thread { angle: proof::Degrees(60.0), reach: mm(edge_mm.unwrap_or(UNKNOWN_EDGE)), side }
                 }
             };
             let blade = matches!(kind, ToolKind::Grooving | ToolKind::FaceGrooving);
@@ -348,6 +343,3 @@ fn tool(tool: &JobTool) -> proof::Tool {
 
 /// What rounding of a path may add to a depth, mm.
 const ROUNDING: f64 = 0.002;
-
-/// The edge of an insert whose row has none, mm.
-const EDGE: f64 = 10.0;

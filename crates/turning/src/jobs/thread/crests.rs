@@ -23,9 +23,8 @@ impl Crests {
     /// ISO 965-1: the fundamental deviation es is 0 for h, −(15 + 11 P) µm for g, −(30 + 11 P) for f, −(50 + 11 P) for e;
     /// the tolerance of grade 6 is Td = 180·P^(2/3) − 3.15/√P µm, of grade 4 it is 0.63 of that, of grade 8 1.6 of that.
     pub fn of(thread: &Thread) -> Option<Self> {
-        let field = thread.written.split_once('-').map_or("6g", |(_, field)| field);
-        // The class of the pitch diameter may stand before that of the crests; the length of engagement comes last.
-        let field = field.split('-').next().unwrap_or(field);
+        // The class of the pitch diameter may stand before that of the crests.
+        let field = classes(thread);
         let class = field.get(field.len().checked_sub(2)?..)?;
         let pitch = thread.pitch.to_mm();
         let (upper, share) = deviation(class, pitch)?;
@@ -41,8 +40,7 @@ impl Crests {
     /// one class. ISO 965-1: the pitch diameter has the same es, and its tolerance of grade 6 is
     /// Td2 = 90·P^0.4·d^0.1 µm (d of the thread for the mean of its range: within 3 %), of grades 4 and 8 the same shares.
     pub fn pitch_below(thread: &Thread) -> Option<Micrometres> {
-        let field = thread.written.split_once('-').map_or("6g", |(_, field)| field);
-        let class = field.split('-').next().filter(|class| class.len() == 2)?;
+        let class = Some(classes(thread)).filter(|class| class.len() == 2)?;
         let (upper, share) = deviation(class, thread.pitch.to_mm())?;
         let tolerance = share * 90.0 * libm::pow(thread.pitch.to_mm(), 0.4) * libm::pow(thread.size.to_mm(), 0.1);
         Some(Micrometres::from_mm_rounded(libm::round((tolerance / 2.0 - upper) / 10.0) / 100.0))
@@ -57,6 +55,13 @@ impl Crests {
     pub fn middle_radius(&self) -> Half {
         Half::radius_of(self.middle())
     }
+}
+
+/// The tolerance classes of a thread as the drawing writes them, 6g where it writes none; the length of engagement, which
+/// comes last, is left out.
+fn classes(thread: &Thread) -> &str {
+    let written = thread.written.split_once('-').map_or("6g", |(_, classes)| classes);
+    written.split_once('-').map_or(written, |(classes, _)| classes)
 }
 
 /// The fundamental deviation es of a class, µm, and the share of its grade in the tolerances of grade 6.
