@@ -133,7 +133,13 @@ pub fn program(
             let texts: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
             context.emit(&texts.join("\n"))?;
             super::output::complain(&report::turning::programs_list(&all, context.lang));
-            Ok(if operation.has_errors() { Outcome::Findings } else { Outcome::Done })
+            // At the machine nobody sees the page.
+            let mut set_ups = operation.set_ups.iter().map(|one| &one.set_up);
+            let is_held = set_ups.any(|one| one.number == written.set_up && one.holds_at.is_some());
+            if !is_held {
+                super::output::complain(&say!(context.lang, "set-up-not-held", number = written.set_up));
+            }
+            Ok(if operation.has_errors() || !is_held { Outcome::Findings } else { Outcome::Done })
         }
         Err(error) => Err(not_written(written, error.note(), context)),
     }
