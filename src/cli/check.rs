@@ -55,7 +55,7 @@ struct Answer<'a> {
     /// What keeps any program from making the part.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     part: Vec<String>,
-    findings: Vec<Finding<'a>>,
+    findings: Vec<FaultMessage<'a>>,
     trace: &'a [MotionStep],
     time: Times,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -63,7 +63,7 @@ struct Answer<'a> {
 }
 
 #[derive(Serialize)]
-pub(super) struct Finding<'a> {
+pub(super) struct FaultMessage<'a> {
     message: String,
     help: Option<String>,
     #[serde(flatten)]
@@ -170,10 +170,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 }
 
 /// Faults with their words.
-pub(super) fn findings<'a>(faults: &'a [Fault], context: &Context) -> Vec<Finding<'a>> {
+pub(super) fn findings<'a>(faults: &'a [Fault], context: &Context) -> Vec<FaultMessage<'a>> {
     let told = |fault: &'a Fault| {
         let (message, help) = (context.lang.say(&fault.note), context.lang.remedy(&fault.note));
-        Finding { message, help, fault }
+        FaultMessage { message, help, fault }
     };
     faults.iter().map(told).collect()
 }

@@ -16,7 +16,7 @@ use technolog::turning::tooling::Lathe;
 use technolog::units::Minutes;
 use technolog::words::say;
 
-use super::check::{Args, Finding, diagnostic, findings, total};
+use super::check::{Args, FaultMessage, diagnostic, findings, total};
 use super::diagnostics::Texts;
 use super::{CliError, Context, Format, Lang, Outcome, knowledge, problems, proof, turn, turn_operation};
 
@@ -25,7 +25,7 @@ use super::{CliError, Context, Format, Lang, Outcome, knowledge, problems, proof
 struct Answer<'a> {
     program: &'a str,
     control: &'a str,
-    findings: Vec<Finding<'a>>,
+    findings: Vec<FaultMessage<'a>>,
     trace: &'a [LatheMotion],
     time: LatheTimes,
 }

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::io::{self, ErrorKind};
 
-use technolog::document::{Block, Document, Finding, Inlines, Severity as Colour};
+use technolog::document::{Block, Document, FindingBlock, Inlines, Severity as Colour};
 use technolog::knowledge::{Diagnostic, Severity, input};
 use technolog::words::say;
 
@@ -53,15 +53,15 @@ pub fn blocks(problems: Vec<Diagnostic>, more: usize, texts: &Texts, format: For
     }
 }
 
-fn finding(problem: &Diagnostic, lang: Lang) -> Finding {
+fn finding(problem: &Diagnostic, lang: Lang) -> FindingBlock {
     let (severity, word) = match problem.severity {
         Severity::Error => (Colour::Error, "cli-error"),
         Severity::Warning => (Colour::Doubtful, "cli-warning"),
         Severity::Note => (Colour::Note, "cli-note"),
     };
-    Finding {
+    FindingBlock {
         place: problem.place.as_ref().map(ToString::to_string),
         help: problem.help.as_ref().map(|help| Inlines::sentence(&lang.say(help))),
-        ..Finding::new(severity, lang.word(word), Inlines::sentence(&lang.say(&problem.message)))
+        ..FindingBlock::new(severity, lang.word(word), Inlines::sentence(&lang.say(&problem.message)))
     }
 }

@@ -9,7 +9,7 @@ use technolog::document::{Column, Inlines, Table};
 use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
 use technolog::note;
 use technolog::plan::CuttingMethod;
-use technolog::program::proof::{Finding, MadeStop, MissingStop, PlannedJob, Proof, SuperfluousCut};
+use technolog::program::proof::{MadeStop, MissingStop, PlannedJob, ProgramFinding, Proof, SuperfluousCut};
 use technolog::report;
 use technolog::report::backplot::Frame;
 
@@ -29,7 +29,7 @@ struct ProofMessage<'a> {
     message: String,
     help: Option<String>,
     #[serde(flatten)]
-    finding: &'a Finding,
+    finding: &'a ProgramFinding,
 }
 
 /// Plans a part and makes its job.
@@ -98,7 +98,7 @@ pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic
 
 /// The proof with its words.
 pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
-    let said = |finding: &'a Finding| ProofMessage {
+    let said = |finding: &'a ProgramFinding| ProofMessage {
         message: context.lang.say(&finding.note),
         help: context.lang.remedy(&finding.note),
         finding,
@@ -114,7 +114,7 @@ pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
 /// The findings with the lines they are about.
 pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context) -> Vec<Diagnostic> {
     let lines: Vec<&str> = text.lines().collect();
-    let one = |finding: &Finding| {
+    let one = |finding: &ProgramFinding| {
         let place = finding.block.map(|block| {
             let line = usize::try_from(block.line).ok().and_then(|line| lines.get(line.checked_sub(1)?));
             let width = line.map_or(1, |line| line.trim_end().chars().count().max(1));

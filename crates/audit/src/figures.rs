@@ -3,7 +3,7 @@
 use crate::note::{Note, Severity};
 
 use super::context::Context;
-use super::finding::{Change, Finding, FindingKind, Shown};
+use super::finding::{AuditFinding, Change, FindingKind, Shown};
 use super::graph::{Graph, Status, Verdict};
 use super::quantity::{Id, Quantity};
 use super::stated::StatedFigure;
@@ -12,13 +12,13 @@ use super::stated::StatedFigure;
 const DIGITS: i32 = 5;
 
 /// A finding for every stated figure that is not what it should be.
-pub(super) fn findings(context: &Context<'_>, graph: &Graph<'_>) -> Vec<Finding> {
+pub(super) fn findings(context: &Context<'_>, graph: &Graph<'_>) -> Vec<AuditFinding> {
     let verdicts = graph.verdicts();
     let one = |verdict: &Verdict| finding(verdict, verdicts, context, graph);
     verdicts.iter().filter_map(one).collect()
 }
 
-fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Graph<'_>) -> Option<Finding> {
+fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Graph<'_>) -> Option<AuditFinding> {
     let id = verdict.id;
     let figure = context.stated.figure(id)?;
     let formula = graph.formula(id)?;
@@ -44,7 +44,7 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
             (Severity::Wrong, follows(&fields), fields)
         }
     };
-    let mut finding = Finding::new(severity, Context::section(id), context.field(id), note).at(&figure.place);
+    let mut finding = AuditFinding::new(severity, Context::section(id), context.field(id), note).at(&figure.place);
     finding.rule = formula.rule.id.to_owned();
     finding.is_slip = is_slip;
     finding.kind = match verdict.status {
@@ -167,7 +167,12 @@ pub(super) fn shown(value: f64) -> String {
 }
 
 /// A stated figure's own text beside the right value.
-pub(super) fn beside(finding: Finding, figure: &StatedFigure, right: impl ToString, quantity: Quantity) -> Finding {
+pub(super) fn beside(
+    finding: AuditFinding,
+    figure: &StatedFigure,
+    right: impl ToString,
+    quantity: Quantity,
+) -> AuditFinding {
     let mut finding = finding.at(&figure.place).beside(&figure.text, right);
     finding.quantity = Some(quantity);
     finding

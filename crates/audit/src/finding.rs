@@ -26,7 +26,7 @@ pub struct Audit {
     /// How many findings of each severity, in all and by section.
     pub summary: Summary,
     /// The findings by section, the most severe first.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<AuditFinding>,
     /// Its marks, where a scheme was given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Marks>,
@@ -58,7 +58,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    fn add(&mut self, finding: &Finding) {
+    fn add(&mut self, finding: &AuditFinding) {
         match finding.severity {
             Severity::Error => self.error += 1,
             Severity::Wrong => self.wrong += 1,
@@ -163,7 +163,7 @@ impl FindingKind {
 
 /// A finding.
 #[derive(Clone, Debug, Serialize)]
-pub struct Finding {
+pub struct AuditFinding {
     /// The rule or check that found it; stable.
     pub rule: String,
     #[serde(skip)]
@@ -240,7 +240,7 @@ fn english<S: Serializer>(source: &Option<Note>, serializer: S) -> Result<S::Ok,
     serializer.serialize_str(&source.as_ref().map(|source| Lang::EN.say(source)).unwrap_or_default())
 }
 
-impl Finding {
+impl AuditFinding {
     /// A finding of a check; the note's code is its rule.
     #[expect(clippy::disallowed_methods, reason = "the code is told as the rule too")]
     pub fn new(severity: Severity, section: Section, field: String, note: Note) -> Self {
@@ -318,7 +318,7 @@ impl Finding {
 }
 
 impl Audit {
-    pub(super) fn new(stated: &Stated, mut findings: Vec<Finding>) -> Self {
+    pub(super) fn new(stated: &Stated, mut findings: Vec<AuditFinding>) -> Self {
         // Roots before what follows from them, the most severe first, then as the report and the file have them; notes last.
         findings.sort_by_key(|finding| {
             let (note, follows) = (finding.severity == Severity::Note, !finding.follows_from.is_empty());
@@ -333,14 +333,14 @@ impl Audit {
     }
 
     /// Where to begin: the gravest finding that follows from no other; of equals the first of the report.
-    pub fn first_root(&self) -> Option<&Finding> {
+    pub fn first_root(&self) -> Option<&AuditFinding> {
         let roots = self.findings.iter().filter(|one| one.severity < Severity::Note && one.follows_from.is_empty());
         roots.min_by_key(|one| one.severity)
     }
 
     /// Whether the plan fails: a finding of severity error or wrong.
     pub fn has_errors(&self) -> bool {
-        self.findings.iter().any(Finding::is_wrong)
+        self.findings.iter().any(AuditFinding::is_wrong)
     }
 }
 

@@ -55,7 +55,7 @@ use crate::plan::Plan;
 pub use against::{Comparison, Cost, Difference};
 pub use auditor::Auditor;
 pub use file::schema;
-pub use finding::{Audit, Change, Counts, Finding, MissingKeys, Section, Shown, Subject, Summary};
+pub use finding::{Audit, AuditFinding, Change, Counts, MissingKeys, Section, Shown, Subject, Summary};
 pub use graph::Rule;
 pub use many::{Audited, Mistake, Unread, total};
 pub use read::{Files, NamedText, Unreadable, read_if_plan, read_plan, read_plan_node};

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::note::Severity;
 
-use super::finding::{Audit, Finding, Section};
+use super::finding::{Audit, AuditFinding, Section};
 pub use read::read_scheme;
 pub use scheme::schema;
 
@@ -79,7 +79,7 @@ pub struct Deduction {
     /// Points taken off.
     pub points: f64,
     /// By what of the scheme.
-    pub by: Ground,
+    pub by: DeductedBy,
     /// Whether the cap of the section or the last point left less to take than the scheme says.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub capped: bool,
@@ -88,7 +88,7 @@ pub struct Deduction {
 /// By what of the scheme points are taken off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Ground {
+pub enum DeductedBy {
     /// It follows from another slip.
     Consequence,
     /// Its rule is named.
@@ -141,18 +141,18 @@ impl Scheme {
         Marks { scheme: self.name.clone(), points, of: self.points, passed, deductions }
     }
 
-    fn charge(&self, finding: &Finding) -> (f64, Ground) {
+    fn charge(&self, finding: &AuditFinding) -> (f64, DeductedBy) {
         if !finding.follows_from.is_empty() {
-            return (self.consequences, Ground::Consequence);
+            return (self.consequences, DeductedBy::Consequence);
         }
         if let Some((_, points)) = self.rules.iter().find(|(rule, _)| *rule == finding.rule) {
-            return (*points, Ground::Rule);
+            return (*points, DeductedBy::Rule);
         }
         let own = self.sections.iter().find(|(section, _)| *section == finding.section);
         if let Some(points) = own.and_then(|(_, own)| own.deduct.of(finding.severity)) {
-            return (points, Ground::Section);
+            return (points, DeductedBy::Section);
         }
-        (self.deduct.of(finding.severity).unwrap_or(0.0), Ground::Severity)
+        (self.deduct.of(finding.severity).unwrap_or(0.0), DeductedBy::Severity)
     }
 }
 

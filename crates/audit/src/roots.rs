@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 use crate::note::Severity;
 
 use super::figures::follows;
-use super::finding::{Change, Finding, FindingKind};
+use super::finding::{AuditFinding, Change, FindingKind};
 use super::graph::{Graph, Rule, Status};
 use super::quantity::Id;
 
 /// Whether a finding is a slip, or follows from one; a note is neither.
-fn grave(finding: &Finding) -> bool {
+fn grave(finding: &AuditFinding) -> bool {
     finding.severity < Severity::Note
 }
 
@@ -24,18 +24,19 @@ pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
 }
 
 /// A field, where a slip of it is told already.
-pub(super) fn told(findings: &[Finding], field: String) -> Vec<String> {
-    let slip = |one: &Finding| one.field == field && grave(one) && one.follows_from.is_empty();
+pub(super) fn told(findings: &[AuditFinding], field: String) -> Vec<String> {
+    let slip = |one: &AuditFinding| one.field == field && grave(one) && one.follows_from.is_empty();
     if findings.iter().any(slip) { vec![field] } else { Vec::new() }
 }
 
 /// Removes the verdict on a figure that is right after all, and the findings that followed from it alone.
-pub(super) fn retract(findings: &mut Vec<Finding>, field: &str, rule: &Rule) {
-    let slip = |one: &Finding| one.field == field && one.kind.rule() == Some(rule) && one.follows_from.is_empty();
+pub(super) fn retract(findings: &mut Vec<AuditFinding>, field: &str, rule: &Rule) {
+    let slip = |one: &AuditFinding| one.field == field && one.kind.rule() == Some(rule) && one.follows_from.is_empty();
     if !findings.iter().any(slip) {
         return;
     }
-    let follows = |one: &Finding| !one.follows_from.is_empty() && one.follows_from.iter().all(|root| root == field);
+    let follows =
+        |one: &AuditFinding| !one.follows_from.is_empty() && one.follows_from.iter().all(|root| root == field);
     findings.retain(|one| !slip(one) && !follows(one));
     // What follows from another slip too still does.
     for one in findings.iter_mut() {
@@ -44,7 +45,7 @@ pub(super) fn retract(findings: &mut Vec<Finding>, field: &str, rule: &Rule) {
 }
 
 /// Traces every finding back to slips that follow from nothing, and lists at those what follows from them.
-pub(super) fn settle(findings: &mut [Finding]) {
+pub(super) fn settle(findings: &mut [AuditFinding]) {
     let settled: Vec<BTreeSet<String>> = findings.iter().map(|one| roots(one, findings)).collect();
     for (one, roots) in findings.iter_mut().zip(settled) {
         let known: BTreeSet<String> = one.follows_from.iter().cloned().collect();
@@ -77,7 +78,7 @@ pub(super) fn settle(findings: &mut [Finding]) {
 }
 
 /// The fields of a finding's roots: of those it follows from, the ones that follow from nothing themselves.
-fn roots(one: &Finding, all: &[Finding]) -> BTreeSet<String> {
+fn roots(one: &AuditFinding, all: &[AuditFinding]) -> BTreeSet<String> {
     let (mut found, mut seen) = (BTreeSet::new(), BTreeSet::new());
     let mut open = one.follows_from.clone();
     while let Some(field) = open.pop() {
@@ -104,9 +105,9 @@ mod tests {
 
     const RULE: Rule = Rule { id: "rule", formula: "" };
 
-    fn finding(field: &str, follows: &[&str]) -> Finding {
-        let finding = Finding::new(Severity::Wrong, Section::Route, field.to_owned(), Note::new("audit-figure"));
-        Finding { follows_from: follows.iter().map(|one| (*one).to_owned()).collect(), ..finding }
+    fn finding(field: &str, follows: &[&str]) -> AuditFinding {
+        let finding = AuditFinding::new(Severity::Wrong, Section::Route, field.to_owned(), Note::new("audit-figure"));
+        AuditFinding { follows_from: follows.iter().map(|one| (*one).to_owned()).collect(), ..finding }
     }
 
     #[test]

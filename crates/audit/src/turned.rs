@@ -6,7 +6,7 @@
 //! that the text does not name is taken to be ours of that place in the turret: then nothing is worse than doubtful.
 
 use technolog_core::ascii::ascii;
-use technolog_turning_proof::{At, Block, Kind, Mm, Motion, Sense, Way};
+use technolog_turning_proof::{At, Block, Mm, Motion, MotionKind, Piece, Sense};
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -256,19 +256,19 @@ fn motions(all: &[LatheMotion], tools: &[Called]) -> Result<Vec<Motion>, NotHeld
             return Err(NotHeld::Compensated { line });
         }
         let (start, end) = (at(from), at(to));
-        let (kind, way) = match one.act {
+        let (kind, path) = match one.act {
             LatheAct::Arc { centre, sense, .. } => {
                 let sense = match sense {
                     motion::Sense::Clockwise => Sense::Clockwise,
                     motion::Sense::Counterclockwise => Sense::Counterclockwise,
                 };
-                (Kind::Feed, Way::Arc { from: start, to: end, centre: at(centre), sense })
+                (MotionKind::Feed, Piece::Arc { from: start, to: end, centre: at(centre), sense })
             }
-            LatheAct::Thread { .. } => (Kind::Thread, Way::Line { from: start, to: end }),
-            LatheAct::Feed { .. } => (Kind::Feed, Way::Line { from: start, to: end }),
-            _ => (Kind::Rapid, Way::Line { from: start, to: end }),
+            LatheAct::Thread { .. } => (MotionKind::Thread, Piece::Line { from: start, to: end }),
+            LatheAct::Feed { .. } => (MotionKind::Feed, Piece::Line { from: start, to: end }),
+            _ => (MotionKind::Rapid, Piece::Line { from: start, to: end }),
         };
-        motions.push(Motion { kind, way, tool, block: Block(usize::try_from(line).unwrap_or(usize::MAX)) });
+        motions.push(Motion { kind, path, tool, block: Block(usize::try_from(line).unwrap_or(usize::MAX)) });
     }
     Ok(motions)
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::{Align, Block, Column, Document, Drawing, Finding, Inline, Inlines, Item, Table, Words, clean};
+use crate::{Align, Block, Column, Document, Drawing, FindingBlock, Inline, Inlines, Item, Table, Words, clean};
 
 /// Colours for light and dark mode and for paper; on narrow screens each table scrolls by itself.
 const STYLE: &str = include_str!("html/style.css");
@@ -70,7 +70,7 @@ fn list(page: &mut String, items: &[Item]) {
     page.push_str("</ul>\n");
 }
 
-fn finding(page: &mut String, finding: &Finding, words: &Words) {
+fn finding(page: &mut String, finding: &FindingBlock, words: &Words) {
     let place = finding.place.iter().map(|place| format!(" <code>{}</code>", escaped(place))).collect::<String>();
     let (class, word) = (finding.severity.name(), escaped(&finding.label()));
     page.push_str(&format!("<li class=\"{class}\"><b>{word}</b>{place} {}", line(&finding.words)));

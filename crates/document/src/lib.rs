@@ -22,7 +22,7 @@ pub use html::html;
 pub use inline::{Inline, Inlines};
 pub use markdown::markdown;
 pub use text::text;
-pub use tree::{Align, Block, Column, Document, Drawing, Field, Finding, Item, Keep, Severity, Table};
+pub use tree::{Align, Block, Column, Document, Drawing, Field, FindingBlock, Item, Keep, Severity, Table};
 pub use words::{WIDTH, Words};
 
 /// A document in one of the formats; width and colour are of text only.

@@ -3,7 +3,7 @@
 mod escape;
 
 use crate::html::image;
-use crate::{Align, Block, Document, Drawing, Field, Finding, Inline, Inlines, Item, Table, Words, clean};
+use crate::{Align, Block, Document, Drawing, Field, FindingBlock, Inline, Inlines, Item, Table, Words, clean};
 use escape::{code, escaped, started, strong};
 
 /// The document as Markdown.
@@ -90,7 +90,7 @@ impl Page<'_> {
     }
 
     /// An item of the list of findings that it follows, or of a new one.
-    fn finding(&mut self, finding: &Finding) {
+    fn finding(&mut self, finding: &FindingBlock) {
         let mark = match self.list {
             Some((ListKind::Findings, mark)) => mark,
             _ => self.list(ListKind::Findings),

@@ -6,7 +6,7 @@
 mod table;
 mod wrap;
 
-use crate::{Block, Document, Finding, Inlines, Item, Words, clean};
+use crate::{Block, Document, FindingBlock, Inlines, Item, Words, clean};
 use wrap::{Line, Style, Word, wrap};
 
 /// How far blocks of a section and the continuation of a line are indented.
@@ -111,7 +111,7 @@ impl Page<'_> {
         }
     }
 
-    fn finding(&mut self, finding: &Finding) {
+    fn finding(&mut self, finding: &FindingBlock) {
         let mut line = wrap::styled(&finding.label().as_str().into(), Style::Of(finding.severity));
         if let Some(place) = &finding.place {
             line.extend(wrap::styled(&place.as_str().into(), Style::Code));

@@ -55,7 +55,7 @@ pub enum Block {
     /// A table.
     Table(Table),
     /// Something found wrong, or worth knowing. Findings one after the other are written as a list.
-    Finding(Finding),
+    Finding(FindingBlock),
     /// A drawing.
     Drawing(Drawing),
     /// Lines that are never broken, such as a program.
@@ -122,7 +122,7 @@ impl Severity {
 
 /// Something found wrong, or worth knowing.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Finding {
+pub struct FindingBlock {
     /// How bad it is.
     pub severity: Severity,
     /// The word for that in the language of the page, without a colon, or a mark such as `*`.
@@ -137,7 +137,7 @@ pub struct Finding {
     pub help: Option<Inlines>,
 }
 
-impl Finding {
+impl FindingBlock {
     /// What stands before it on every page: a word with a colon, or the mark alone.
     pub(crate) fn label(&self) -> String {
         let colon = if self.word.ends_with(char::is_alphanumeric) { ":" } else { "" };
@@ -279,13 +279,13 @@ impl Table {
 }
 
 macro_rules! blocks {
-    ($($kind:ident),*) => {$(
+    ($($variant:ident($kind:ident)),*) => {$(
         impl From<$kind> for Block {
             fn from(block: $kind) -> Self {
-                Self::$kind(block)
+                Self::$variant(block)
             }
         }
     )*};
 }
 
-blocks!(Table, Finding, Drawing);
+blocks!(Table(Table), Finding(FindingBlock), Drawing(Drawing));

@@ -7,7 +7,7 @@ use crate::note::{Because, Note};
 use crate::plan::{Conditions, Operation, Rounds, Transition};
 use crate::shop::Shop;
 use crate::tables::controls::{Convention, ProgramConventions};
-use crate::tables::rules::{Cut, HoleCycle, MachiningCycle, MachiningCycleFor};
+use crate::tables::rules::{HoleCycle, MachiningCycle, MachiningCycleFor, MillingDirection};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 use technolog_note::note;
 
@@ -120,8 +120,8 @@ fn kind(
             let rounds = transition.conditions.rounds.ok_or_else(|| lacks(note!("nc-circles-mill")))?;
             // The spindle turns clockwise: against it the teeth go with the feed.
             let sense = match rule.cut.ok_or_else(|| lacks(note!("nc-how-mill-cuts")))? {
-                Cut::Climb => Sense::Counterclockwise,
-                Cut::Conventional => Sense::Clockwise,
+                MillingDirection::Climb => Sense::Counterclockwise,
+                MillingDirection::Conventional => Sense::Clockwise,
             };
             circles(transition, rounds, top, sense, resolution)
         }

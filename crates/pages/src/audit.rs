@@ -9,7 +9,7 @@ mod marks;
 mod words;
 
 use crate::note::{Because, Figure};
-use technolog_audit::{Audit, Finding, Section};
+use technolog_audit::{Audit, AuditFinding, Section};
 use technolog_core::words::with_unit;
 use technolog_document::{self as document, Document, Inlines};
 use technolog_words::say;
@@ -46,28 +46,29 @@ pub fn page(audit: &Audit, lang: Lang) -> Document {
     page
 }
 
-fn block(finding: &Finding, audit: &Audit, lang: Lang) -> document::Finding {
+fn block(finding: &AuditFinding, audit: &Audit, lang: Lang) -> document::FindingBlock {
     let words = Inlines::sentence(&headline(finding, lang));
-    document::Finding {
+    document::FindingBlock {
         place: place(finding, &audit.file),
         details: details(finding, audit, lang).iter().map(|line| Inlines::sentence(line)).collect(),
-        ..document::Finding::new(words::colour(finding.severity), severity(finding.severity, lang), words)
+        ..document::FindingBlock::new(words::colour(finding.severity), severity(finding.severity, lang), words)
     }
 }
 
 /// The findings of each section that has some; an audit has them in order.
-fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&Finding>)> {
+fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&AuditFinding>)> {
     let mut sections: Vec<Section> = audit.findings.iter().map(|finding| finding.section).collect();
     sections.sort_unstable();
     sections.dedup();
     let of = |section: Section| audit.findings.iter().filter(|finding| finding.section == section).collect();
-    let whole: Vec<(Section, Vec<&Finding>)> = sections.into_iter().map(|section| (section, of(section))).collect();
+    let whole: Vec<(Section, Vec<&AuditFinding>)> =
+        sections.into_iter().map(|section| (section, of(section))).collect();
     whole.into_iter()
 }
 
 /// What is wrong, in one sentence.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
-fn headline(finding: &Finding, lang: Lang) -> String {
+fn headline(finding: &AuditFinding, lang: Lang) -> String {
     let about = words::block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
     let said = said(finding, lang);
     let said = match (finding.quantity, &finding.stated, &finding.right) {
@@ -96,7 +97,7 @@ fn headline(finding: &Finding, lang: Lang) -> String {
 }
 
 /// What the finding rests on and what follows from it.
-fn details(finding: &Finding, audit: &Audit, lang: Lang) -> Vec<String> {
+fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
     let mut lines = Vec::new();
     if !finding.formula.is_empty() {
         lines.push(figure(&finding.formula, lang));

@@ -1,6 +1,6 @@
 //! The plan as a page: route, tools, conditions, clamping, corrections, time, findings.
 
-use crate::document::{Document, Field, Finding, Inlines, Severity as Shown};
+use crate::document::{Document, Field, FindingBlock, Inlines, Severity as Shown};
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
@@ -171,7 +171,7 @@ fn time(plan: &Plan, lang: Lang) -> String {
 fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
     let (listed, counted) = doubts.split(plan.findings.iter());
     if let Some(counted) = counted {
-        page.push(Finding::new(Shown::Doubtful, MARK, Inlines::sentence(&lang.say(&counted))));
+        page.push(FindingBlock::new(Shown::Doubtful, MARK, Inlines::sentence(&lang.say(&counted))));
     }
     for finding in listed {
         let (severity, word) = match finding.severity {
@@ -186,6 +186,6 @@ fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
             Some(hole) => say!(lang, "plan-of-hole", hole = hole.as_str(), finding = finding.note.clone()),
             None => lang.say(&finding.note),
         };
-        page.push(Finding::new(severity, word, Inlines::sentence(&said)));
+        page.push(FindingBlock::new(severity, word, Inlines::sentence(&said)));
     }
 }

@@ -130,7 +130,7 @@ rows! {
         step: Option<f64>,
         clearance: Option<Micrometres>,
         dwell: Option<f64>,
-        cut: Option<Cut>,
+        cut: Option<MillingDirection>,
     }
 
     /// Whether a large hole is milled or bored.

@@ -3,7 +3,7 @@
 use crate::fault::{Fault, Faults};
 use crate::note::Figure;
 use crate::plane::{Convex, Region, Rule, Spot, Window};
-use crate::set_up::{Kind, Motion, SetUp};
+use crate::set_up::{Motion, MotionKind, SetUp};
 use crate::stock::Stock;
 use crate::target::Target;
 use crate::tool::{Outline, Tool};
@@ -83,7 +83,7 @@ impl<'s> Carried<'s> {
     }
 
     fn swept(&self, pieces: &[Convex], motion: &Motion) -> Vec<Convex> {
-        let spots = motion.way.spots();
+        let spots = motion.path.spots();
         let each = spots.windows(2).flat_map(|ends| pieces.iter().filter_map(|piece| piece.swept(ends[0], ends[1])));
         each.flat_map(Convex::folded).collect()
     }
@@ -94,14 +94,14 @@ impl<'s> Carried<'s> {
         let tool = &self.tool(motion).designation;
         self.hold_bodies(motion, &cuts, &holds);
         match motion.kind {
-            Kind::Rapid => {
+            MotionKind::Rapid => {
                 if let Some((width, at)) = self.overlap(&cuts, &[]) {
                     let (tool, block) = (tool.clone(), motion.block);
                     self.faults.add(Fault::RapidCut { tool, width, at, block, count: 1 });
                 }
                 self.hold_holder(motion, &holds, &[]);
             }
-            Kind::Feed => {
+            MotionKind::Feed => {
                 self.hold_axis(motion, &cuts);
                 self.hold_profile(motion, &cuts, false);
                 self.hold_holder(motion, &holds, &cuts);
@@ -114,7 +114,7 @@ impl<'s> Carried<'s> {
                     self.take_off();
                 }
             }
-            Kind::Thread => {
+            MotionKind::Thread => {
                 self.hold_profile(motion, &cuts, true);
                 self.hold_holder(motion, &holds, &cuts);
                 self.remember_pass(motion);
@@ -169,7 +169,7 @@ impl<'s> Carried<'s> {
 
     /// A drill cuts on the axis and along it.
     fn hold_axis(&mut self, motion: &Motion, cuts: &[Convex]) {
-        let (from, to) = (motion.way.from(), motion.way.to());
+        let (from, to) = (motion.path.from(), motion.path.to());
         let on_axis = from.radius.0.abs() <= TOLERANCE && to.radius.0.abs() <= TOLERANCE;
         let tool = self.tool(motion);
         if tool.cutter.turns_on_axis() && !on_axis && self.overlap(cuts, &[]).is_some() {
@@ -196,7 +196,7 @@ impl<'s> Carried<'s> {
     }
 
     fn remember_pass(&mut self, motion: &Motion) {
-        let (from, to) = (motion.way.from().spot(), motion.way.to().spot());
+        let (from, to) = (motion.path.from().spot(), motion.path.to().spot());
         for (thread, deepest) in self.target.threads.iter().zip(&mut self.passes) {
             let middle = (thread.z[0] + thread.z[1]) / 2.0;
             if from.z.min(to.z) > middle || from.z.max(to.z) < middle || from.z == to.z {
@@ -264,9 +264,9 @@ fn thickest(shared: &Region) -> Option<(Mm, At)> {
 /// Spots on the edge of a region, every 0.5 mm or at most so many on each side of it; corners are among them.
 pub fn samples(region: &Region, most: usize) -> Vec<Spot> {
     let edge = |(from, to): (Spot, Spot)| {
-        let way = to.minus(from);
-        let parts = ((way.length() / 0.5).ceil() as usize).clamp(2, most);
-        (0..parts).map(move |part| from.plus(way.times(part as f64 / parts as f64)))
+        let path = to.minus(from);
+        let parts = ((path.length() / 0.5).ceil() as usize).clamp(2, most);
+        (0..parts).map(move |part| from.plus(path.times(part as f64 / parts as f64)))
     };
     region.edges().flat_map(edge).collect()
 }

@@ -1,7 +1,7 @@
 //! Faults of a program, as types; each makes its own note.
 
 use crate::note::{Figure, Note};
-use crate::set_up::Kind;
+use crate::set_up::MotionKind;
 use crate::units::{At, Block, Mm};
 
 /// A fault, once for each surface, tool or body: its worst place, and how often.
@@ -42,7 +42,7 @@ pub enum Fault {
         /// The middle of it.
         at: At,
         /// How the tool moves in the worst of the motions.
-        kind: Kind,
+        kind: MotionKind,
         /// In which block.
         block: Block,
         /// In how many motions.
@@ -115,7 +115,7 @@ impl Fault {
         match self {
             Self::Gouge { .. } => "swept-gouge",
             Self::RapidCut { .. } => "swept-rapid",
-            Self::Holder { kind: Kind::Rapid, .. } => "swept-holder-rapid",
+            Self::Holder { kind: MotionKind::Rapid, .. } => "swept-holder-rapid",
             Self::Holder { .. } => "swept-holder",
             Self::Struck { .. } => "swept-struck",
             Self::OffAxis { .. } => "swept-off-axis",

@@ -36,7 +36,7 @@ use technolog_note as note;
 
 pub use fault::Fault;
 pub use refused::Refused;
-pub use set_up::{Body, Kind, Motion, Piece, Profile, Sense, SetUp, Thread, Way};
+pub use set_up::{Body, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Thread};
 pub use stock::Stock;
 pub use tool::{Cutter, Hand, Holder, Side, Tool};
 pub use units::{At, Block, CubicMm, Degrees, Mm};

@@ -54,11 +54,11 @@ pub fn check(set_up: &SetUp) -> Result<(), Refused> {
     let pieces = || set_up.profile.outside.iter().chain(&set_up.profile.bore);
     let threads = pieces().filter_map(|piece| piece.thread);
     let lengths = pieces().map(|piece| piece.allowance).chain(threads.flat_map(|thread| [thread.crest, thread.root]));
-    let motions = set_up.motions.iter().flat_map(|motion| motion.way.places());
+    let motions = set_up.motions.iter().flat_map(|motion| motion.path.places());
     let bodies = set_up.bodies.iter().flat_map(|body| body.outline.iter().copied());
     let stock = set_up.stock.0.window();
     let stock = [stock.least, stock.most].map(At::of).into_iter().filter(|_| !set_up.stock.0.is_empty());
-    let places = pieces().flat_map(|piece| piece.way.places()).chain(motions).chain(bodies).chain(stock);
+    let places = pieces().flat_map(|piece| piece.path.places()).chain(motions).chain(bodies).chain(stock);
     let all = places.flat_map(|at| [at.z, at.radius]).chain(lengths);
     if !all.into_iter().all(|length| length.0.abs() <= LIMIT) {
         return Err(Refused::Place { limit: Mm(LIMIT) });

@@ -17,7 +17,7 @@ pub enum Sense {
 
 /// A line or an arc.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
+pub enum Piece {
     /// Straight.
     Line {
         /// Its beginning.
@@ -38,7 +38,7 @@ pub enum Way {
     },
 }
 
-impl Way {
+impl Piece {
     /// Its beginning.
     pub const fn from(&self) -> At {
         match self {
@@ -92,9 +92,9 @@ pub struct Thread {
 
 /// A piece of the finished part's contour.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Piece {
+pub struct ProfilePiece {
     /// Its form.
-    pub way: Way,
+    pub path: Piece,
     /// The surface that it belongs to: a name of the user's, or a word. Findings name it.
     pub surface: Option<Figure>,
     /// What is to stay over it for another machine, along its normal.
@@ -103,10 +103,10 @@ pub struct Piece {
     pub thread: Option<Thread>,
 }
 
-impl Piece {
+impl ProfilePiece {
     /// A piece without allowance and thread.
-    pub const fn new(way: Way, surface: Option<Figure>) -> Self {
-        Self { way, surface, allowance: Mm(0.0), thread: None }
+    pub const fn new(path: Piece, surface: Option<Figure>) -> Self {
+        Self { path, surface, allowance: Mm(0.0), thread: None }
     }
 }
 
@@ -118,9 +118,9 @@ impl Piece {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Profile {
     /// The outer chain.
-    pub outside: Vec<Piece>,
+    pub outside: Vec<ProfilePiece>,
     /// The chain of the bore; a blind one ends on the axis. Empty if there is none.
-    pub bore: Vec<Piece>,
+    pub bore: Vec<ProfilePiece>,
 }
 
 /// Something that no tool may touch: jaws, a quill with its centre, a steady rest.
@@ -134,7 +134,7 @@ pub struct Body {
 
 /// How a tool moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum MotionKind {
     /// At rapid.
     Rapid,
     /// At feed.
@@ -147,9 +147,9 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     /// How it moves.
-    pub kind: Kind,
+    pub kind: MotionKind,
     /// Its way.
-    pub way: Way,
+    pub path: Piece,
     /// Which of [`SetUp::tools`] moves.
     pub tool: usize,
     /// Its block in the program.

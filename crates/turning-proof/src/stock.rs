@@ -1,7 +1,7 @@
 //! The metal, as a region of the half-plane.
 
 use crate::plane::{Convex, Region, Spot};
-use crate::set_up::Way;
+use crate::set_up::Piece;
 use crate::units::{At, CubicMm, Mm};
 
 /// The blank, or what motions have left of it.
@@ -10,7 +10,7 @@ pub struct Stock(pub(crate) Region);
 
 impl Stock {
     /// Between an outer chain and a bore, or the axis; both chains run from the free end towards the chuck.
-    pub fn between(outer: &[Way], bore: &[Way]) -> Self {
+    pub fn between(outer: &[Piece], bore: &[Piece]) -> Self {
         Self(between(&spots(outer), &spots(bore)))
     }
 
@@ -45,10 +45,10 @@ impl Stock {
 }
 
 /// The corners of a chain.
-fn spots(chain: &[Way]) -> Vec<Spot> {
+fn spots(chain: &[Piece]) -> Vec<Spot> {
     let mut all: Vec<Spot> = Vec::new();
-    for way in chain {
-        all.extend(way.spots().into_iter().skip(usize::from(!all.is_empty())));
+    for path in chain {
+        all.extend(path.spots().into_iter().skip(usize::from(!all.is_empty())));
     }
     all
 }

@@ -2,7 +2,7 @@
 
 use crate::note::Figure;
 use crate::plane::{Convex, Region, Rule, Spot, Window};
-use crate::set_up::{Piece, Profile, Thread};
+use crate::set_up::{Profile, ProfilePiece, Thread};
 use crate::stock::between;
 
 /// How far beyond both ends of a thread its passes may go down to the root, in depths of the thread: half a profile, and a
@@ -13,7 +13,7 @@ const BEYOND: f64 = 10_000.0;
 
 /// A chord of the contour, moved out by the allowance.
 #[derive(Clone, Copy, Debug)]
-struct Edge {
+struct OutlineEdge {
     from: Spot,
     to: Spot,
     piece: usize,
@@ -52,7 +52,7 @@ pub struct Target {
     pub may_stay: Region,
     /// Its threads.
     pub threads: Vec<Threaded>,
-    edges: Vec<Edge>,
+    edges: Vec<OutlineEdge>,
     surfaces: Vec<Option<Figure>>,
     /// Lines behind which the metal is another set-up's.
     open: Vec<[Spot; 2]>,
@@ -67,8 +67,8 @@ struct Chain {
 }
 
 impl Chain {
-    fn of(piece: &Piece, outwards: f64) -> Self {
-        let spots = piece.way.spots();
+    fn of(piece: &ProfilePiece, outwards: f64) -> Self {
+        let spots = piece.path.spots();
         let drawn = spots[0];
         let normal = normal(drawn, spots[1], outwards);
         let sunk = piece.thread.map_or(0.0, |thread| (thread.crest.0 - drawn.r) * normal.r);
@@ -138,7 +138,7 @@ impl Target {
         let passes: Vec<Convex> = threads.iter().filter_map(Threaded::passes).collect();
         let keep_thread = keep.made(&Region::pieces(&passes), Rule::Without);
         let edges = chains.iter().flatten().enumerate().flat_map(|(piece, chain)| {
-            chain.pairs().map(move |(a, b, by)| Edge { from: a.plus(by), to: b.plus(by), piece })
+            chain.pairs().map(move |(a, b, by)| OutlineEdge { from: a.plus(by), to: b.plus(by), piece })
         });
         let edges = edges.collect();
         let surfaces = profile.outside.iter().chain(&profile.bore).map(|piece| piece.surface.clone()).collect();
@@ -154,8 +154,8 @@ impl Target {
         // An edge is nearly always close by; only if none is, all of them are searched.
         const CLOSE: f64 = 0.1;
         let window = Window::around(spots.iter().copied()).grown(CLOSE);
-        let meets = |edge: &&Edge| Window::around([edge.from, edge.to]).meets(window);
-        let close: Vec<Edge> = self.edges.iter().filter(meets).copied().collect();
+        let meets = |edge: &&OutlineEdge| Window::around([edge.from, edge.to]).meets(window);
+        let close: Vec<OutlineEdge> = self.edges.iter().filter(meets).copied().collect();
         let nearest = |&spot: &Spot| {
             let found = Near::of(&close, spot);
             if found.distance <= CLOSE { found } else { Near::of(&self.edges, spot) }
@@ -185,7 +185,7 @@ impl Target {
 }
 
 impl Near {
-    fn of(edges: &[Edge], spot: Spot) -> Self {
+    fn of(edges: &[OutlineEdge], spot: Spot) -> Self {
         let each = edges.iter().map(|edge| (spot.distance(edge.from, edge.to), edge));
         let Some((distance, edge)) = each.min_by(|a, b| a.0.total_cmp(&b.0)) else {
             return Self { piece: 0, distance: f64::INFINITY, square: false };
@@ -218,9 +218,9 @@ impl Threaded {
 fn threads(profile: &Profile) -> Vec<Threaded> {
     let pieces = profile.outside.iter().chain(&profile.bore);
     let threaded = pieces.filter_map(|piece| {
-        let (a, b) = (piece.way.from().z.0, piece.way.to().z.0);
+        let (a, b) = (piece.path.from().z.0, piece.path.to().z.0);
         let thread = piece.thread?;
-        let drawn = piece.way.from().radius.0;
+        let drawn = piece.path.from().radius.0;
         Some(Threaded { surface: piece.surface.clone(), thread, z: [a.min(b), a.max(b)], drawn })
     });
     threaded.collect()

@@ -1,7 +1,7 @@
 //! Cases that were run, for people.
 
 use technolog::cases::{Came, Failure, Why, brief};
-use technolog::document::{Column, Document, Finding, Inlines, Severity, Table};
+use technolog::document::{Column, Document, FindingBlock, Inlines, Severity, Table};
 use technolog::note::{Because, Figure, Note};
 use technolog::words::say;
 
@@ -23,10 +23,10 @@ pub fn page(runs: &[CaseFileRun], lang: Lang) -> Document {
         for ran in run.cases.iter().filter(|ran| !ran.passed()) {
             let words = say!(lang, "test-case", name = cut(&ran.case.name));
             let lines = ran.failures.iter().flat_map(|failure| told(failure, lang)).chain(origin(ran, lang));
-            page.push(Finding {
+            page.push(FindingBlock {
                 place: Some(ran.case.place.to_string()),
                 details: lines.map(|line| Inlines::from(line.as_str())).collect(),
-                ..Finding::new(Severity::Wrong, lang.word("test-failed"), words)
+                ..FindingBlock::new(Severity::Wrong, lang.word("test-failed"), words)
             });
         }
     }

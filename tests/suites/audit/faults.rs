@@ -6,7 +6,7 @@ use std::process::Command;
 
 use proptest::prelude::*;
 use serde::Deserialize;
-use technolog::audit::{Audit, Finding, read_plan};
+use technolog::audit::{Audit, AuditFinding, read_plan};
 use technolog::note::Severity;
 use technolog::plan::CuttingMethod;
 use technolog::words::Lang;
@@ -81,11 +81,11 @@ fn audited(text: &str) -> Audit {
 }
 
 /// The slips themselves: neither notes nor what follows from others.
-fn slips(audit: &Audit) -> impl Iterator<Item = &Finding> {
+fn slips(audit: &Audit) -> impl Iterator<Item = &AuditFinding> {
     audit.findings.iter().filter(|one| one.severity < Severity::Note && one.follows_from.is_empty())
 }
 
-fn said(finding: &Finding) -> String {
+fn said(finding: &AuditFinding) -> String {
     let severity = format!("{:?}", finding.severity).to_lowercase();
     format!("{severity} {} {}", finding.rule, finding.field)
 }
@@ -118,7 +118,7 @@ fn faults_not_found(case: &Case) -> Vec<String> {
         });
         let line = right.lines().zip(text.lines()).position(|(a, b)| a != b).unwrap() + 1;
         let audit = audited(&text);
-        let found: Vec<&Finding> = slips(&audit).collect();
+        let found: Vec<&AuditFinding> = slips(&audit).collect();
         let method = |one: &String| !case.known.contains(&one.as_str()) && !one.contains(" audit-load-");
         let told: BTreeSet<String> = found.iter().map(|one| said(one)).filter(method).collect();
         let expected: BTreeSet<String> = fault.finds.iter().cloned().collect();

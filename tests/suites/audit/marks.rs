@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
-use technolog::audit::marks::{Ground, Marks, Scheme, read_scheme};
+use technolog::audit::marks::{DeductedBy, Marks, Scheme, read_scheme};
 use technolog::audit::{Audit, audit, read_plan, rules};
 use technolog::words::Lang;
 use technolog_testing::KNOWLEDGE;
@@ -31,7 +31,7 @@ fn audited() -> Audit {
     audit(&read_plan("plan.yaml", &text, &KNOWLEDGE, &files).unwrap(), &KNOWLEDGE).unwrap()
 }
 
-fn of(marks: &Marks, field: &str) -> (f64, Ground, bool) {
+fn of(marks: &Marks, field: &str) -> (f64, DeductedBy, bool) {
     let one = marks.deductions.iter().find(|one| one.field == field).unwrap();
     (one.points, one.by, one.capped)
 }
@@ -42,36 +42,46 @@ fn the_most_particular_word_of_the_scheme_holds() {
     // (scheme, of the slip, of its consequence, points of the whole; the plan has three doubtful conditions and one
     // doubtful clamping beside)
     for (text, force, per_clamp, points) in [
-        ("{points: 10, deduct: {wrong: 3}}", (3.0, Ground::Severity, false), (0.0, Ground::Consequence, false), 7.0),
+        (
+            "{points: 10, deduct: {wrong: 3}}",
+            (3.0, DeductedBy::Severity, false),
+            (0.0, DeductedBy::Consequence, false),
+            7.0,
+        ),
         (
             "{points: 10, deduct: {wrong: 3}, consequences: 0.5}",
-            (3.0, Ground::Severity, false),
-            (0.5, Ground::Consequence, false),
+            (3.0, DeductedBy::Severity, false),
+            (0.5, DeductedBy::Consequence, false),
             6.5,
         ),
         (
             "{points: 10, deduct: {wrong: 3}, sections: {clamping: {wrong: 2}}}",
-            (2.0, Ground::Section, false),
-            (0.0, Ground::Consequence, false),
+            (2.0, DeductedBy::Section, false),
+            (0.0, DeductedBy::Consequence, false),
             8.0,
         ),
         (
             "{points: 10, deduct: {wrong: 3}, sections: {clamping: {wrong: 2}}, rules: {clamping-force: 1}}",
-            (1.0, Ground::Rule, false),
-            (0.0, Ground::Consequence, false),
+            (1.0, DeductedBy::Rule, false),
+            (0.0, DeductedBy::Consequence, false),
             9.0,
         ),
         (
             "{points: 10, deduct: {wrong: 3}, sections: {clamping: {at_most: 2}}}",
-            (2.0, Ground::Severity, true),
-            (0.0, Ground::Consequence, false),
+            (2.0, DeductedBy::Severity, true),
+            (0.0, DeductedBy::Consequence, false),
             8.0,
         ),
-        ("{points: 2, deduct: {wrong: 3}}", (2.0, Ground::Severity, true), (0.0, Ground::Consequence, false), 0.0),
+        (
+            "{points: 2, deduct: {wrong: 3}}",
+            (2.0, DeductedBy::Severity, true),
+            (0.0, DeductedBy::Consequence, false),
+            0.0,
+        ),
         (
             "{points: 10, deduct: {wrong: 1, doubtful: 0.25}}",
-            (1.0, Ground::Severity, false),
-            (0.0, Ground::Consequence, false),
+            (1.0, DeductedBy::Severity, false),
+            (0.0, DeductedBy::Consequence, false),
             8.0,
         ),
     ] {

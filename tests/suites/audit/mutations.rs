@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use serde_json::Value;
-use technolog::audit::{Finding, by_hand, read_plan};
+use technolog::audit::{AuditFinding, by_hand, read_plan};
 use technolog::knowledge::Value as Cell;
 use technolog::note::Severity;
 use technolog::plan::{CuttingMethod, Plan};
@@ -319,7 +319,7 @@ fn judged(mutant: &Mutant, file: &str, part: &str, ours: &Plan) -> (bool, bool, 
     let audit = AUDITOR.audit_beside(&stated, ours).unwrap();
     let mut grave: Vec<_> = audit.findings.iter().filter(|one| one.severity <= Severity::Doubtful).collect();
     grave.sort_by_key(|one| (!one.follows_from.is_empty(), one.severity));
-    let here = |one: &Finding| {
+    let here = |one: &AuditFinding| {
         let line = mutant.line.is_none_or(|line| one.line.is_some_and(|at| at as usize == line));
         line && mutant
             .columns

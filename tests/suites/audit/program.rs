@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 use technolog::audit::marks::read_scheme;
-use technolog::audit::{Audit, Finding, Section, read_plan};
+use technolog::audit::{Audit, AuditFinding, Section, read_plan};
 use technolog::note::Severity;
 use technolog_testing::{AUDITOR, KNOWLEDGE};
 
@@ -46,7 +46,7 @@ fn audited(fault: &Fault) -> Audit {
     AUDITOR.audit(&stated).unwrap()
 }
 
-fn said(finding: &Finding) -> String {
+fn said(finding: &AuditFinding) -> String {
     format!("{} {} {}", format!("{:?}", finding.severity).to_lowercase(), finding.rule, finding.field)
 }
 

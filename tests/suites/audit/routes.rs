@@ -6,7 +6,7 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use serde::Deserialize;
-use technolog::audit::{Audit, Finding, by_hand, read_plan};
+use technolog::audit::{Audit, AuditFinding, by_hand, read_plan};
 use technolog::note::Severity;
 use technolog::plan::CuttingMethod;
 use technolog_testing::{AUDITOR, KNOWLEDGE, planned, read};
@@ -47,18 +47,18 @@ fn audited(text: &str) -> Audit {
     AUDITOR.audit(&stated).unwrap()
 }
 
-fn said(finding: &Finding) -> String {
+fn said(finding: &AuditFinding) -> String {
     let severity = format!("{:?}", finding.severity).to_lowercase();
     format!("{severity} {} {}", finding.rule, finding.field)
 }
 
-fn with_figures(finding: &Finding) -> String {
+fn with_figures(finding: &AuditFinding) -> String {
     let figures = finding.stated.as_ref().zip(finding.right.as_ref());
     said(finding) + &figures.map_or_else(String::new, |(stated, right)| format!(" {stated} -> {right}"))
 }
 
 /// What is doubtful of the book's method itself is said of every plan by its cards.
-fn of_method(finding: &Finding) -> bool {
+fn of_method(finding: &AuditFinding) -> bool {
     // The book's 0.1 mm for finish reaming right after a drill leaves nothing at worst.
     finding.rule == "audit-load-low" || finding.rule == "proof-no-stock"
 }
@@ -132,7 +132,7 @@ fn choices_are_right(part: &str) -> Result<(), TestCaseError> {
     let stated = read_plan("plan.yaml", &by_hand(&plan, "part.yaml"), &KNOWLEDGE, &files).unwrap();
     let audit = AUDITOR.audit(&stated).unwrap();
     let choice =
-        |one: &&Finding| one.severity < Severity::Note && CHOICES.iter().any(|rule| one.rule.starts_with(rule));
+        |one: &&AuditFinding| one.severity < Severity::Note && CHOICES.iter().any(|rule| one.rule.starts_with(rule));
     let found: Vec<String> = audit.findings.iter().filter(choice).map(with_figures).collect();
     prop_assert!(found.is_empty(), "{found:?}\n{part}");
     Ok(())

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use technolog::knowledge::Knowledge;
 use technolog::report::Lang;
 use technolog::turning::contour::{Contour, Curve, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName, Turn};
-use technolog::turning::elements::{Angles, Class, Element, Ground, Hand, Main, classify, main_contour, split};
+use technolog::turning::elements::{Angles, Class, Element, ElementReason, Hand, Main, classify, main_contour, split};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
 use technolog::units::Degrees;
@@ -65,7 +65,7 @@ fn judged(drawn: &Drawn) -> (Vec<Class>, Main) {
     (classes, main)
 }
 
-fn grounds(classes: &[Class]) -> Vec<Ground> {
+fn grounds(classes: &[Class]) -> Vec<ElementReason> {
     classes.iter().map(|class| class.ground).collect()
 }
 
@@ -102,13 +102,13 @@ fn what_the_contouring_tool_makes_is_main() {
 #[test]
 fn the_angles_of_the_tool_are_the_limits() {
     for (drawn, surface, ground, element) in [
-        (falling(20.0), 1, Ground::Reach, Element::Main),
-        (falling(30.0), 1, Ground::Reach, Element::Main),
-        (falling(30.5), 1, Ground::Fall, Element::Additional),
-        (falling(45.0), 1, Ground::Fall, Element::Additional),
-        (leaning(0.0), 1, Ground::Reach, Element::Main),
-        (leaning(4.9), 1, Ground::Reach, Element::Main),
-        (leaning(6.0), 1, Ground::Back, Element::Additional),
+        (falling(20.0), 1, ElementReason::Reach, Element::Main),
+        (falling(30.0), 1, ElementReason::Reach, Element::Main),
+        (falling(30.5), 1, ElementReason::Fall, Element::Additional),
+        (falling(45.0), 1, ElementReason::Fall, Element::Additional),
+        (leaning(0.0), 1, ElementReason::Reach, Element::Main),
+        (leaning(4.9), 1, ElementReason::Reach, Element::Main),
+        (leaning(6.0), 1, ElementReason::Back, Element::Additional),
     ] {
         let (classes, _) = judged(&drawn);
         assert_eq!((classes[surface].ground, classes[surface].element), (ground, element), "{:?}", classes[surface]);
@@ -121,12 +121,12 @@ fn the_angles_of_the_tool_are_the_limits() {
 fn another_tool_has_other_main_elements() {
     let tool = |main, secondary| Angles { main: Degrees(main), secondary: Degrees(secondary), hand: Hand::Right };
     let classes = classify(&leaning(0.0).profile, tool(45.0, 45.0), knowledge()).unwrap();
-    assert_eq!(grounds(&classes), [Ground::Corner, Ground::Rise, Ground::Reach]);
+    assert_eq!(grounds(&classes), [ElementReason::Corner, ElementReason::Rise, ElementReason::Reach]);
     assert!(classes[0].partly && classes[1].tool == "other-main-angle");
     let classes = classify(&falling(45.0).profile, tool(95.0, 50.0), knowledge()).unwrap();
     assert!(classes.iter().all(|class| class.element == Element::Main));
     let narrow = tool(95.0, 44.0);
-    assert_eq!(classify(&falling(45.0).profile, narrow, knowledge()).unwrap()[1].ground, Ground::Fall);
+    assert_eq!(classify(&falling(45.0).profile, narrow, knowledge()).unwrap()[1].ground, ElementReason::Fall);
 }
 
 /// The reason names the angle of the element and that of the tool.
@@ -152,7 +152,7 @@ fn additional_kinds_are_bridged_as_the_lips_go_on() {
     let drawn = drawn.groove(FaceGroove, &[(30.0, 34.0), (35.0, 34.0), (35.0, 30.0)]).to(Face, 40.0, 30.0);
     let (classes, main) = judged(&drawn.to(Cylinder, 40.0, 50.0));
     let tools: Vec<&str> =
-        classes.iter().filter(|one| one.ground == Ground::Kind).map(|one| one.tool.as_str()).collect();
+        classes.iter().filter(|one| one.ground == ElementReason::Kind).map(|one| one.tool.as_str()).collect();
     assert_eq!(tools, ["threading", "grooving", "relief-grooving", "face-grooving"]);
     assert_eq!(corners(&main), [at(20.0, 0.0), at(20.0, 30.0), at(40.0, 30.0), at(40.0, 50.0)]);
     let lips: Vec<(Point, Point)> = main.valleys.iter().map(|valley| valley.lips).collect();
@@ -169,7 +169,10 @@ fn a_groove_in_a_falling_cone_is_bridged_by_the_cone() {
     let drawn = Drawn::from(20.0, 0.0).to(Cone, 16.0, 10.0);
     let drawn = drawn.groove(RectangularGroove, &[(10.0, 10.0), (10.0, 15.0), (14.0, 15.0)]).to(Cone, 10.0, 25.0);
     let (classes, main) = judged(&drawn.to(Face, 30.0, 25.0));
-    assert_eq!(grounds(&classes), [Ground::Reach, Ground::Kind, Ground::Reach, Ground::Reach]);
+    assert_eq!(
+        grounds(&classes),
+        [ElementReason::Reach, ElementReason::Kind, ElementReason::Reach, ElementReason::Reach]
+    );
     assert_eq!(corners(&main), [at(20.0, 0.0), at(16.0, 10.0), at(14.0, 15.0), at(10.0, 25.0), at(30.0, 25.0)]);
 }
 
@@ -182,8 +185,28 @@ fn a_valley_in_whose_shadow_the_tool_cannot_come_is_additional_with_its_walls() 
         drawn.to(Cylinder, 20.0, 10.0 + length).to(Face, 25.0, 10.0 + length).to(Cylinder, 25.0, 60.0)
     };
     for (length, grounds_wanted, tool) in [
-        (3.0, [Ground::Reach, Ground::Fall, Ground::Shadow, Ground::Shadow, Ground::Reach], "grooving"),
-        (30.0, [Ground::Reach, Ground::Fall, Ground::Shadow, Ground::Valley, Ground::Reach], "other-hand"),
+        (
+            3.0,
+            [
+                ElementReason::Reach,
+                ElementReason::Fall,
+                ElementReason::Shadow,
+                ElementReason::Shadow,
+                ElementReason::Reach,
+            ],
+            "grooving",
+        ),
+        (
+            30.0,
+            [
+                ElementReason::Reach,
+                ElementReason::Fall,
+                ElementReason::Shadow,
+                ElementReason::Valley,
+                ElementReason::Reach,
+            ],
+            "other-hand",
+        ),
     ] {
         let (classes, main) = judged(&neck(length));
         assert_eq!(grounds(&classes), grounds_wanted);
@@ -200,7 +223,7 @@ fn a_valley_in_whose_shadow_the_tool_cannot_come_is_additional_with_its_walls() 
 fn an_arc_that_is_main_in_part_is_additional_as_a_whole() {
     let drawn = Drawn::from(20.0, 0.0).to(Cylinder, 20.0, 10.0).arc(Ball, (10.0, 20.0), 10.0, Turn::Right);
     let (classes, main) = judged(&drawn.to(Cylinder, 10.0, 40.0).to(Face, 30.0, 40.0).to(Cylinder, 30.0, 50.0));
-    assert_eq!((classes[1].ground, classes[1].partly), (Ground::Fall, true));
+    assert_eq!((classes[1].ground, classes[1].partly), (ElementReason::Fall, true));
     assert!((classes[1].fall.0 - 90.0).abs() < 0.01);
     assert_eq!(classes[1].notes[0].code(), "element-partly");
     assert_eq!(corners(&main), [at(20.0, 0.0), at(20.0, 40.0), at(30.0, 40.0), at(30.0, 50.0)]);
@@ -214,7 +237,15 @@ fn what_leads_back_is_bridged_upright() {
     let (classes, main) = judged(&drawn);
     assert_eq!(
         grounds(&classes),
-        [Ground::Reach, Ground::Reach, Ground::Back, Ground::Back, Ground::Back, Ground::Reach, Ground::Reach]
+        [
+            ElementReason::Reach,
+            ElementReason::Reach,
+            ElementReason::Back,
+            ElementReason::Back,
+            ElementReason::Back,
+            ElementReason::Reach,
+            ElementReason::Reach
+        ]
     );
     assert!(classes[2..5].iter().all(|class| class.tool == "face-grooving"));
     assert_eq!(corners(&main), [at(10.0, 0.0), at(10.0, 20.0), at(30.0, 20.0), at(30.0, 40.0)]);

@@ -22,8 +22,9 @@ use technolog::material::Material;
 use technolog::report::Lang;
 use technolog::tables::turning::part::PartSupport;
 use technolog::turning::cutting::{
-    Bound, BoundTold, Cut, CuttingRefusal, Direction, HeldPart, LimitingDepth, Load, PartSection, Speed, bar_overhang,
-    conditions, cuts_back, finish_feed, least_finishing_depth, limiting_depth, rough_feed, unsaid_roughness,
+    Bound, BoundTold, CuttingRefusal, Direction, HeldPart, LimitingDepth, Load, PartSection, Speed, TurningCut,
+    bar_overhang, conditions, cuts_back, finish_feed, least_finishing_depth, limiting_depth, rough_feed,
+    unsaid_roughness,
 };
 use technolog::turning::length::Half;
 use technolog::turning::tooling::{Lathe, TurningTool};
@@ -48,8 +49,8 @@ impl<'k> Case<'k> {
         }
     }
 
-    fn cut(&self, diameter: f64, direction: Direction) -> Cut<'_, 'k> {
-        Cut {
+    fn cut(&self, diameter: f64, direction: Direction) -> TurningCut<'_, 'k> {
+        TurningCut {
             knowledge: self.knowledge,
             lathe: &self.lathe,
             tool: &self.tool,
@@ -399,7 +400,7 @@ fn a_bar_stands_out_as_far_as_the_bore_is_deep() {
     let knowledge = knowledge();
     let case = Case::new(knowledge, "16k20f3", "S20S-SCLCR09", "steel-45");
     let limit = |deep: f64| {
-        let cut = Cut { bore_depth: Some(mm(deep)), ..case.cut(40.0, Direction::Longitudinal) };
+        let cut = TurningCut { bore_depth: Some(mm(deep)), ..case.cut(40.0, Direction::Longitudinal) };
         limiting_depth(&cut, MillimetresPerRev(0.1), Speed::ForToolLife)
     };
     for (deep, force) in [(20.0, 30159.0), (70.0, 1117.0)] {
@@ -421,7 +422,7 @@ fn a_slender_part_bounds_the_depth() {
     let bar = PartSection { from: Half::ZERO, to: Half::from(300.0), radius: Half::from(10.0), bore: Half::ZERO };
     let held = HeldPart::of(PartSupport::Centres, vec![bar], &case.material, knowledge).unwrap().unwrap();
     let part = held.over(Half::ZERO, Half::from(300.0), None);
-    let cut = Cut { part: Some(&part), ..case.cut(20.0, Direction::Longitudinal) };
+    let cut = TurningCut { part: Some(&part), ..case.cut(20.0, Direction::Longitudinal) };
     let limit = limiting_depth(&cut, MillimetresPerRev(0.3), Speed::ForToolLife).unwrap();
     assert_eq!(limit.decided_by, Bound::PartStiffness);
     near(newtons(bound(&limit, Bound::PartStiffness).capacity), 586.4, 0.001);
@@ -430,13 +431,13 @@ fn a_slender_part_bounds_the_depth() {
     // h8 of Ø20 is 0.033 mm: finishing may bend it by a fifth of that, under Py ≤ 0.0066/3.4106e-4 = 19.4 N: the feed is
     // cut back to the least, and the bound is still passed.
     let finished = held.over(Half::ZERO, Half::from(300.0), Some(mm(0.033)));
-    let cut = Cut { part: Some(&finished), ..case.cut(20.0, Direction::Longitudinal) };
+    let cut = TurningCut { part: Some(&finished), ..case.cut(20.0, Direction::Longitudinal) };
     let found = conditions(&cut, mm(0.3), Some("Ra 2.5".parse().unwrap())).unwrap();
     assert_eq!(found.exceeded, [Bound::PartStiffness], "{found:?}");
     near(found.feed_mm_per_rev.0, 0.05, 0.2);
     // Ten times the tolerance needs a smaller feed than the nose allows, and no more.
     let wide = held.over(Half::ZERO, Half::from(300.0), Some(mm(0.13)));
-    let cut = Cut { part: Some(&wide), ..case.cut(20.0, Direction::Longitudinal) };
+    let cut = TurningCut { part: Some(&wide), ..case.cut(20.0, Direction::Longitudinal) };
     let found = conditions(&cut, mm(0.3), Some("Ra 2.5".parse().unwrap())).unwrap();
     assert!(found.exceeded.is_empty() && found.radial_force_n.unwrap().0 <= 0.2 * 0.13 / 3.4106e-4 + 0.5, "{found:?}");
 }

@@ -12,7 +12,7 @@ use crate::units::Micrometres;
 
 use super::super::context::Context;
 use super::super::figures::beside;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
@@ -22,7 +22,7 @@ use super::super::stated::Row;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     for hole in &context.stated.part.holes {
         let rows: Vec<(usize, &Row)> = context
@@ -40,7 +40,7 @@ fn backwards(
     graph: &Graph<'_>,
     hole: &Hole,
     rows: &[(usize, &Row)],
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let mut left = Vec::with_capacity(rows.len());
     for (at, _) in rows {
@@ -129,14 +129,14 @@ fn permitted(row: &Row, range: &Range<'_>) -> Micrometres {
 }
 
 /// Rough boring takes what it must, in as many passes as the range asks: too few are wrong, none stated is doubtful.
-fn passes(context: &Context<'_>, (at, row): (usize, &Row), stock: Micrometres, range: &Range<'_>) -> Finding {
+fn passes(context: &Context<'_>, (at, row): (usize, &Row), stock: Micrometres, range: &Range<'_>) -> AuditFinding {
     let most = range.high.micrometres().max(1);
     let needed = (stock.micrometres() + most - 1) / most;
     let figure = row.figures.get(&Q::Passes);
     let note = Note::new("audit-passes").with("stock", stock).with("high", range.high).with("needed", needed);
     let severity = if figure.is_some() { Severity::Wrong } else { Severity::Doubtful };
     let field = context.field(Id::new(Scope::Row(at), Q::Passes));
-    let finding = Finding::new(severity, Section::Route, field, note).at(&row.place);
+    let finding = AuditFinding::new(severity, Section::Route, field, note).at(&row.place);
     let finding = finding.about(context.subject(Scope::Row(at)));
     let finding = finding.resting_on([Because::row(range.row, Note::new("named"))]);
     match figure {
@@ -153,7 +153,7 @@ fn finding(
     blamed: Option<(usize, &Row)>,
     (stock, right): (Micrometres, Micrometres),
     range: &Range<'_>,
-) -> Finding {
+) -> AuditFinding {
     let high = permitted(row, range);
     let note = Note::new("audit-allowance")
         .with("operation", Figure::operation(row.operation.value.name()))
@@ -171,7 +171,7 @@ fn finding(
     };
     let id = Id::new(Scope::Row(blamed.0), quantity);
     let because = Because::row(range.row, Note::new("named"));
-    let finding = Finding::new(severity, Section::Route, context.field(id), note).at(&blamed.1.place);
+    let finding = AuditFinding::new(severity, Section::Route, context.field(id), note).at(&blamed.1.place);
     let finding = finding.about(context.subject(id.scope)).resting_on([because]);
     match blamed.1.figures.get(&quantity) {
         Some(figure) => beside(finding, figure, right, quantity),

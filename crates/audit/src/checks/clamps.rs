@@ -7,7 +7,7 @@ use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
 use super::super::figures::shown;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, likeness, plain};
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -16,7 +16,7 @@ use super::super::stated::{Clamping, Row, Text};
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let Some(clamping) = &context.stated.clamping else { return Ok(()) };
     largest(context, graph, clamping, findings);
@@ -32,7 +32,7 @@ pub(super) fn check<'a>(
 
 /// The clamping is computed for what needs the largest force: the largest torque, over its distance to the clamp where
 /// plan or drawing say where clamps press (5.2 item 7).
-fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findings: &mut Vec<Finding>) {
+fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findings: &mut Vec<AuditFinding>) {
     if context.stated.own {
         return;
     }
@@ -63,12 +63,12 @@ fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findin
     }
     let note = Note::new("audit-clamp-not-largest").with("torque", Figure::number(shown(own.3))).with("row", most.1);
     let note = note.with("other", Figure::number(shown(most.3)));
-    let finding = Finding::new(Severity::Wrong, Section::Clamping, format!("clamping.{key}"), note).at(place);
+    let finding = AuditFinding::new(Severity::Wrong, Section::Clamping, format!("clamping.{key}"), note).at(place);
     findings.push(finding.beside(own.1, most.1));
 }
 
-fn finding(severity: Severity, key: &str, note: Note, said: &Text) -> Finding {
-    Finding::new(severity, Section::Clamping, format!("clamping.{key}"), note).at(&said.place)
+fn finding(severity: Severity, key: &str, note: Note, said: &Text) -> AuditFinding {
+    AuditFinding::new(severity, Section::Clamping, format!("clamping.{key}"), note).at(&said.place)
 }
 
 /// The clamp of a designation, with what does not belong to it. The catalog has only clamps that the source names, so
@@ -76,7 +76,7 @@ fn finding(severity: Severity, key: &str, note: Note, said: &Text) -> Finding {
 fn designation<'k>(
     context: &Context<'k>,
     clamping: &Clamping,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<Option<ClampDesignations<'k>>, KnowledgeError> {
     let Some(name) = &clamping.designation else { return Ok(None) };
     let same = |clamp: &ClampDesignations<'_>| plain(clamp.designation) == plain(&name.value);
@@ -107,7 +107,7 @@ fn screw(
     graph: &Graph<'_>,
     thread: &str,
     said: &Text,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let screws = context.shop.knowledge.rows::<ClampScrew<'_>>()?;
     let Some(own) = screws.iter().find(|screw| plain(screw.thread) == plain(thread)) else {

@@ -12,7 +12,7 @@ use crate::tooling::named;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, FindingKind, Section};
+use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
@@ -23,7 +23,7 @@ use super::reach::Tips;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     let tips = Tips::read(context)?;
@@ -39,7 +39,7 @@ pub(super) fn check<'a>(
             let field = format!("route.{}.tool", row.number);
             let place = row.tool.as_ref().map_or(&row.place, |tool| &tool.place);
             let note = why.with("tool", cutter.designation);
-            let mut finding = Finding::new(severity, Section::Tools, field, note).at(place);
+            let mut finding = AuditFinding::new(severity, Section::Tools, field, note).at(place);
             finding.subject = context.subject(Scope::Row(at));
             finding.subject.tool = Some(context.stated.tools[tool].number);
             finding.resting_on([Because::row(cutter.row.row, Note::new("named"))])
@@ -73,7 +73,7 @@ fn diameter(
     at: usize,
     row: &Row,
     hole: &Hole,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<Vec<String>, KnowledgeError> {
     let id = Id::new(Scope::Row(at), Q::Diameter);
     let field = context.field(id);

@@ -10,7 +10,7 @@ use crate::units::Micrometres;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::stated::{Row, StatedFigure};
@@ -21,7 +21,7 @@ const CENTRING_ANGLE: f64 = 90.0;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     for (at, row) in context.stated.rows.iter().enumerate() {
         let (Some(hole), Some(figure)) = (context.hole(row), row.figures.get(&Q::Depth)) else { continue };
@@ -34,7 +34,7 @@ pub(super) fn check<'a>(
         }
         let field = || format!("route.{}.depth", row.number);
         let say = |severity, note: Note| {
-            Finding::new(severity, Section::Route, field(), note).about(context.subject(Scope::Row(at)))
+            AuditFinding::new(severity, Section::Route, field(), note).about(context.subject(Scope::Row(at)))
         };
         if let Some(end) = breaks_through(context, graph, at, row, hole, figure) {
             let thickness = context.stated.part.blank.thickness;

@@ -6,7 +6,7 @@ use crate::note::{Because, Figure, Note, Severity};
 use crate::reason::OfOther;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, FindingKind, Section};
+use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, Near, likeness, plain, same_table};
 use super::super::quantity::Scope;
@@ -17,11 +17,11 @@ use crate::tooling::named::NamedCutter;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     _: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     for (at, tool) in context.stated.tools.iter().enumerate() {
         let field = |key: &str| format!("tools.T{}.{key}", tool.number);
-        let about = |finding: Finding| finding.about(context.subject(Scope::Tool(at)));
+        let about = |finding: AuditFinding| finding.about(context.subject(Scope::Tool(at)));
         let near = context.cutter_near(at);
         dimensions(context, at, findings);
         named(
@@ -43,7 +43,7 @@ pub(super) fn check<'a>(
                 let note = Note::new("audit-shank")
                     .with("shank", Figure::word(shank.value.clone()))
                     .with("name", Figure::word(cutter.head.shank.name()));
-                let finding = Finding::new(Severity::Wrong, Section::Tools, field("shank"), note).at(&shank.place);
+                let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field("shank"), note).at(&shank.place);
                 let finding = finding.beside(&shank.value, cutter.head.shank.name());
                 findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
             }
@@ -51,7 +51,7 @@ pub(super) fn check<'a>(
             if let Some(table) = tool.table.as_ref().filter(|table| !same_table(&table.value, &row.table.id)) {
                 let note = Note::new("audit-tool-table").with("table", &table.value).with("tool", cutter.designation);
                 let note = note.with("known", &row.table.id);
-                let finding = Finding::new(Severity::Wrong, Section::Tools, field("table"), note).at(&table.place);
+                let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field("table"), note).at(&table.place);
                 let finding = finding.beside(&table.value, &row.table.id);
                 findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
             }
@@ -91,11 +91,11 @@ fn named<'k, T>(
     name: Option<&Text>,
     section: Section,
     field: String,
-    about: &dyn Fn(Finding) -> Finding,
-    findings: &mut Vec<Finding>,
+    about: &dyn Fn(AuditFinding) -> AuditFinding,
+    findings: &mut Vec<AuditFinding>,
 ) {
     let Some(name) = name else { return };
-    let finding = |severity, note: Note| Finding::new(severity, section, field.clone(), note).at(&name.place);
+    let finding = |severity, note: Note| AuditFinding::new(severity, section, field.clone(), note).at(&name.place);
     let found = match near {
         Near::Unstated | Near::Found(_) => return,
         Near::Meant(found, known) => {
@@ -117,8 +117,8 @@ fn standard(
     of: &ReportedRow<'_>,
     standard: Option<&Text>,
     field: String,
-    about: &dyn Fn(Finding) -> Finding,
-    findings: &mut Vec<Finding>,
+    about: &dyn Fn(AuditFinding) -> AuditFinding,
+    findings: &mut Vec<AuditFinding>,
 ) {
     let Some(standard) = standard else { return };
     let place: String = plain(of.row.place()).into_iter().collect();
@@ -127,7 +127,8 @@ fn standard(
         return;
     }
     let because = Because::row(of.row, Note::new("named"));
-    let finding = |severity, note: Note| Finding::new(severity, of.section, field.clone(), note).at(&standard.place);
+    let finding =
+        |severity, note: Note| AuditFinding::new(severity, of.section, field.clone(), note).at(&standard.place);
     let found = match of.row.table.standard.as_deref() {
         // Nothing to hold it against.
         None => finding(Severity::Note, Note::new("audit-standard-unchecked").with("standard", &standard.value)),
@@ -148,10 +149,10 @@ fn standard(
 }
 
 /// Dimensions that are none of the designation's, and all those of another one: it is the designation that is wrong.
-fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
+fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<AuditFinding>) {
     let tool = &context.stated.tools[at];
     let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return };
-    let of_tool = |finding: &Finding| finding.subject.tool == Some(tool.number);
+    let of_tool = |finding: &AuditFinding| finding.subject.tool == Some(tool.number);
     let off = findings.iter().filter(|one| one.kind.rule() == Some(&DIMENSION) && of_tool(one)).count();
     if off == 0 {
         return;
@@ -172,7 +173,8 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
     let of_size =
         |other: &OfOther| matches!(other, OfOther::Operation { .. } | OfOther::Angle { .. } | OfOther::Size { .. });
-    let unsuited = |one: &Finding| of_tool(one) && matches!(&one.kind, FindingKind::OfOther(other) if of_size(other));
+    let unsuited =
+        |one: &AuditFinding| of_tool(one) && matches!(&one.kind, FindingKind::OfOther(other) if of_size(other));
     if off < 2 && !findings.iter().any(unsuited) {
         return;
     }
@@ -187,7 +189,7 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
         }
     }
     let note = Note::new("audit-dimensions-of").with("tool", &name.value).with("known", other.designation);
-    let finding = Finding::new(Severity::Wrong, Section::Tools, field, note).at(&name.place);
+    let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field, note).at(&name.place);
     let because = Because::row(other.row.row, Note::new("named"));
     let finding = finding.beside(&name.value, other.designation).resting_on([because]);
     findings.push(finding.about(context.subject(Scope::Tool(at))));

@@ -7,7 +7,7 @@ use crate::tables::holders::HolderRow;
 use crate::tooling::named;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::near::plain;
 use super::super::quantity::Scope;
@@ -15,7 +15,7 @@ use super::super::quantity::Scope;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     _: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let shop = &context.shop;
     for (at, tool) in context.stated.tools.iter().enumerate() {
@@ -23,7 +23,7 @@ pub(super) fn check<'a>(
         let say = |severity, why: Note| {
             let field = format!("tools.T{}.holder.designation", tool.number);
             let note = why.with("holder", &name.value).with("tool", cutter.designation);
-            Finding::new(severity, Section::Holders, field, note)
+            AuditFinding::new(severity, Section::Holders, field, note)
                 .at(&name.place)
                 .about(context.subject(Scope::Tool(at)))
         };

@@ -7,7 +7,7 @@ use crate::tables::machines::MachineQuantity as Bound;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::stated::StatedFigure;
@@ -15,7 +15,7 @@ use super::super::stated::StatedFigure;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     conditions(context, findings)?;
     series(context, graph, findings)?;
@@ -26,7 +26,7 @@ pub(super) fn check<'a>(
 }
 
 /// Every figure that the machine bounds.
-fn conditions(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     for (at, own) in context.stated.conditions.iter().enumerate() {
         let elsewhere = own.rows.iter().all(|row| context.stated.rows.get(*row).is_some_and(|row| row.elsewhere));
@@ -47,7 +47,7 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), 
                 .with("limit", note::Figure::number(shown(most)))
                 .with("quantity", note::Figure::word(bound.name()));
             let field = context.field(Id::new(Scope::Conditions(at), quantity));
-            let finding = Finding::new(Severity::Error, Section::Conditions, field, note);
+            let finding = AuditFinding::new(Severity::Error, Section::Conditions, field, note);
             let finding = beside(finding, figure, format!("<= {}", shown(most)), quantity);
             let because = Because::row(machine.row(bound)?, Note::new("audit-limit"));
             findings.push(finding.about(context.subject(Scope::Conditions(at))).resting_on([because]));
@@ -57,7 +57,7 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), 
 }
 
 /// A spindle speed that no rule computed must still be a step of the machine.
-fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     for (at, own) in context.stated.conditions.iter().enumerate() {
         let id = Id::new(Scope::Conditions(at), Q::Rpm);
@@ -67,7 +67,7 @@ fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
             Some(beyond) => (Severity::Error, beyond),
             None => (Severity::Wrong, Note::new("audit-not-in-series").with("below", below).with("above", above)),
         };
-        let finding = Finding::new(severity, Section::Conditions, context.field(id), note).at(&figure.place);
+        let finding = AuditFinding::new(severity, Section::Conditions, context.field(id), note).at(&figure.place);
         let because = Because::row(machine.row(Bound::SpindleSpeeds)?, Note::new("audit-series"));
         let mut finding = finding.about(context.subject(Scope::Conditions(at))).resting_on([because]);
         finding.stated = Some(figure.text.clone());
@@ -78,7 +78,7 @@ fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
 }
 
 /// An assembly within the largest overhang of the machine.
-fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn lengths(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     let most = machine.overhang_max.to_mm();
     for (at, tool) in context.stated.tools.iter().enumerate() {
@@ -88,7 +88,7 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
             .with("quantity", note::Figure::word(Bound::ToolOverhangMax.name()));
         let field = context.field(Id::new(Scope::Tool(at), Q::Assembly));
         let finding = beside(
-            Finding::new(Severity::Error, Section::Lengths, field, note),
+            AuditFinding::new(Severity::Error, Section::Lengths, field, note),
             figure,
             format!("<= {}", shown(most)),
             Q::Assembly,
@@ -100,7 +100,7 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
 }
 
 /// Two tools of different lengths with one corrector; a tool that alone has another corrector than its own number.
-fn correctors(context: &Context<'_>, findings: &mut Vec<Finding>) {
+fn correctors(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
     let stated = context.stated.tools.iter().enumerate();
     let own: Vec<(usize, u32, &StatedFigure)> =
         stated.filter_map(|(at, tool)| Some((at, tool.number, tool.figures.get(&Q::Corrector)?))).collect();
@@ -113,12 +113,12 @@ fn correctors(context: &Context<'_>, findings: &mut Vec<Finding>) {
         let field = context.field(Id::new(Scope::Tool(*at), Q::Corrector));
         let finding = if let Some(other) = twin.filter(theirs).filter(|_| !is_own(*number, figure)) {
             let note = Note::new("audit-same-corrector").with("corrector", &figure.text);
-            Finding::new(Severity::Error, Section::Lengths, field, note.with("other", format!("T{}", other.1)))
+            AuditFinding::new(Severity::Error, Section::Lengths, field, note.with("other", format!("T{}", other.1)))
         } else if !is_own(*number, figure) && own.len() > 2 && others().all(|(_, number, other)| is_own(*number, other))
         {
             let note =
                 Note::new("audit-other-corrector").with("corrector", &figure.text).with("tool", format!("T{number}"));
-            Finding::new(Severity::Doubtful, Section::Lengths, field, note)
+            AuditFinding::new(Severity::Doubtful, Section::Lengths, field, note)
         } else {
             continue;
         };
@@ -128,7 +128,7 @@ fn correctors(context: &Context<'_>, findings: &mut Vec<Finding>) {
 
 /// More tools than places, or a tool with a place that the magazine does not have. A plan of ours numbers what is loaded
 /// by hand on.
-fn magazine(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn magazine(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let (tools, machine) = (&context.stated.tools, &context.shop.machine);
     let places = machine.magazine;
     if places == 0 {
@@ -136,7 +136,7 @@ fn magazine(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kn
     }
     if tools.len() > places {
         let note = Note::new("audit-magazine").with("tools", tools.len()).with("places", places);
-        let finding = Finding::new(Severity::Doubtful, Section::Tools, "tools".to_owned(), note);
+        let finding = AuditFinding::new(Severity::Doubtful, Section::Tools, "tools".to_owned(), note);
         findings.push(match tools.get(places) {
             Some(tool) => finding.at(&tool.place),
             None => finding,
@@ -145,7 +145,7 @@ fn magazine(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kn
     }
     for (at, tool) in tools.iter().enumerate().filter(|(_, tool)| tool.number as usize > places) {
         let note = Note::new("audit-no-place").with("number", tool.number).with("places", places);
-        let finding = Finding::new(Severity::Error, Section::Tools, format!("tools.T{}", tool.number), note);
+        let finding = AuditFinding::new(Severity::Error, Section::Tools, format!("tools.T{}", tool.number), note);
         let because = Because::row(machine.row(Bound::MagazinePlaces)?, Note::new("audit-limit"));
         findings.push(finding.at(&tool.place).about(context.subject(Scope::Tool(at))).resting_on([because]));
     }
@@ -153,7 +153,7 @@ fn magazine(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kn
 }
 
 /// A drill beyond the machine's largest, where no catalog's drill of the row tells it.
-fn drills(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn drills(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     for (at, row) in context.stated.rows.iter().enumerate().filter(|(_, row)| !row.elsewhere) {
         let drills = matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
@@ -167,7 +167,7 @@ fn drills(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Know
             .with("limit", note::Figure::number(shown(most)))
             .with("quantity", note::Figure::word(Bound::DrillDiameterMax.name()));
         let field = context.field(Id::new(Scope::Row(at), Q::Diameter));
-        let finding = Finding::new(Severity::Error, Section::Route, field, note);
+        let finding = AuditFinding::new(Severity::Error, Section::Route, field, note);
         let finding = beside(finding, figure, format!("<= {}", shown(most)), Q::Diameter);
         let because = Because::row(machine.row(Bound::DrillDiameterMax)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));

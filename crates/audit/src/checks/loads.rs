@@ -10,7 +10,7 @@ use crate::units::round_to;
 
 use super::super::context::Context;
 use super::super::figures::shown;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::rules::handbook;
@@ -18,7 +18,7 @@ use super::super::rules::handbook;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     // The figures of a plan of ours are these formulas.
@@ -53,7 +53,7 @@ pub(super) fn check<'a>(
                 .with("share", round_to(share, 0))
                 .with("load", Figure::number(shown(by_formula)))
                 .with("feed", Figure::number(shown(feed)));
-            let mut finding = Finding::new(Severity::Doubtful, section, context.field(id), note).at(&figure.place);
+            let mut finding = AuditFinding::new(Severity::Doubtful, section, context.field(id), note).at(&figure.place);
             finding.quantity = Some(id.quantity);
             finding.stated = Some(figure.text.clone());
             let finding = finding.about(context.subject(id.scope));

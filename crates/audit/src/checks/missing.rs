@@ -4,14 +4,14 @@ use crate::error::KnowledgeError;
 use crate::note::{Note, Severity};
 
 use super::super::context::Context;
-use super::super::finding::{Finding, MissingKeys, Section};
+use super::super::finding::{AuditFinding, MissingKeys, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
     _: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     // A plan of ours leaves out nothing on purpose.
@@ -22,7 +22,7 @@ pub(super) fn check<'a>(
         if !missing.is_empty() {
             let what: Vec<String> = missing.iter().map(said).collect();
             let note = Note::new("audit-missing").with("section", section).with("what", what.join(", "));
-            let mut finding = Finding::new(Severity::Note, Section::Missing, section.to_owned(), note);
+            let mut finding = AuditFinding::new(Severity::Note, Section::Missing, section.to_owned(), note);
             finding.missing = missing;
             findings.push(finding);
         }

@@ -23,12 +23,12 @@ mod zone;
 use crate::error::KnowledgeError;
 
 use super::context::Context;
-use super::finding::Finding;
+use super::finding::AuditFinding;
 use super::graph::Graph;
 use super::roots;
 
 /// A kind of check; it adds what it finds.
-type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<Finding>) -> Result<(), KnowledgeError>;
+type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<AuditFinding>) -> Result<(), KnowledgeError>;
 
 /// Every check, in the order of a report.
 const CHECKS: &[Check] = &[
@@ -57,7 +57,7 @@ const CHECKS: &[Check] = &[
 pub(super) fn all<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     CHECKS.iter().try_for_each(|check| check(context, graph, findings))?;
     roots::settle(findings);

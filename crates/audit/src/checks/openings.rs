@@ -11,7 +11,7 @@ use crate::units::Micrometres;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
-use super::super::finding::{Finding, FindingKind, Section};
+use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
@@ -33,7 +33,7 @@ struct Opening {
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     for hole in &context.stated.part.holes {
         let rows: Vec<(usize, &Row)> = context.stated.rows_of_hole(&hole.name).collect();
@@ -89,7 +89,7 @@ fn made(
     hole: &Hole,
     opening: &Opening,
     rows: &[(usize, &Row)],
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) {
     let cuts = |row: &Row| match opening.feature {
         Feature::Counterbore | Feature::Face => matches!(row.operation.value, Operation::Counterbore | Operation::Mill),
@@ -116,7 +116,7 @@ fn made(
         Some(((at, row), spot)) => {
             let note = note("audit-opening-not-centred").with("spot", Figure::number(shown(spot)));
             let field = format!("route.{}.diameter", row.number);
-            let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
+            let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
             match row.figures.get(&Q::Diameter) {
                 Some(figure) => beside(finding, figure, opening.diameter, Q::Diameter),
                 None => finding,
@@ -125,7 +125,7 @@ fn made(
         }
         None => {
             let (field, note) = (format!("route.{}", hole.name), note("audit-opening-not-made"));
-            let finding = Finding::new(Severity::Wrong, Section::Route, field, note).about(of_hole(hole));
+            let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).about(of_hole(hole));
             match rows.last() {
                 Some((_, row)) => finding.at(&row.place),
                 None => finding,
@@ -142,10 +142,10 @@ fn asked_for(
     at: usize,
     row: &Row,
     openings: &[Opening],
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) {
     let id = |quantity| Id::new(Scope::Row(at), quantity);
-    let about = |finding: Finding| finding.of_kind(FindingKind::Opening).about(context.subject(Scope::Row(at)));
+    let about = |finding: AuditFinding| finding.of_kind(FindingKind::Opening).about(context.subject(Scope::Row(at)));
     let field = |key: &str| format!("route.{}.{key}", row.number);
     let flat = row.operation.value == Operation::Counterbore;
     let like = |opening: &&Opening| {
@@ -159,7 +159,7 @@ fn asked_for(
     };
     let Some(opening) = openings.iter().filter(like).min_by_key(away) else {
         let note = Note::new("audit-opening-unasked").with("operation", Figure::operation(row.operation.value.name()));
-        let finding = Finding::new(Severity::Doubtful, Section::Route, field("operation"), note);
+        let finding = AuditFinding::new(Severity::Doubtful, Section::Route, field("operation"), note);
         findings.push(about(finding.at(&row.operation.place)));
         return;
     };
@@ -167,7 +167,7 @@ fn asked_for(
         && Micrometres::from_mm_rounded(figure.value) != opening.diameter
     {
         let note = Note::new("audit-opening-diameter").with("feature", Figure::word(opening.feature.name()));
-        let finding = Finding::new(Severity::Wrong, Section::Route, field("diameter"), note);
+        let finding = AuditFinding::new(Severity::Wrong, Section::Route, field("diameter"), note);
         findings.push(about(beside(finding, figure, opening.diameter, Q::Diameter)));
         right_by_drawing(context, at, opening.diameter, findings);
     }
@@ -177,13 +177,18 @@ fn asked_for(
         && (figure.value - depth.to_mm()).abs() > figure.last_place / 2.0 + 1e-6
     {
         let note = Note::new("audit-opening-depth").with("feature", Figure::word(opening.feature.name()));
-        let finding = Finding::new(Severity::Wrong, Section::Route, field("depth"), note);
+        let finding = AuditFinding::new(Severity::Wrong, Section::Route, field("depth"), note);
         findings.push(about(beside(finding, figure, depth, Q::Depth)));
     }
 }
 
 /// Conditions that state the diameter of the drawing are right although the row says another.
-pub(super) fn right_by_drawing(context: &Context<'_>, row: usize, right: Micrometres, findings: &mut Vec<Finding>) {
+pub(super) fn right_by_drawing(
+    context: &Context<'_>,
+    row: usize,
+    right: Micrometres,
+    findings: &mut Vec<AuditFinding>,
+) {
     for (at, conditions) in context.stated.conditions.iter().enumerate() {
         let same = |own: f64| Micrometres::from_mm_rounded(own) == right;
         if conditions.rows.first() == Some(&row)

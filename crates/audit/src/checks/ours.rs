@@ -9,7 +9,7 @@ use crate::note::{Figure, Note, Severity, Told as _, Word};
 use crate::plan::Operation;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, FindingKind, Section, Subject};
+use super::super::finding::{AuditFinding, FindingKind, Section, Subject};
 use super::super::graph::Graph;
 use super::super::own::items;
 
@@ -22,7 +22,7 @@ const SAME: f64 = 1e-9;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     _: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let Some(tree) = &context.stated.tree else { return Ok(()) };
     tools_of_transitions(tree, findings);
@@ -41,18 +41,18 @@ pub(super) fn check<'a>(
         }
     }
     // What a formula or another check reported is not repeated.
-    let told = |finding: &Finding| {
+    let told = |finding: &AuditFinding| {
         findings
             .iter()
             .any(|other| other.line.is_some() && other.line == finding.line && other.column == finding.column)
     };
-    let new: Vec<Finding> = known.found.into_iter().filter(|finding| !told(finding)).collect();
+    let new: Vec<AuditFinding> = known.found.into_iter().filter(|finding| !told(finding)).collect();
     findings.extend(new);
     Ok(())
 }
 
 /// The cutter of a transition is that of its tool in the magazine.
-fn tools_of_transitions(tree: &Node, findings: &mut Vec<Finding>) {
+fn tools_of_transitions(tree: &Node, findings: &mut Vec<AuditFinding>) {
     let tools = items(tree.get("tools"));
     for hole in items(tree.get("holes")) {
         for transition in items(hole.get("transitions")) {
@@ -70,7 +70,7 @@ fn tools_of_transitions(tree: &Node, findings: &mut Vec<Finding>) {
                     .with("number", number.unwrap_or_default())
                     .with("other", text(own));
                 let field = format!("tools.T{}.{name}", number.unwrap_or_default());
-                let finding = Finding::new(Severity::Error, Section::Tools, field, note).at(&own.place);
+                let finding = AuditFinding::new(Severity::Error, Section::Tools, field, note).at(&own.place);
                 let finding = finding.of_kind(FindingKind::ToolOfTransition);
                 if !findings.iter().any(|known| known.note == finding.note) {
                     findings.push(finding);
@@ -81,7 +81,7 @@ fn tools_of_transitions(tree: &Node, findings: &mut Vec<Finding>) {
 }
 
 /// Whatever else does not fit about a tool whose name was exchanged follows from that.
-fn follow(context: &Context<'_>, findings: &mut [Finding]) {
+fn follow(context: &Context<'_>, findings: &mut [AuditFinding]) {
     let exchanged: Vec<String> = findings
         .iter()
         .filter(|finding| finding.kind == FindingKind::ToolOfTransition)
@@ -105,7 +105,7 @@ fn follow(context: &Context<'_>, findings: &mut [Finding]) {
 }
 
 struct Known {
-    found: Vec<Finding>,
+    found: Vec<AuditFinding>,
 }
 
 impl Known {
@@ -132,7 +132,7 @@ impl Known {
                 if items.len() != ours.len() {
                     let note = Note::new("audit-not-ours").with("field", path);
                     let note = note.with("stated", items.len()).with("right", ours.len());
-                    let finding = Finding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place);
+                    let finding = AuditFinding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place);
                     self.found.push(finding.about(subject.clone()));
                     return;
                 }
@@ -152,7 +152,7 @@ impl Known {
                 if !alike {
                     let note = Note::new("audit-not-ours").with("field", path);
                     let note = note.with("stated", value(path, text)).with("right", value(path, &shown));
-                    let finding = Finding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place);
+                    let finding = AuditFinding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place);
                     self.found.push(finding.about(subject.clone()));
                 }
             }

@@ -10,14 +10,14 @@ use crate::error::KnowledgeError;
 use crate::note::Severity;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::program::stated_holes;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     // A figure that contradicts another is reported as such; what follows from it proves nothing.
     if context.stated.own || graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine)) {
@@ -51,7 +51,7 @@ pub(super) fn check<'a>(
             }
             let place = context.stated.rows_of_hole(&hole.name).next().map(|(_, row)| row.place.clone());
             let field = format!("proof.{}", hole.name);
-            let finding = Finding::new(severity, Section::Route, field, fault.note());
+            let finding = AuditFinding::new(severity, Section::Route, field, fault.note());
             findings.push(match place {
                 Some(place) => finding.at(&place),
                 None => finding,

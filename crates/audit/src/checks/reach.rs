@@ -9,7 +9,7 @@ use crate::units::Micrometres;
 use crate::zone;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
@@ -66,7 +66,7 @@ impl Tips {
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let tips = Tips::read(context)?;
     for (tool, own) in context.stated.tools.iter().enumerate() {
@@ -87,7 +87,7 @@ fn holder(
     graph: &Graph<'_>,
     (tool, row): (usize, usize),
     needed: Micrometres,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) {
     let shank = context.cutter(tool).map(|cutter| cutter.head.shank);
     let arbor = if shank == Some(Shank::Shell) { Some(Q::HolderUsed) } else { None };
@@ -102,7 +102,7 @@ fn holder(
     let note = Note::new("audit-holder-hits").with("reach", stands_out).with("needed", needed);
     let own = &context.stated.tools[tool];
     let place = own.figures.get(&Q::Overhang).map_or(&own.place, |figure| &figure.place);
-    let mut finding = Finding::new(Severity::Error, Section::Lengths, field.clone(), note).at(place);
+    let mut finding = AuditFinding::new(Severity::Error, Section::Lengths, field.clone(), note).at(place);
     finding.subject = context.subject(Scope::Row(row));
     finding.subject.tool = Some(own.number);
     finding.stated = own.figures.get(&Q::Overhang).map(|figure| figure.text.clone());
@@ -118,7 +118,7 @@ fn holder(
 }
 
 /// The flutes that are stated for a drill that no catalog has; for a known drill `cutters` reports it.
-fn flute(context: &Context<'_>, (tool, row): (usize, usize), needed: Micrometres, findings: &mut Vec<Finding>) {
+fn flute(context: &Context<'_>, (tool, row): (usize, usize), needed: Micrometres, findings: &mut Vec<AuditFinding>) {
     let operation = context.stated.rows[row].operation.value;
     let drills = matches!(operation, Operation::Drill | Operation::DrillOut);
     let own = &context.stated.tools[tool];
@@ -126,7 +126,7 @@ fn flute(context: &Context<'_>, (tool, row): (usize, usize), needed: Micrometres
     let Some(figure) = flute.filter(|flute| Micrometres::from_mm_rounded(flute.value) < needed) else { return };
     let field = context.field(Id::new(Scope::Tool(tool), Q::FluteLength));
     let note = Note::new("audit-flute-short").with("reach", &figure.text).with("needed", needed);
-    let mut finding = Finding::new(Severity::Error, Section::Tools, field, note).at(&figure.place);
+    let mut finding = AuditFinding::new(Severity::Error, Section::Tools, field, note).at(&figure.place);
     finding.subject = context.subject(Scope::Row(row));
     finding.subject.tool = Some(own.number);
     findings.push(finding.beside(&figure.text, format!(">= {needed}")));

@@ -10,7 +10,7 @@ use crate::tables::rules::TransitionOrderFor;
 use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section, Subject};
+use super::super::finding::{AuditFinding, Section, Subject};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
@@ -19,7 +19,7 @@ use super::super::stated::Row;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     // A plan by hand may leave its route out; one of ours without rows has no route for anything.
@@ -35,7 +35,7 @@ pub(super) fn check<'a>(
             let code = if known { "audit-hole-not-made" } else { "audit-hole-not-made-either" };
             let note = Note::new(code).with("hole", &hole.name).with("count", hole.at.len());
             let field = format!("route.{}", hole.name);
-            findings.push(Finding::new(Severity::Error, Section::Route, field, note).about(of_hole(hole)));
+            findings.push(AuditFinding::new(Severity::Error, Section::Route, field, note).about(of_hole(hole)));
             continue;
         }
         order(context, &rows, findings)?;
@@ -50,7 +50,11 @@ pub(super) fn of_hole(hole: &Hole) -> Subject {
 }
 
 /// The order of section 1.1.2: ranks of one cylinder never fall. What opens edges may stand between.
-fn order(context: &Context<'_>, rows: &[(usize, &Row)], findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn order(
+    context: &Context<'_>,
+    rows: &[(usize, &Row)],
+    findings: &mut Vec<AuditFinding>,
+) -> Result<(), KnowledgeError> {
     let mut before: Option<(i64, &Row)> = None;
     for (at, row) in rows {
         let operation = row.operation.value;
@@ -68,7 +72,7 @@ fn order(context: &Context<'_>, rows: &[(usize, &Row)], findings: &mut Vec<Findi
                 .with("instead", Figure::operation(other.operation.value.name()))
                 .with("row", other.number);
             let field = format!("route.{}.operation", row.number);
-            let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);
+            let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);
             let because = Because::row(rule.row, Note::new("audit-rank").with("rank", rank));
             findings.push(finding.about(context.subject(Scope::Row(*at))).resting_on([because]));
         }
@@ -85,7 +89,7 @@ fn finished(
     graph: &Graph<'_>,
     hole: &Hole,
     rows: &[(usize, &Row)],
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) {
     let bores = |row: &Row| row.opens_main_cylinder() && row.operation.value != Operation::Tap;
     let mut before = Micrometres::ZERO;
@@ -98,7 +102,7 @@ fn finished(
         if diameter <= before && !floor {
             let note = Note::new("audit-not-opened").with("diameter", diameter).with("before", before);
             let field = format!("route.{}.diameter", row.number);
-            let mut finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
+            let mut finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
             finding.follows_from = follows(context, graph, &[Some(id), last.map(|(at, ..)| of_row(at))]);
             findings.push(finding.about(context.subject(Scope::Row(*at))));
         }
@@ -117,7 +121,7 @@ fn finished(
     {
         let note = Note::new("audit-last-diameter").with("diameter", diameter).with("hole", &hole.diameter);
         let field = format!("route.{}.diameter", row.number);
-        let mut finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
+        let mut finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
         finding.follows_from = follows(context, graph, &[Some(of_row(at))]);
         findings.push(finding.beside(diameter, &hole.diameter).about(context.subject(Scope::Row(at))));
     }
@@ -134,7 +138,7 @@ fn follows(context: &Context<'_>, graph: &Graph<'_>, figures: &[Option<Id>]) -> 
 }
 
 /// More tool changes than tools where each could go round all its holes.
-fn changes(context: &Context<'_>, findings: &mut Vec<Finding>) {
+fn changes(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
     let changes = context.changes();
     let mut tools = changes.clone();
     tools.sort_unstable();
@@ -153,7 +157,7 @@ fn changes(context: &Context<'_>, findings: &mut Vec<Finding>) {
         .with("needed", least)
         .with("order", changes.iter().map(|tool| format!("T{tool}")).collect::<Vec<_>>().join(", "))
         .with("time", round_to(extra, 2));
-    let finding = Finding::new(Severity::Doubtful, Section::Route, "route".to_owned(), note);
+    let finding = AuditFinding::new(Severity::Doubtful, Section::Route, "route".to_owned(), note);
     let finding = match context.stated.rows.first() {
         Some(row) => finding.at(&row.place),
         None => finding,

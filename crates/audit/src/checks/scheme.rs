@@ -10,7 +10,7 @@ use crate::route::table_answer::{self, TableAnswer};
 use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::near::{same_scheme, same_table};
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -20,7 +20,7 @@ use super::route::of_hole;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     for hole in &context.stated.part.holes {
         let rows: Vec<(usize, &Row)> = context.stated.rows_of_hole(&hole.name).collect();
@@ -50,7 +50,7 @@ struct Group<'c, 'a> {
 }
 
 impl Group<'_, '_> {
-    fn check(&self, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    fn check(&self, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
         let scheme = self.rows.iter().find_map(|(_, row)| row.scheme.as_ref());
         if !self.names(findings)? {
             return Ok(());
@@ -76,20 +76,21 @@ impl Group<'_, '_> {
         self.asked.schemes.iter().any(|own| same_scheme(scheme, own))
     }
 
-    fn say(&self, severity: Severity, row: &Row, key: &str, note: Note) -> Finding {
+    fn say(&self, severity: Severity, row: &Row, key: &str, note: Note) -> AuditFinding {
         let said = if key == "table" { &row.table } else { &row.scheme };
         let place = said.as_ref().map_or(&row.place, |said| &said.place);
         let note = note
             .with("hole", &self.hole.name)
             .with("scheme", Figure::scheme(&self.route.scheme))
             .with("table", &self.route.table);
-        let finding = Finding::new(severity, Section::Route, format!("route.{}.{key}", row.number), note).at(place);
+        let finding =
+            AuditFinding::new(severity, Section::Route, format!("route.{}.{key}", row.number), note).at(place);
         finding.about(of_hole(self.hole)).resting_on(self.route.because.iter().take(3).cloned())
     }
 
     /// Every scheme that a row names: whether the tables allow it, and whether it is that of the other rows. Tells
     /// whether the transitions are still to be judged.
-    fn names(&self, findings: &mut Vec<Finding>) -> Result<bool, KnowledgeError> {
+    fn names(&self, findings: &mut Vec<AuditFinding>) -> Result<bool, KnowledgeError> {
         let mut told: Vec<&str> = Vec::new();
         // The scheme of the group: of those that rows name the first that may be.
         let schemes = || self.rows.iter().filter_map(|(_, row)| Some((*row, row.scheme.as_ref()?)));
@@ -121,7 +122,7 @@ impl Group<'_, '_> {
     }
 
     /// The cell has the scheme, but its hole is centred first: by the text, or only by our reading of it.
-    fn uncentred(&self, row: &Row, name: &str) -> Finding {
+    fn uncentred(&self, row: &Row, name: &str) -> AuditFinding {
         let by_text = self.asked.centring.source == Some(Source::Seed);
         let severity = if by_text { Severity::Wrong } else { Severity::Doubtful };
         let printed = self.asked.row.map_or_else(String::new, |row| row.table.id.clone());
@@ -134,7 +135,7 @@ impl Group<'_, '_> {
     }
 
     /// Every table that a row names with its scheme.
-    fn tables(&self, findings: &mut Vec<Finding>) {
+    fn tables(&self, findings: &mut Vec<AuditFinding>) {
         let mut told: Vec<(&str, &str)> = Vec::new();
         for (_, row) in self.rows {
             let (Some(scheme), Some(table)) = (&row.scheme, &row.table) else { continue };
@@ -169,7 +170,7 @@ impl Group<'_, '_> {
     }
 
     /// The transitions beside the routes that were weighed, and beside those that A.7 gives for the scheme.
-    fn transitions(&self, scheme: Option<&Text>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    fn transitions(&self, scheme: Option<&Text>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
         // What edges the rows cut is judged with the edges; here only that the scheme has them so, where ours has not.
         let merged = self.is_ours();
         if merged && (self.context.stated.own || !self.has_edges_of(scheme)?) {
@@ -268,7 +269,7 @@ impl Group<'_, '_> {
     }
 
     /// A drill that the rule `two-pass-drilling` does not let stand alone.
-    fn drill_alone(&self) -> Result<Option<Finding>, KnowledgeError> {
+    fn drill_alone(&self) -> Result<Option<AuditFinding>, KnowledgeError> {
         if self.rows.iter().any(|(_, row)| row.operation.value == Operation::DrillOut) {
             return Ok(None);
         }
@@ -280,7 +281,7 @@ impl Group<'_, '_> {
         let Some(rule) = table_answer::two_drills(diameter, &self.context.shop)? else { return Ok(None) };
         let note = Note::new("audit-one-drill").with("diameter", diameter);
         let field = format!("route.{}.operation", row.number);
-        let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);
+        let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);
         let because = Because::row(rule, Note::new("named"));
         Ok(Some(finding.about(self.context.subject(Scope::Row(*at))).resting_on([because])))
     }

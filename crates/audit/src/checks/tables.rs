@@ -9,14 +9,14 @@ use crate::units::round_to;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
-use super::super::finding::Finding;
+use super::super::finding::AuditFinding;
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     // Of a plan of ours every figure is compared with our own plan.
     if context.stated.own {
@@ -30,8 +30,8 @@ pub(super) fn check<'a>(
         let Some(rule) = asked.winner()? else { continue };
         let note =
             Note::new("audit-by-table").with("share", round_to(share, 0)).with("value", Figure::number(shown(table)));
-        let finding =
-            Finding::new(rule.severity, Context::section(id), context.field(id), note).about(context.subject(id.scope));
+        let finding = AuditFinding::new(rule.severity, Context::section(id), context.field(id), note)
+            .about(context.subject(id.scope));
         let why = Because::answer(&asked.answer, Note::new("audit-limit"));
         let finding = finding.resting_on(rows(context, id).into_iter().chain([why]));
         findings.push(beside(finding, figure, shown(table), id.quantity));

@@ -12,7 +12,7 @@ use crate::units::Micrometres;
 
 use super::super::context::Context;
 use super::super::figures::beside;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::stated::{Row, StatedFigure};
@@ -21,7 +21,7 @@ use super::openings::right_by_drawing;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     taps(context, findings)?;
     for hole in &context.stated.part.holes {
@@ -38,7 +38,7 @@ pub(super) fn check<'a>(
         let tapped = rows.iter().any(|(_, row)| row.operation.value == Operation::Tap);
         if !tapped && !context.shop.machine.can_tap {
             let note = Note::new("audit-thread-elsewhere").with("thread", &thread.written).with("hole", &hole.name);
-            let finding = Finding::new(Severity::Note, Section::Route, format!("route.{}", hole.name), note);
+            let finding = AuditFinding::new(Severity::Note, Section::Route, format!("route.{}", hole.name), note);
             findings.push(finding.at(&row.place).about(context.subject(Scope::Row(*at))));
         }
     }
@@ -46,7 +46,7 @@ pub(super) fn check<'a>(
 }
 
 /// A tap in the magazine of a machine that cannot tap.
-fn taps(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn taps(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     if machine.can_tap {
         return Ok(());
@@ -57,7 +57,7 @@ fn taps(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Knowle
         };
         let note = Note::new("audit-cannot-tap").with("machine", &context.stated.part.machine);
         let field = format!("route.{}.tool", row.number);
-        let finding = Finding::new(Severity::Error, Section::Route, field, note).at(&tool.place);
+        let finding = AuditFinding::new(Severity::Error, Section::Route, field, note).at(&tool.place);
         let because = Because::row(machine.row(MachineQuantity::CanTap)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));
     }
@@ -78,7 +78,7 @@ fn drill(
     graph: &Graph<'_>,
     (hole, thread): (&Hole, &Thread),
     (at, row): (usize, &Row),
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) {
     let Some(figure) = row.figures.get(&Q::Diameter) else { return };
     // The formulas report where it is not the diameter of its own tool.
@@ -94,7 +94,8 @@ fn drill(
         .with("low", hole.diameter.smallest())
         .with("high", hole.diameter.largest());
     let field = format!("route.{}.diameter", row.number);
-    let finding = Finding::new(Severity::Wrong, Section::Route, field, note).about(context.subject(Scope::Row(at)));
+    let finding =
+        AuditFinding::new(Severity::Wrong, Section::Route, field, note).about(context.subject(Scope::Row(at)));
     let finding = finding.resting_on(found.map(|(_, row)| Because::row(row, Note::new("named"))));
     let id = Id::new(Scope::Row(at), Q::Diameter);
     // Said once: where the tool has the right diameter the misprint is told already.
@@ -110,7 +111,7 @@ fn depth(
     graph: &Graph<'_>,
     (hole, thread): (&Hole, &Thread),
     (at, row): (usize, &Row),
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let Some(figure) = row.figures.get(&Q::Depth) else { return Ok(()) };
     if graph.formula(Id::new(Scope::Row(at), Q::Depth)).is_some() {
@@ -126,7 +127,7 @@ fn depth(
     let right = if blind { hole.depth + pitches(HoleDefault::ThreadRunoutPitches)? } else { hole.depth };
     let mut say = |severity, code: &'static str, figure: &StatedFigure| {
         let note = Note::new(code).with("thread", &thread.written).with("depth", hole.depth);
-        let finding = Finding::new(severity, Section::Route, format!("route.{}.depth", row.number), note);
+        let finding = AuditFinding::new(severity, Section::Route, format!("route.{}.depth", row.number), note);
         findings.push(beside(finding.about(context.subject(Scope::Row(at))), figure, right, Q::Depth));
     };
     if stated < hole.depth {

@@ -13,7 +13,7 @@ use crate::units::Micrometres;
 use crate::zone::{self, OffTable, Stroke};
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::reach::Tips;
@@ -21,7 +21,7 @@ use super::reach::Tips;
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     table(context, findings)?;
     // Of these a plan of ours says itself.
@@ -31,12 +31,12 @@ pub(super) fn check<'a>(
     height(context, graph, findings)
 }
 
-fn about_part(severity: Severity, field: &str, note: Note) -> Finding {
-    Finding::new(severity, Section::Route, field.to_owned(), note)
+fn about_part(severity: Severity, field: &str, note: Note) -> AuditFinding {
+    AuditFinding::new(severity, Section::Route, field.to_owned(), note)
 }
 
 /// A blank that stands out of the table.
-fn table(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn table(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let (blank, machine) = (context.stated.part.blank, &context.shop.machine);
     let (length, width) = (machine.table_length, machine.table_width);
     let sides = [
@@ -61,7 +61,7 @@ fn limit(row: RowRef<'_>) -> Because {
 }
 
 /// What planning says of the same part: too heavy for the table, holes wider apart than it travels.
-fn travels(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn travels(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let (part, machine) = (&context.stated.part, &context.shop.machine);
     for fault in zone::off_table(part, machine) {
         let (field, row) = match fault {
@@ -107,7 +107,7 @@ struct Reach {
 }
 
 /// Every tool passes over the part, and comes down to the bottom of its deepest hole.
-fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let part = &context.stated.part;
     let tips = Tips::read(context)?;
     let mut deepest = Vec::new();
@@ -124,7 +124,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
         let own = &context.stated.rows[*row];
         let field = format!("route.{}.depth", own.number);
         let place = own.figures.get(&Q::Depth).map_or(&own.place, |figure| &figure.place);
-        let mut finding = Finding::new(grave(context), Section::Route, field, note).at(place);
+        let mut finding = AuditFinding::new(grave(context), Section::Route, field, note).at(place);
         finding.subject = context.subject(Scope::Row(*row));
         finding.subject.tool = Some(context.stated.tools[*tool].number);
         findings.push(finding);
@@ -152,7 +152,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
     }
     if context.shop.machine.nose_to_table.is_none() && !context.stated.own && !deepest.is_empty() {
         let note = Note::new("audit-zone-unknown");
-        findings.push(Finding::new(Severity::Note, Section::Lengths, "tools".to_owned(), note));
+        findings.push(AuditFinding::new(Severity::Note, Section::Lengths, "tools".to_owned(), note));
     }
     Ok(())
 }
@@ -171,7 +171,7 @@ struct ZoneCheck<'c, 'a> {
 
 impl ZoneCheck<'_, '_> {
     /// Tools that have no room at any position of the knee, each with its finding.
-    fn beyond(&self, reaches: &[Reach]) -> Result<Vec<(usize, Finding)>, KnowledgeError> {
+    fn beyond(&self, reaches: &[Reach]) -> Result<Vec<(usize, AuditFinding)>, KnowledgeError> {
         let machine = &self.context.shop.machine;
         let mut found = Vec::new();
         let most = machine.nose_to_table.map(|(_, most)| most);
@@ -212,13 +212,13 @@ impl ZoneCheck<'_, '_> {
         Ok(found)
     }
 
-    fn finding(&self, one: &Reach, note: Note, right: String) -> Finding {
+    fn finding(&self, one: &Reach, note: Note, right: String) -> AuditFinding {
         let context = self.context;
         let tool = &context.stated.tools[one.tool];
         let field = context.field(Id::new(Scope::Tool(one.tool), Q::Assembly));
         let figure = tool.figures.get(&Q::Assembly);
         let place = figure.map_or(&tool.place, |figure| &figure.place);
-        let mut finding = Finding::new(grave(context), Section::Lengths, field, note).at(place);
+        let mut finding = AuditFinding::new(grave(context), Section::Lengths, field, note).at(place);
         finding.subject = context.subject(Scope::Row(one.row));
         finding.subject.tool = Some(tool.number);
         finding.quantity = Some(Q::Assembly);

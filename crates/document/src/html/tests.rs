@@ -17,7 +17,7 @@ fn names_and_quantities_stay_whole() {
 
 #[test]
 fn findings_one_after_the_other_are_a_list() {
-    let one = |word: &str| Block::Finding(Finding::new(crate::Severity::Note, word, "x"));
+    let one = |word: &str| Block::Finding(FindingBlock::new(crate::Severity::Note, word, "x"));
     let blocks = vec![one("a"), one("b"), Block::Paragraph("p".into()), one("c")];
     let words = Words { left_out: "", see_all: "", help: "", figure: "" };
     let page = html(&Document { blocks, ..Document::new("uk", "T") }, &words);

@@ -26,7 +26,7 @@ fn shown(width: usize, blocks: Vec<Block>) -> String {
 
 #[test]
 fn a_page_is_sections_with_what_stands_in_them() {
-    let mut finding = Finding::new(Severity::Wrong, "хибно", Inlines::from("подача ").code("feed").text(" 0,25"));
+    let mut finding = FindingBlock::new(Severity::Wrong, "хибно", Inlines::from("подача ").code("feed").text(" 0,25"));
     finding.place = Some("13:47".to_owned());
     finding.details = vec!["підстава: таблиця A.6".into()];
     finding.help = Some("взяти 0,325".into());
@@ -154,7 +154,7 @@ fn rows_without_heads_stand_in_columns() {
 
 #[test]
 fn colours_say_what_words_say_too() {
-    let blocks = vec![Block::Finding(Finding::new(Severity::Error, "помилка", "Ø"))];
+    let blocks = vec![Block::Finding(FindingBlock::new(Severity::Error, "помилка", "Ø"))];
     let page = text(&Document { blocks, ..Document::new("uk", "A") }, 80, true, &WORDS);
     assert_eq!(page, "\u{1b}[1mA\u{1b}[0m\n\u{1b}[1;31mпомилка:\u{1b}[0m Ø\n");
 }

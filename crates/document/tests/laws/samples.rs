@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use technolog_document::{
-    Align, Block, Column, Document, Drawing, Field, Finding, Inline, Inlines, Item, Keep, Severity, Table,
+    Align, Block, Column, Document, Drawing, Field, FindingBlock, Inline, Inlines, Item, Keep, Severity, Table,
 };
 
 /// What some reader might take for a mark.
@@ -104,8 +104,8 @@ pub fn document(words: BoxedStrategy<String>) -> impl Strategy<Value = Document>
     let finding =
         (words.clone(), prop::option::of(words.clone()), line.clone(), lines.clone(), prop::option::of(line.clone()))
             .prop_map(|(word, place, said, details, help)| {
-                let finding = Finding::new(Severity::Wrong, format!("w{word}"), said);
-                Finding { place: place.map(|place| format!("p{place}")), details, help, ..finding }
+                let finding = FindingBlock::new(Severity::Wrong, format!("w{word}"), said);
+                FindingBlock { place: place.map(|place| format!("p{place}")), details, help, ..finding }
             });
     let block = prop_oneof![
         (2_u8..=6, line.clone()).prop_map(|(level, words)| Block::Heading { level, words }),

@@ -16,7 +16,7 @@ use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
 use crate::plan::{Conditions, Feature, HolderRef, Operation, ToolRef, Transition};
 use crate::reason::Reason;
-use crate::route::bores::Edge;
+use crate::route::bores::EdgeCut;
 use crate::route::{RouteStep, StepLocation};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
@@ -134,7 +134,7 @@ struct OutfitKey {
 /// What every step of a hole shares.
 pub(super) struct Fitting<'p, 'k> {
     hole: &'p Hole,
-    edges: &'p [Edge],
+    edges: &'p [EdgeCut],
     shop: &'p Shop<'k>,
     /// Approach and overrun of a blind and of a through cut.
     travels: [(Micrometres, Micrometres, Because); 2],
@@ -164,7 +164,12 @@ type SpotKey = (StepLocation, Micrometres, Micrometres, u32, Micrometres);
 
 impl<'p, 'k> Fitting<'p, 'k> {
     /// Approach, overrun, surface and reamer lead by their rules.
-    pub fn new(hole: &'p Hole, edges: &'p [Edge], part: &'p Part, shop: &'p Shop<'k>) -> Result<Self, KnowledgeError> {
+    pub fn new(
+        hole: &'p Hole,
+        edges: &'p [EdgeCut],
+        part: &'p Part,
+        shop: &'p Shop<'k>,
+    ) -> Result<Self, KnowledgeError> {
         let knowledge = shop.knowledge;
         let travel = |through: bool| -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
             let rule = crate::zone::approach(part, through, knowledge)?;

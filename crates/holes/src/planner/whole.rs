@@ -47,7 +47,7 @@ pub(super) struct Finder<'a, 'k> {
     /// Whether a flat floor is made, where one is asked; not where no mill can.
     pub level_floor: bool,
     /// The edge that centring makes.
-    pub centred_edge: Option<bores::Edge>,
+    pub centred_edge: Option<bores::EdgeCut>,
 }
 
 impl Finder<'_, '_> {

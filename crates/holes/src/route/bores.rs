@@ -24,7 +24,7 @@ pub struct Task {
     /// then those of the back face.
     pub wider: Vec<Bore>,
     /// Chamfers, countersinks and faces, by where they are.
-    pub edges: Vec<Edge>,
+    pub edges: Vec<EdgeCut>,
     /// What no axial tool makes.
     pub impossible: Vec<Note>,
     /// What the drawing requires but probably does not mean.
@@ -78,7 +78,7 @@ impl Before {
 
 /// A conical or flat cut at the edge of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Edge {
+pub struct EdgeCut {
     /// Chamfer, countersink, cone or face.
     pub feature: Feature,
     /// The face it is at.
@@ -97,7 +97,7 @@ pub struct Edge {
     pub angle_millideg: u32,
 }
 
-impl Edge {
+impl EdgeCut {
     /// Depth of the cone: (D - d)/2 / tan(φ/2); a face is as deep as its stock.
     pub fn depth(&self, face_stock: Micrometres) -> Micrometres {
         if self.feature == Feature::Face {
@@ -173,7 +173,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             let chamfer = step.chamfer.or(thread_chamfer(step.thread.as_ref(), shop)?);
             if let Some(chamfer) = chamfer {
                 let edge = chamfer_edge(face, edge_at, step.diameter.nominal, chamfer);
-                edges.push(Edge { asked: step.chamfer.is_some(), ..edge });
+                edges.push(EdgeCut { asked: step.chamfer.is_some(), ..edge });
             }
         }
     }
@@ -206,7 +206,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
         .max()
         .unwrap_or(hole.diameter.nominal);
     if let Some(sink) = hole.countersink {
-        edges.push(Edge {
+        edges.push(EdgeCut {
             feature: Feature::Countersink,
             face: Face::Entry,
             start: Micrometres::ZERO,
@@ -218,7 +218,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
         });
     }
     if let Some(cone) = hole.cone {
-        edges.push(Edge {
+        edges.push(EdgeCut {
             feature: Feature::Cone,
             face: Face::Entry,
             start: Micrometres::ZERO,
@@ -249,10 +249,10 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     if let (Some(chamfer), false) = (thread_chamfer(hole.thread.as_ref(), shop)?, own_chamfer)
         && (hole.countersink.is_none() || above.is_some())
     {
-        edges.push(Edge { asked: false, ..main_edge(chamfer) });
+        edges.push(EdgeCut { asked: false, ..main_edge(chamfer) });
     }
     if let Some(face) = hole.face {
-        edges.push(Edge {
+        edges.push(EdgeCut {
             feature: Feature::Face,
             face: Face::Entry,
             start: Micrometres::ZERO,
@@ -276,8 +276,8 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
         impossible.push(Note::new("step-too-deep").with("depth", bore.place.depth).with("limit", thickness));
     }
     // A lead-in narrower than its thread has no effect.
-    let lead_in = |thread: &Thread, edge: &&Edge| edge.feature == Feature::Chamfer && edge.diameter < thread.size;
-    let around_main = |edge: &&Edge| edge.asked && edge.around == hole.diameter.nominal;
+    let lead_in = |thread: &Thread, edge: &&EdgeCut| edge.feature == Feature::Chamfer && edge.diameter < thread.size;
+    let around_main = |edge: &&EdgeCut| edge.asked && edge.around == hole.diameter.nominal;
     let doubtful = hole.thread.iter().flat_map(|thread| {
         let narrow = edges.iter().filter(around_main).find(|edge| lead_in(thread, edge));
         narrow.map(|edge| {
@@ -289,8 +289,13 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
 }
 
 /// `at` is how deep the edge lies, and the diameter of the cylinder above it, through which the cutter enters.
-fn chamfer_edge(face: Face, at: Option<(Micrometres, Micrometres)>, around: Micrometres, chamfer: Micrometres) -> Edge {
-    Edge {
+fn chamfer_edge(
+    face: Face,
+    at: Option<(Micrometres, Micrometres)>,
+    around: Micrometres,
+    chamfer: Micrometres,
+) -> EdgeCut {
+    EdgeCut {
         feature: Feature::Chamfer,
         face,
         start: at.map_or(Micrometres::ZERO, |(depth, _)| depth),

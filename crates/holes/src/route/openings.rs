@@ -9,7 +9,7 @@ use crate::tables::holes::{HoleDefault, SchemesOfAuxiliaryHole};
 use crate::tables::rules::{ToolTablesFor, TransitionOrder};
 use crate::units::Micrometres;
 
-use super::bores::{Bore, Edge};
+use super::bores::{Bore, EdgeCut};
 use super::diameters::Sizes;
 use super::scheme::{self, SchemeQuestion};
 use super::search::{self, Cost, cuts_shoulder};
@@ -86,9 +86,9 @@ fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Reason, KnowledgeErro
 ///
 /// # Errors
 /// The knowledge lacks a convention.
-pub fn edge(edge: &Edge, around: Micrometres, shop: &Shop<'_>) -> Tried<RouteStep> {
+pub fn edge(edge: &EdgeCut, around: Micrometres, shop: &Shop<'_>) -> Tried<RouteStep> {
     let stock = shop.convention(HoleDefault::FaceStock)?;
-    let depth = Edge { around, ..*edge }.depth(stock);
+    let depth = EdgeCut { around, ..*edge }.depth(stock);
     // Depths of the drawing are below the machined face: the stock of the face lies above it.
     let above = if edge.feature == Feature::Face { depth } else { Micrometres::ZERO };
     let start = edge.start - above;

@@ -1,7 +1,7 @@
 //! Marks in words.
 
 use technolog_audit::Audit;
-use technolog_audit::marks::{Deduction, Ground, Marks};
+use technolog_audit::marks::{DeductedBy, Deduction, Marks};
 use technolog_document::{Column, Inlines, Keep, Table};
 use technolog_words::say;
 
@@ -42,7 +42,7 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
     }
     let free =
         |by: &dyn Fn(&Deduction) -> bool| marks.deductions.iter().filter(|one| one.points == 0.0 && by(one)).count();
-    let (capped, follow) = (free(&|one| one.capped), free(&|one| one.by == Ground::Consequence));
+    let (capped, follow) = (free(&|one| one.capped), free(&|one| one.by == DeductedBy::Consequence));
     let other = free(&|_| true) - capped - follow;
     let mut counts = Vec::new();
     counts.extend((follow > 0).then(|| say!(lang, "audit-free-follow", count = follow)));
@@ -58,10 +58,10 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
 /// By what of the scheme points are taken off.
 fn ground(deduction: &Deduction, lang: Lang) -> String {
     let by = match deduction.by {
-        Ground::Consequence => say!(lang, "audit-by-consequence").to_owned(),
-        Ground::Rule => say!(lang, "audit-by-rule", rule = &deduction.rule),
-        Ground::Section => say!(lang, "audit-by-section", section = super::heading(deduction.section, lang)),
-        Ground::Severity => say!(lang, "audit-by-severity").to_owned(),
+        DeductedBy::Consequence => say!(lang, "audit-by-consequence").to_owned(),
+        DeductedBy::Rule => say!(lang, "audit-by-rule", rule = &deduction.rule),
+        DeductedBy::Section => say!(lang, "audit-by-section", section = super::heading(deduction.section, lang)),
+        DeductedBy::Severity => say!(lang, "audit-by-severity").to_owned(),
     };
     if deduction.capped { say!(lang, "audit-by-capped", by = by) } else { by }
 }

@@ -2,7 +2,7 @@
 
 use crate::note::{Figure, Note, Severity};
 use technolog_audit::quantity::Quantity;
-use technolog_audit::{Audit, Finding, MissingKeys, Section, Subject};
+use technolog_audit::{Audit, AuditFinding, MissingKeys, Section, Subject};
 use technolog_core::words::quantity_noun;
 use technolog_document as document;
 use technolog_words::say;
@@ -67,7 +67,7 @@ pub(super) fn change(stated: &str, right: &str, lang: Lang) -> String {
 }
 
 /// `12:5`, with the file where it is another than the plan's.
-pub(super) fn place(finding: &Finding, file: &str) -> Option<String> {
+pub(super) fn place(finding: &AuditFinding, file: &str) -> Option<String> {
     let at = format!("{}:{}", finding.line?, finding.column?);
     match &finding.file {
         Some(own) if own != file => Some(format!("{own}:{at}")),
@@ -92,13 +92,13 @@ pub(super) fn subject(subject: &Subject, lang: Lang) -> String {
 }
 
 /// The block of the program that a finding is about: in a program people look for that.
-pub(super) fn block(finding: &Finding) -> Option<&str> {
+pub(super) fn block(finding: &AuditFinding) -> Option<&str> {
     let block = finding.field.strip_prefix("program.").filter(|_| finding.section == Section::Program);
     block.filter(|block| !block.starts_with("setting."))
 }
 
 /// Whom a finding is about: `свердління A`, `T2`, else its section.
-fn about(finding: &Finding, lang: Lang) -> String {
+fn about(finding: &AuditFinding, lang: Lang) -> String {
     let said = block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
     if !said.is_empty() {
         return said;
@@ -112,7 +112,7 @@ fn about(finding: &Finding, lang: Lang) -> String {
 }
 
 /// What of it: `подача S`, `позначення`; none if it is about the whole.
-pub(super) fn what(finding: &Finding, lang: Lang) -> String {
+pub(super) fn what(finding: &AuditFinding, lang: Lang) -> String {
     match finding.quantity {
         Some(quantity) => {
             finding.factor.as_ref().map_or_else(|| name(quantity, lang), |own| factor(quantity, own, lang))
@@ -130,7 +130,7 @@ pub(super) fn factor(quantity: Quantity, factor: &Figure, lang: Lang) -> String 
 }
 
 /// Where a finding is, in words: `T1: довжина комплекту Lк`.
-pub(super) fn whereabouts(finding: &Finding, lang: Lang) -> String {
+pub(super) fn whereabouts(finding: &AuditFinding, lang: Lang) -> String {
     let (about, what) = (about(finding, lang), what(finding, lang));
     if what.is_empty() { about } else { say!(lang, "audit-about", about = about, said = what) }
 }
@@ -159,7 +159,7 @@ pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit:
 
 /// What a finding says, with what its note has for programs put into words.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
-pub(super) fn said(finding: &Finding, lang: Lang) -> String {
+pub(super) fn said(finding: &AuditFinding, lang: Lang) -> String {
     let note = match finding.note.code() {
         "audit-missing" => Note::new("audit-missing")
             .with("section", keys::words(&finding.field, lang).unwrap_or_default())

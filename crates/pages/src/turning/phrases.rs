@@ -1,6 +1,6 @@
 //! What all pages of turning share: reasons with their rows, findings, lengths along the axis.
 
-use crate::document::{Column, Finding, Inlines, Severity};
+use crate::document::{Column, FindingBlock, Inlines, Severity};
 use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::note::{self, Because, Note};
@@ -29,14 +29,14 @@ pub(super) fn rests_on(said: &str, because: &Because, lang: Lang) -> Inlines {
     })
 }
 
-pub(super) fn finding(finding: &note::Finding, lang: Lang) -> Finding {
+pub(super) fn finding(finding: &note::Finding, lang: Lang) -> FindingBlock {
     let severity = match finding.severity {
         note::Severity::Error => Severity::Error,
         note::Severity::Wrong => Severity::Wrong,
         note::Severity::Doubtful => Severity::Doubtful,
         note::Severity::Note => Severity::Note,
     };
-    Finding::new(severity, lang.term("word", finding.severity.name()), said(&finding.note, lang))
+    FindingBlock::new(severity, lang.term("word", finding.severity.name()), said(&finding.note, lang))
 }
 
 /// A word of the general vocabulary, as a figure of a sentence.

@@ -155,7 +155,7 @@ vocabulary! {
     }
 
     /// How a mill cuts.
-    pub enum Cut {
+    pub enum MillingDirection {
         /// With the feed.
         Climb = "climb",
         /// Against it.

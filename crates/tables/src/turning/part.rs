@@ -55,7 +55,7 @@ vocabulary! {
     /// Why an element is what it is.
     #[derive(Serialize)]
     #[serde(rename_all = "kebab-case")]
-    pub enum Ground {
+    pub enum ElementReason {
         /// Both edges clear it.
         Reach = "reach",
         /// By its kind, whatever its angles.
@@ -279,7 +279,7 @@ rows! {
     /// Main or additional element of a contour, and by what tool.
     pub struct TurningElement of One("turning-element") asked by TurningElementFor {
         kind: SurfaceKind,
-        ground: Ground,
+        ground: ElementReason,
         valley_fall: Degrees,
         floor_reached: bool,
     } {

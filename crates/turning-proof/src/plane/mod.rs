@@ -67,10 +67,10 @@ impl Spot {
 
     /// Which spot between two others is the nearest to this one.
     pub fn nearest_between(self, from: Self, to: Self) -> Self {
-        let way = to.minus(from);
-        let square = way.dot(way);
-        let part = if square > 0.0 { (self.minus(from).dot(way) / square).clamp(0.0, 1.0) } else { 0.0 };
-        from.plus(way.times(part))
+        let path = to.minus(from);
+        let square = path.dot(path);
+        let part = if square > 0.0 { (self.minus(from).dot(path) / square).clamp(0.0, 1.0) } else { 0.0 };
+        from.plus(path.times(part))
     }
 
     /// How far it is from what lies between two others, mm.

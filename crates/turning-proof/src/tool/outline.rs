@@ -87,9 +87,9 @@ fn insert([lead, trail]: [f64; 2], nose: f64, edge: f64, hand: Hand) -> (Vec<Spo
     if nose > 0.0 {
         spots.extend(chords(centre, touching[0], touching[1], turned(centre, touching[0], touching[1], true)));
         // What makes cylinders and faces is no chord.
-        let makes = |way: &Spot| ahead.cross(*way) >= 0.0 && way.cross(below) >= 0.0;
+        let makes = |path: &Spot| ahead.cross(*path) >= 0.0 && path.cross(below) >= 0.0;
         let ways = [Spot::new(-1.0, 0.0), Spot::new(0.0, -1.0)];
-        spots.extend(ways.into_iter().filter(makes).map(|way| centre.plus(way.times(nose))));
+        spots.extend(ways.into_iter().filter(makes).map(|path| centre.plus(path.times(nose))));
     }
     spots.extend(ends);
     (spots, ends)

@@ -1,6 +1,6 @@
 //! Set-ups whose figures are worked by hand.
 
-use technolog_turning_proof::Kind::{Feed, Rapid};
+use technolog_turning_proof::MotionKind::{Feed, Rapid};
 use technolog_turning_proof::{At, Fault, Mm};
 
 use crate::made::{at, bar_work, chain, is, pclnr, program, proven, wrong, insert, bare};

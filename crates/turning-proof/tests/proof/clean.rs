@@ -1,20 +1,20 @@
 //! Honest work, of which nothing is wrong, and its volumes.
 
-use technolog_turning_proof::Kind::{Feed, Rapid, Thread as Pass};
+use technolog_turning_proof::MotionKind::{Feed, Rapid, Thread as Pass};
 use technolog_turning_proof::{
-    At, Cutter, Degrees, Fault, Hand, Holder, Kind, Mm, Motion, Piece, Profile, Sense, SetUp, Side, Stock, Thread,
-    Tool, Way, prove,
+    At, Cutter, Degrees, Fault, Hand, Holder, Mm, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Side,
+    Stock, Thread, Tool, prove,
 };
 
 use crate::made::{at, bar_work, bare, chain, insert, is, joined, line, pclnr, program, proven, wrong};
 
 /// Ø40 and Ø60 with a sharp corner between; the contour goes on behind Z−70.
-pub fn shaft() -> Vec<Piece> {
+pub fn shaft() -> Vec<ProfilePiece> {
     chain(&[(0.0, 0.0), (0.0, 20.0), (-30.0, 20.0), (-30.0, 30.0), (-70.0, 30.0)])
 }
 
 /// Faced to X−2r, roughed in four passes, finished.
-pub const SHAFT: [(Kind, f64, f64); 25] = [
+pub const SHAFT: [(MotionKind, f64, f64); 25] = [
     (Rapid, 0.0, 34.0),
     (Feed, 0.0, -0.8),
     (Feed, 1.0, -0.8),
@@ -42,7 +42,7 @@ pub const SHAFT: [(Kind, f64, f64); 25] = [
     (Rapid, -72.0, 40.0),
 ];
 
-pub fn shaft_work(moves: &[(Kind, f64, f64)]) -> SetUp {
+pub fn shaft_work(moves: &[(MotionKind, f64, f64)]) -> SetUp {
     bar_work(shaft(), 32.0, (-100.0, 2.0), pclnr(0.8), program(0, (5.0, 40.0), moves))
 }
 
@@ -98,20 +98,21 @@ pub fn blade(depth: f64) -> Tool {
 #[test]
 fn an_arc_is_followed_by_an_arc() {
     let fillet =
-        Way::Arc { from: at(-20.0, 15.0), to: at(-25.0, 20.0), centre: at(-20.0, 20.0), sense: Sense::Clockwise };
+        Piece::Arc { from: at(-20.0, 15.0), to: at(-25.0, 20.0), centre: at(-20.0, 20.0), sense: Sense::Clockwise };
     let mut part = chain(&[(0.0, 0.0), (0.0, 15.0), (-20.0, 15.0)]);
-    part.push(Piece::new(fillet, None));
+    part.push(ProfilePiece::new(fillet, None));
     part.push(line("flange", (-25.0, 20.0), (-25.0, 25.0)));
     part.push(line("rim", (-25.0, 25.0), (-40.0, 25.0)));
     let mut motions = program(0, (5.0, 40.0), &[(Rapid, 2.0, 15.0), (Feed, -20.8, 15.0)]);
-    let arc = Way::Arc { from: at(-20.8, 15.0), to: at(-25.0, 19.2), centre: at(-20.8, 19.2), sense: Sense::Clockwise };
-    motions.push(Motion { way: arc, ..*motions.last().unwrap() });
+    let arc =
+        Piece::Arc { from: at(-20.8, 15.0), to: at(-25.0, 19.2), centre: at(-20.8, 19.2), sense: Sense::Clockwise };
+    motions.push(Motion { path: arc, ..*motions.last().unwrap() });
     for (z, radius) in [(-25.0, 25.0), (-42.0, 25.0)] {
         motions.push(joined(&motions, Feed, at(z, radius)));
     }
     let tool = bare(insert(95.0, 5.0, 0.8, Hand::Right, Side::Outside));
     let blank =
-        Way::lines(&[(0.0, 0.0), (0.0, 16.0), (-18.0, 16.0), (-24.0, 26.0), (-60.0, 26.0)].map(|(z, r)| at(z, r)));
+        Piece::lines(&[(0.0, 0.0), (0.0, 16.0), (-18.0, 16.0), (-24.0, 26.0), (-60.0, 26.0)].map(|(z, r)| at(z, r)));
     let mut work = bar_work(part, 1.0, (0.0, 1.0), tool, motions);
     work.stock = Stock::between(&blank, &[]);
     assert_eq!(proven(&work).faults, []);
@@ -132,7 +133,7 @@ pub fn thread(last: f64) -> SetUp {
     let mut work = bar_work(part, 1.0, (0.0, 1.0), bare(cutter), motions);
     let crests =
         [(0.0, 0.0), (0.0, 8.4), (-1.5, 9.9), (-20.0, 9.9), (-20.0, 8.5), (-24.0, 8.5), (-24.0, 12.0), (-60.0, 12.0)];
-    work.stock = Stock::between(&Way::lines(&crests.map(|(z, r)| at(z, r))), &[]);
+    work.stock = Stock::between(&Piece::lines(&crests.map(|(z, r)| at(z, r))), &[]);
     work
 }
 
@@ -142,8 +143,8 @@ fn a_thread_goes_down_to_its_root_and_leaves_its_crests() {
     // The chamfer of the blank is that of the crests.
     work.profile.outside[0] = line("face", (0.0, 0.0), (0.0, 8.4));
     work.profile.outside[1] = line("chamfer", (0.0, 8.4), (-1.5, 9.9));
-    let Way::Line { to, .. } = work.profile.outside[2].way else { panic!() };
-    work.profile.outside[2].way = Way::Line { from: at(-1.5, 9.9), to: At::new(to.z, Mm(9.9)) };
+    let Piece::Line { to, .. } = work.profile.outside[2].path else { panic!() };
+    work.profile.outside[2].path = Piece::Line { from: at(-1.5, 9.9), to: At::new(to.z, Mm(9.9)) };
     work.profile.outside[3] = line("relief", (-20.0, 9.9), (-20.0, 8.5));
     let proof = proven(&work);
     assert_eq!(proof.faults, []);
@@ -157,12 +158,12 @@ fn a_thread_goes_down_to_its_root_and_leaves_its_crests() {
 fn what_is_left_for_the_grinder_is_no_fault() {
     let mut work = shaft_work(&SHAFT);
     for motion in &mut work.motions[20..22] {
-        let Way::Line { from, to } = motion.way else { continue };
+        let Piece::Line { from, to } = motion.path else { continue };
         let up = |at: At, z: f64| At::new(Mm(at.z.0 + z), Mm(at.radius.0 + 0.3));
-        motion.way = Way::Line { from: up(from, 0.0), to: up(to, if motion.block.0 == 22 { 0.1 } else { 0.0 }) };
+        motion.path = Piece::Line { from: up(from, 0.0), to: up(to, if motion.block.0 == 22 { 0.1 } else { 0.0 }) };
     }
-    work.motions[22].way = Way::Line { from: at(-29.9, 20.3), to: at(-29.9, 30.0) };
-    work.motions[23].way = Way::Line { from: at(-29.9, 30.0), to: at(-72.0, 30.0) };
+    work.motions[22].path = Piece::Line { from: at(-29.9, 20.3), to: at(-29.9, 30.0) };
+    work.motions[23].path = Piece::Line { from: at(-29.9, 30.0), to: at(-72.0, 30.0) };
     work.profile.outside[1].allowance = Mm(0.3);
     work.profile.outside[2].allowance = Mm(0.1);
     assert_eq!(wrong(&work), []);
@@ -197,7 +198,7 @@ fn a_bush_is_bored_through() {
 /// What the first set-up left is the second one's stock: a cone of Ø20 at the free end stands at the chuck.
 #[test]
 fn the_stock_is_turned_over_with_the_part() {
-    let cone = Way::lines(&[(0.0, 0.0), (0.0, 10.0), (-50.0, 20.0)].map(|(z, r)| at(z, r)));
+    let cone = Piece::lines(&[(0.0, 0.0), (0.0, 10.0), (-50.0, 20.0)].map(|(z, r)| at(z, r)));
     let stock = Stock::between(&cone, &[]);
     let over = stock.turned_over(Mm(50.0));
     assert!(stock.holds(at(-49.0, 19.0)) && !stock.holds(at(-1.0, 19.0)));

@@ -1,10 +1,10 @@
 //! An error of every kind, planted; its figures are worked by hand.
 
 use technolog_note::Figure;
-use technolog_turning_proof::Kind::{Feed, Rapid};
+use technolog_turning_proof::MotionKind::{Feed, Rapid};
 use technolog_turning_proof::{
-    Block, Body, Cutter, Degrees, Fault, Hand, Holder, Kind, Mm, Piece, Profile, Refused, SetUp, Side, Stock, Tool,
-    Way, prove,
+    Block, Body, Cutter, Degrees, Fault, Hand, Holder, Mm, MotionKind, Piece, Profile, ProfilePiece, Refused, SetUp,
+    Side, Stock, Tool, prove,
 };
 
 use crate::clean::{SHAFT, blade, shaft_work, thread};
@@ -84,7 +84,7 @@ fn a_shank_hits_the_flange_behind_it() {
         )
     };
     let mut work = bar_work(chain(&spool), 1.0, (0.0, 1.0), pclnr(0.8), path(-40.0));
-    work.stock = Stock::between(&Way::lines(&blank.map(|(z, r)| at(z, r))), &[]);
+    work.stock = Stock::between(&Piece::lines(&blank.map(|(z, r)| at(z, r))), &[]);
     let hits = |work: &SetUp| -> Vec<Fault> {
         wrong(work).into_iter().filter(|fault| !matches!(fault, Fault::Stands { .. })).collect()
     };
@@ -105,7 +105,10 @@ fn a_blade_is_no_deeper_than_it_is() {
     let work = |depth| bar_work(part.clone(), 20.0, (-60.0, 30.0), blade(depth), program(0, (-23.0, 40.0), &moves));
     let of_holder = |depth| wrong(&work(depth)).into_iter().find(|fault| matches!(fault, Fault::Holder { .. }));
     let fault = of_holder(10.0);
-    assert!(matches!(&fault, Some(Fault::Holder { kind: Kind::Feed, width, .. }) if is(*width, 2.0)), "{fault:?}");
+    assert!(
+        matches!(&fault, Some(Fault::Holder { kind: MotionKind::Feed, width, .. }) if is(*width, 2.0)),
+        "{fault:?}"
+    );
     assert_eq!(of_holder(12.0), None);
 }
 
@@ -229,9 +232,9 @@ fn what_cannot_be_proven_is_refused() {
     };
     assert_eq!(refused(|work| work.profile.outside.clear()), Refused::NoContour);
     assert_eq!(refused(|work| work.motions[3].tool = 1), Refused::NoTool { block: Block(4) });
-    let far = |work: &mut SetUp| work.motions[3].way = Way::Line { from: at(0.0, f64::NAN), to: at(0.0, 0.0) };
+    let far = |work: &mut SetUp| work.motions[3].path = Piece::Line { from: at(0.0, f64::NAN), to: at(0.0, 0.0) };
     assert_eq!(refused(far), Refused::Place { limit: Mm(5000.0) });
     let blunt = |work: &mut SetUp| work.tools[0] = bare(insert(120.0, 60.0, 0.8, Hand::Right, Side::Outside));
     assert_eq!(refused(blunt), Refused::Tool { tool: "bare".into() });
-    let _: Vec<Piece> = work.profile.outside;
+    let _: Vec<ProfilePiece> = work.profile.outside;
 }

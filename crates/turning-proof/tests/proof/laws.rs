@@ -2,8 +2,8 @@
 //! centre and what it leaves are found by brute force, from samples of the contour.
 
 use proptest::prelude::*;
-use technolog_turning_proof::Kind::Feed;
-use technolog_turning_proof::{Fault, Hand, Motion, SetUp, Side, Stock, Way};
+use technolog_turning_proof::MotionKind::Feed;
+use technolog_turning_proof::{Fault, Hand, Motion, Piece, SetUp, Side, Stock};
 
 use crate::made::{at, bar_work, bare, chain, insert, program, proven};
 
@@ -55,7 +55,7 @@ fn places(contour: &Contour, from: f64, to: f64, step: f64) -> Vec<f64> {
 }
 
 /// The way of the centre, as chords that are nowhere more than 0.3 µm from it.
-pub fn way(contour: &Contour, samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
+pub fn path(contour: &Contour, samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
     fn halve(samples: &[(f64, f64)], a: (f64, f64), b: (f64, f64), all: &mut Vec<(f64, f64)>) {
         let part = |share: f64| a.0 + (b.0 - a.0) * share;
         let off = |share: f64| (centre(samples, part(share)) - a.1 - (b.1 - a.1) * share).abs();
@@ -96,7 +96,7 @@ fn contours() -> impl Strategy<Value = Contour> {
 /// The contour finished in one pass from a blank that is 1 mm larger in radius; the tool is moved into the metal by so much.
 fn work(contour: &Contour, samples: &[(f64, f64)], deeper: f64) -> SetUp {
     let end = contour.end();
-    let centres = way(contour, samples);
+    let centres = path(contour, samples);
     let point = |(z, r): (f64, f64)| (z - NOSE, r - NOSE - deeper);
     let moves: Vec<_> = centres[1..].iter().map(|&place| point(place)).map(|(z, r)| (Feed, z, r)).collect();
     let motions: Vec<Motion> = program(0, point(centres[0]), &moves);
@@ -105,7 +105,7 @@ fn work(contour: &Contour, samples: &[(f64, f64)], deeper: f64) -> SetUp {
     let blank: Vec<(f64, f64)> = contour.0.iter().map(|&(z, r)| (z, r + 1.0)).collect();
     let blank = [vec![(0.0, 0.0)], blank, vec![(end.0 - 5.0, end.1 + 1.0)]].concat();
     let blank: Vec<_> = blank.into_iter().map(|(z, r)| at(z, r)).collect();
-    SetUp { stock: Stock::between(&Way::lines(&blank), &[]), ..bar_work(part, 1.0, (0.0, 1.0), tool, motions) }
+    SetUp { stock: Stock::between(&Piece::lines(&blank), &[]), ..bar_work(part, 1.0, (0.0, 1.0), tool, motions) }
 }
 
 /// The volume that the nose leaves between Z0 and the contour's end, from the way of its centre.

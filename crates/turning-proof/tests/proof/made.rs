@@ -2,8 +2,8 @@
 
 use technolog_note::Figure;
 use technolog_turning_proof::{
-    At, Block, Cutter, Degrees, Fault, Hand, Holder, Kind, Mm, Motion, Piece, Profile, Proof, SetUp, Side, Stock, Tool,
-    Way, prove,
+    At, Block, Cutter, Degrees, Fault, Hand, Holder, Mm, Motion, MotionKind, Piece, Profile, ProfilePiece, Proof,
+    SetUp, Side, Stock, Tool, prove,
 };
 
 pub fn at(z: f64, radius: f64) -> At {
@@ -11,8 +11,8 @@ pub fn at(z: f64, radius: f64) -> At {
 }
 
 /// A piece from place to place, with a name.
-pub fn line(name: &str, from: (f64, f64), to: (f64, f64)) -> Piece {
-    Piece::new(Way::Line { from: at(from.0, from.1), to: at(to.0, to.1) }, Some(Figure::from_name(name)))
+pub fn line(name: &str, from: (f64, f64), to: (f64, f64)) -> ProfilePiece {
+    ProfilePiece::new(Piece::Line { from: at(from.0, from.1), to: at(to.0, to.1) }, Some(Figure::from_name(name)))
 }
 
 /// A name as a figure.
@@ -27,7 +27,7 @@ impl Named for Figure {
 }
 
 /// Lines through places, named s1, s2 and so on.
-pub fn chain(places: &[(f64, f64)]) -> Vec<Piece> {
+pub fn chain(places: &[(f64, f64)]) -> Vec<ProfilePiece> {
     let named = places.windows(2).enumerate();
     named.map(|(index, pair)| line(&format!("s{}", index + 1), pair[0], pair[1])).collect()
 }
@@ -55,18 +55,18 @@ pub fn bare(cutter: Cutter) -> Tool {
 }
 
 /// A program of one tool: ways from place to place, each with its kind; its blocks count from 1.
-pub fn program(tool: usize, start: (f64, f64), moves: &[(Kind, f64, f64)]) -> Vec<Motion> {
+pub fn program(tool: usize, start: (f64, f64), moves: &[(MotionKind, f64, f64)]) -> Vec<Motion> {
     let mut here = at(start.0, start.1);
-    let mut motion = |(index, &(kind, z, radius)): (usize, &(Kind, f64, f64))| {
-        let way = Way::Line { from: here, to: at(z, radius) };
+    let mut motion = |(index, &(kind, z, radius)): (usize, &(MotionKind, f64, f64))| {
+        let path = Piece::Line { from: here, to: at(z, radius) };
         here = at(z, radius);
-        Motion { kind, way, tool, block: Block(index + 1) }
+        Motion { kind, path, tool, block: Block(index + 1) }
     };
     moves.iter().enumerate().map(&mut motion).collect()
 }
 
 /// Outside only, one tool, a bar.
-pub fn bar_work(outside: Vec<Piece>, radius: f64, ends: (f64, f64), tool: Tool, motions: Vec<Motion>) -> SetUp {
+pub fn bar_work(outside: Vec<ProfilePiece>, radius: f64, ends: (f64, f64), tool: Tool, motions: Vec<Motion>) -> SetUp {
     SetUp {
         profile: Profile { outside, bore: Vec::new() },
         stock: Stock::cylinder(Mm(radius), None, Mm(ends.0), Mm(ends.1)),
@@ -91,8 +91,8 @@ pub fn is(length: Mm, expected: f64) -> bool {
 }
 
 /// A straight motion from where the last one ends, in the next block.
-pub fn joined(motions: &[Motion], kind: Kind, to: At) -> Motion {
+pub fn joined(motions: &[Motion], kind: MotionKind, to: At) -> Motion {
     let last = motions.last().unwrap();
-    let way = Way::Line { from: last.way.to(), to };
-    Motion { kind, way, tool: last.tool, block: Block(last.block.0 + 1) }
+    let path = Piece::Line { from: last.path.to(), to };
+    Motion { kind, path, tool: last.tool, block: Block(last.block.0 + 1) }
 }

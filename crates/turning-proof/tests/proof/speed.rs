@@ -2,10 +2,10 @@
 
 use std::time::Instant;
 
-use technolog_turning_proof::Kind::{Feed, Rapid};
+use technolog_turning_proof::MotionKind::{Feed, Rapid};
 use technolog_turning_proof::{Fault, Hand, Holder, Mm, Side, Tool};
 
-use crate::laws::{Contour, NOSE, way};
+use crate::laws::{Contour, NOSE, path};
 use crate::made::{bar_work, chain, insert, program, proven};
 
 /// Waves of Ø40 to Ø56 on a cone, of so many chords over 100 mm.
@@ -24,8 +24,8 @@ fn a_long_program_over_a_contour_of_many_elements() {
         let contour = waves(elements);
         let samples = contour.samples();
         let point = |over: f64| move |(z, r): (f64, f64)| (z - NOSE, r - NOSE + over);
-        let finish: Vec<(f64, f64)> = way(&contour, &samples).into_iter().map(point(0.0)).collect();
-        let rough: Vec<(f64, f64)> = way(&contour, &samples).into_iter().map(point(0.4)).collect();
+        let finish: Vec<(f64, f64)> = path(&contour, &samples).into_iter().map(point(0.0)).collect();
+        let rough: Vec<(f64, f64)> = path(&contour, &samples).into_iter().map(point(0.4)).collect();
         let mut moves = vec![];
         for level in (0..levels).map(|level| 37.0 - 21.0 * f64::from(level + 1) / f64::from(levels)) {
             // From the free end to where the metal of the part begins.

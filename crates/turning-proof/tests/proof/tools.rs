@@ -1,6 +1,6 @@
 //! Tools of every kind: what one plunge of each takes.
 
-use technolog_turning_proof::Kind::Feed;
+use technolog_turning_proof::MotionKind::Feed;
 use technolog_turning_proof::{Cutter, Degrees, Hand, Mm, SetUp, Side, Stock};
 
 use crate::made::{at, bar_work, bare, chain, insert, program, proven};

@@ -1,7 +1,7 @@
 //! Every finding is said in both languages, with all its figures and no gap left.
 
 use technolog_note::{Figure, Note};
-use technolog_turning_proof::{Block, Fault, Kind, Mm, Refused};
+use technolog_turning_proof::{Block, Fault, Mm, MotionKind, Refused};
 use technolog_words::Lang;
 
 use crate::made::{Named, at};
@@ -14,8 +14,8 @@ fn all() -> Vec<Note> {
     let faults = [
         Fault::Gouge { surface: surface.clone(), depth: Mm(0.281), at, block, count },
         Fault::RapidCut { tool: tool.clone(), width, at, block, count },
-        holder(Kind::Feed),
-        holder(Kind::Rapid),
+        holder(MotionKind::Feed),
+        holder(MotionKind::Rapid),
         Fault::Struck { tool: tool.clone(), body: Figure::from_name("jaws"), width, at, block, count },
         Fault::OffAxis { tool: tool.clone(), at, block, count },
         Fault::Stands { surface: None, thickness: Mm(0.3), at, from_z: Mm(-1.0), to_z: Mm(-5.0) },

@@ -13,7 +13,7 @@ use crate::turning::tooling::{Shank, TurningTool};
 use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons};
 
 use super::laws::{self, Component, ForceLaw};
-use super::{BarTooLong, Cut, CuttingRefusal, Direction, Flexibility, MissingFigure};
+use super::{BarTooLong, CuttingRefusal, Direction, Flexibility, MissingFigure, TurningCut};
 
 /// What bounds the depth of cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -156,7 +156,7 @@ pub(super) struct Forces {
 }
 
 impl Forces {
-    pub fn of(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Result<Self, KnowledgeError> {
+    pub fn of(cut: &TurningCut<'_, '_>, feed: MillimetresPerRev) -> Result<Self, KnowledgeError> {
         let law = |component| Refusal::split(cut.named(laws::force(cut, component, feed)));
         Ok(Self { main: law(Component::Main)?, radial: law(Component::Radial)?, axial: law(Component::Axial)? })
     }
@@ -197,7 +197,13 @@ impl Check {
     }
 
     /// The load at a depth and a speed. A check exists only if its figures are known.
-    pub fn load(&self, cut: &Cut<'_, '_>, forces: &Forces, depth: Micrometres, speed: MetresPerMinute) -> Option<Load> {
+    pub fn load(
+        &self,
+        cut: &TurningCut<'_, '_>,
+        forces: &Forces,
+        depth: Micrometres,
+        speed: MetresPerMinute,
+    ) -> Option<Load> {
         let main = || forces.at(Component::Main, depth, speed);
         Some(match self.measure {
             Measure::Force(component) => Load::ForceN(forces.at(component, depth, speed)?),
@@ -213,7 +219,10 @@ impl Check {
 }
 
 /// The limits of a cut that can be calculated, and what is missing for the others.
-pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, Vec<UnknownBound>), KnowledgeError> {
+pub(super) fn checks(
+    cut: &TurningCut<'_, '_>,
+    forces: &Forces,
+) -> Result<(Vec<Check>, Vec<UnknownBound>), KnowledgeError> {
     // In longitudinal turning Px acts along the axis, in facing along X. In grooving there is no Px, and Py acts
     // against the feed.
     let (along, across) = match cut.direction {
@@ -286,7 +295,7 @@ fn constant<T: Told + Clone>(
 }
 
 /// A length of `turning-limits`, and why.
-pub(super) fn constant_length(cut: &Cut<'_, '_>, name: Limit) -> Result<(Micrometres, Because), KnowledgeError> {
+pub(super) fn constant_length(cut: &TurningCut<'_, '_>, name: Limit) -> Result<(Micrometres, Because), KnowledgeError> {
     constant(cut.knowledge, name, |row| row.length)
 }
 
@@ -317,13 +326,13 @@ pub(super) fn ratio(knowledge: &Knowledge, name: Limit) -> Result<(f64, Because)
 }
 
 /// A stress of `turning-limits`, MPa, and why.
-fn stress(cut: &Cut<'_, '_>, name: Limit) -> Result<(f64, Because), KnowledgeError> {
+fn stress(cut: &TurningCut<'_, '_>, name: Limit) -> Result<(f64, Because), KnowledgeError> {
     constant(cut.knowledge, name, |row| row.stress.map(|stress| stress.0.to_f64()))
 }
 
 /// The overhang, mm: from the tool's row; of a bar the depth of the bore and a clearance; otherwise by the ratio of
 /// `turning-limits` to its height or diameter.
-fn overhang(cut: &Cut<'_, '_>, shank: Shank) -> Tried<(f64, Vec<Because>), BarTooLong> {
+fn overhang(cut: &TurningCut<'_, '_>, shank: Shank) -> Tried<(f64, Vec<Because>), BarTooLong> {
     if let (Shank::Round { .. }, Some(depth)) = (shank, cut.bore_depth) {
         let (overhang, because) = bar_overhang(cut.tool, depth, cut.knowledge)?;
         return Ok((overhang.to_mm(), because));
@@ -368,7 +377,7 @@ pub fn bar_overhang(
 }
 
 /// Refuses a cut whose bar would stand out too far.
-pub(super) fn bar_reaches(cut: &Cut<'_, '_>) -> Tried<(), CuttingRefusal> {
+pub(super) fn bar_reaches(cut: &TurningCut<'_, '_>) -> Tried<(), CuttingRefusal> {
     let (Some(depth), Some(Shank::Round { .. })) = (cut.bore_depth, cut.tool.shank) else { return Ok(()) };
     let reaches = bar_overhang(cut.tool, depth, cut.knowledge);
     reaches.map(|_| ()).map_err(|refusal| refusal.map(CuttingRefusal::BarTooLong))
@@ -376,7 +385,7 @@ pub(super) fn bar_reaches(cut: &Cut<'_, '_>) -> Tried<(), CuttingRefusal> {
 
 /// The component that bends the part: of turning along the axis and of plunging Py, of facing Px, which lies across it
 /// there.
-fn across_part(cut: &Cut<'_, '_>) -> Component {
+fn across_part(cut: &TurningCut<'_, '_>) -> Component {
     match cut.direction {
         Direction::Transverse if !cut.tool.plunges() => Component::Axial,
         _ => Component::Radial,
@@ -386,7 +395,7 @@ fn across_part(cut: &Cut<'_, '_>) -> Component {
 /// Bending of the part: in roughing the force of Pz and Py together ≤ f/c, with f the deflection of `turning-limits` and
 /// c the compliance of the part; in finishing Py ≤ share·T/c, because only what lies across the surface changes the
 /// diameter.
-fn part_stiffness(cut: &Cut<'_, '_>, part: &Flexibility, across: Component) -> Result<Check, KnowledgeError> {
+fn part_stiffness(cut: &TurningCut<'_, '_>, part: &Flexibility, across: Component) -> Result<Check, KnowledgeError> {
     let mut because = part.because.clone();
     let (mm, measure) = match part.tolerance {
         Some(tolerance) => {
@@ -404,7 +413,11 @@ fn part_stiffness(cut: &Cut<'_, '_>, part: &Flexibility, across: Component) -> R
 }
 
 /// Bending stress of the part ≤ a share of its strength (`turning-limits`); none where its strength is not known.
-fn part_strength(cut: &Cut<'_, '_>, part: &Flexibility, across: Component) -> Result<Option<Check>, KnowledgeError> {
+fn part_strength(
+    cut: &TurningCut<'_, '_>,
+    part: &Flexibility,
+    across: Component,
+) -> Result<Option<Check>, KnowledgeError> {
     if part.strength <= 0.0 {
         return Ok(None);
     }
@@ -415,16 +428,16 @@ fn part_strength(cut: &Cut<'_, '_>, part: &Flexibility, across: Component) -> Re
 }
 
 /// A bar that is too long is refused before its bounds are asked for; here it lacks an overhang.
-fn of_bar<T>(cut: &Cut<'_, '_>, tried: Tried<T, BarTooLong>) -> Tried<T, MissingFigure> {
+fn of_bar<T>(cut: &TurningCut<'_, '_>, tried: Tried<T, BarTooLong>) -> Tried<T, MissingFigure> {
     tried.map_err(|refusal| refusal.map(|_| cut.tool_lacks("reach")))
 }
 
-fn shank_of(cut: &Cut<'_, '_>) -> Tried<Shank, MissingFigure> {
+fn shank_of(cut: &TurningCut<'_, '_>) -> Tried<Shank, MissingFigure> {
     cut.tool.shank.ok_or_else(|| Refusal::Not(cut.tool_lacks("shank_height")))
 }
 
 /// Bending of the shank: Pz · l ≤ σ · W, with W = B·H²/6 of a square shank and π·d³/32 of a bar, mm³.
-fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
+fn shank_strength(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let shank = shank_of(cut)?;
     let modulus = match shank {
         Shank::Square { height, width } => width.to_mm() * height.to_mm() * height.to_mm() / 6.0,
@@ -440,7 +453,7 @@ fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
 }
 
 /// Bending of the shank: Pz ≤ 3·f·E·J / l³, with J = B·H³/12 of a square shank and π·d⁴/64 of a bar, mm⁴.
-fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
+fn shank_stiffness(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let shank = shank_of(cut)?;
     let inertia = match shank {
         Shank::Square { height, width } => {
@@ -461,7 +474,7 @@ fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
 }
 
 /// How much of the edge may cut: t ≤ share · l · sin of the angle between edge and feed.
-fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
+fn insert_edge(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let lacks = |quantity: &str| Refusal::Not(cut.tool_lacks(quantity));
     let edge = cut.tool.edge.ok_or_else(|| lacks("edge"))?;
     let shape = cut.tool.insert_shape().ok_or_else(|| lacks("insert"))?;
@@ -476,7 +489,7 @@ fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
 }
 
 /// A drive of the carriage: the force along it ≤ the force in its record.
-fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> Tried<Check, MissingFigure> {
+fn drive(cut: &TurningCut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> Tried<Check, MissingFigure> {
     let force = match quantity {
         Q::FeedForceZ => cut.lathe.feed_force_z,
         _ => cut.lathe.feed_force_x,
@@ -487,7 +500,7 @@ fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> 
 }
 
 /// Pz · D / 2 ≤ the torque of the spindle.
-fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
+fn spindle_torque(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let quantity = Q::SpindleTorqueMax;
     let torque = cut.lathe.torque.ok_or_else(|| Refusal::Not(cut.lathe_lacks(quantity)))?;
     let because = vec![Because::row(cut.lathe.row(quantity)?, Note::new("lathe-limit").with("limit", torque.0))];
@@ -495,7 +508,7 @@ fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
 }
 
 /// Pz · V / 60000 ≤ N · η. If the record has no η, that of `turning-limits` is used and marked.
-fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
+fn spindle_power(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let (share, of_share) = match cut.lathe.efficiency {
         Some(share) => {
             let note = Note::new("lathe-limit").with("limit", share.0);
@@ -510,14 +523,14 @@ fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
 }
 
 /// The depth at which the tables of feeds end.
-fn handbook(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
+fn handbook(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let (depth, because) = constant_length(cut, Limit::DepthMax)?;
     let capacity = Load::DepthMm(depth);
     Ok(Check { bound: Bound::Handbook, measure: Measure::Depth, capacity, because: vec![because] })
 }
 
 /// A solid part has no more than its radius.
-fn part_radius(cut: &Cut<'_, '_>) -> Check {
+fn part_radius(cut: &TurningCut<'_, '_>) -> Check {
     let capacity = Load::DepthMm(cut.diameter.half());
     Check { bound: Bound::PartRadius, measure: Measure::Depth, capacity, because: Vec::new() }
 }

@@ -20,7 +20,7 @@ use super::feed::{finish_feed, rough_feed};
 use super::laws::Component;
 use super::limit::positive;
 use super::speed;
-use super::{Cut, CuttingRefusal, Direction, NonPositive, of_figures};
+use super::{CuttingRefusal, Direction, NonPositive, TurningCut, of_figures};
 
 /// Feed, speed and loads of a transition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -80,7 +80,7 @@ impl TurningConditions {
 /// # Errors No feed or speed is known; the roughness is finer than the tables or the lathe allow; the depth is not
 /// above zero; threads; a broken table.
 pub fn conditions(
-    cut: &Cut<'_, '_>,
+    cut: &TurningCut<'_, '_>,
     depth: Micrometres,
     roughness: Option<Roughness>,
 ) -> Tried<TurningConditions, CuttingRefusal> {
@@ -161,7 +161,7 @@ pub fn conditions(
 /// A finishing feed cut back until the part bends within its share of the tolerance, in hundredths of a millimetre, but
 /// not below the least of `turning-limits`; what is then still too much stands among the bounds exceeded.
 fn within_part(
-    cut: &Cut<'_, '_>,
+    cut: &TurningCut<'_, '_>,
     depth: Micrometres,
     feed: MillimetresPerRev,
     because: &mut Vec<Because>,
@@ -196,7 +196,7 @@ fn within_part(
 
 /// The feed of finishing if a roughness is required, but never above that of roughing if the tables have one.
 fn feed_of(
-    cut: &Cut<'_, '_>,
+    cut: &TurningCut<'_, '_>,
     depth: Micrometres,
     roughness: Option<Roughness>,
 ) -> Tried<(MillimetresPerRev, Vec<Because>), CuttingRefusal> {
@@ -221,7 +221,7 @@ fn feed_of(
 }
 
 /// The spindle speed for a wanted speed, and what limited it.
-fn first_speed(cut: &Cut<'_, '_>, wanted: RevsPerMinute, practice: bool) -> (RevsPerMinute, &'static str) {
+fn first_speed(cut: &TurningCut<'_, '_>, wanted: RevsPerMinute, practice: bool) -> (RevsPerMinute, &'static str) {
     let (slowest, fastest) = cut.lathe.spindle.ends();
     let limited_by = if wanted.0 > fastest.0 {
         "spindle-speed-max"
@@ -239,7 +239,7 @@ fn first_speed(cut: &Cut<'_, '_>, wanted: RevsPerMinute, practice: bool) -> (Rev
 ///
 /// N = Pz·V/60000 with Pz ~ V^n, so for a stepless spindle V' = V·(N'/N)^(1/(1+n)).
 pub(super) fn within_power(
-    cut: &Cut<'_, '_>,
+    cut: &TurningCut<'_, '_>,
     check: &Check,
     forces: &Forces,
     depth: Micrometres,

@@ -12,7 +12,7 @@ use crate::turning::tooling::{Shank, ToolKind, TurningTool};
 use crate::units::{Degrees, ItGrade, Micrometres, MillimetresPerRev, Roughness};
 use technolog_cutting::figures;
 
-use super::{Cut, CuttingRefusal, bounds, of_tables};
+use super::{CuttingRefusal, TurningCut, bounds, of_tables};
 
 /// A feed and the rows it rests on.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +27,7 @@ pub struct Feed {
 /// at the diameter (`grooving-feed`), whatever the depth. It is the lower end of the handbook's range.
 ///
 /// # Errors The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
-pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, CuttingRefusal> {
+pub fn rough_feed(cut: &TurningCut<'_, '_>, depth: Micrometres) -> Tried<Feed, CuttingRefusal> {
     let (diameter, process) = (cut.diameter, cut.process());
     let lacks = |quantity: &str| Refusal::Not(CuttingRefusal::Figure(cut.tool_lacks(quantity).during(process)));
     let figures = match cut.tool.kind {
@@ -69,7 +69,7 @@ pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, CuttingR
 ///
 /// # Errors The roughness is finer than the table; the tool's row has no nose radius, or one below the table's;
 /// threads.
-pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, CuttingRefusal> {
+pub fn finish_feed(cut: &TurningCut<'_, '_>, roughness: Roughness) -> Tried<Feed, CuttingRefusal> {
     let process = cut.process();
     let no_nose = || Refusal::Not(CuttingRefusal::Figure(cut.tool_lacks("nose_radius").during(process)));
     let rest = cut.knowledge.table(TurningFinishFeedFor::TABLE)?;

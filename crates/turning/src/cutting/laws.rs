@@ -17,7 +17,7 @@ use technolog_cutting::figures;
 
 pub(super) use crate::tables::cutting::Component;
 
-use super::{Cut, FigureOwner, MissingFigure, of_tables};
+use super::{FigureOwner, MissingFigure, TurningCut, of_tables};
 
 /// What the tools of this room are of.
 pub(super) const TOOL_MATERIAL: ToolMaterial = ToolMaterial::Carbide;
@@ -65,7 +65,7 @@ impl ForceLaw {
 ///
 /// # Errors A table has no figure for this material, or the tool's row has no insert, so that its rake is unknown.
 pub(super) fn force(
-    cut: &Cut<'_, '_>,
+    cut: &TurningCut<'_, '_>,
     component: Component,
     feed: MillimetresPerRev,
 ) -> Tried<ForceLaw, MissingFigure> {
@@ -112,7 +112,7 @@ pub(super) fn force(
 }
 
 /// Whether the handbook has coefficients of the force for the material's own group.
-fn has_own(cut: &Cut<'_, '_>, component: Component) -> Result<bool, KnowledgeError> {
+fn has_own(cut: &TurningCut<'_, '_>, component: Component) -> Result<bool, KnowledgeError> {
     let (material_group, tool_material) = (cut.material.group, TOOL_MATERIAL);
     if component == Component::Main && !cut.tool.plunges() {
         let question = BoringForceFor { material_group, tool_material };
@@ -129,7 +129,7 @@ fn has_own(cut: &Cut<'_, '_>, component: Component) -> Result<bool, KnowledgeErr
 /// `turning-force-share`; the rake of the seat counts beside the 0° that kc1 is for. In grooving φ is 90° and t the
 /// width of the blade.
 fn specific(
-    cut: &Cut<'_, '_>,
+    cut: &TurningCut<'_, '_>,
     component: Component,
     feed: MillimetresPerRev,
 ) -> Tried<Option<ForceLaw>, MissingFigure> {
@@ -163,7 +163,7 @@ fn specific(
 }
 
 /// Kmp of a row of `turning-force`: (σB/750)^n of steel, (HB/190)^n of iron, with the row's own n.
-fn material(cut: &Cut<'_, '_>, row: &TurningForce<'_>) -> (f64, Because) {
+fn material(cut: &TurningCut<'_, '_>, row: &TurningForce<'_>) -> (f64, Because) {
     let ratio = match row.reference {
         Reference::Strength750 => cut.material.strength.to_f64() / 750.0,
         _ => cut.material.hardness.to_f64() / 190.0,
@@ -174,7 +174,7 @@ fn material(cut: &Cut<'_, '_>, row: &TurningForce<'_>) -> (f64, Because) {
 
 /// Kiv: the first grade of the tool that `tool-material-factor` has for the material, relative to the grade of the
 /// coefficients. A tool without a grade, or with that very grade, needs no factor.
-pub(super) fn grade(cut: &Cut<'_, '_>, reference: &str) -> Tried<Option<(f64, Because)>, MissingFigure> {
+pub(super) fn grade(cut: &TurningCut<'_, '_>, reference: &str) -> Tried<Option<(f64, Because)>, MissingFigure> {
     if cut.tool.grades.is_empty() || cut.tool.grades.contains(&reference) {
         return Ok(None);
     }
@@ -195,7 +195,7 @@ pub(super) fn grade(cut: &Cut<'_, '_>, reference: &str) -> Tried<Option<(f64, Be
 
 /// A factor by the angle of the edge that cuts.
 pub(super) fn angle<'k, Q: Question>(
-    cut: &Cut<'_, 'k>,
+    cut: &TurningCut<'_, 'k>,
     question: &Q,
     factor: impl FnOnce(Q::Row<'k>) -> f64,
     code: &'static str,
@@ -208,7 +208,7 @@ pub(super) fn angle<'k, Q: Question>(
 }
 
 /// Kγp by the rake of the seat, which follows from the clearance of the insert.
-fn rake(cut: &Cut<'_, '_>, component: Component) -> Tried<(f64, Because), MissingFigure> {
+fn rake(cut: &TurningCut<'_, '_>, component: Component) -> Tried<(f64, Because), MissingFigure> {
     let clearance = cut.tool.insert_clearance().ok_or_else(|| Refusal::Not(cut.tool_lacks("insert")))?;
     let seat = cut.knowledge.find(|row: &InsertRake<'_>| row.clearance == clearance)?;
     let rake = seat.ok_or_else(|| Refusal::Not(cut.tool_lacks("rake")))?.rake;

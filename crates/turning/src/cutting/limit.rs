@@ -14,7 +14,7 @@ use technolog_cutting::{rpm_at, speed_at};
 use super::bounds::{self, Bound, Check, Forces, Load, UnknownBound};
 use super::conditions::within_power;
 use super::speed::{self, SpeedLaw};
-use super::{Cut, CuttingRefusal, NonPositive, Speed, of_figures};
+use super::{CuttingRefusal, NonPositive, Speed, TurningCut, of_figures};
 
 /// The limiting depth of cut, with every limit that was compared.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -69,7 +69,7 @@ impl LimitingDepth {
 
 /// How fast the spindle turns at a depth.
 struct Turns<'c, 'a, 'k> {
-    cut: &'c Cut<'a, 'k>,
+    cut: &'c TurningCut<'a, 'k>,
     speed: Speed,
     law: Option<SpeedLaw<'k>>,
     forces: &'c Forces,
@@ -79,7 +79,7 @@ struct Turns<'c, 'a, 'k> {
 
 impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
     fn new(
-        cut: &'c Cut<'a, 'k>,
+        cut: &'c TurningCut<'a, 'k>,
         speed: Speed,
         feed: MillimetresPerRev,
         forces: &'c Forces,
@@ -128,7 +128,7 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
 /// zero; no figures for the speed of the tool life; no load that can be calculated, so that the depth is unknown; a
 /// broken table.
 pub fn limiting_depth(
-    cut: &Cut<'_, '_>,
+    cut: &TurningCut<'_, '_>,
     feed: MillimetresPerRev,
     speed: Speed,
 ) -> Tried<LimitingDepth, CuttingRefusal> {
@@ -195,7 +195,7 @@ pub fn limiting_depth(
 }
 
 /// A diameter and a feed that can be used in a calculation.
-pub(super) fn positive(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<(), CuttingRefusal> {
+pub(super) fn positive(cut: &TurningCut<'_, '_>, feed: MillimetresPerRev) -> Tried<(), CuttingRefusal> {
     if cut.diameter <= Micrometres::ZERO {
         return Err(Refusal::Not(CuttingRefusal::NothingToCut(NonPositive::Diameter(cut.diameter))));
     }

@@ -1,7 +1,7 @@
 //! How deep, how fast and at what feed a lathe cuts: the limiting depth of cut of lecture 12.4 and the cutting
 //! conditions of a transition.
 //!
-//! - [`Cut`] says what cuts what on which lathe; everything here starts from it;
+//! - [`TurningCut`] says what cuts what on which lathe; everything here starts from it;
 //! - `laws` makes power laws of depth and speed from the coefficient tables, for one cut and one feed;
 //! - `speed` holds the formula of the speed against what shops drive;
 //! - [`rough_feed`] and [`finish_feed`] take feeds from their tables;
@@ -40,7 +40,7 @@ pub use stiffness::{Flexibility, HeldPart, PartSection};
 
 /// What cuts what, on which lathe.
 #[derive(Clone, Copy, Debug)]
-pub struct Cut<'a, 'k> {
+pub struct TurningCut<'a, 'k> {
     /// Every table.
     pub knowledge: &'k Knowledge,
     /// The lathe.
@@ -84,7 +84,7 @@ pub enum Speed {
     Spindle(RevsPerMinute),
 }
 
-impl<'k> Asking<'k> for Cut<'_, 'k> {
+impl<'k> Asking<'k> for TurningCut<'_, 'k> {
     fn knowledge(&self) -> &'k Knowledge {
         self.knowledge
     }
@@ -94,7 +94,7 @@ impl<'k> Asking<'k> for Cut<'_, 'k> {
     }
 }
 
-impl Cut<'_, '_> {
+impl TurningCut<'_, '_> {
     /// The angle between the cutting edge and the feed, degrees: φ along the axis. Across it the edge behind the tip
     /// cuts, which leans back from the feed by 90 + φ1.
     fn edge_angle(&self) -> Decimal {

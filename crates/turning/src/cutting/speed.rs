@@ -13,7 +13,7 @@ use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes, round_to};
 use technolog_cutting::{factors, figures};
 
 use super::laws::{PowerLaw, TOOL_MATERIAL, angle, degrees, grade};
-use super::{Cut, MissingFigure, of_tables};
+use super::{MissingFigure, TurningCut, of_tables};
 
 /// The speed of a tool, by the depth of cut.
 #[derive(Clone, Debug)]
@@ -61,7 +61,7 @@ impl TakenSpeed {
 
 impl SpeedLaw<'_> {
     /// The speed at a depth, by the rule `turning-second-opinion`.
-    pub fn at(&self, depth_mm: f64, cut: &Cut<'_, '_>) -> Result<TakenSpeed, KnowledgeError> {
+    pub fn at(&self, depth_mm: f64, cut: &TurningCut<'_, '_>) -> Result<TakenSpeed, KnowledgeError> {
         let computed = MetresPerMinute(self.law.at(depth_mm, MetresPerMinute(1.0)));
         let stands = TakenSpeed { computed, speed: computed, lives: self.formula, because: Vec::new() };
         let Some(practice) = &self.practice else { return Ok(stands) };
@@ -102,7 +102,7 @@ impl SpeedLaw<'_> {
 ///
 /// # Errors A table has no figure for this material or tool.
 pub(super) fn speed<'k>(
-    cut: &Cut<'_, 'k>,
+    cut: &TurningCut<'_, 'k>,
     feed: MillimetresPerRev,
     pass: RoughOrFinish,
 ) -> Tried<SpeedLaw<'k>, MissingFigure> {
@@ -151,9 +151,9 @@ pub(super) fn speed<'k>(
 }
 
 /// Whether the handbook has coefficients of the speed for the material's own group.
-fn has_own(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Result<bool, KnowledgeError> {
+fn has_own(cut: &TurningCut<'_, '_>, feed: MillimetresPerRev) -> Result<bool, KnowledgeError> {
     let material_group = cut.material.group;
-    fn known<Q: Question>(question: &Q, cut: &Cut<'_, '_>) -> Result<bool, KnowledgeError> {
+    fn known<Q: Question>(question: &Q, cut: &TurningCut<'_, '_>) -> Result<bool, KnowledgeError> {
         Ok(figures::within_reach(question, cut.knowledge)?.is_some())
     }
     if cut.tool.plunges() {

@@ -12,7 +12,7 @@ use crate::units::{Degrees, round_to};
 use super::bridge::Span;
 use super::reach::Shade;
 use super::view::{Bit, steepness};
-use super::{Angles, Class, Element, Ground};
+use super::{Angles, Class, Element, ElementReason};
 
 /// An undercut is steeper than this, degrees. 0.06° above 90° are allowed for the rounded ends of an upright arc.
 const UPRIGHT: f64 = 90.06;
@@ -86,31 +86,31 @@ pub(super) fn class(
     let covered = !own.is_empty() && own.iter().all(|one| one.under.is_some());
     let beyond = !own.is_empty() && own.iter().all(|one| one.under.is_some_and(|span| span.open));
     let ground = if surface.kind.is_additional() {
-        Ground::Kind
+        ElementReason::Kind
     } else if beyond {
-        Ground::Beyond
+        ElementReason::Beyond
     } else if has(Shade::Over) {
-        Ground::Back
+        ElementReason::Back
     } else if has(Shade::Behind) {
         if fall > UPRIGHT {
-            Ground::Back
+            ElementReason::Back
         } else if fall > tool.secondary.0 {
-            Ground::Fall
+            ElementReason::Fall
         } else {
-            Ground::Shadow
+            ElementReason::Shadow
         }
     } else if has(Shade::Ahead) {
         if rise > UPRIGHT {
-            Ground::Back
+            ElementReason::Back
         } else if rise > tool.main.0 {
-            Ground::Rise
+            ElementReason::Rise
         } else {
-            Ground::Corner
+            ElementReason::Corner
         }
     } else if covered {
-        Ground::Valley
+        ElementReason::Valley
     } else {
-        Ground::Reach
+        ElementReason::Reach
     };
     let valley = own.iter().find_map(|one| one.under).map(|span| seen.valley(span));
     let (element, tool_kind, because) = {
@@ -119,7 +119,9 @@ pub(super) fn class(
         ask(surface, ground, valley_fall, reached, note, knowledge)?
     };
     let reached_somewhere = own.iter().any(|one| one.reached);
-    let partly = !matches!(ground, Ground::Reach | Ground::Kind | Ground::Valley | Ground::Beyond) && reached_somewhere;
+    let partly =
+        !matches!(ground, ElementReason::Reach | ElementReason::Kind | ElementReason::Valley | ElementReason::Beyond)
+            && reached_somewhere;
     let notes = partly.then(|| Note::new("element-partly").with("surface", &surface.name)).into_iter().collect();
     Ok(Class {
         surface: index,
@@ -138,7 +140,7 @@ pub(super) fn class(
 /// The element and the kind of tool from the rule `turning-element`.
 fn ask(
     surface: &Surface,
-    ground: Ground,
+    ground: ElementReason,
     fall: f64,
     reached: bool,
     note: Note,
@@ -156,23 +158,23 @@ fn ask(
 }
 
 /// The sentence that compares the angles of the element with those of the tool.
-fn note(ground: Ground, surface: &SurfaceName, (rise, fall): (f64, f64), tool: Angles) -> Note {
+fn note(ground: ElementReason, surface: &SurfaceName, (rise, fall): (f64, f64), tool: Angles) -> Note {
     let angle = |degrees: f64| round_to(degrees, 2);
     let (main, secondary) = (angle(tool.main.0), angle(tool.secondary.0));
     let note = match ground {
-        Ground::Reach => Note::new("element-main")
+        ElementReason::Reach => Note::new("element-main")
             .with("rise", angle(rise))
             .with("fall", angle(fall))
             .with("main", main)
             .with("secondary", secondary),
-        Ground::Kind => Note::new("element-by-kind"),
-        Ground::Rise => Note::new("element-rises").with("rise", angle(rise)).with("main", main),
-        Ground::Fall => Note::new("element-falls").with("fall", angle(fall)).with("secondary", secondary),
-        Ground::Back => Note::new("element-leads-back"),
-        Ground::Shadow => Note::new("element-in-shadow").with("secondary", secondary),
-        Ground::Corner => Note::new("element-in-corner").with("main", main),
-        Ground::Valley => Note::new("element-in-valley"),
-        Ground::Beyond => Note::new("element-beyond").with("fall", angle(fall)).with("secondary", secondary),
+        ElementReason::Kind => Note::new("element-by-kind"),
+        ElementReason::Rise => Note::new("element-rises").with("rise", angle(rise)).with("main", main),
+        ElementReason::Fall => Note::new("element-falls").with("fall", angle(fall)).with("secondary", secondary),
+        ElementReason::Back => Note::new("element-leads-back"),
+        ElementReason::Shadow => Note::new("element-in-shadow").with("secondary", secondary),
+        ElementReason::Corner => Note::new("element-in-corner").with("main", main),
+        ElementReason::Valley => Note::new("element-in-valley"),
+        ElementReason::Beyond => Note::new("element-beyond").with("fall", angle(fall)).with("secondary", secondary),
     };
     note.with("surface", surface)
 }

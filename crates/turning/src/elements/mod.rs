@@ -25,7 +25,7 @@ use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
 use crate::units::Degrees;
 
-pub use crate::tables::turning::part::{Element, Ground};
+pub use crate::tables::turning::part::{Element, ElementReason};
 
 use super::contour::{Contour, Piece, Profile, SurfaceKind, SurfaceName};
 use super::point::Point;
@@ -73,7 +73,7 @@ pub struct Class {
     /// Main, additional or for the other side.
     pub element: Element,
     /// Why.
-    pub ground: Ground,
+    pub ground: ElementReason,
     /// Whether the tool makes part of it, but not all; then all of it is additional.
     pub partly: bool,
     /// Its steepest rise in the direction of the feed, degrees in [0, 180]; above 90 it runs back.

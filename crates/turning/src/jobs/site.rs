@@ -5,7 +5,7 @@ use crate::knowledge::vocabulary::Surface;
 use crate::note::{Because, Figure, Note};
 use crate::tables::turning::tools::{Limit, TurningLimits};
 use crate::turning::contour::{Profile, Side};
-use crate::turning::cutting::{Cut, Direction};
+use crate::turning::cutting::{Direction, TurningCut};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::point::Point;
@@ -50,10 +50,10 @@ pub(super) fn cut<'a, 'k>(
     diameter: Micrometres,
     direction: Direction,
     bench: &'a Bench<'_, 'k>,
-) -> Tried<Cut<'a, 'k>, NoJob> {
+) -> Tried<TurningCut<'a, 'k>, NoJob> {
     let (knowledge, material) = (bench.knowledge, &bench.material);
     let (lathe, surface) = (lathe(bench)?, Surface::None);
-    Ok(Cut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth: None, part: None })
+    Ok(TurningCut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth: None, part: None })
 }
 
 /// How far a bar reaches into a bore: its row, otherwise by the ratio of `turning-limits` to its diameter. None for a

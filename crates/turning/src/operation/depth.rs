@@ -6,7 +6,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::TurningSkinFor;
 use crate::turning::cutting::{
-    Bound, Cut, CuttingRefusal, Direction, Flexibility, LimitingDepth, Speed, TurningConditions, conditions,
+    Bound, CuttingRefusal, Direction, Flexibility, LimitingDepth, Speed, TurningConditions, TurningCut, conditions,
     least_sensible_depth, limiting_depth, rough_feed,
 };
 use crate::turning::length::Half;
@@ -119,7 +119,7 @@ const MOST_PASSES: i64 = 60;
 /// depth and tool and lathe can carry it. The limit is what they can carry at that feed, as long as the table has that
 /// feed for it: deeper passes have another. The number of passes at which the search ends is the least that the limit
 /// allows.
-fn limit(cut: &Cut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), CuttingRefusal> {
+fn limit(cut: &TurningCut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), CuttingRefusal> {
     let mut first: Option<Tried<LimitingDepth, CuttingRefusal>> = None;
     for passes in 1..=MOST_PASSES {
         let depth = stock.part(passes);
@@ -146,7 +146,7 @@ fn limit(cut: &Cut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), Cutting
 
 /// What tool and lathe can carry at a feed: at the speed of the tool life if that is enough for a depth, otherwise at
 /// the slower speed that the spindle power requires. One pass more takes less time than all passes at a slower spindle.
-fn bearable(cut: &Cut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Tried<LimitingDepth, CuttingRefusal> {
+fn bearable(cut: &TurningCut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Tried<LimitingDepth, CuttingRefusal> {
     let quick = limiting_depth(cut, feed, Speed::ForToolLife)?;
     if quick.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) {
         return Ok(quick);
@@ -157,7 +157,7 @@ fn bearable(cut: &Cut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Tried<Li
 /// The largest depth up to a limit that still has the feed of a smaller depth, downwards from the limit in tenths of a
 /// millimetre.
 fn of_one_feed(
-    cut: &Cut<'_, '_>,
+    cut: &TurningCut<'_, '_>,
     feed: MillimetresPerRev,
     depth: Micrometres,
     limit: Micrometres,
@@ -173,7 +173,10 @@ fn of_one_feed(
 }
 
 /// What is cut, with the skin of the blank by the rule `turning-skin` and its row; none without a lathe.
-fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(Cut<'a, 'k>, Because)>, KnowledgeError> {
+fn cut<'a, 'k>(
+    task: Task<'a, 'k>,
+    bench: &'a Bench<'_, 'k>,
+) -> Result<Option<(TurningCut<'a, 'k>, Because)>, KnowledgeError> {
     let Some(lathe) = bench.lathe else { return Ok(None) };
     let (knowledge, stock) = (bench.knowledge, bench.workpiece.blank.kind);
     let asked = knowledge.ask(&TurningSkinFor { stock, group: bench.material.group })?;
@@ -182,7 +185,7 @@ fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(C
     let because = Because::answer(&asked.answer, note);
     let (tool, material) = (task.tool, &bench.material);
     let (diameter, direction, bore_depth, part) = (task.diameter, task.direction, task.bore_depth, task.part);
-    Ok(Some((Cut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth, part }, because)))
+    Ok(Some((TurningCut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth, part }, because)))
 }
 
 /// Rates and distances at a depth of passes, for finishing with the roughness that the pass must leave: from the file, otherwise from the conditions, otherwise from the table

@@ -13,7 +13,7 @@ use crate::turning::tooling::{Hand, Place, ToolKind};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::workpiece::Workpiece;
 use crate::units::{Degrees, Micrometres};
-use proof::{At, Block, Cutter, Fault, Holder, Kind, Mm, Motion, Sense, SetUp, Stock, Way};
+use proof::{At, Block, Cutter, Fault, Holder, Mm, Motion, MotionKind, Sense, SetUp, Stock};
 
 use super::unfinished::undone;
 use super::{Operation, SetUpWork};
@@ -177,34 +177,34 @@ fn at(point: Point) -> At {
 }
 
 /// A piece, with Z away from the chuck: what turns left towards the chuck is clockwise there.
-fn way(piece: &Piece) -> Way {
+fn proof_piece(piece: &Piece) -> proof::Piece {
     let (from, to) = (at(piece.from), at(piece.to));
     match (piece.curve, piece.centre()) {
-        (Curve::Arc { turn, .. }, Some(centre)) => Way::Arc {
+        (Curve::Arc { turn, .. }, Some(centre)) => proof::Piece::Arc {
             from,
             to,
             centre: At::new(Mm(-centre.z), Mm(centre.radius)),
             sense: if turn == Turn::Left { Sense::Clockwise } else { Sense::Counterclockwise },
         },
-        _ => Way::Line { from, to },
+        _ => proof::Piece::Line { from, to },
     }
 }
 
-fn chain(contour: &Contour) -> Vec<Way> {
-    contour.pieces.iter().map(way).collect()
+fn chain(contour: &Contour) -> Vec<proof::Piece> {
+    contour.pieces.iter().map(proof_piece).collect()
 }
 
 /// The motions of a toolpath by a tool. Blocks count from 1.
 pub fn motions(path: &Toolpath, tool: usize) -> Vec<Motion> {
     let kind = |purpose| match purpose {
-        Purpose::Rapid => Kind::Rapid,
-        Purpose::Thread => Kind::Thread,
-        _ => Kind::Feed,
+        Purpose::Rapid => MotionKind::Rapid,
+        Purpose::Thread => MotionKind::Thread,
+        _ => MotionKind::Feed,
     };
     let pieces = path.pieces().enumerate();
     let moved = |(index, (piece, purpose)): (usize, (Piece, Purpose))| Motion {
         kind: kind(purpose),
-        way: way(&piece),
+        path: proof_piece(&piece),
         tool,
         block: Block(index + 1),
     };
@@ -226,13 +226,13 @@ fn profile(operation: &Operation, set_up: &SetUpWork) -> proof::Profile {
     };
     let pieces =
         |profile: &Profile| profile.surfaces.iter().flat_map(|surface| surface_pieces(surface, operation)).collect();
-    let bore: Vec<proof::Piece> = inner.as_ref().map(pieces).unwrap_or_default();
-    let mut outside: Vec<proof::Piece> = outer.as_ref().map(pieces).unwrap_or_default();
+    let bore: Vec<proof::ProfilePiece> = inner.as_ref().map(pieces).unwrap_or_default();
+    let mut outside: Vec<proof::ProfilePiece> = outer.as_ref().map(pieces).unwrap_or_default();
     // The file may leave out the face of the end.
-    let within = bore.first().map_or(Mm(0.0), |first| first.way.from().radius);
-    if let Some(first) = outside.first().map(|first| first.way.from()).filter(|first| first.radius.0 > within.0) {
-        let face = Way::Line { from: At::new(first.z, within), to: first };
-        outside.insert(0, proof::Piece::new(face, None));
+    let within = bore.first().map_or(Mm(0.0), |first| first.path.from().radius);
+    if let Some(first) = outside.first().map(|first| first.path.from()).filter(|first| first.radius.0 > within.0) {
+        let face = proof::Piece::Line { from: At::new(first.z, within), to: first };
+        outside.insert(0, proof::ProfilePiece::new(face, None));
     }
     proof::Profile { outside, bore }
 }
@@ -246,12 +246,12 @@ fn over(profile: &Profile, length: Half) -> Profile {
     Profile { side: profile.side, surfaces: surfaces.collect() }
 }
 
-fn surface_pieces(surface: &Surface, operation: &Operation) -> Vec<proof::Piece> {
+fn surface_pieces(surface: &Surface, operation: &Operation) -> Vec<proof::ProfilePiece> {
     let workpiece = &operation.workpiece;
     let later = operation.elsewhere.iter().find(|one| one.surface == surface.name);
     let thread = (surface.kind == SurfaceKind::Thread).then(|| thread(surface, workpiece)).flatten();
-    let piece = |piece: &Piece| proof::Piece {
-        way: way(piece),
+    let piece = |piece: &Piece| proof::ProfilePiece {
+        path: proof_piece(piece),
         surface: Some((&surface.name).told()),
         allowance: Mm(later.map_or(0.0, |one| one.allowance_mm.to_mm())),
         thread,

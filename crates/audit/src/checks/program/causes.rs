@@ -10,12 +10,12 @@ use crate::program::proof::{self, Code, DeviationFigure, Name};
 use crate::program::{Fault, Subject};
 use crate::tables::audit::ProgramCauses;
 
-use super::super::super::finding::Finding;
+use super::super::super::finding::AuditFinding;
 
 /// A finding about a program with what its cause is found by.
 #[derive(Debug)]
 pub(super) struct Seen {
-    pub finding: Finding,
+    pub finding: AuditFinding,
     who: Who<'static>,
     /// The tool in the spindle, where it is known.
     tool: Option<u32>,
@@ -71,19 +71,19 @@ enum SharedFact<'s> {
 
 impl Seen {
     /// A setting of a tool that is not the plan's.
-    pub fn of_setting(finding: Finding, tool: u32) -> Self {
+    pub fn of_setting(finding: AuditFinding, tool: u32) -> Self {
         let figures = BTreeMap::new();
         Self { finding, who: Who::Setting, tool: Some(tool), figures, function: None, broken: false }
     }
 
     /// A deviation of the program, with the tool that it is of.
-    pub fn of_deviation(finding: Finding, tool: Option<u32>, said: proof::Finding) -> Self {
+    pub fn of_deviation(finding: AuditFinding, tool: Option<u32>, said: proof::ProgramFinding) -> Self {
         let (who, figures) = (Who::Proof(said.code), said.figures);
         Self { finding, who, tool, figures, function: None, broken: false }
     }
 
     /// A fault of the control, with the tool that was in the spindle.
-    pub fn of_fault(finding: Finding, tool: Option<u32>, fault: &Fault) -> Self {
+    pub fn of_fault(finding: AuditFinding, tool: Option<u32>, fault: &Fault) -> Self {
         let (mut figures, mut function) = (BTreeMap::new(), None);
         match &fault.subject {
             Some(Subject::Tool(number)) => _ = figures.insert(Name::Tool, DeviationFigure::Count(*number)),
@@ -148,7 +148,7 @@ impl<'k> Rule<'k> {
 ///
 /// # Errors
 /// The table cannot be read.
-pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Finding>, KnowledgeError> {
+pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<AuditFinding>, KnowledgeError> {
     let rows = knowledge.rows::<ProgramCauses<'_>>()?;
     let rules: Vec<Rule<'_>> = rows.iter().map(Rule::of).collect::<Result<_, _>>()?;
     let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rules)).collect();
@@ -160,7 +160,7 @@ pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Fin
             false => finding.follows_from.clone(),
         })
         .collect();
-    let mut found: Vec<Finding> = seen.into_iter().map(|one| one.finding).collect();
+    let mut found: Vec<AuditFinding> = seen.into_iter().map(|one| one.finding).collect();
     for (at, finding) in found.iter_mut().enumerate() {
         if let Some(fields) = root(at, &causes).and_then(|root| fields.get(root))
             && finding.follows_from.is_empty()

@@ -12,7 +12,7 @@ use crate::program::proof::{self, Code, Name};
 use crate::tables::audit::ProgramTolerance;
 
 use super::super::super::context::Context;
-use super::super::super::finding::{Finding, Section};
+use super::super::super::finding::{AuditFinding, Section};
 use super::super::super::graph::{Graph, Status};
 use super::super::super::quantity::{Id, Quantity as Q, Scope};
 use super::causes::{SETTING, Seen};
@@ -38,7 +38,7 @@ pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, set
             .with("value", set)
             .with("needed", holds(context, tool));
         let field = format!("program.setting.correctors.{}", tool.corrector);
-        let mut finding = Finding::new(Severity::Error, Section::Program, field, note);
+        let mut finding = AuditFinding::new(Severity::Error, Section::Program, field, note);
         let node = tree.as_ref().and_then(|tree| tree.get("correctors")?.get(&tool.corrector.to_string()));
         if let Some(Node { place, .. }) = node {
             finding = finding.at(place);
@@ -59,7 +59,7 @@ pub(super) fn deviation(
     context: &Context<'_>,
     graph: &Graph<'_>,
     plan: &Plan,
-    said: proof::Finding,
+    said: proof::ProgramFinding,
     own: bool,
     file: &Arc<str>,
     seen: &mut Vec<Seen>,
@@ -100,7 +100,7 @@ pub(super) fn deviation(
         beside = said.count(Name::Corrector).map(|right| (figure.text.clone(), right.to_string()));
     }
     let follows_from = if own { Vec::new() } else { slips(context, graph, row, tool) };
-    let mut finding = Finding::new(severity, Section::Program, name, said.note.clone());
+    let mut finding = AuditFinding::new(severity, Section::Program, name, said.note.clone());
     if let Some((stated, right)) = beside {
         finding = finding.beside(stated, right);
     }

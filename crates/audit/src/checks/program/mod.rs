@@ -23,7 +23,7 @@ use crate::units::Micrometres;
 
 use super::super::auditor::SimulatedProgram;
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::Quantity as Q;
 use causes::Seen;
@@ -41,7 +41,7 @@ pub(super) fn stated_holes(context: &Context<'_>, graph: &Graph<'_>) -> Result<O
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let Some(program) = &context.stated.program else { return Ok(()) };
     let language = context.auditor.language(&program.control)?;
@@ -58,7 +58,7 @@ pub(super) fn check<'a>(
 
     let mut seen: Vec<Seen> = run.faults.iter().map(|fault| of_fault(fault, &run.steps, &file)).collect();
     let missing = |NotComparable { note, place }: NotComparable| {
-        let finding = Finding::new(Severity::Note, Section::Program, "program".to_owned(), note);
+        let finding = AuditFinding::new(Severity::Note, Section::Program, "program".to_owned(), note);
         finding.at(place.as_ref().unwrap_or(&program.file.place))
     };
     match (as_stated, job) {
@@ -78,7 +78,7 @@ pub(super) fn check<'a>(
         (Ok(plan), Some(_)) => {
             judged::setting(context, graph, &plan, &setting, &mut seen);
             let note = Note::new("audit-program-not-run");
-            let finding = Finding::new(Severity::Note, Section::Program, "program".to_owned(), note);
+            let finding = AuditFinding::new(Severity::Note, Section::Program, "program".to_owned(), note);
             findings.push(finding.at(&program.file.place));
         }
         (Ok(_), None) => {}
@@ -114,7 +114,7 @@ fn proven(
     job: &job::Job,
     setting: &Setting,
     run: &SimulatedProgram,
-) -> Result<Vec<proof::Finding>, KnowledgeError> {
+) -> Result<Vec<proof::ProgramFinding>, KnowledgeError> {
     let zero = |zero: &[Option<Micrometres>; 3]| {
         Position::of(Axis::ALL.map(|axis| zero[axis.index()].unwrap_or_default() + setting.shift.get(axis)))
     };
@@ -138,7 +138,7 @@ fn proven(
 /// What tells two deviations apart, whatever the plan needs.
 type Key = (Code, Option<crate::motion::BlockRef>, Option<String>, Option<Operation>);
 
-fn key(said: &proof::Finding) -> Key {
+fn key(said: &proof::ProgramFinding) -> Key {
     (said.code, said.block, said.hole().map(str::to_owned), said.operation())
 }
 
@@ -162,7 +162,7 @@ fn right(
 fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> Seen {
     let place = Place { file: file.clone(), line: fault.span.line, column: fault.span.column, width: fault.span.width };
     let field = fault.path().map_or_else(|| "program".to_owned(), |path| format!("program.{path}"));
-    let finding = Finding::new(fault.severity, Section::Program, field, fault.note.clone()).at(&place);
+    let finding = AuditFinding::new(fault.severity, Section::Program, field, fault.note.clone()).at(&place);
     let main = fault.calls.first().map_or(fault.span.line, |call| call.from.line);
     let ends = steps.iter().filter(|step| step.motion == Motion::End).map(|step| step.block.line).max();
     let mut changes = steps.iter().rev().filter_map(|step| match step.motion {

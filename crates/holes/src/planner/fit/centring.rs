@@ -9,7 +9,7 @@ use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
 use crate::part::Face;
 use crate::plan::{Conditions, Feature, Operation};
-use crate::route::bores::Edge;
+use crate::route::bores::EdgeCut;
 use crate::route::{RouteStep, StepLocation};
 use crate::shop::Shop;
 use crate::tables::rules::{CentreSpot, CentreSpotFor, Spot};
@@ -23,7 +23,7 @@ const CENTRING_ANGLE: u32 = 90_000;
 impl<'k> Fitting<'_, 'k> {
     /// The edge at the entry that centring makes with its spot, by the rule `centre-spot`: a chamfer or a
     /// countersink of 90° around the main cylinder, where a centring drill of the catalogs is wide enough.
-    pub fn edge_by_centring(&self) -> Result<Option<Edge>, KnowledgeError> {
+    pub fn edge_by_centring(&self) -> Result<Option<EdgeCut>, KnowledgeError> {
         let around = self.hole.diameter.nominal;
         // A face that is cut after it would take the spot away.
         if self.edges.iter().any(|edge| edge.feature == Feature::Face) {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::cuts::{TOLERANCE, near};
 use super::matching::Matched;
 use super::walk::{Event, Stay, TipMotion};
-use super::{Code, Finding, Name, ObservedCuts, ProofInput, Task};
+use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, Task};
 use crate::job::Pause;
 use crate::motion::{BlockRef, Turning};
 use crate::note::Severity;
@@ -18,7 +18,7 @@ pub(super) fn all(
     tasks: &[Task<'_>],
     asked: &ProofInput<'_>,
     turned_over: usize,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<ProgramFinding>,
 ) {
     let around = Around { made, matched, tasks, asked };
     around.stays(findings);
@@ -58,17 +58,17 @@ impl<'t> Around<'_, 't> {
 
     /// Ways from point to point: at rapid, at the height of the cycles or with the quill up, to a point where something
     /// is done, else to the place of the tool change.
-    fn stays(&self, findings: &mut Vec<Finding>) {
+    fn stays(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
         let top = self.asked.plan.part.datum.top;
         for (number, stay) in self.made.walk.stays.iter().enumerate() {
             let Some(travel) = stay.travel else { continue };
             if !cuts.contains_key(&number) && !self.at_change(stay) {
-                findings.push(Finding::new(Code::IdlePoint, Severity::Note, stay.block).with(Name::At, stay.at));
+                findings.push(ProgramFinding::new(Code::IdlePoint, Severity::Note, stay.block).with(Name::At, stay.at));
             }
             if let Some(feed) = travel.feed() {
                 findings.push(
-                    Finding::new(Code::TravelAtFeed, Severity::Note, stay.block)
+                    ProgramFinding::new(Code::TravelAtFeed, Severity::Note, stay.block)
                         .with(Name::At, stay.at)
                         .with(Name::Made, feed),
                 );
@@ -77,7 +77,7 @@ impl<'t> Around<'_, 't> {
             let high = travel.from[2].max(travel.to[2]);
             let up = travel.machine.z == self.asked.job.change_at.z && low == high;
             if up && self.at_change(stay) && travel.turning != Turning::Stopped {
-                findings.push(Finding::new(Code::TurnsToChange, Severity::Note, stay.block));
+                findings.push(ProgramFinding::new(Code::TurnsToChange, Severity::Note, stay.block));
             }
             let from_change = number.checked_sub(1).and_then(|before| self.made.walk.stays.get(before));
             if self.at_change(stay) || from_change.is_some_and(|stay| self.at_change(stay)) {
@@ -85,7 +85,7 @@ impl<'t> Around<'_, 't> {
                     continue;
                 }
                 findings.push(
-                    Finding::new(Code::TravelNotUp, Severity::Note, stay.block)
+                    ProgramFinding::new(Code::TravelNotUp, Severity::Note, stay.block)
                         .with(Name::At, stay.at)
                         .with(Name::Z, high),
                 );
@@ -100,7 +100,7 @@ impl<'t> Around<'_, 't> {
                 (None, None) => continue,
             };
             let say = |code, severity, made: Micrometres| {
-                Finding::new(code, severity, stay.block)
+                ProgramFinding::new(code, severity, stay.block)
                     .with(Name::At, stay.at)
                     .with(Name::Made, made)
                     .with(Name::Needed, needed)
@@ -115,11 +115,11 @@ impl<'t> Around<'_, 't> {
     }
 
     /// Motions over a point: only to the heights of its cycle, at rapid.
-    fn above(&self, findings: &mut Vec<Finding>) {
+    fn above(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
         let up = self.asked.job.change_at.z;
         for (stay, leads, made) in &self.made.above {
-            let say = |code| Finding::new(code, Severity::Note, made.block);
+            let say = |code| ProgramFinding::new(code, Severity::Note, made.block);
             if let TipMotion::Dwell(seconds) = made.how {
                 findings.push(say(Code::DwellInAir).with(Name::Made, seconds));
                 continue;
@@ -156,14 +156,14 @@ impl<'t> Around<'_, 't> {
     }
 
     /// Between two cuts at one point the tool goes as high as from point to point.
-    fn between(&self, findings: &mut Vec<Finding>) {
+    fn between(&self, findings: &mut Vec<ProgramFinding>) {
         for (next, pair) in self.made.cuts.windows(2).enumerate().map(|(at, pair)| (at + 1, pair)) {
             let Some(task) = self.task(next - 1).filter(|_| pair[0].stay == pair[1].stay) else { continue };
             let above = self.made.above.iter().filter(|(_, leads, made)| *leads == Some(next) && made.moves());
             let high = above.map(|(.., made)| made.to[2]).fold(pair[0].rose, Micrometres::max);
             if high < task.cycle.out - TOLERANCE {
                 findings.push(
-                    Finding::new(Code::TravelLow, Severity::Note, pair[1].block)
+                    ProgramFinding::new(Code::TravelLow, Severity::Note, pair[1].block)
                         .with(Name::At, pair[1].at)
                         .with(Name::Made, high)
                         .with(Name::Needed, task.cycle.out),
@@ -173,7 +173,7 @@ impl<'t> Around<'_, 't> {
     }
 
     /// What the operator has to do before a work, and stops at which there is nothing to do.
-    fn pauses(&self, findings: &mut Vec<Finding>) {
+    fn pauses(&self, findings: &mut Vec<ProgramFinding>) {
         let stops: Vec<(usize, BlockRef)> = self
             .made
             .walk
@@ -202,22 +202,22 @@ impl<'t> Around<'_, 't> {
             last = cut.order;
         }
         for (stop, _) in stops.iter().zip(&used).filter(|(_, used)| !**used) {
-            findings.push(Finding::new(Code::StopForNothing, Severity::Note, stop.1));
+            findings.push(ProgramFinding::new(Code::StopForNothing, Severity::Note, stop.1));
         }
     }
 
     /// The zero of the other side must come with the stop, and not by the way.
-    fn turned_over(&self, turned_over: usize, findings: &mut Vec<Finding>) {
+    fn turned_over(&self, turned_over: usize, findings: &mut Vec<ProgramFinding>) {
         let first = self.made.cuts.iter().find(|cut| cut.setup > 0);
         if let Some(cut) = first
             && !self.made.walk.events.iter().any(|(order, _, event)| *order == turned_over && *event == Event::Stop)
         {
-            findings.push(Finding::new(Code::NotTurnedOver, Severity::Error, cut.place));
+            findings.push(ProgramFinding::new(Code::NotTurnedOver, Severity::Error, cut.place));
         }
     }
 
     /// The points in another order than the plan's: allowed, but its path is another.
-    fn order(&self, findings: &mut Vec<Finding>) {
+    fn order(&self, findings: &mut Vec<ProgramFinding>) {
         let visited: Vec<(usize, usize)> =
             (0..self.made.cuts.len()).filter_map(|cut| Some((cut, self.matched.task_of[cut]?))).collect();
         let made: Vec<usize> = visited.iter().map(|(_, task)| *task).collect();
@@ -237,7 +237,7 @@ impl<'t> Around<'_, 't> {
             })
             .sum();
         findings.push(
-            Finding::new(Code::OtherOrder, Severity::Note, cut.place)
+            ProgramFinding::new(Code::OtherOrder, Severity::Note, cut.place)
                 .with(Name::At, cut.at)
                 .with(Name::Needed, [task.stop.at.x, task.stop.at.y])
                 .with(Name::Count, others)
@@ -246,59 +246,62 @@ impl<'t> Around<'_, 't> {
     }
 
     /// Tool changes and the end: spindle and coolant off, the axes at the place of the change.
-    fn ends(&self, findings: &mut Vec<Finding>) {
+    fn ends(&self, findings: &mut Vec<ProgramFinding>) {
         let change = self.asked.job.change_at;
         let mut ended = false;
         for (_, block, event) in &self.made.walk.events {
             match event {
                 Event::Stop => {}
-                Event::Radius => findings.push(Finding::new(Code::RadiusCorrection, Severity::Doubtful, *block)),
+                Event::Radius => findings.push(ProgramFinding::new(Code::RadiusCorrection, Severity::Doubtful, *block)),
                 Event::Change { at, turned, coolant, corrected } => {
                     if *at != change {
                         let at = format!("X{} Y{} Z{}", at.x, at.y, at.z);
-                        findings.push(Finding::new(Code::ChangesElsewhere, Severity::Wrong, *block).with(Name::At, at));
+                        findings.push(
+                            ProgramFinding::new(Code::ChangesElsewhere, Severity::Wrong, *block).with(Name::At, at),
+                        );
                     }
                     if *corrected {
-                        findings.push(Finding::new(Code::CorrectionAtChange, Severity::Note, *block));
+                        findings.push(ProgramFinding::new(Code::CorrectionAtChange, Severity::Note, *block));
                     }
                     if *turned {
-                        findings.push(Finding::new(Code::TurnsAtChange, Severity::Note, *block));
+                        findings.push(ProgramFinding::new(Code::TurnsAtChange, Severity::Note, *block));
                     }
                     if *coolant {
-                        findings.push(Finding::new(Code::CoolantAtChange, Severity::Note, *block));
+                        findings.push(ProgramFinding::new(Code::CoolantAtChange, Severity::Note, *block));
                     }
                 }
                 Event::End { at, turns, coolant } => {
                     ended = true;
                     if *at != change {
                         let at = format!("X{} Y{} Z{}", at.x, at.y, at.z);
-                        findings.push(Finding::new(Code::EndsElsewhere, Severity::Note, *block).with(Name::At, at));
+                        findings
+                            .push(ProgramFinding::new(Code::EndsElsewhere, Severity::Note, *block).with(Name::At, at));
                     }
                     if *turns {
-                        findings.push(Finding::new(Code::TurnsAtEnd, Severity::Doubtful, *block));
+                        findings.push(ProgramFinding::new(Code::TurnsAtEnd, Severity::Doubtful, *block));
                     }
                     if *coolant {
-                        findings.push(Finding::new(Code::CoolantAtEnd, Severity::Note, *block));
+                        findings.push(ProgramFinding::new(Code::CoolantAtEnd, Severity::Note, *block));
                     }
                 }
             }
         }
         if !ended {
-            findings.push(Finding::new(Code::NoEnd, Severity::Doubtful, None));
+            findings.push(ProgramFinding::new(Code::NoEnd, Severity::Doubtful, None));
         }
     }
 }
 
-fn no_stop(pause: &Pause, block: BlockRef, none: bool) -> Finding {
+fn no_stop(pause: &Pause, block: BlockRef, none: bool) -> ProgramFinding {
     // One stop may do for two things; that there is one is what counts.
     let severity = if none { Severity::Error } else { Severity::Note };
     match pause {
         Pause::LoadTool { tool, place } => {
-            Finding::new(Code::NoStopToLoad, severity, block).with(Name::Tool, *tool).with(Name::Place, *place)
+            ProgramFinding::new(Code::NoStopToLoad, severity, block).with(Name::Tool, *tool).with(Name::Place, *place)
         }
-        Pause::TurnOver => Finding::new(Code::NoStopToTurnOver, severity, block),
+        Pause::TurnOver => ProgramFinding::new(Code::NoStopToTurnOver, severity, block),
         Pause::SetBar { diameter_mm } => {
-            Finding::new(Code::NoStopToSetBar, severity, block).with(Name::Diameter, *diameter_mm)
+            ProgramFinding::new(Code::NoStopToSetBar, severity, block).with(Name::Diameter, *diameter_mm)
         }
     }
 }

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::cuts::{Cut, TOLERANCE, near};
+use super::cuts::{Descent, TOLERANCE, near};
 use super::matching::{Matched, Places};
 use super::tools::Tools;
 use super::walk::{TipMotion, TipMove};
-use super::{Code, DeviationFigure, Finding, Name, ObservedCuts, ProofInput, Task, milled};
+use super::{Code, DeviationFigure, Name, ObservedCuts, ProgramFinding, ProofInput, Task, milled};
 use crate::job::{Cycle, CycleKind};
 use crate::motion::Turning;
 use crate::note::Severity;
@@ -23,7 +23,7 @@ pub(super) fn all(
     tools: &Tools,
     tasks: &[Task<'_>],
     asked: &ProofInput<'_>,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<ProgramFinding>,
 ) {
     let places = Places::of(tasks);
     // The furthest task made at every point so far, to tell the order.
@@ -67,14 +67,14 @@ pub(super) fn all(
 
 /// A cut and its stop, to tell what is wrong.
 pub(super) struct Say<'a, 't> {
-    pub cut: &'a Cut,
+    pub cut: &'a Descent,
     pub task: &'a Task<'t>,
 }
 
 impl Say<'_, '_> {
     /// A finding about the cut.
-    pub fn now(&self, code: Code, severity: Severity) -> Finding {
-        Finding::new(code, severity, self.cut.block)
+    pub fn now(&self, code: Code, severity: Severity) -> ProgramFinding {
+        ProgramFinding::new(code, severity, self.cut.block)
             .with(Name::Hole, &self.task.stop.hole)
             .with(Name::Operation, self.task.cycle.operation)
             .with(Name::At, self.cut.at)
@@ -87,25 +87,25 @@ impl Say<'_, '_> {
         severity: Severity,
         made: impl Into<DeviationFigure>,
         needed: impl Into<DeviationFigure>,
-    ) -> Finding {
+    ) -> ProgramFinding {
         self.now(code, severity).with(Name::Made, made).with(Name::Needed, needed)
     }
 }
 
 /// What no tool may do inside the part: go across at rapid, or be pushed in.
-fn collisions(cut: &Cut, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
+fn collisions(cut: &Descent, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let top = asked.plan.part.datum.top;
     let across = cut.moves.iter().find(|made| made.how == TipMotion::Rapid && made.across() && made.below(top));
     if let Some(made) = across {
         findings.push(
-            Finding::new(Code::RapidAcross, Severity::Error, made.block)
+            ProgramFinding::new(Code::RapidAcross, Severity::Error, made.block)
                 .with(Name::At, [made.to[0], made.to[1]])
                 .with(Name::Z, made.from[2].min(made.to[2])),
         );
     }
     if cut.begin().is_none() {
         findings.push(
-            Finding::new(Code::RapidIntoPart, Severity::Error, cut.block)
+            ProgramFinding::new(Code::RapidIntoPart, Severity::Error, cut.block)
                 .with(Name::At, cut.at)
                 .with(Name::Z, cut.deepest()),
         );
@@ -119,7 +119,7 @@ fn collisions(cut: &Cut, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
             && deepest.is_some_and(|deepest| made.to[2] < deepest - TOLERANCE)
         {
             findings.push(
-                Finding::new(Code::RapidIntoPart, Severity::Error, made.block)
+                ProgramFinding::new(Code::RapidIntoPart, Severity::Error, made.block)
                     .with(Name::At, cut.at)
                     .with(Name::Z, made.to[2]),
             );
@@ -131,17 +131,19 @@ fn collisions(cut: &Cut, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
     let turning = cut.turning();
     if turning != Turning::Clockwise {
         let code = if turning == Turning::Stopped { Code::SpindleStands } else { Code::WrongTurn };
-        findings.push(Finding::new(code, Severity::Error, cut.block).with(Name::At, cut.at).with(Name::Tool, cut.tool));
+        findings.push(
+            ProgramFinding::new(code, Severity::Error, cut.block).with(Name::At, cut.at).with(Name::Tool, cut.tool),
+        );
     }
 }
 
 fn superfluous(
-    cut: &Cut,
+    cut: &Descent,
     matched: &Matched,
     places: &Places,
     tools: &Tools,
     tasks: &[Task<'_>],
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<ProgramFinding>,
 ) {
     // What never feeds is told as a rapid into the part.
     if cut.begin().is_none() {
@@ -156,7 +158,7 @@ fn superfluous(
         (None, true) => Code::CutElsewhere,
     };
     findings.push(
-        Finding::new(code, Severity::Error, cut.place)
+        ProgramFinding::new(code, Severity::Error, cut.place)
             .with(Name::At, cut.at)
             .with(Name::Z, cut.deepest())
             .with(Name::Tool, cut.tool),
@@ -164,7 +166,7 @@ fn superfluous(
 }
 
 /// One finding for the points of a transition.
-fn missing(matched: &Matched, tasks: &[Task<'_>], findings: &mut Vec<Finding>) {
+fn missing(matched: &Matched, tasks: &[Task<'_>], findings: &mut Vec<ProgramFinding>) {
     let mut without: BTreeMap<(usize, &str, usize), Vec<&Task<'_>>> = BTreeMap::new();
     for (task, cut) in tasks.iter().zip(&matched.cut_of) {
         if cut.is_none() {
@@ -175,7 +177,7 @@ fn missing(matched: &Matched, tasks: &[Task<'_>], findings: &mut Vec<Finding>) {
         let Some(task) = tasks.first() else { continue };
         let points: Vec<[Micrometres; 2]> = tasks.iter().map(|task| [task.stop.at.x, task.stop.at.y]).collect();
         findings.push(
-            Finding::new(Code::NotMade, Severity::Error, None)
+            ProgramFinding::new(Code::NotMade, Severity::Error, None)
                 .with(Name::Hole, &task.stop.hole)
                 .with(Name::Operation, task.cycle.operation)
                 .with(Name::Tool, task.tool.tool)
@@ -186,7 +188,7 @@ fn missing(matched: &Matched, tasks: &[Task<'_>], findings: &mut Vec<Finding>) {
 }
 
 /// Where the feed begins and how deep it goes.
-fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
+fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cycle, transition) = (say.task.cycle, say.task.transition);
     let part = &asked.plan.part;
     if let Some(begin) = say.cut.begin() {
@@ -233,7 +235,7 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>
 }
 
 /// Speed, feed, dwell, coolant.
-fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
+fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let other = |made: f64, needed: f64| (made - needed).abs() > FIGURE;
     // Somebody may have chosen otherwise, but not far beyond what the tool bears.
@@ -285,7 +287,7 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Find
 }
 
 /// The way in, at once or in steps.
-fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
+fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let downs = cut.downs();
     let (step, back, leaves) = match cycle.kind {
@@ -327,7 +329,7 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>)
 }
 
 /// The way out.
-fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
+fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let moves: Vec<&TipMove> = cut.way_out().iter().filter(|made| made.moves()).collect();
     let inside: Vec<&&TipMove> = moves.iter().filter(|made| made.from[2] < cycle.begin - TOLERANCE).collect();
@@ -370,7 +372,7 @@ fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding
     }
 }
 
-fn turning_out(say: &Say<'_, '_>, cycle: &Cycle, turned: bool, stood: bool, findings: &mut Vec<Finding>) {
+fn turning_out(say: &Say<'_, '_>, cycle: &Cycle, turned: bool, stood: bool, findings: &mut Vec<ProgramFinding>) {
     if cycle.kind == CycleKind::BoreStop {
         if turned {
             findings.push(say.now(Code::OutTurning, Severity::Wrong));

@@ -14,7 +14,7 @@ pub(super) fn near(a: Micrometres, b: Micrometres) -> bool {
 
 /// One way into the part at a point.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Cut {
+pub(super) struct Descent {
     /// Its stay.
     pub stay: usize,
     /// The tool change it follows.
@@ -42,8 +42,8 @@ pub(super) struct Cut {
 }
 
 /// The cuts of a stay, and its motions above the face, each with the cut that it leads to.
-pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, Vec<(Option<usize>, TipMove)>) {
-    let mut cuts: Vec<Cut> = Vec::new();
+pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent>, Vec<(Option<usize>, TipMove)>) {
+    let mut cuts: Vec<Descent> = Vec::new();
     let mut above: Vec<(Option<usize>, TipMove)> = Vec::new();
     // The last motion was below the face.
     let mut inside = false;
@@ -69,7 +69,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, V
                 *leads = Some(cuts.len());
             }
             let place = if cuts.is_empty() { stay.block } else { made.block };
-            cuts.push(Cut {
+            cuts.push(Descent {
                 stay: number,
                 section: stay.section,
                 tool: stay.tool,
@@ -96,7 +96,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, V
 
 /// Whether a new way in continues a cut: it was left no higher than where its feed began, and goes deeper by a feed that
 /// begins below. A drill that comes out for its chips does so.
-fn goes_on(cut: &Cut, rest: &[TipMove], top: Micrometres) -> bool {
+fn goes_on(cut: &Descent, rest: &[TipMove], top: Micrometres) -> bool {
     let Some(begin) = cut.begin().max(cut.begun_above) else { return false };
     let Some(feed) = rest.iter().find(|made| made.feed().is_some()).filter(|made| made.below(top)) else {
         return false;
@@ -104,7 +104,7 @@ fn goes_on(cut: &Cut, rest: &[TipMove], top: Micrometres) -> bool {
     cut.rose <= begin + TOLERANCE && feed.from[2] < begin - TOLERANCE && feed.to[2] < cut.deepest()
 }
 
-impl Cut {
+impl Descent {
     /// Z where its first feed begins; absent if it never feeds.
     pub fn begin(&self) -> Option<Micrometres> {
         self.moves.iter().find(|made| made.feed().is_some()).map(|made| made.from[2])

@@ -215,7 +215,7 @@ figures! {
 
 /// A deviation from the job.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Finding {
+pub struct ProgramFinding {
     /// In what; the note says it too.
     #[serde(skip)]
     pub code: Code,
@@ -232,7 +232,7 @@ pub struct Finding {
     pub note: Note,
 }
 
-impl Finding {
+impl ProgramFinding {
     /// A deviation that needs figures.
     pub(super) fn new(code: Code, severity: Severity, block: impl Into<Option<BlockRef>>) -> Self {
         let (block, figures) = (block.into(), BTreeMap::new());

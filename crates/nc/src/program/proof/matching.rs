@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::cuts::{Cut, TOLERANCE, near};
+use super::cuts::{Descent, TOLERANCE, near};
 use super::tools::Tools;
 use super::walk::Frame;
 use super::{ObservedCuts, ProofInput, Task};
@@ -31,7 +31,7 @@ impl Places {
     }
 
     /// The tasks at the point of a cut, in the order of the job.
-    pub fn at(&self, cut: &Cut, tasks: &[Task<'_>]) -> Vec<usize> {
+    pub fn at(&self, cut: &Descent, tasks: &[Task<'_>]) -> Vec<usize> {
         let [x, y] = cut.at;
         let found = self.0.range((cut.setup, x - TOLERANCE)..=(cut.setup, x + TOLERANCE));
         let mut found: Vec<usize> = found.flat_map(|(_, numbers)| numbers.iter().copied()).collect();
@@ -42,13 +42,13 @@ impl Places {
 }
 
 /// Whether a cut goes as deep as a task asks.
-pub(super) fn fits(cut: &Cut, task: &Task<'_>) -> bool {
+pub(super) fn fits(cut: &Descent, task: &Task<'_>) -> bool {
     near(cut.deepest(), task.cycle.end)
 }
 
 /// Gives each cut its task: first what fits in tool, point and depth, in the order of the program; then what another
 /// tool made; then what has another depth.
-pub(super) fn matched(cuts: &[Cut], tools: &Tools, tasks: &[Task<'_>]) -> Matched {
+pub(super) fn matched(cuts: &[Descent], tools: &Tools, tasks: &[Task<'_>]) -> Matched {
     let places = Places::of(tasks);
     let mut matched = Matched { task_of: vec![None; cuts.len()], cut_of: vec![None; tasks.len()] };
     for round in 0..3 {

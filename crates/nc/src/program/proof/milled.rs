@@ -3,13 +3,13 @@
 use super::compare::Say;
 use super::cuts::{Circle, TOLERANCE, near};
 use super::walk::TipMotion;
-use super::{Code, Finding, Name};
+use super::{Code, Name, ProgramFinding};
 use crate::motion::{Sense, geometry};
 use crate::note::Severity;
 use crate::units::Micrometres;
 
 /// A transition without circles: whatever goes across at feed is a slot.
-pub(super) fn none(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
+pub(super) fn none(say: &Say<'_, '_>, findings: &mut Vec<ProgramFinding>) {
     let across = say.cut.moves.iter().find(|made| made.feed().is_some() && made.across());
     if let Some(made) = across {
         findings.push(
@@ -24,7 +24,7 @@ pub(super) fn circles(
     levels: &[Micrometres],
     radii: &[Micrometres],
     sense: Sense,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<ProgramFinding>,
 ) {
     let made = say.cut.circles();
     let planned: Vec<(Micrometres, Micrometres)> =
@@ -83,7 +83,7 @@ fn one(
     level: Micrometres,
     radius: Micrometres,
     sense: Sense,
-    findings: &mut Vec<Finding>,
+    findings: &mut Vec<ProgramFinding>,
 ) {
     let at = |code, severity| {
         let mut finding = say.now(code, severity).with(Name::Z, circle.z);

@@ -45,8 +45,8 @@ use crate::plan::{Operation, Plan, Transition};
 use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 
-use cuts::{Cut, TOLERANCE};
-pub use finding::{Code, DeviationFigure, Finding, Name};
+use cuts::{Descent, TOLERANCE};
+pub use finding::{Code, DeviationFigure, Name, ProgramFinding};
 pub use planned_job::PlannedJob;
 use walk::{Frame, TipHistory};
 
@@ -104,7 +104,7 @@ pub struct Proof {
     /// The cuts that make no stop.
     pub superfluous: Vec<SuperfluousCut>,
     /// Every deviation, the gravest first.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<ProgramFinding>,
 }
 
 impl Proof {
@@ -241,7 +241,7 @@ pub fn prove(steps: &[MotionStep], asked: &ProofInput<'_>) -> Proof {
 #[derive(Clone, Debug)]
 struct ObservedCuts {
     walk: TipHistory,
-    cuts: Vec<Cut>,
+    cuts: Vec<Descent>,
     /// Motions above the face: the stay, the cut they lead to, the motion.
     above: Vec<(usize, Option<usize>, walk::TipMove)>,
 }
@@ -307,8 +307,8 @@ fn tasks<'a>(asked: &ProofInput<'a>) -> Vec<Task<'a>> {
 
 /// Equal findings at several points of a group are merged, with their count; the gravest first, then in the program's
 /// order.
-fn folded(findings: Vec<Finding>) -> Vec<Finding> {
-    let mut kept: Vec<(Finding, usize)> = Vec::new();
+fn folded(findings: Vec<ProgramFinding>) -> Vec<ProgramFinding> {
+    let mut kept: Vec<(ProgramFinding, usize)> = Vec::new();
     let mut known: BTreeMap<(Severity, Note), usize> = BTreeMap::new();
     for finding in findings {
         let alike = finding.note.clone();
@@ -321,7 +321,7 @@ fn folded(findings: Vec<Finding>) -> Vec<Finding> {
             }
         }
     }
-    let mut findings: Vec<Finding> = kept
+    let mut findings: Vec<ProgramFinding> = kept
         .into_iter()
         .map(|(finding, more)| if more > 0 { finding.with(Name::More, more) } else { finding })
         .collect();

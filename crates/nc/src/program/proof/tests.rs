@@ -1,6 +1,6 @@
 //! Which motions are merged into one cut, cycle by cycle. They are the motions that an interpreter makes of the cycle.
 
-use super::cuts::{Cut, cuts};
+use super::cuts::{Descent, cuts};
 use super::walk::{Frame, walk};
 use crate::motion::{BlockRef, Motion, MotionStep, Plane, Position, Sense, Turning};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -54,7 +54,7 @@ fn step(motion: Motion, at: [i64; 3]) -> MotionStep {
     MotionStep { motion, at: Position::of(at.map(Micrometres::from_mm)), block: BlockRef::default() }
 }
 
-fn cut(text: &str) -> Vec<Cut> {
+fn cut(text: &str) -> Vec<Descent> {
     let frame = Frame { zero: Position::default(), top: Micrometres::ZERO };
     let steps = steps(text);
     let start = Position::of([0, 0, 100].map(Micrometres::from_mm));
@@ -66,7 +66,7 @@ fn mm(value: Micrometres) -> f64 {
     value.to_mm()
 }
 
-fn downs(cut: &Cut) -> Vec<(f64, f64)> {
+fn downs(cut: &Descent) -> Vec<(f64, f64)> {
     cut.downs().into_iter().map(|(from, to)| (mm(from), mm(to))).collect()
 }
 

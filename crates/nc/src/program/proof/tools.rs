@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::cuts::Cut;
+use super::cuts::Descent;
 use super::matching::{Places, fits};
 use super::walk::Event;
-use super::{Code, Finding, Name, ObservedCuts, ProofInput, Task};
+use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, Task};
 use crate::job::Pause;
 use crate::note::Severity;
 use crate::units::Micrometres;
@@ -15,7 +15,7 @@ use crate::units::Micrometres;
 pub(super) struct Tools {
     /// The tool of the plan that is in the spindle after each tool change; 0 is before the first.
     sections: Vec<Option<u32>>,
-    pub findings: Vec<Finding>,
+    pub findings: Vec<ProgramFinding>,
 }
 
 impl Tools {
@@ -36,7 +36,7 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[Task<'_>], asked: &ProofInput<
     // For every cut the tools of the plan that would make it: that of the place, or one whose correction acts.
     let corrected =
         |tool: u32| asked.plan.tools.iter().find(|known| known.number == tool).map(|known| known.correction_mm);
-    let makes = |cut: &Cut| -> BTreeSet<u32> {
+    let makes = |cut: &Descent| -> BTreeSet<u32> {
         let fitting = places.at(cut, tasks).into_iter().filter(|&task| fits(cut, &tasks[task]));
         let fitting = fitting.map(|task| tasks[task].tool).filter(|tool| {
             asked.own_correctors || tool.place == cut.tool || corrected(tool.tool) == Some(cut.corrector.1)
@@ -80,7 +80,7 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[Task<'_>], asked: &ProofInput<
         {
             other.insert(tool, plan);
             tools.findings.push(
-                Finding::new(Code::ToolByWork, Severity::Doubtful, first(made, tool))
+                ProgramFinding::new(Code::ToolByWork, Severity::Doubtful, first(made, tool))
                     .with(Name::Tool, tool)
                     .with(Name::Plan, plan),
             );
@@ -109,7 +109,7 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[Task<'_>], asked: &ProofInput<
                 });
                 if !asked_for {
                     tools.findings.push(
-                        Finding::new(Code::NotLoaded, Severity::Error, stay.block)
+                        ProgramFinding::new(Code::NotLoaded, Severity::Error, stay.block)
                             .with(Name::Tool, plan)
                             .with(Name::Place, stay.tool),
                     );
@@ -124,9 +124,9 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[Task<'_>], asked: &ProofInput<
         if section > 0 && plan.is_none() && made.cuts.iter().any(|cut| cut.section == section) {
             let stay = made.walk.stays.iter().find(|stay| stay.section == section);
             if let Some(stay) = stay {
-                tools
-                    .findings
-                    .push(Finding::new(Code::ToolUnknown, Severity::Error, stay.block).with(Name::Tool, stay.tool));
+                tools.findings.push(
+                    ProgramFinding::new(Code::ToolUnknown, Severity::Error, stay.block).with(Name::Tool, stay.tool),
+                );
             }
         }
     }
@@ -177,7 +177,7 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
         let Some(own) = asked.plan.tools.iter().find(|tool| tool.number == plan) else { continue };
         let (number, value) = cut.corrector;
         let say = |code, severity| {
-            Finding::new(code, severity, cut.block)
+            ProgramFinding::new(code, severity, cut.block)
                 .with(Name::Tool, cut.tool)
                 .with(Name::Corrector, number)
                 .with(Name::Value, value)

@@ -8,7 +8,7 @@ use crate::note::{Because, Note};
 use crate::tables::cutting::{GroovingFeedFor, GroovingSpeedFor};
 use crate::tables::turning::jobs::{GroovingPracticeFor, JobLimit};
 use crate::turning::contour::Surface;
-use crate::turning::cutting::{Cut, CuttingRefusal, Direction, conditions, finish_feed};
+use crate::turning::cutting::{CuttingRefusal, Direction, TurningCut, conditions, finish_feed};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::program::{Feeds, Speed};
@@ -20,7 +20,7 @@ use super::super::limits::Limits;
 use super::super::refused::{NoJob, no_figure};
 use super::super::site::{self, Site};
 use super::valley::{Lie, Valley};
-use super::ways::{self, Edge, Ways};
+use super::ways::{self, CuttingEdge, Ways};
 use super::{division, not, taken};
 
 /// A tool with its toolpath and its pace.
@@ -112,9 +112,9 @@ fn noses<'k>(valley: &Valley, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'
 }
 
 /// The edge of a tool.
-fn edge(tool: &TurningTool<'_>) -> Option<Edge> {
+fn edge(tool: &TurningTool<'_>) -> Option<CuttingEdge> {
     let corner = tool.nose_radius?.to_mm();
-    Some(Edge { width: tool.width.map_or(2.0 * corner, Micrometres::to_mm), corner })
+    Some(CuttingEdge { width: tool.width.map_or(2.0 * corner, Micrometres::to_mm), corner })
 }
 
 fn by_blade<'k>(
@@ -285,7 +285,7 @@ pub(in super::super) struct Pace {
 
 /// By the handbook, limited by the feed of the blade's maker; by the maker alone if the handbook has no figures for the
 /// material. Slower in a bore and in a face.
-fn pace(cut: &Cut<'_, '_>, width: Micrometres, lie: Lie, limits: &mut Limits<'_>) -> Tried<Pace, NoJob> {
+fn pace(cut: &TurningCut<'_, '_>, width: Micrometres, lie: Lie, limits: &mut Limits<'_>) -> Tried<Pace, NoJob> {
     let mut pace = blade_pace(cut, width)?;
     if lie != Lie::Outside {
         let share = limits.ratio(JobLimit::InnerGroovingSpeed)?;
@@ -295,7 +295,7 @@ fn pace(cut: &Cut<'_, '_>, width: Micrometres, lie: Lie, limits: &mut Limits<'_>
 }
 
 /// The same without the factor of bore and face; for parting too.
-pub(in super::super) fn blade_pace(cut: &Cut<'_, '_>, width: Micrometres) -> Tried<Pace, NoJob> {
+pub(in super::super) fn blade_pace(cut: &TurningCut<'_, '_>, width: Micrometres) -> Tried<Pace, NoJob> {
     let (knowledge, material_group) = (cut.knowledge, cut.material.group);
     let asked = knowledge.ask(&GroovingPracticeFor { material_group, width })?;
     let Some(maker) = asked.winner()? else {
@@ -322,14 +322,14 @@ pub(in super::super) fn blade_pace(cut: &Cut<'_, '_>, width: Micrometres) -> Tri
 }
 
 /// Whether a table has figures of the material's own.
-fn figures_of<Q: Question>(question: &Q, cut: &Cut<'_, '_>) -> Result<bool, KnowledgeError> {
+fn figures_of<Q: Question>(question: &Q, cut: &TurningCut<'_, '_>) -> Result<bool, KnowledgeError> {
     Ok(technolog_cutting::figures::within_reach(question, cut.knowledge)?.is_some())
 }
 
 /// The feed along walls and floor: at most a share of the blade's width, what the blade can carry sideways, that of the
 /// roughness, and never above that straight in.
 fn along_walls(
-    cut: &Cut<'_, '_>,
+    cut: &TurningCut<'_, '_>,
     surface: &Surface,
     width: Micrometres,
     plunge: MillimetresPerRev,

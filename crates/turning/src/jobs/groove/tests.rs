@@ -228,7 +228,7 @@ fn a_blade_of_three_plunges_three_times_in_a_groove_of_eight() {
     let valley = Valley::of(&surface, Side::Outer).map_err(|_| ()).unwrap();
     let division =
         Division { step: 0.75, allowance: 0.4, finish: 1.0, peck: (9.0, 1.0, 0.5), approach: Half::from(2.0) };
-    let ways = ways::blade(&valley, ways::Edge { width: 3.0, corner: 0.4 }, division).unwrap();
+    let ways = ways::blade(&valley, ways::CuttingEdge { width: 3.0, corner: 0.4 }, division).unwrap();
     let places: Vec<String> = ways.plunges.iter().map(Half::to_string).collect();
     assert_eq!(places, ["25.5", "23.4", "27.6"]);
     let lowest = ways.path.moves.iter().filter(|one| one.purpose == Purpose::Plunge).map(|one| one.to.radius).min();

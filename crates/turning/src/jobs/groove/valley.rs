@@ -127,7 +127,7 @@ impl Valley {
     /// The path of the centre of a round corner that touches the groove everywhere; none if it is too large. Walls go
     /// on beyond the mouth by that radius, because a shoulder may stand over them, and because the edge of a groove
     /// that is less deep than the corner must not be rounded.
-    pub fn centres(&self, corner: f64) -> Option<Way> {
+    pub fn centres(&self, corner: f64) -> Option<CentrePath> {
         let mut way: Vec<Span> = Vec::new();
         let last = self.pieces.len().saturating_sub(1);
         for (index, piece) in self.pieces.iter().enumerate() {
@@ -172,7 +172,7 @@ impl Valley {
             }
         }
         let low = way.iter().flat_map(|span| [span.from.radius, span.to.radius]).fold(f64::INFINITY, f64::min);
-        Some(Way { spans: way, low }).filter(|way| !way.spans.is_empty())
+        Some(CentrePath { spans: way, low }).filter(|way| !way.spans.is_empty())
     }
 }
 
@@ -236,13 +236,13 @@ impl Span {
 
 /// The path of a centre over a groove, from one end of the mouth to the other.
 #[derive(Clone, Debug)]
-pub(super) struct Way {
+pub(super) struct CentrePath {
     spans: Vec<Span>,
     /// Its lowest height, mm.
     low: f64,
 }
 
-impl Way {
+impl CentrePath {
     /// Where it runs along the floor, from and to, mm.
     pub fn floor(&self) -> (f64, f64) {
         let low = |at: &Vector| at.radius < self.low + APART / 2.0;

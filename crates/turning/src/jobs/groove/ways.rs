@@ -9,11 +9,11 @@ use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 use crate::turning::toolpath::{Move, Purpose, Toolpath};
 
-use super::valley::{Lie, Valley, Way};
+use super::valley::{CentrePath, Lie, Valley};
 
 /// The edge that cuts a groove, mm; a turning tool has no straight part, so its width is twice its nose.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Edge {
+pub(super) struct CuttingEdge {
     pub width: f64,
     pub corner: f64,
 }
@@ -45,7 +45,7 @@ pub(super) struct Ways {
     pub steps: usize,
 }
 
-impl Edge {
+impl CuttingEdge {
     /// From a centre of the corner at the less `z` to the leading corner of the edge, and of the other.
     fn leads(self) -> (Vector, Vector) {
         (Vector::new(self.width - self.corner, -self.corner), Vector::new(self.corner, -self.corner))
@@ -57,13 +57,13 @@ impl Edge {
     }
 
     /// How much more room there is at the floor than the edge takes, mm; negative if it does not go in.
-    pub fn room(self, finished: &Way) -> f64 {
+    pub fn room(self, finished: &CentrePath) -> f64 {
         let (from, to) = finished.floor();
         to - from - self.flat()
     }
 
     /// How low the leading corner may go at a place, mm; none beyond the mouth.
-    fn lowest(self, way: &Way, lead: f64) -> Option<f64> {
+    fn lowest(self, way: &CentrePath, lead: f64) -> Option<f64> {
         let heights = [lead - self.width + self.corner, lead - self.corner].map(|centre| way.height(centre));
         Some(heights[0]?.max(heights[1]?) - self.corner)
     }
@@ -73,7 +73,7 @@ impl Edge {
 const TRIFLE: f64 = 0.002;
 
 /// The toolpath of a blade; none if it does not reach the floor.
-pub(super) fn blade(valley: &Valley, edge: Edge, division: Division) -> Option<Ways> {
+pub(super) fn blade(valley: &Valley, edge: CuttingEdge, division: Division) -> Option<Ways> {
     let finished = valley.centres(edge.corner)?;
     let room = edge.room(&finished);
     if room < -TRIFLE {
@@ -120,7 +120,7 @@ pub(super) fn blade(valley: &Valley, edge: Edge, division: Division) -> Option<W
 
 /// The toolpath of a turning tool from the mouth at the less `z` to the other; none if its nose does not reach the
 /// floor.
-pub(super) fn nose(valley: &Valley, edge: Edge, division: Division) -> Option<Ways> {
+pub(super) fn nose(valley: &Valley, edge: CuttingEdge, division: Division) -> Option<Ways> {
     let finished = valley.centres(edge.corner)?;
     if edge.room(&finished) < -TRIFLE {
         return None;
@@ -143,7 +143,7 @@ pub(super) fn nose(valley: &Valley, edge: Edge, division: Division) -> Option<Wa
 
 /// Where a blade is plunged, in the order of work: over the floor from its middle outwards, then over slanting walls
 /// away from it.
-fn places(way: &Way, edge: Edge, division: Division, (fall, rise): (f64, f64)) -> Vec<f64> {
+fn places(way: &CentrePath, edge: CuttingEdge, division: Division, (fall, rise): (f64, f64)) -> Vec<f64> {
     let (left, right) = edge.leads();
     let (from, to) = way.floor();
     let (first, last) = (from + left.z, to + right.z);
@@ -202,7 +202,7 @@ impl Builder {
     }
 
     /// Straight in to a height, drawn back now and then if it is deep, and out.
-    fn plunge(&mut self, lead: f64, low: Half, edge: Edge, out: Purpose) {
+    fn plunge(&mut self, lead: f64, low: Half, edge: CuttingEdge, out: Purpose) {
         let z = Half::from(lead);
         self.over(z);
         let (from, by, back) = self.division.peck;

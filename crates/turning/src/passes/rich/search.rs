@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
 use super::super::cost::Objective;
-use super::staircase::{Cut, Lines, Stairs};
+use super::staircase::{Lines, StairPass, Stairs};
 
 /// How the search weighs the cost of a sequence against the least remaining cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub struct CutSequence {
     /// What it costs.
     pub cost: u64,
     /// The cuts in order.
-    pub cuts: Vec<Cut>,
+    pub cuts: Vec<StairPass>,
 }
 
 /// The result of a search.
@@ -39,7 +39,7 @@ pub struct SearchOutcome {
 /// A node of the search: the cost so far with the number of passes, and the predecessor with the cut between.
 struct SearchNode {
     spent: (u64, u32),
-    before: Option<(usize, Cut)>,
+    before: Option<(usize, StairPass)>,
     stairs: Stairs,
     done: bool,
 }
@@ -103,7 +103,7 @@ pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, eff
     SearchOutcome { found: None, bound: known, states }
 }
 
-fn cuts_to(met: &[SearchNode], mut number: usize) -> Vec<Cut> {
+fn cuts_to(met: &[SearchNode], mut number: usize) -> Vec<StairPass> {
     let mut cuts = Vec::new();
     while let Some((before, cut)) = met.get(number).and_then(|here| here.before) {
         cuts.push(cut);

@@ -36,7 +36,7 @@ pub type Stairs = Vec<u16>;
 
 /// A pass: it removes the columns from `from` up to `to` down to the line `line`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Cut {
+pub struct StairPass {
     /// Its direction.
     pub kind: PassDirection,
     /// The line of radii it goes down to.
@@ -49,7 +49,7 @@ pub struct Cut {
     pub length: Half,
 }
 
-impl Cut {
+impl StairPass {
     /// What it costs.
     pub fn cost(self, objective: Objective) -> u64 {
         let length = self.length.halves().unsigned_abs();
@@ -149,7 +149,7 @@ impl Lines {
     /// Every pass that a staircase allows. A corner is a line of radii and a line of Z; what is above the one and
     /// before the other is removed. It may be cut along if it is nowhere deeper than a longitudinal pass may be, and
     /// across if it is nowhere thicker than a slice may be.
-    pub fn cuts(&self, stairs: &Stairs, cuts: &mut Vec<Cut>) {
+    pub fn cuts(&self, stairs: &Stairs, cuts: &mut Vec<StairPass>) {
         cuts.clear();
         for to in 1..=stairs.len() {
             let (now, floor) = (stairs[to - 1], self.floor[to - 1]);
@@ -158,24 +158,24 @@ impl Lines {
                 let from = stairs.partition_point(|at| *at >= line);
                 let (long, deep) = (self.z(to) - self.z(from), self.radius(now) - self.radius(line));
                 if deep <= self.longitudinal_depth {
-                    cuts.push(Cut { kind: PassDirection::Longitudinal, line, from, to, length: long });
+                    cuts.push(StairPass { kind: PassDirection::Longitudinal, line, from, to, length: long });
                 }
                 if long <= self.transverse_depth {
-                    cuts.push(Cut { kind: PassDirection::Transverse, line, from, to, length: deep });
+                    cuts.push(StairPass { kind: PassDirection::Transverse, line, from, to, length: deep });
                 }
             }
         }
     }
 
     /// Carries a pass out.
-    pub fn cut(&self, stairs: &mut Stairs, cut: Cut) {
+    pub fn cut(&self, stairs: &mut Stairs, cut: StairPass) {
         for at in stairs.iter_mut().take(cut.to).skip(cut.from) {
             *at = cut.line;
         }
     }
 
     /// The pass as people know it.
-    pub fn pass(&self, stairs: &Stairs, cut: Cut, reason: Note) -> Pass {
+    pub fn pass(&self, stairs: &Stairs, cut: StairPass, reason: Note) -> Pass {
         let (radius, before) =
             (self.radius(cut.line), self.radius(stairs.get(cut.to - 1).copied().unwrap_or_default()));
         let (face, end) = (self.z(cut.from), self.z(cut.to));

@@ -170,8 +170,8 @@ fn drawn_together(sheet: &mut ProgramWriter, blocks: &[Block]) -> Vec<Block> {
     let mut drawn = Vec::new();
     for piece in points::repeats(blocks) {
         match piece {
-            points::Piece::Once(block) => drawn.push(block),
-            points::Piece::Times(group, times) => {
+            points::Repeat::Once(block) => drawn.push(block),
+            points::Repeat::Times(group, times) => {
                 match sheet.subprogram(group.clone(), BlockPurpose::of(LineRole::Point)) {
                     Called::Subprogram(number) => drawn.push(Block::new().calls(number, times)),
                     Called::Blocks(_) => drawn.extend(std::iter::repeat_n(group, times).flatten()),

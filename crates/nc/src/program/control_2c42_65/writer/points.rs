@@ -23,7 +23,7 @@ pub(super) struct PointRun {
 }
 
 /// A piece of the way.
-pub(super) enum Piece {
+pub(super) enum Repeat {
     /// A block.
     Once(Block),
     /// Blocks that are run several times.
@@ -63,8 +63,8 @@ fn length(blocks: &[Block]) -> usize {
     repeats(blocks)
         .iter()
         .map(|piece| match piece {
-            Piece::Once(block) => cost(block),
-            Piece::Times(blocks, _) => blocks.iter().map(cost).sum::<usize>() + SUBPROGRAM,
+            Repeat::Once(block) => cost(block),
+            Repeat::Times(blocks, _) => blocks.iter().map(cost).sum::<usize>() + SUBPROGRAM,
         })
         .sum()
 }
@@ -111,17 +111,17 @@ fn ways(points: &[Point]) -> Vec<Block> {
 
 /// Draws repeated groups of blocks together, where a subprogram with L is shorter. Positions do not repeat, but where
 /// they do (the same points over and over) the same holds.
-pub(super) fn repeats(blocks: &[Block]) -> Vec<Piece> {
+pub(super) fn repeats(blocks: &[Block]) -> Vec<Repeat> {
     let mut pieces = Vec::new();
     let mut at = 0;
     while at < blocks.len() {
         match best_repeat(&blocks[at..]) {
             Some((period, times)) => {
-                pieces.push(Piece::Times(blocks[at..at + period].to_vec(), times));
+                pieces.push(Repeat::Times(blocks[at..at + period].to_vec(), times));
                 at += period * times;
             }
             None => {
-                pieces.push(Piece::Once(blocks[at].clone()));
+                pieces.push(Repeat::Once(blocks[at].clone()));
                 at += 1;
             }
         }

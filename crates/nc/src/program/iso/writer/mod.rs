@@ -29,13 +29,13 @@ const FIRST_SUBPROGRAM: u32 = 101;
 struct ProgramWriter {
     form: Form,
     dialect: Dialect,
-    main: Vec<(Piece, LineRole, Option<WorkRef>, Option<usize>)>,
+    main: Vec<(MainLine, LineRole, Option<WorkRef>, Option<usize>)>,
     subprograms: Subprograms,
 }
 
 /// A line of the main program.
 #[derive(Clone, Debug)]
-enum Piece {
+enum MainLine {
     Block(Block),
     /// A block with a remark behind it.
     Remarked(Block, String),
@@ -69,7 +69,7 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
             let place = Some(work_ref);
             for pause in &work.pauses {
                 sheet.main.push((
-                    Piece::Remarked(Block::new().m(0), remark(*pause, &work.designation)),
+                    MainLine::Remarked(Block::new().m(0), remark(*pause, &work.designation)),
                     LineRole::Pause,
                     place,
                     None,
@@ -81,7 +81,7 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
             if in_spindle != Some(work.place) {
                 let change = Block::new().word('T', work.place).m(6);
                 let name = ascii(&work.designation);
-                sheet.main.push((Piece::Remarked(change, name), LineRole::ToolChange, place, None));
+                sheet.main.push((MainLine::Remarked(change, name), LineRole::ToolChange, place, None));
                 in_spindle = Some(work.place);
             }
             sheet.one_tool(work, work_ref, &shared);
@@ -103,11 +103,11 @@ fn remark(pause: Pause, designation: &str) -> String {
 
 impl ProgramWriter {
     fn put(&mut self, block: Block, role: LineRole, work: Option<WorkRef>, cycle: Option<usize>) {
-        self.main.push((Piece::Block(block), role, work, cycle));
+        self.main.push((MainLine::Block(block), role, work, cycle));
     }
 
     fn call(&mut self, number: u32, role: LineRole, work: Option<WorkRef>, cycle: Option<usize>) {
-        self.main.push((Piece::Call(number), role, work, cycle));
+        self.main.push((MainLine::Call(number), role, work, cycle));
     }
 
     /// The number of blocks as a subprogram; equal ones are one.
@@ -142,9 +142,9 @@ impl ProgramWriter {
         let numbers = (1..).map(|index: usize| index * step.max(1) % 10_000);
         for ((piece, role, work, cycle), number) in main.into_iter().zip(numbers) {
             let text = match piece {
-                Piece::Block(block) => Numbered(number, block.text()).to_string(),
-                Piece::Remarked(block, remark) => format!("{} ({remark})", Numbered(number, block.text())),
-                Piece::Call(called) => dialect.call(number, called),
+                MainLine::Block(block) => Numbered(number, block.text()).to_string(),
+                MainLine::Remarked(block, remark) => format!("{} ({remark})", Numbered(number, block.text())),
+                MainLine::Call(called) => dialect.call(number, called),
             };
             lines.push(ProgramLine { text, role, work, cycle });
         }
