@@ -65,14 +65,14 @@ pub fn text_in_folder(path: &Path, context: &Context) -> Result<String, CliError
 /// Where files that another file names may lie: below the folder of that file, below one that the command line names,
 /// or below the one that the program is run in. Otherwise the sender of a file could have any other file shown.
 #[derive(Clone, Copy, Debug)]
-pub struct Places<'p> {
+pub struct FileRoots<'p> {
     /// The folder that the command line names.
     pub folder: Option<&'p Path>,
     /// Wherever they lie: the user trusts the file.
     pub anywhere: bool,
 }
 
-impl Places<'_> {
+impl FileRoots<'_> {
     /// The text of a file that another one names, relative to it.
     ///
     /// # Errors

@@ -9,7 +9,7 @@ use technolog::document::{Block, Document, Field, Inlines};
 use technolog::knowledge::TableKind;
 
 use super::{CliError, Context, Format, Lang, Outcome, knowledge};
-use question::Question;
+use question::LookupQuestion;
 
 // One query against one table, with the reason of its answer
 #[derive(Debug, clap::Args)]
@@ -29,7 +29,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("lookup", &[Format::Text, Format::Json, Format::Markdown, Format::Html])?;
     let knowledge = knowledge::load_to_read(context)?;
     let table = knowledge::table(knowledge, &args.table, context)?;
-    let question = Question::read(table, args, context)?;
+    let question = LookupQuestion::read(table, args, context)?;
     match table.kind {
         TableKind::Decision => decision::answer(&question, args.all, format, context),
         TableKind::Catalog => catalog::answer(&question, format, context),

@@ -16,7 +16,7 @@ use crate::tooling::named::NamedCutter;
 use crate::units::{Micrometres, RevsPerMinute};
 
 use super::auditor::Auditor;
-use super::near::{Near, same_table};
+use super::near::{NameMatch, same_table};
 use super::quantity::{Id, Quantity, Scope};
 use super::stated::{Row, Stated};
 
@@ -31,8 +31,8 @@ pub struct Context<'a> {
     pub plan: &'a Plan,
     /// What audits share.
     pub auditor: &'a Auditor<'a>,
-    cutters: Vec<Near<NamedCutter<'a>>>,
-    holders: Vec<Near<HolderRow<'a>>>,
+    cutters: Vec<NameMatch<NamedCutter<'a>>>,
+    holders: Vec<NameMatch<HolderRow<'a>>>,
     /// Correctors by the word that calls them in the program: `G43` or `G44`.
     calls: BTreeMap<u32, &'static str>,
 }
@@ -53,7 +53,7 @@ impl<'a> Context<'a> {
             let of_table =
                 |cutter: &NamedCutter<'_>| table.is_none_or(|table| same_table(&cutter.row.row.table.id, table));
             let mut found = auditor.cutters.find(named, of_table);
-            if matches!(found, Near::Unknown(_)) {
+            if matches!(found, NameMatch::Unknown(_)) {
                 found = auditor.cutters.find(named, |_| true);
             }
             cutters.push(found);
@@ -65,8 +65,8 @@ impl<'a> Context<'a> {
     }
 
     /// What the catalogs know of a tool's designation.
-    pub fn cutter_near(&self, tool: usize) -> &Near<NamedCutter<'a>> {
-        self.cutters.get(tool).unwrap_or(&Near::Unstated)
+    pub fn cutter_near(&self, tool: usize) -> &NameMatch<NamedCutter<'a>> {
+        self.cutters.get(tool).unwrap_or(&NameMatch::Unstated)
     }
 
     /// The cutter of a tool, where its designation is known, or misprinted but not in doubt.
@@ -75,8 +75,8 @@ impl<'a> Context<'a> {
     }
 
     /// What the catalogs know of a holder's designation.
-    pub fn holder_near(&self, tool: usize) -> &Near<HolderRow<'a>> {
-        self.holders.get(tool).unwrap_or(&Near::Unstated)
+    pub fn holder_near(&self, tool: usize) -> &NameMatch<HolderRow<'a>> {
+        self.holders.get(tool).unwrap_or(&NameMatch::Unstated)
     }
 
     /// The holder of a tool.

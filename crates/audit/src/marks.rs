@@ -13,7 +13,7 @@ pub use scheme::schema;
 
 /// A marking scheme.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Scheme {
+pub struct MarkingScheme {
     /// Its name.
     pub name: String,
     /// The most that can be had.
@@ -110,7 +110,7 @@ impl BySeverity {
     }
 }
 
-impl Scheme {
+impl MarkingScheme {
     /// The marks of an audit. The most particular word of the scheme holds: the rule before the section before the
     /// severity; what follows from another slip is charged as a consequence whatever its rule.
     pub fn mark(&self, audit: &Audit) -> Marks {

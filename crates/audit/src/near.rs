@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 /// What became of a name that was looked for.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Near<T> {
+pub enum NameMatch<T> {
     /// No name was stated.
     Unstated,
     /// It is there.
@@ -15,7 +15,7 @@ pub enum Near<T> {
     Unknown(Option<String>),
 }
 
-impl<T> Near<T> {
+impl<T> NameMatch<T> {
     /// What was found or doubtless meant.
     pub fn meant(&self) -> Option<&T> {
         match self {
@@ -53,12 +53,12 @@ impl<'n, T: Clone> Names<'n, T> {
     }
 
     /// Looks a name up among those that may be meant.
-    pub fn find(&self, name: Option<&str>, may_be: impl Fn(&T) -> bool) -> Near<T> {
-        let Some(name) = name else { return Near::Unstated };
+    pub fn find(&self, name: Option<&str>, may_be: impl Fn(&T) -> bool) -> NameMatch<T> {
+        let Some(name) = name else { return NameMatch::Unstated };
         let wanted = plain(name);
         let mut same = self.exact.get(&wanted).into_iter().flatten().filter_map(|at| self.all.get(*at));
         if let Some((value, ..)) = same.find(|(value, ..)| may_be(value)) {
-            return Near::Found(value.clone());
+            return NameMatch::Found(value.clone());
         }
         // Spaces stand for dashes: `035 2300 1273`. Two names that differ by their dashes alone count as equal.
         let bare = without_dashes(&wanted);
@@ -67,7 +67,7 @@ impl<'n, T: Clone> Names<'n, T> {
         if let (Some((value, _, first)), true) = (spaced.next(), bare.len() >= 6)
             && spaced.all(|(_, _, other)| other == first)
         {
-            return Near::Found(value.clone());
+            return NameMatch::Found(value.clone());
         }
         // The source prints some numbers with a zero too many, and the regular one is right too.
         let regular = |(value, _, other): &&(T, &str, Vec<char>)| may_be(value) && has_surplus_zero(other, &wanted);
@@ -75,7 +75,7 @@ impl<'n, T: Clone> Names<'n, T> {
         if let Some((value, _, first)) = regular.next()
             && regular.all(|(_, _, other)| other == first)
         {
-            return Near::Found(value.clone());
+            return NameMatch::Found(value.clone());
         }
         let mut lost: Vec<(&T, &str)> = Vec::new();
         let mut best: Option<(usize, &str)> = None;
@@ -90,9 +90,9 @@ impl<'n, T: Clone> Names<'n, T> {
             }
         }
         if let [(value, known)] = lost[..] {
-            return Near::Meant(value.clone(), known.to_owned());
+            return NameMatch::Meant(value.clone(), known.to_owned());
         }
-        Near::Unknown(best.map(|(_, known)| known.to_owned()))
+        NameMatch::Unknown(best.map(|(_, known)| known.to_owned()))
     }
 }
 
@@ -203,11 +203,11 @@ mod tests {
         let names = ["035-2317-0103", "035-2317-0104", "035-2300-1273"];
         let names = Names::new(names.iter().map(|name| (*name, ())));
         let look = |name: &str| names.find(Some(name), |()| true);
-        assert_eq!(look("035 - 2300 – 1273"), Near::Found(()));
-        assert_eq!(look("035 2300 1273"), Near::Found(()));
-        assert_eq!(look("2317-0103"), Near::Meant((), "035-2317-0103".to_owned()));
-        assert_eq!(look("035-2317-0109"), Near::Unknown(Some("035-2317-0103".to_owned())));
-        assert_eq!(look("191113040"), Near::Unknown(None));
+        assert_eq!(look("035 - 2300 – 1273"), NameMatch::Found(()));
+        assert_eq!(look("035 2300 1273"), NameMatch::Found(()));
+        assert_eq!(look("2317-0103"), NameMatch::Meant((), "035-2317-0103".to_owned()));
+        assert_eq!(look("035-2317-0109"), NameMatch::Unknown(Some("035-2317-0103".to_owned())));
+        assert_eq!(look("191113040"), NameMatch::Unknown(None));
     }
 
     #[test]
@@ -215,9 +215,9 @@ mod tests {
         let names = ["035-2320-0005", "035-2320-00015", "035-2350-01010"];
         let names = Names::new(names.iter().map(|name| (*name, *name)));
         let look = |name: &str| names.find(Some(name), |_| true);
-        assert_eq!(look("035-2320-0015"), Near::Found("035-2320-00015"));
-        assert_eq!(look("035-2350-0110"), Near::Found("035-2350-01010"));
-        assert_eq!(look("035-2320-005"), Near::Unknown(Some("035-2320-0005".to_owned())));
+        assert_eq!(look("035-2320-0015"), NameMatch::Found("035-2320-00015"));
+        assert_eq!(look("035-2350-0110"), NameMatch::Found("035-2350-01010"));
+        assert_eq!(look("035-2320-005"), NameMatch::Unknown(Some("035-2320-0005".to_owned())));
     }
 
     #[test]

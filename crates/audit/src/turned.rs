@@ -16,7 +16,7 @@ use crate::note::{Note, Severity};
 use crate::program::lathe::{
     LatheAct, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, Subprogram, is_serious, read,
 };
-use crate::program::{Fault, Span};
+use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
 use crate::turning::operation::programs::{place, stations};
 use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told};
@@ -132,7 +132,7 @@ pub const RULE: &str = "part";
 pub const HELD: &str = "turned-held";
 
 fn fault(code: &'static str, severity: Severity, note: Note, line: u32) -> Fault {
-    let span = Span { line, column: 1, width: 1 };
+    let span = TextSpan { line, column: 1, width: 1 };
     Fault { code, severity, rule: RULE, block: None, calls: Vec::new(), span, subject: None, note }
 }
 

@@ -21,7 +21,7 @@ mod read;
 
 use labels::Labels;
 use legend::{legend, zero};
-use read::{Panel, PathSegment, Shape};
+use read::{DrawnShape, Panel, PathSegment};
 
 /// Where the part lies while a program runs.
 #[derive(Clone, Debug)]
@@ -294,7 +294,7 @@ fn numbers(canvas: &mut Canvas, panel: &Panel<'_>, view: View, colour: &'static 
 fn shape(canvas: &mut Canvas, line: &PathSegment, view: View, pen: Pen, again: bool) {
     let (from, to) = (view.at(line.from), view.at(line.to));
     match line.shape {
-        Shape::Straight => {
+        DrawnShape::Straight => {
             if !again {
                 canvas.line(&[from, to], pen);
             }
@@ -305,7 +305,7 @@ fn shape(canvas: &mut Canvas, line: &PathSegment, view: View, pen: Pen, again: b
                 canvas.head(from, middle, pen);
             }
         }
-        Shape::Arc { centre, sense, sweep } => {
+        DrawnShape::Arc { centre, sense, sweep } => {
             let radius = libm::hypot(line.from.0 - centre.0, line.from.1 - centre.1) * view.scale;
             // Seen from above, with Y down the page, the sense stays what the eye sees.
             let flag = u8::from(sense == Sense::Clockwise);

@@ -16,7 +16,7 @@ use crate::plan::Plan;
 mod section;
 mod toolpath;
 
-use section::Section;
+use section::HoleSection;
 
 /// Width of a diagram.
 const WIDTH: f64 = 350.0;
@@ -130,7 +130,7 @@ fn diagram(canvas: &mut Canvas, (x, y): (f64, f64), work: &ToolWork, index: usiz
         canvas.text((x + MARGIN, row), 11.0, Anchor::Start, &line);
         row += 14.0;
     }
-    let Some(section) = Section::of(plan, work, index, (x, y + HEAD)) else { return };
+    let Some(section) = HoleSection::of(plan, work, index, (x, y + HEAD)) else { return };
     section.hole(canvas, lang);
     toolpath::draw(canvas, &section, cycle);
     section.levels(canvas, cycle, lang);

@@ -38,7 +38,7 @@ pub struct EncodingSheet {
     /// What the operator sets before the start: zeros, correctors.
     pub instructions: Vec<String>,
     /// One row for each block.
-    pub rows: Vec<Row>,
+    pub rows: Vec<SheetRow>,
     /// The fields that are not in the textbook's sheet but ours.
     pub supplied: [&'static str; 3],
     /// The language of its words.
@@ -48,7 +48,7 @@ pub struct EncodingSheet {
 
 /// A block on the sheet.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Row {
+pub struct SheetRow {
     /// The line of the program, from 1.
     pub line: usize,
     /// The transition that begins here, or what the operator does.
@@ -116,7 +116,7 @@ pub fn of_text(
         // The sign of a tape is no block and has no end.
         let end = if found == [blocks::Word::Tape] { "" } else { end(control) };
         let code = format!("{} {end}", line.trim()).trim_end().to_owned();
-        rows.push(Row { line: index + 1, transition: None, tool, code, meaning });
+        rows.push(SheetRow { line: index + 1, transition: None, tool, code, meaning });
     }
     // A machine without a record is an error, so that nobody reads a sheet of another one.
     let named = &Machine::find(knowledge, machine)?.table.title;

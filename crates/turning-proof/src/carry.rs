@@ -2,7 +2,7 @@
 
 use crate::fault::{Fault, Faults};
 use crate::note::Figure;
-use crate::plane::{Convex, Region, Rule, Spot, Window};
+use crate::plane::{Convex, Region, Rule, Vector, Window};
 use crate::set_up::{Motion, MotionKind, SetUp};
 use crate::stock::Stock;
 use crate::target::Target;
@@ -63,7 +63,7 @@ impl<'s> Carried<'s> {
     }
 
     /// The largest nose radius that cut within reach of a piece of metal, mm; 0 where none did.
-    pub fn nose_at(&self, spots: &[Spot]) -> f64 {
+    pub fn nose_at(&self, spots: &[Vector]) -> f64 {
         // A cut edge lies on the grid, and its chords coincide with those of the sweep.
         const TOUCH: f64 = 0.002;
         let window = Window::around(spots.iter().copied()).grown(TOUCH);
@@ -262,8 +262,8 @@ fn thickest(shared: &Region) -> Option<(Mm, At)> {
 }
 
 /// Spots on the edge of a region, every 0.5 mm or at most so many on each side of it; corners are among them.
-pub fn samples(region: &Region, most: usize) -> Vec<Spot> {
-    let edge = |(from, to): (Spot, Spot)| {
+pub fn samples(region: &Region, most: usize) -> Vec<Vector> {
+    let edge = |(from, to): (Vector, Vector)| {
         let path = to.minus(from);
         let parts = ((path.length() / 0.5).ceil() as usize).clamp(2, most);
         (0..parts).map(move |part| from.plus(path.times(part as f64 / parts as f64)))

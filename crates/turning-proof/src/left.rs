@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 
 use crate::carry::{Carried, TOLERANCE, samples};
 use crate::fault::Fault;
-use crate::plane::{Convex, Region, Rule, Spot, Window};
-use crate::target::Near;
+use crate::plane::{Convex, Region, Rule, Vector, Window};
+use crate::target::Nearest;
 use crate::units::{At, Mm};
 
 /// A sample of what is left.
 #[derive(Clone, Copy)]
 struct Left {
-    spot: Spot,
-    near: Near,
+    spot: Vector,
+    near: Nearest,
     /// How thick it is, mm: from the contour, or from the round that the nose leaves in a corner.
     thickness: f64,
 }
@@ -50,7 +50,7 @@ pub fn hold(carried: &mut Carried<'_>) {
 }
 
 /// The spots that belong to this set-up and are farther from the contour than the tolerance of findings.
-fn left(carried: &Carried<'_>, spots: &[Spot]) -> Vec<Left> {
+fn left(carried: &Carried<'_>, spots: &[Vector]) -> Vec<Left> {
     let target = &carried.target;
     let nearest = target.nearest(spots);
     let all = spots.iter().zip(nearest).map(|(&spot, near)| Left { spot, near, thickness: near.distance });
@@ -68,7 +68,7 @@ fn unreached(carried: &Carried<'_>, window: Window, nose: f64) -> Option<Region>
 }
 
 /// How far a spot is from a region, mm; 0 in it.
-fn over_region(region: &Region, spot: Spot) -> f64 {
+fn over_region(region: &Region, spot: Vector) -> f64 {
     if region.holds(spot) {
         return 0.0;
     }

@@ -1,7 +1,7 @@
 //! What is proven: one set-up, in its own coordinates.
 
 use crate::note::Figure;
-use crate::plane::{Spot, chords, turned};
+use crate::plane::{Vector, chords, turned};
 use crate::stock::Stock;
 use crate::tool::Tool;
 use crate::units::{At, Block, Mm};
@@ -59,7 +59,7 @@ impl Piece {
     }
 
     /// The ends of its chords, its beginning first.
-    pub(crate) fn spots(&self) -> Vec<Spot> {
+    pub(crate) fn spots(&self) -> Vec<Vector> {
         let (from, to) = (self.from().spot(), self.to().spot());
         let mut spots = vec![from];
         match self {

@@ -1,6 +1,6 @@
 //! The metal, as a region of the half-plane.
 
-use crate::plane::{Convex, Region, Spot};
+use crate::plane::{Convex, Region, Vector};
 use crate::set_up::Piece;
 use crate::units::{At, CubicMm, Mm};
 
@@ -45,8 +45,8 @@ impl Stock {
 }
 
 /// The corners of a chain.
-fn spots(chain: &[Piece]) -> Vec<Spot> {
-    let mut all: Vec<Spot> = Vec::new();
+fn spots(chain: &[Piece]) -> Vec<Vector> {
+    let mut all: Vec<Vector> = Vec::new();
     for path in chain {
         all.extend(path.spots().into_iter().skip(usize::from(!all.is_empty())));
     }
@@ -54,8 +54,8 @@ fn spots(chain: &[Piece]) -> Vec<Spot> {
 }
 
 /// What lies between two chains that run from the free end towards the chuck; the axis stands for a bore that is not there.
-pub(crate) fn between(outer: &[Spot], bore: &[Spot]) -> Region {
-    let on_axis = |spot: Option<&Spot>| spot.map(|spot| Spot::new(spot.z, 0.0));
+pub(crate) fn between(outer: &[Vector], bore: &[Vector]) -> Region {
+    let on_axis = |spot: Option<&Vector>| spot.map(|spot| Vector::new(spot.z, 0.0));
     let mut chain = outer.to_vec();
     match (bore.first(), bore.last()) {
         (Some(_), Some(end)) => {

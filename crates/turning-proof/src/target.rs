@@ -1,7 +1,7 @@
 //! The finished part for comparison with the stock: what must stay, what may stay, and the nearest edge.
 
 use crate::note::Figure;
-use crate::plane::{Convex, Region, Rule, Spot, Window};
+use crate::plane::{Convex, Region, Rule, Vector, Window};
 use crate::set_up::{Profile, ProfilePiece, Thread};
 use crate::stock::between;
 
@@ -14,14 +14,14 @@ const BEYOND: f64 = 10_000.0;
 /// A chord of the contour, moved out by the allowance.
 #[derive(Clone, Copy, Debug)]
 struct OutlineEdge {
-    from: Spot,
-    to: Spot,
+    from: Vector,
+    to: Vector,
     piece: usize,
 }
 
 /// Where the contour is nearest to a spot.
 #[derive(Clone, Copy, Debug)]
-pub struct Near {
+pub struct Nearest {
     /// Which piece of it.
     pub piece: usize,
     /// How far, mm.
@@ -55,12 +55,12 @@ pub struct Target {
     edges: Vec<OutlineEdge>,
     surfaces: Vec<Option<Figure>>,
     /// Lines behind which the metal is another set-up's.
-    open: Vec<[Spot; 2]>,
+    open: Vec<[Vector; 2]>,
 }
 
 /// The chords of a piece with their normals, and how far they are moved.
 struct Chain {
-    spots: Vec<Spot>,
+    spots: Vec<Vector>,
     /// +1 where the metal lies to the left of the chain.
     outwards: f64,
     moved: f64,
@@ -75,8 +75,8 @@ impl Chain {
         Self { spots, outwards, moved: piece.allowance.0 + sunk }
     }
 
-    fn pairs(&self) -> impl Iterator<Item = (Spot, Spot, Spot)> {
-        let by = move |a: Spot, b: Spot| normal(a, b, self.outwards).times(self.moved);
+    fn pairs(&self) -> impl Iterator<Item = (Vector, Vector, Vector)> {
+        let by = move |a: Vector, b: Vector| normal(a, b, self.outwards).times(self.moved);
         self.spots.windows(2).map(move |pair| (pair[0], pair[1], by(pair[0], pair[1])))
     }
 
@@ -93,18 +93,18 @@ impl Chain {
 
 /// An outside and a bore that end at the same place along the axis: the shorter goes on straight, for what a set-up does not
 /// make is as thick as where it begins.
-fn alike_long(mut outer: Vec<Spot>, mut bore: Vec<Spot>) -> (Vec<Spot>, Vec<Spot>) {
+fn alike_long(mut outer: Vec<Vector>, mut bore: Vec<Vector>) -> (Vec<Vector>, Vec<Vector>) {
     if let (Some(&out), Some(&within)) = (outer.last(), bore.last()) {
         if within.z > out.z {
-            bore.push(Spot::new(out.z, within.r));
+            bore.push(Vector::new(out.z, within.r));
         } else if out.z > within.z && within.r < out.r {
-            outer.push(Spot::new(within.z, out.r));
+            outer.push(Vector::new(within.z, out.r));
         }
     }
     (outer, bore)
 }
 
-fn normal(from: Spot, to: Spot, outwards: f64) -> Spot {
+fn normal(from: Vector, to: Vector, outwards: f64) -> Vector {
     to.minus(from).unit().right().times(outwards)
 }
 
@@ -114,8 +114,8 @@ impl Target {
         for (pieces, outwards) in [(&profile.outside, 1.0), (&profile.bore, -1.0)] {
             chains.push(pieces.iter().map(|piece| Chain::of(piece, outwards)).collect::<Vec<_>>());
         }
-        let whole = |chain: &[Chain]| -> Vec<Spot> {
-            let mut spots: Vec<Spot> = chain.iter().flat_map(|piece| piece.spots.iter().copied()).collect();
+        let whole = |chain: &[Chain]| -> Vec<Vector> {
+            let mut spots: Vec<Vector> = chain.iter().flat_map(|piece| piece.spots.iter().copied()).collect();
             spots.dedup();
             spots
         };
@@ -150,27 +150,27 @@ impl Target {
     }
 
     /// The nearest edge to each of some spots.
-    pub fn nearest(&self, spots: &[Spot]) -> Vec<Near> {
+    pub fn nearest(&self, spots: &[Vector]) -> Vec<Nearest> {
         // An edge is nearly always close by; only if none is, all of them are searched.
         const CLOSE: f64 = 0.1;
         let window = Window::around(spots.iter().copied()).grown(CLOSE);
         let meets = |edge: &&OutlineEdge| Window::around([edge.from, edge.to]).meets(window);
         let close: Vec<OutlineEdge> = self.edges.iter().filter(meets).copied().collect();
-        let nearest = |&spot: &Spot| {
-            let found = Near::of(&close, spot);
-            if found.distance <= CLOSE { found } else { Near::of(&self.edges, spot) }
+        let nearest = |&spot: &Vector| {
+            let found = Nearest::of(&close, spot);
+            if found.distance <= CLOSE { found } else { Nearest::of(&self.edges, spot) }
         };
         spots.iter().map(nearest).collect()
     }
 
     /// Whether what stands at a spot, so far from the contour, belongs to another set-up.
-    pub fn is_elsewhere(&self, spot: Spot, distance: f64) -> bool {
+    pub fn is_elsewhere(&self, spot: Vector, distance: f64) -> bool {
         self.open.iter().any(|[from, to]| spot.distance(*from, *to) <= distance)
     }
 
     /// The stretch along the axis that the set-up makes, mm.
     pub fn stretch(&self) -> Window {
-        let whole = Window { least: Spot::new(-BEYOND / 2.0, 0.0), most: Spot::new(BEYOND / 2.0, BEYOND / 2.0) };
+        let whole = Window { least: Vector::new(-BEYOND / 2.0, 0.0), most: Vector::new(BEYOND / 2.0, BEYOND / 2.0) };
         let edges = Window::around(self.edges.iter().flat_map(|edge| [edge.from, edge.to]));
         let middle = (edges.least.z + edges.most.z) / 2.0;
         self.open.iter().fold(whole, |mut whole, [from, _]| {
@@ -184,8 +184,8 @@ impl Target {
     }
 }
 
-impl Near {
-    fn of(edges: &[OutlineEdge], spot: Spot) -> Self {
+impl Nearest {
+    fn of(edges: &[OutlineEdge], spot: Vector) -> Self {
         let each = edges.iter().map(|edge| (spot.distance(edge.from, edge.to), edge));
         let Some((distance, edge)) = each.min_by(|a, b| a.0.total_cmp(&b.0)) else {
             return Self { piece: 0, distance: f64::INFINITY, square: false };
@@ -211,7 +211,7 @@ impl Threaded {
 
     fn between(&self, from: f64, to: f64) -> Option<Convex> {
         let run = RUN * (from - to).abs();
-        Convex::hull(Convex::rectangle(Spot::new(self.z[0] - run, from), Spot::new(self.z[1] + run, to)))
+        Convex::hull(Convex::rectangle(Vector::new(self.z[0] - run, from), Vector::new(self.z[1] + run, to)))
     }
 }
 
@@ -243,18 +243,18 @@ fn corner(pair: &[Chain]) -> Option<Convex> {
 }
 
 /// Lines on which the contour is open: those that close it, and straight away from its open ends.
-fn open(outer: &[Spot], bore: &[Spot]) -> Vec<[Spot; 2]> {
+fn open(outer: &[Vector], bore: &[Vector]) -> Vec<[Vector; 2]> {
     let mut lines = Vec::new();
     for (end, other) in [(outer.first(), bore.first()), (outer.last(), bore.last())] {
         let Some(&end) = end else { continue };
         // A blind bore closes itself on the axis.
         let other = other.copied().filter(|other| other.r > 0.0);
-        let inner = other.unwrap_or(Spot::new(end.z, 0.0));
+        let inner = other.unwrap_or(Vector::new(end.z, 0.0));
         if end.minus(inner).length() > 1e-6 {
             lines.push([end, inner]);
-            lines.push([end, Spot::new(end.z, BEYOND)]);
+            lines.push([end, Vector::new(end.z, BEYOND)]);
             if let Some(other) = other {
-                lines.push([other, Spot::new(other.z, 0.0)]);
+                lines.push([other, Vector::new(other.z, 0.0)]);
             }
         }
     }

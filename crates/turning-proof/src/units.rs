@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::plane::Spot;
+use crate::plane::Vector;
 
 /// A length, mm.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Default)]
@@ -35,11 +35,11 @@ impl At {
         Self { z, radius }
     }
 
-    pub(crate) const fn spot(self) -> Spot {
-        Spot { z: self.z.0, r: self.radius.0 }
+    pub(crate) const fn spot(self) -> Vector {
+        Vector { z: self.z.0, r: self.radius.0 }
     }
 
-    pub(crate) const fn of(spot: Spot) -> Self {
+    pub(crate) const fn of(spot: Vector) -> Self {
         Self { z: Mm(spot.z), radius: Mm(spot.r) }
     }
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-use technolog::audit::marks::{Scheme, read_scheme};
+use technolog::audit::marks::{MarkingScheme, read_scheme};
 use technolog::audit::rules;
 use technolog::audit::stated::Stated;
 use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
@@ -12,14 +12,14 @@ use technolog::error::KnowledgeError;
 use technolog::report::Lang;
 
 use super::super::diagnostics::Texts;
-use super::super::input::{self, Places};
+use super::super::input::{self, FileRoots};
 use super::super::{CliError, Context, kind};
 
 /// A plan.
 ///
 /// # Errors
 /// Every mistake of the file.
-pub fn read(path: &Path, auditor: &Auditor<'_>, places: Places<'_>, context: &Context) -> Result<Stated, CliError> {
+pub fn read(path: &Path, auditor: &Auditor<'_>, places: FileRoots<'_>, context: &Context) -> Result<Stated, CliError> {
     let shown = path.display().to_string();
     let text = context.text(path)?;
     let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| places.text(path, name, context));
@@ -33,7 +33,7 @@ pub fn read(path: &Path, auditor: &Auditor<'_>, places: Places<'_>, context: &Co
 pub fn read_any(
     path: &Path,
     auditor: &Auditor<'_>,
-    places: Places<'_>,
+    places: FileRoots<'_>,
     context: &Context,
 ) -> Result<Option<Stated>, CliError> {
     let shown = path.display().to_string();
@@ -61,7 +61,7 @@ pub fn at_fault(stated: &Stated, error: &KnowledgeError, context: &Context) -> C
 ///
 /// # Errors
 /// Every mistake of the file.
-pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
+pub fn scheme(path: &Path, context: &Context) -> Result<MarkingScheme, CliError> {
     let shown = path.display().to_string();
     let text = context.text(path)?;
     // A check is named by the code of its sentence.

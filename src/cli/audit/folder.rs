@@ -3,14 +3,14 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use technolog::audit::marks::Scheme;
+use technolog::audit::marks::MarkingScheme;
 use technolog::audit::{Audited, Auditor, Unread};
 use technolog::document::cleaned;
 use technolog::knowledge::Diagnostic;
 use technolog::words::say;
 use technolog::{parallel, report};
 
-use super::super::input::Places;
+use super::super::input::FileRoots;
 use super::super::problems::{of_system, unreadable};
 use super::super::progress::Progress;
 use super::super::{CliError, Context, Format, Outcome, output};
@@ -31,8 +31,8 @@ pub fn run(
     folder: &Path,
     format: Format,
     auditor: &Auditor<'_>,
-    scheme: Option<&Scheme>,
-    places: Places<'_>,
+    scheme: Option<&MarkingScheme>,
+    places: FileRoots<'_>,
     context: &Context,
 ) -> Result<Outcome, CliError> {
     let (mut files, mut barred) = (Vec::new(), Vec::new());
@@ -72,8 +72,8 @@ pub fn run(
 fn one(
     path: &Path,
     auditor: &Auditor<'_>,
-    scheme: Option<&Scheme>,
-    places: Places<'_>,
+    scheme: Option<&MarkingScheme>,
+    places: FileRoots<'_>,
     context: &Context,
 ) -> Result<Seen, CliError> {
     let stated = match file::read_any(path, auditor, places, context) {

@@ -9,7 +9,7 @@ use technolog::audit::{Audit, Auditor};
 use technolog::knowledge::Diagnostic;
 use technolog::report;
 
-use super::input::Places;
+use super::input::FileRoots;
 use super::{CliError, Context, Format, Outcome, knowledge};
 
 // Hold somebody's plan, or a folder of plans, against the knowledge: every figure, every choice, the program
@@ -43,10 +43,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let problem = Diagnostic::error("folder-against", context.word("audit-folder-against"), None);
             return Err(problem.help(context.word("audit-name-a-plan")).into());
         }
-        let places = Places { folder: Some(&args.plan), anywhere: args.allow_outside };
+        let places = FileRoots { folder: Some(&args.plan), anywhere: args.allow_outside };
         return folder::run(&args.plan, format, &auditor, scheme.as_ref(), places, context);
     }
-    let places = Places { folder: None, anywhere: args.allow_outside };
+    let places = FileRoots { folder: None, anywhere: args.allow_outside };
     let stated = file::read(&args.plan, &auditor, places, context)?;
     if let Some(other) = &args.against {
         let other = file::read(other, &auditor, places, context)?;

@@ -10,8 +10,8 @@ use technolog::knowledge::table::Cell;
 use technolog::knowledge::{Column, RowRef, Table, Value};
 use technolog::words::say;
 
-use super::near::{self, Near};
-use super::question::Question;
+use super::near::{self, NearRow};
+use super::question::LookupQuestion;
 use crate::cli::{CliError, Context, Format, Lang, Outcome, record, sheet, shown};
 
 /// So many values of a text column are all named where none is near.
@@ -21,7 +21,7 @@ const FEW: usize = 12;
 ///
 /// # Errors
 /// The answer cannot be written.
-pub fn answer(question: &Question<'_>, format: Format, context: &Context) -> Result<Outcome, CliError> {
+pub fn answer(question: &LookupQuestion<'_>, format: Format, context: &Context) -> Result<Outcome, CliError> {
     let table = question.table;
     let failed = |row: RowRef<'_>| -> Vec<usize> {
         let fails = |(index, value): &&(usize, Value)| !has(&table.columns[*index], &row.row().cells[*index], value);
@@ -53,7 +53,7 @@ pub fn answer(question: &Question<'_>, format: Format, context: &Context) -> Res
 /// Why no row was found.
 #[derive(Default)]
 struct Missed<'a> {
-    near: Vec<Near<'a>>,
+    near: Vec<NearRow<'a>>,
     keys: Vec<Key<'a>>,
 }
 

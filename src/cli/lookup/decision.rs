@@ -7,8 +7,8 @@ use technolog::knowledge::table::{Cell, Uncovered};
 use technolog::knowledge::{Column, Diagnostic, Input, RowRef, Table, Value};
 use technolog::words::say;
 
-use super::near::{self, Near};
-use super::question::Question;
+use super::near::{self, NearRow};
+use super::question::LookupQuestion;
 use crate::cli::{CliError, Context, Format, Lang, Outcome, record, sheet, shown};
 
 /// More rejected rows than this are grouped by column, unless all are asked for.
@@ -18,7 +18,12 @@ const LISTED: usize = 12;
 ///
 /// # Errors
 /// The rows of the table contradict each other, or the answer cannot be written.
-pub fn answer(question: &Question<'_>, all: bool, format: Format, context: &Context) -> Result<Outcome, CliError> {
+pub fn answer(
+    question: &LookupQuestion<'_>,
+    all: bool,
+    format: Format,
+    context: &Context,
+) -> Result<Outcome, CliError> {
     let table = question.table;
     let inputs: Vec<(&str, Input<'_>)> = question
         .given
@@ -56,11 +61,11 @@ struct DecisionReport<'a> {
     passed_over: Vec<RowRef<'a>>,
     rejected: Vec<(RowRef<'a>, &'a Column, &'a str)>,
     gap: Option<&'a Uncovered>,
-    near: Vec<Near<'a>>,
+    near: Vec<NearRow<'a>>,
 }
 
 impl<'a> DecisionReport<'a> {
-    fn of(question: &'a Question<'a>, answer: &Answer<'a>) -> Self {
+    fn of(question: &'a LookupQuestion<'a>, answer: &Answer<'a>) -> Self {
         let table = question.table;
         let asked: Vec<UnderstoodInput<'_>> = table
             .inputs()

@@ -12,7 +12,7 @@ const LISTED: usize = 5;
 
 /// A row with the columns that fail in it.
 #[derive(Debug)]
-pub struct Near<'t> {
+pub struct NearRow<'t> {
     row: RowRef<'t>,
     failed: Vec<usize>,
 }
@@ -22,13 +22,13 @@ pub fn rows<'t>(
     all: impl Iterator<Item = RowRef<'t>>,
     asked: usize,
     failed: impl Fn(RowRef<'t>) -> Vec<usize>,
-) -> Vec<Near<'t>> {
-    let all: Vec<Near<'t>> = all.map(|row| Near { row, failed: failed(row) }).collect();
+) -> Vec<NearRow<'t>> {
+    let all: Vec<NearRow<'t>> = all.map(|row| NearRow { row, failed: failed(row) }).collect();
     let fewest = all.iter().map(|near| near.failed.len()).min().unwrap_or(asked);
     all.into_iter().filter(|near| near.failed.len() == fewest && fewest < asked).collect()
 }
 
-fn failed<'n>(near: &'n Near<'_>) -> impl Iterator<Item = (&'n Column, String)> {
+fn failed<'n>(near: &'n NearRow<'_>) -> impl Iterator<Item = (&'n Column, String)> {
     near.failed.iter().map(|&index| {
         let column = &near.row.table.columns[index];
         (column, record::cell(column, &near.row.row().cells[index]))
@@ -36,7 +36,7 @@ fn failed<'n>(near: &'n Near<'_>) -> impl Iterator<Item = (&'n Column, String)> 
 }
 
 /// For people; nothing without such rows.
-pub fn section(page: &mut Document, near: &[Near<'_>], lang: Lang) {
+pub fn section(page: &mut Document, near: &[NearRow<'_>], lang: Lang) {
     if near.is_empty() {
         return;
     }
@@ -72,7 +72,7 @@ pub struct Json<'t> {
 }
 
 /// For programs: as many as people see.
-pub fn json<'t>(near: &'t [Near<'_>]) -> Vec<Json<'t>> {
+pub fn json<'t>(near: &'t [NearRow<'_>]) -> Vec<Json<'t>> {
     near.iter()
         .take(LISTED)
         .map(|near| Json {

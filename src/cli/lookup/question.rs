@@ -12,14 +12,14 @@ use crate::cli::{CliError, Context, shown};
 
 /// A question to a table, in which every key is a column and every value is of its type.
 #[derive(Debug)]
-pub struct Question<'t> {
+pub struct LookupQuestion<'t> {
     /// The table that is queried.
     pub table: &'t Table,
     /// The position of each column that is given, and its value.
     pub given: Vec<(usize, Value)>,
 }
 
-impl<'t> Question<'t> {
+impl<'t> LookupQuestion<'t> {
     /// Reads the arguments against the columns of the table.
     ///
     /// # Errors

@@ -10,7 +10,7 @@ use technolog::report::Lang;
 use technolog::turning::shaft::Mistake;
 use technolog::words::say;
 
-use super::super::input::{self, Places};
+use super::super::input::{self, FileRoots};
 use super::super::problems::unreadable;
 use super::super::{CliError, Context, kind};
 
@@ -132,6 +132,6 @@ pub fn beside<'c>(
     anywhere: bool,
     context: &'c Context,
 ) -> impl Fn(&str) -> Result<String, String> + use<'c> {
-    let places = Places { folder: found.folder.as_deref(), anywhere };
+    let places = FileRoots { folder: found.folder.as_deref(), anywhere };
     move |name: &str| places.text(&found.path, name, context)
 }

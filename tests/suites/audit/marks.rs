@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
-use technolog::audit::marks::{DeductedBy, Marks, Scheme, read_scheme};
+use technolog::audit::marks::{DeductedBy, MarkingScheme, Marks, read_scheme};
 use technolog::audit::{Audit, audit, read_plan, rules};
 use technolog::words::Lang;
 use technolog_testing::KNOWLEDGE;
@@ -18,7 +18,7 @@ fn known() -> Vec<String> {
     rules::all().map(|rule| rule.id.to_owned()).chain(Lang::codes()).collect()
 }
 
-fn scheme(text: &str) -> Scheme {
+fn scheme(text: &str) -> MarkingScheme {
     read_scheme("marks.yaml", text, &known().iter().map(String::as_str).collect::<Vec<_>>()).unwrap()
 }
 

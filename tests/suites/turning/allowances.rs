@@ -1,7 +1,7 @@
 //! Lecture 12.2 on allowances: each statement that docs/turning-lecture.md numbers is held by a test that cites its number.
 
 use technolog::turning::allowances::{
-    Errors, Holds, Method, Place, areas, between, elsewhere, equidistant, finishing, least,
+    Errors, LatheAccuracy, Method, Place, areas, between, elsewhere, equidistant, finishing, least,
 };
 use technolog::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind};
 use technolog::turning::length::Half;
@@ -44,24 +44,24 @@ fn shaft() -> Profile {
     }
 }
 
-fn holds() -> Holds {
+fn holds() -> LatheAccuracy {
     let [outer, inner, face] = [8, 9, 11].map(|grade| ItGrade::new(grade).unwrap());
-    Holds { outer, inner, face, finest: "Ra 1.25".parse::<Roughness>().unwrap() }
+    LatheAccuracy { outer, inner, face, finest: "Ra 1.25".parse::<Roughness>().unwrap() }
 }
 
 /// 12.2-1: accuracy and roughness are compared with the passport of the lathe.
 #[test]
 fn what_the_lathe_cannot_finish_is_found() {
-    let found = |holds: &Holds| {
+    let found = |holds: &LatheAccuracy| {
         let (found, _) = elsewhere(&shaft(), Some(holds), mm(63), &KNOWLEDGE).unwrap();
         found.iter().map(|one| (one.surface.clone(), one.operation.name())).collect::<Vec<_>>()
     };
     let ground = [("A".into(), "outer-grinding")];
     assert_eq!(found(&holds()), ground);
     let better = ItGrade::new(6).unwrap();
-    assert_eq!(found(&Holds { outer: better, ..holds() }), []);
+    assert_eq!(found(&LatheAccuracy { outer: better, ..holds() }), []);
     // The grade is held, the roughness is not.
-    assert_eq!(found(&Holds { outer: better, finest: "Ra 2.5".parse().unwrap(), ..holds() }), ground);
+    assert_eq!(found(&LatheAccuracy { outer: better, finest: "Ra 2.5".parse().unwrap(), ..holds() }), ground);
     // Without a lathe nothing is decided, and that is said.
     let (nothing, findings) = elsewhere(&shaft(), None, mm(63), &KNOWLEDGE).unwrap();
     assert_eq!(nothing, []);

@@ -8,7 +8,7 @@ use crate::reason::OfOther;
 use super::super::context::Context;
 use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::Graph;
-use super::super::near::{Likeness, Near, likeness, plain, same_table};
+use super::super::near::{Likeness, NameMatch, likeness, plain, same_table};
 use super::super::quantity::Scope;
 use super::super::rules::tools::{DIMENSION, OVERHANG, dimensions as of_row};
 use super::super::stated::Text;
@@ -86,7 +86,7 @@ struct ReportedRow<'k> {
 
 /// The finding about a designation.
 fn named<'k, T>(
-    near: &Near<T>,
+    near: &NameMatch<T>,
     row: impl Fn(&T) -> RowRef<'k>,
     name: Option<&Text>,
     section: Section,
@@ -97,17 +97,19 @@ fn named<'k, T>(
     let Some(name) = name else { return };
     let finding = |severity, note: Note| AuditFinding::new(severity, section, field.clone(), note).at(&name.place);
     let found = match near {
-        Near::Unstated | Near::Found(_) => return,
-        Near::Meant(found, known) => {
+        NameMatch::Unstated | NameMatch::Found(_) => return,
+        NameMatch::Meant(found, known) => {
             let note = Note::new("audit-designation-misprinted").with("tool", &name.value).with("known", known);
             let because = Because::row(row(found), Note::new("named"));
             finding(Severity::Wrong, note).beside(&name.value, known).resting_on([because])
         }
-        Near::Unknown(Some(known)) => {
+        NameMatch::Unknown(Some(known)) => {
             let note = Note::new("audit-designation-unknown").with("tool", &name.value).with("known", known);
             finding(Severity::Wrong, note)
         }
-        Near::Unknown(None) => finding(Severity::Wrong, Note::new("audit-designation-alien").with("tool", &name.value)),
+        NameMatch::Unknown(None) => {
+            finding(Severity::Wrong, Note::new("audit-designation-alien").with("tool", &name.value))
+        }
     };
     findings.push(about(found));
 }

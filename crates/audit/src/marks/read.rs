@@ -1,4 +1,4 @@
-//! The scheme file: YAML to [`Scheme`], collecting every mistake.
+//! The scheme file: YAML to [`MarkingScheme`], collecting every mistake.
 
 use crate::knowledge::Diagnostic;
 use crate::knowledge::diagnostic::nearest;
@@ -9,7 +9,7 @@ use technolog_note::note;
 use super::super::finding::Section;
 use super::super::read::number;
 use super::scheme::{Deduct, SchemeFile, Section as Own, Sections};
-use super::{BySeverity, Scheme, SectionScheme};
+use super::{BySeverity, MarkingScheme, SectionScheme};
 
 const SECTIONS: [(KeyOf<Sections>, Section); 9] = [
     (Sections::route, Section::Route),
@@ -27,7 +27,7 @@ const SECTIONS: [(KeyOf<Sections>, Section); 9] = [
 ///
 /// # Errors
 /// Every mistake of the file, each with its place and what to do.
-pub fn read_scheme(file: &str, text: &str, rules: &[&str]) -> Result<Scheme, Vec<Diagnostic>> {
+pub fn read_scheme(file: &str, text: &str, rules: &[&str]) -> Result<MarkingScheme, Vec<Diagnostic>> {
     let (root, diagnostics) = parse(file, text);
     let mut problems = Problems(diagnostics);
     let scheme = root.and_then(|root| scheme(&root, rules, &mut problems));
@@ -40,7 +40,7 @@ pub fn read_scheme(file: &str, text: &str, rules: &[&str]) -> Result<Scheme, Vec
     }
 }
 
-fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Scheme> {
+fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<MarkingScheme> {
     let mut fields = problems.map(root)?;
     let name = fields.take(SchemeFile::scheme).and_then(|node| problems.name(node)).unwrap_or_default().to_owned();
     let points = fields.need(SchemeFile::points, problems).and_then(|node| positive(node, problems));
@@ -57,7 +57,7 @@ fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Scheme
         let message = note!("planfile-nobody-passes-with-points", pass = pass, points = points);
         problems.error_help::<()>("bad-value", message, &node.place, note!("planfile-pass-at-most-points"));
     }
-    Some(Scheme { name, points: points?, pass, deduct, consequences, sections, rules: named })
+    Some(MarkingScheme { name, points: points?, pass, deduct, consequences, sections, rules: named })
 }
 
 /// Points: a number, not below nothing.

@@ -4,7 +4,7 @@ use crate::knowledge::diagnostic::Place;
 use crate::units::{Micrometres, Roughness};
 use technolog_note::note;
 
-use super::check::Span;
+use super::check::BoreSpan;
 use super::file::hole as form;
 use super::read::Reader;
 use super::read_steps::{Whole, depth_or_length};
@@ -20,7 +20,7 @@ pub(super) struct Cylinders {
     pub chamfer: Option<Micrometres>,
     pub steps: Vec<HoleStep>,
     /// All of them, from the entry face inwards.
-    pub spans: Vec<Span>,
+    pub spans: Vec<BoreSpan>,
 }
 
 /// A cylinder as it is written.
@@ -157,7 +157,7 @@ impl Reader<'_> {
         let mut spans = Vec::new();
         let mut start = Micrometres::ZERO;
         for cylinder in &cylinders {
-            spans.push(Span::new(cylinder.widest(), start, cylinder.end));
+            spans.push(BoreSpan::new(cylinder.widest(), start, cylinder.end));
             start = cylinder.end;
         }
         let depth = start;

@@ -12,13 +12,13 @@ use super::{Blank, Datum, Hole, Point};
 
 /// A stretch of a hole along its axis that has one diameter; depths count from the entry face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Span {
+pub(super) struct BoreSpan {
     pub diameter: Micrometres,
     pub from: Micrometres,
     pub to: Micrometres,
 }
 
-impl Span {
+impl BoreSpan {
     /// The end of a hole whose depth could not be read: beyond every blank.
     pub const FAR: Micrometres = Micrometres::from_mm(1_000_000_000);
 
@@ -39,7 +39,7 @@ pub(super) struct Centres {
 pub(super) struct Group {
     pub name: Option<(String, Place)>,
     /// What a hole of the group cuts out, with its openings and its groove; none if that is not known.
-    pub spans: Vec<Span>,
+    pub spans: Vec<BoreSpan>,
     pub depth: Option<(Micrometres, Place)>,
     pub through: Option<bool>,
     pub at: Option<Centres>,

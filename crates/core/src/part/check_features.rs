@@ -4,7 +4,7 @@ use crate::knowledge::diagnostic::Place;
 use crate::units::Micrometres;
 use technolog_note::{Figure, note};
 
-use super::check::Span;
+use super::check::BoreSpan;
 use super::read::Reader;
 use super::read_features::Features;
 use super::{Blank, Point};
@@ -12,7 +12,7 @@ use super::{Blank, Point};
 impl Reader<'_> {
     /// Compares the features with the hole's cylinders, given from the entry face inwards; `too_wide` is the diameter
     /// from which on a hole of the blank leaves nothing to do.
-    pub(super) fn fit_features(&mut self, features: &Features, cylinders: &[Span], too_wide: Micrometres) {
+    pub(super) fn fit_features(&mut self, features: &Features, cylinders: &[BoreSpan], too_wide: Micrometres) {
         let Some(entry) = cylinders.first() else { return };
         let end = cylinders.last().map_or(entry.to, |last| last.to);
         let mut widest = entry.diameter;

@@ -6,7 +6,7 @@ use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::units::{Decimal, Micrometres};
 use technolog_note::note;
 
-use super::check::Span;
+use super::check::BoreSpan;
 use super::file::hole as form;
 use super::read::Reader;
 use super::{BlankHole, Cone, Counterbore, Countersink, Groove};
@@ -33,19 +33,22 @@ pub(super) struct Features {
 
 impl Features {
     /// What they cut out beside the cylinders. A face is no opening: faces may meet, and run off an edge.
-    pub fn spans(&self) -> Vec<Span> {
+    pub fn spans(&self) -> Vec<BoreSpan> {
         let mut spans = Vec::new();
         // A cone narrows at once: only its mouth counts.
         let mouths =
             [self.cone.as_ref().map(|(it, _)| it.diameter), self.countersink.as_ref().map(|(it, _)| it.diameter)];
         spans.extend(
-            mouths.into_iter().flatten().map(|diameter| Span::new(diameter, Micrometres::ZERO, Micrometres::new(1))),
+            mouths
+                .into_iter()
+                .flatten()
+                .map(|diameter| BoreSpan::new(diameter, Micrometres::ZERO, Micrometres::new(1))),
         );
         if let Some((counterbore, _)) = &self.counterbore {
-            spans.push(Span::new(counterbore.diameter, Micrometres::ZERO, counterbore.depth));
+            spans.push(BoreSpan::new(counterbore.diameter, Micrometres::ZERO, counterbore.depth));
         }
         if let Some((groove, _)) = &self.groove {
-            spans.push(Span::new(groove.diameter, groove.depth, groove.depth + groove.width));
+            spans.push(BoreSpan::new(groove.diameter, groove.depth, groove.depth + groove.width));
         }
         spans
     }

@@ -8,7 +8,7 @@ use crate::units::{ItGrade, Micrometres, Roughness};
 use technolog_note::note;
 
 use super::arrange_steps::Cylinders;
-use super::check::{Centres, Group, Span};
+use super::check::{BoreSpan, Centres, Group};
 use super::file::hole as form;
 use super::limits::Counted;
 use super::read::Reader;
@@ -90,7 +90,9 @@ impl Reader<'_> {
         let narrowest = cylinders.as_ref().map(|known| &known.diameter).or(alone.as_ref());
         let mut spans = match (&cylinders, &alone) {
             (Some(known), _) => known.spans.clone(),
-            (None, Some(diameter)) => vec![Span::new(diameter.nominal, Micrometres::ZERO, depth.unwrap_or(Span::FAR))],
+            (None, Some(diameter)) => {
+                vec![BoreSpan::new(diameter.nominal, Micrometres::ZERO, depth.unwrap_or(BoreSpan::FAR))]
+            }
             (None, None) => Vec::new(),
         };
         if let Some(diameter) = narrowest {
@@ -159,7 +161,7 @@ impl Reader<'_> {
         };
         let depth = depth?;
         Some(Cylinders {
-            spans: vec![Span::new(sized.widest(), Micrometres::ZERO, depth)],
+            spans: vec![BoreSpan::new(sized.widest(), Micrometres::ZERO, depth)],
             diameter: sized.diameter,
             thread: sized.thread,
             depth,

@@ -9,7 +9,7 @@ use crate::units::Micrometres;
 const LEAF: usize = 6;
 
 /// The points in boxes. Box 0 holds all of them; the halves of box `k` are boxes `2k + 1` and `2k + 2`.
-pub(super) struct Places<'p> {
+pub(super) struct PointBoxes<'p> {
     points: &'p [Point],
     /// The points box by box: those of a box stand together.
     order: Vec<u32>,
@@ -57,7 +57,7 @@ impl BoxOfPoints {
     }
 }
 
-impl<'p> Places<'p> {
+impl<'p> PointBoxes<'p> {
     pub(super) fn of(points: &'p [Point]) -> Self {
         let zero = Point { x: Micrometres::ZERO, y: Micrometres::ZERO };
         let bounds = vec![Bounds { low: zero, high: zero, first: 0 }; points.len().max(1)];

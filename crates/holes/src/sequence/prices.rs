@@ -12,7 +12,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::places::Places;
+use super::places::PointBoxes;
 use super::spanning::shortest_tree;
 use super::tour::{Space, near_edges};
 
@@ -35,7 +35,7 @@ pub(super) type Edges = Vec<Vec<(i64, u32)>>;
 /// Prices of the nodes of a space, and the trees under them.
 pub(super) struct Prices<'s> {
     space: &'s Space<'s>,
-    places: Places<'s>,
+    places: PointBoxes<'s>,
     /// What each edge of a node pays.
     pub(super) of: Vec<i64>,
     /// Of each node the others with the cost of going there; none for the node beside the tree.
@@ -59,7 +59,7 @@ impl<'s> Prices<'s> {
         let count = space.nodes();
         let mut prices = Self {
             space,
-            places: Places::of(space.points()),
+            places: PointBoxes::of(space.points()),
             of: vec![0; count],
             edges: vec![Vec::new(); count],
             degrees: vec![0; count],

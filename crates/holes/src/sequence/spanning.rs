@@ -5,7 +5,7 @@
 //! or where all its points are of the own tree. Edges are ordered by cost and ends, so that no two are equal.
 
 use super::metric::Metric;
-use super::places::{Bounds, Places, Quest};
+use super::places::{Bounds, PointBoxes, Quest};
 use super::tour::Space;
 use crate::part::Point;
 
@@ -21,7 +21,7 @@ const MIXED: u32 = u32::MAX;
 /// edges that are known, of each node to others, save looking far.
 pub(super) fn shortest_tree(
     space: &Space<'_>,
-    places: &Places<'_>,
+    places: &PointBoxes<'_>,
     prices: &[i64],
     known: &[Vec<(i64, u32)>],
 ) -> Vec<(usize, usize)> {

@@ -1,6 +1,6 @@
 //! What values of tables are read as, and what a question gives as inputs.
 
-use super::{AsInput, FromCell, FromValue, Holds, Named, Shape, Word};
+use super::{AsInput, CellShape, FromCell, FromValue, Holds, Named, Word};
 use crate::query::Input;
 use crate::table::Cell;
 use crate::units::{
@@ -11,7 +11,7 @@ use crate::units::{
 use crate::value::Value;
 
 impl<'t, T: FromValue<'t>> FromCell<'t> for T {
-    const SHAPE: Shape = Shape::one(T::HOLDS);
+    const SHAPE: CellShape = CellShape::one(T::HOLDS);
 
     fn from_cell(cell: &'t Cell) -> Option<Self> {
         match cell {
@@ -22,7 +22,7 @@ impl<'t, T: FromValue<'t>> FromCell<'t> for T {
 }
 
 impl<'t, T: FromValue<'t>> FromCell<'t> for Vec<T> {
-    const SHAPE: Shape = Shape { list: true, ..Shape::one(T::HOLDS) };
+    const SHAPE: CellShape = CellShape { list: true, ..CellShape::one(T::HOLDS) };
 
     fn from_cell(cell: &'t Cell) -> Option<Self> {
         match cell {
@@ -33,7 +33,7 @@ impl<'t, T: FromValue<'t>> FromCell<'t> for Vec<T> {
 }
 
 impl<'t, T: FromCell<'t>> FromCell<'t> for Option<T> {
-    const SHAPE: Shape = Shape { optional: true, ..T::SHAPE };
+    const SHAPE: CellShape = CellShape { optional: true, ..T::SHAPE };
 
     fn from_cell(cell: &'t Cell) -> Option<Self> {
         match cell {
@@ -44,7 +44,7 @@ impl<'t, T: FromCell<'t>> FromCell<'t> for Option<T> {
 }
 
 impl<T: AsInput> AsInput for Option<T> {
-    const SHAPE: Shape = Shape { optional: true, ..T::SHAPE };
+    const SHAPE: CellShape = CellShape { optional: true, ..T::SHAPE };
 
     fn as_input(&self) -> Option<Input<'_>> {
         self.as_ref().and_then(T::as_input)
@@ -69,7 +69,7 @@ impl<W: Word> FromValue<'_> for W {
 }
 
 impl<W: Word> AsInput for W {
-    const SHAPE: Shape = Shape::one(Holds::Word(W::WORDS));
+    const SHAPE: CellShape = CellShape::one(Holds::Word(W::WORDS));
 
     fn as_input(&self) -> Option<Input<'_>> {
         Some(Input::Text(self.word()))
@@ -93,7 +93,7 @@ impl<'t> FromValue<'t> for &'t str {
 }
 
 impl AsInput for &str {
-    const SHAPE: Shape = Shape::one(Holds::Text);
+    const SHAPE: CellShape = CellShape::one(Holds::Text);
 
     fn as_input(&self) -> Option<Input<'_>> {
         Some(Input::Text(self))
@@ -115,7 +115,7 @@ macro_rules! plain {
         }
 
         impl AsInput for $type {
-            const SHAPE: Shape = Shape::one($holds);
+            const SHAPE: CellShape = CellShape::one($holds);
 
             fn as_input(&self) -> Option<Input<'_>> {
                 Some(Input::$variant(*self))
@@ -147,7 +147,7 @@ macro_rules! decimals {
         }
 
         impl AsInput for $type {
-            const SHAPE: Shape = Shape::one(Holds::Number(Unit::$unit));
+            const SHAPE: CellShape = CellShape::one(Holds::Number(Unit::$unit));
 
             fn as_input(&self) -> Option<Input<'_>> {
                 Some(Input::Number($write(*self), Unit::$unit))

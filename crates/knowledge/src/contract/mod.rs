@@ -42,7 +42,7 @@ pub enum Holds {
 
 /// What the code asks of the cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shape {
+pub struct CellShape {
     /// What a cell, or each item of its list, holds.
     pub holds: Holds,
     /// Whether a cell is a list.
@@ -51,7 +51,7 @@ pub struct Shape {
     pub optional: bool,
 }
 
-impl Shape {
+impl CellShape {
     /// One value in every row.
     pub const fn one(holds: Holds) -> Self {
         Self { holds, list: false, optional: false }
@@ -99,7 +99,7 @@ crate::vocabulary! {
 /// What a cell is read as.
 pub trait FromCell<'t>: Sized {
     /// What is required of the column.
-    const SHAPE: Shape;
+    const SHAPE: CellShape;
 
     /// The value; none if the cell is not of that shape.
     fn from_cell(cell: &'t Cell) -> Option<Self>;
@@ -117,7 +117,7 @@ pub trait FromValue<'t>: Sized {
 /// A value that a question gives for an input column.
 pub trait AsInput {
     /// What the column must take.
-    const SHAPE: Shape;
+    const SHAPE: CellShape;
 
     /// The input; none if the table's default is to stand.
     fn as_input(&self) -> Option<Input<'_>>;
@@ -129,7 +129,7 @@ pub struct RequiredColumn {
     /// The name of the column, and of the field.
     pub name: &'static str,
     /// What its cells must be.
-    pub shape: Shape,
+    pub shape: CellShape,
 }
 
 /// Which tables a row type is of.

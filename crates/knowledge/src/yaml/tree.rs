@@ -111,7 +111,7 @@ pub(super) fn unseen_sign(sign: char, place: &Place) -> Diagnostic {
 }
 
 /// An open sequence or mapping.
-enum Frame {
+enum OpenNode {
     Seq(Vec<Node>, Place),
     Map(Vec<(Key, Node)>, Option<Key>, Place),
 }
@@ -119,7 +119,7 @@ enum Frame {
 struct Builder<'a> {
     file: Arc<str>,
     lines: Vec<&'a str>,
-    stack: Vec<Frame>,
+    stack: Vec<OpenNode>,
     root: Option<Node>,
     /// How many values there are so far.
     values: usize,
@@ -150,7 +150,7 @@ impl Builder<'_> {
     /// The place to fix: where reading stopped, or, for what is still open at the end of the file, where it was opened.
     fn broken_at(&self, marker: Marker) -> Place {
         match self.stack.last() {
-            Some(Frame::Seq(_, opened) | Frame::Map(_, _, opened)) if marker.line() > self.lines.len() => {
+            Some(OpenNode::Seq(_, opened) | OpenNode::Map(_, _, opened)) if marker.line() > self.lines.len() => {
                 opened.clone()
             }
             _ => self.place(Span::empty(marker)),
@@ -159,7 +159,7 @@ impl Builder<'_> {
 
     /// Whether a bracket of an earlier line is still open. Lines inside brackets usually end with a comma.
     fn is_in_open_bracket(&self, marker: Marker) -> bool {
-        let Some(Frame::Seq(_, opened) | Frame::Map(_, _, opened)) = self.stack.last() else { return false };
+        let Some(OpenNode::Seq(_, opened) | OpenNode::Map(_, _, opened)) = self.stack.last() else { return false };
         let (line, column) = (opened.line as usize, opened.column as usize);
         let sign = self.lines.get(line.saturating_sub(1)).and_then(|line| line.chars().nth(column.saturating_sub(1)));
         line < marker.line() && matches!(sign, Some('[' | '{'))
@@ -179,7 +179,7 @@ impl Builder<'_> {
                 if let Some(sign) = unseen(&text) {
                     self.problems.push(unseen_sign(sign, &place));
                 }
-                if let Some(Frame::Map(_, key @ None, _)) = self.stack.last_mut() {
+                if let Some(OpenNode::Map(_, key @ None, _)) = self.stack.last_mut() {
                     if text.contains(['\n', '\t']) {
                         self.problems.push(several_lines(&place));
                     }
@@ -188,11 +188,11 @@ impl Builder<'_> {
                     self.add(Node { kind: NodeKind::Scalar { text, quoted }, place });
                 }
             }
-            Event::SequenceStart(..) => self.stack.push(Frame::Seq(Vec::new(), place)),
-            Event::MappingStart(..) => self.stack.push(Frame::Map(Vec::new(), None, place)),
+            Event::SequenceStart(..) => self.stack.push(OpenNode::Seq(Vec::new(), place)),
+            Event::MappingStart(..) => self.stack.push(OpenNode::Map(Vec::new(), None, place)),
             Event::SequenceEnd | Event::MappingEnd => match self.stack.pop() {
-                Some(Frame::Seq(items, place)) => self.add(Node { kind: NodeKind::Seq(items), place }),
-                Some(Frame::Map(entries, _, place)) => {
+                Some(OpenNode::Seq(items, place)) => self.add(Node { kind: NodeKind::Seq(items), place }),
+                Some(OpenNode::Map(entries, _, place)) => {
                     let kind = NodeKind::Map(self.each_once(entries));
                     self.add(Node { kind, place });
                 }
@@ -225,8 +225,8 @@ impl Builder<'_> {
     fn add(&mut self, node: Node) {
         match self.stack.last_mut() {
             None => self.root = Some(node),
-            Some(Frame::Seq(items, _)) => items.push(node),
-            Some(Frame::Map(entries, key, _)) => match key.take() {
+            Some(OpenNode::Seq(items, _)) => items.push(node),
+            Some(OpenNode::Map(entries, key, _)) => match key.take() {
                 None => {
                     self.broken = true;
                     self.problems.push(

@@ -91,7 +91,7 @@ pub fn is_run(faults: &[Fault], steps: &[MotionStep]) -> bool {
 
 /// A stretch of one line of a program. Line and column count from one, in characters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-pub struct Span {
+pub struct TextSpan {
     /// Line, from 1.
     pub line: u32,
     /// Column, from 1.
@@ -138,7 +138,7 @@ pub struct Fault {
     pub calls: Vec<Call>,
     /// Where it stands.
     #[serde(flatten)]
-    pub span: Span,
+    pub span: TextSpan,
     /// What it is about, where that distinguishes it from others of its code.
     #[serde(skip)]
     pub subject: Option<Subject>,
@@ -169,7 +169,7 @@ impl Fault {
     }
 
     /// A breach of a rule of a list. A code that is not listed gives an error without a section; tests exclude that.
-    fn of(rules: &[Rule], code: &'static str, span: Span, block: Option<u32>) -> Self {
+    fn of(rules: &[Rule], code: &'static str, span: TextSpan, block: Option<u32>) -> Self {
         let rule = rules.iter().find(|(known, ..)| *known == code);
         let (severity, rule) = rule.map_or((Severity::Error, ""), |(_, severity, section)| (*severity, *section));
         Self { code, severity, rule, block, calls: Vec::new(), span, subject: None, note: Note::new(code) }

@@ -4,14 +4,14 @@
 use std::collections::BTreeSet;
 
 use super::limits::{Spans, without_zero};
-use super::{Call, Fault, Span};
+use super::{Call, Fault, TextSpan};
 use crate::motion::{MotionStep, Sink};
 
 /// The most blocks and steps that a check runs: repeats of repeats would never end.
 pub(super) const BUDGET: usize = 500_000;
 
 /// A breach of a rule of one control: its code, where, the number of the block.
-type Breach = fn(&'static str, Span, Option<u32>) -> Fault;
+type Breach = fn(&'static str, TextSpan, Option<u32>) -> Fault;
 
 /// Where execution goes after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,7 +48,7 @@ impl<'a, S: Sink> Running<'a, S> {
     }
 
     /// Counts one more block; false, with a fault, where the budget is spent.
-    pub fn spend(&mut self, span: Span, number: Option<u32>) -> bool {
+    pub fn spend(&mut self, span: TextSpan, number: Option<u32>) -> bool {
         if self.left == 0 {
             self.tell((self.breach)("run-too-long", span, number).with("budget", self.budget));
             return false;
@@ -76,13 +76,13 @@ impl<'a, S: Sink> Running<'a, S> {
     }
 
     /// A return in the main program.
-    pub fn nowhere_to_return(&mut self, span: Span, number: Option<u32>) -> BlockOutcome {
+    pub fn nowhere_to_return(&mut self, span: TextSpan, number: Option<u32>) -> BlockOutcome {
         self.tell((self.breach)("return-without-call", span, number));
         BlockOutcome::Out
     }
 
     /// Whether a call is nested deeper than the control allows; reports it if so.
-    pub fn too_deep(&mut self, depth: usize, limit: usize, span: Span, number: Option<u32>) -> bool {
+    pub fn too_deep(&mut self, depth: usize, limit: usize, span: TextSpan, number: Option<u32>) -> bool {
         let deep = depth >= limit;
         if deep {
             self.tell((self.breach)("calls-too-deep", span, number).with("limit", limit));
@@ -99,7 +99,7 @@ impl<'a, S: Sink> Running<'a, S> {
     }
 
     /// The faults found, at the end: systems without a zero are reported at the first block.
-    pub fn finish(mut self, first: Span) -> Vec<Fault> {
+    pub fn finish(mut self, first: TextSpan) -> Vec<Fault> {
         for (system, axes) in without_zero(&self.spans) {
             self.tell((self.breach)("zero-not-set", first, None).with("system", system).with("axes", axes));
         }

@@ -7,7 +7,7 @@ use crate::units::Micrometres;
 use super::{Frame, Placed};
 
 /// A point of the drawing, mm.
-pub(super) type Spot = (f64, f64);
+pub(super) type DrawingPoint = (f64, f64);
 
 /// What one tool does until the next tool or stop.
 #[derive(Debug, Default)]
@@ -19,33 +19,33 @@ pub(super) struct Panel<'f> {
     /// The way seen from above.
     pub lines: Vec<PathSegment>,
     /// Where the tool goes down at feed, each place once.
-    pub plunges: Vec<Spot>,
+    pub plunges: Vec<DrawingPoint>,
     /// Where the tool was changed.
-    pub change: Option<Spot>,
+    pub change: Option<DrawingPoint>,
 }
 
 /// A stretch of the way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PathSegment {
-    pub from: Spot,
-    pub to: Spot,
+    pub from: DrawingPoint,
+    pub to: DrawingPoint,
     pub rapid: bool,
-    pub shape: Shape,
+    pub shape: DrawnShape,
 }
 
 /// Its form.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Shape {
+pub(super) enum DrawnShape {
     Straight,
-    Arc { centre: Spot, sense: Sense, sweep: f64 },
+    Arc { centre: DrawingPoint, sense: Sense, sweep: f64 },
 }
 
 impl PathSegment {
     /// A box that contains it: its ends, and for an arc the whole circle.
-    pub(super) fn reach(&self) -> Vec<Spot> {
+    pub(super) fn reach(&self) -> Vec<DrawingPoint> {
         match self.shape {
-            Shape::Straight => vec![self.from, self.to],
-            Shape::Arc { centre: (x, y), .. } => {
+            DrawnShape::Straight => vec![self.from, self.to],
+            DrawnShape::Arc { centre: (x, y), .. } => {
                 let radius = libm::hypot(self.from.0 - x, self.from.1 - y);
                 vec![self.from, self.to, (x - radius, y - radius), (x + radius, y + radius)]
             }
@@ -54,18 +54,18 @@ impl PathSegment {
 
     /// A straight line by its ends, in either order; `None` for an arc.
     pub(super) fn way(&self) -> Option<[(i64, i64); 2]> {
-        let Shape::Straight = self.shape else { return None };
-        let exact = |(x, y): Spot| [x, y].map(|value| Micrometres::from_mm_rounded(value).micrometres());
+        let DrawnShape::Straight = self.shape else { return None };
+        let exact = |(x, y): DrawingPoint| [x, y].map(|value| Micrometres::from_mm_rounded(value).micrometres());
         let mut ends = [exact(self.from), exact(self.to)].map(|[x, y]| (x, y));
         ends.sort_unstable();
         Some(ends)
     }
 
-    fn moved(&mut self, (dx, dy): Spot) {
+    fn moved(&mut self, (dx, dy): DrawingPoint) {
         for spot in [&mut self.from, &mut self.to] {
             *spot = (spot.0 + dx, spot.1 + dy);
         }
-        if let Shape::Arc { centre, .. } = &mut self.shape {
+        if let DrawnShape::Arc { centre, .. } = &mut self.shape {
             *centre = (centre.0 + dx, centre.1 + dy);
         }
     }
@@ -105,7 +105,7 @@ pub(super) fn panels<'f>(steps: &[MotionStep], frame: Option<&'f Frame<'_>>) -> 
     panels
 }
 
-fn spot(at: Position) -> Spot {
+fn spot(at: Position) -> DrawingPoint {
     (at.x.to_mm(), at.y.to_mm())
 }
 
@@ -115,7 +115,7 @@ impl<'f> Panel<'f> {
     }
 
     fn take(&mut self, motion: &Motion, from: Position, to: Position) {
-        let straight = |rapid| PathSegment { from: spot(from), to: spot(to), rapid, shape: Shape::Straight };
+        let straight = |rapid| PathSegment { from: spot(from), to: spot(to), rapid, shape: DrawnShape::Straight };
         let moves = spot(from) != spot(to);
         match motion {
             Motion::Rapid if moves => self.lines.push(straight(true)),
@@ -129,7 +129,7 @@ impl<'f> Panel<'f> {
                 let centre: Point = centre.map(Micrometres::to_mm);
                 let turned = sweep(in_plane(from, Plane::Xy), in_plane(to, Plane::Xy), centre, *sense);
                 let whole = if *turns > 0 { std::f64::consts::TAU } else { turned };
-                let shape = Shape::Arc { centre: (centre[0], centre[1]), sense: *sense, sweep: whole };
+                let shape = DrawnShape::Arc { centre: (centre[0], centre[1]), sense: *sense, sweep: whole };
                 self.lines.push(PathSegment { shape, ..straight(false) });
             }
             // From above an arc across the table is the straight line between its ends.
@@ -141,9 +141,10 @@ impl<'f> Panel<'f> {
     /// Puts the panel into the coordinates of the set-up whose holes lie under most of its plunges.
     fn put_on(&mut self, frame: &'f Frame<'_>) {
         let hits = |placed: &Placed| {
-            let holes: Vec<Spot> = placed.holes(frame.part).map(|(at, _)| (at.x.to_mm(), at.y.to_mm())).collect();
+            let holes: Vec<DrawingPoint> =
+                placed.holes(frame.part).map(|(at, _)| (at.x.to_mm(), at.y.to_mm())).collect();
             let zero = spot(placed.zero);
-            let on = |(x, y): &Spot| {
+            let on = |(x, y): &DrawingPoint| {
                 holes.iter().any(|hole| (hole.0 + zero.0 - x).abs() < 0.02 && (hole.1 + zero.1 - y).abs() < 0.02)
             };
             self.plunges.iter().filter(|plunge| on(plunge)).count()

@@ -22,7 +22,7 @@ const PLATE: f64 = 92.0;
 const POINT: f64 = 0.300_4;
 
 /// A hole in its section, and how heights and widths become places on the page.
-pub(super) struct Section<'p> {
+pub(super) struct HoleSection<'p> {
     hole: &'p Hole,
     pub transition: &'p Transition,
     /// Z of the face that is up, of the opposite one, of the highest and of the lowest level shown.
@@ -38,7 +38,7 @@ pub(super) struct Section<'p> {
     across: f64,
 }
 
-impl<'p> Section<'p> {
+impl<'p> HoleSection<'p> {
     /// The section for a cycle: of the first hole it makes.
     pub(super) fn of(plan: &'p Plan, work: &ToolWork, index: usize, corner: At) -> Option<Self> {
         let cycle = work.cycles.get(index)?;

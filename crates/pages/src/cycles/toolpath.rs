@@ -8,7 +8,7 @@ use crate::report::sheet::mm;
 use crate::report::words::say;
 use crate::units::Micrometres;
 
-use super::section::Section;
+use super::section::HoleSection;
 use super::{ABOVE, GREY, INK, WAY};
 
 const RAPID: Pen = Pen::dashed(WAY, 1.4);
@@ -22,7 +22,7 @@ const STEPS: usize = 5;
 const RETREAT: f64 = 9.0;
 
 /// The way, with its points.
-pub(super) fn draw(canvas: &mut Canvas, section: &Section<'_>, cycle: &Cycle) {
+pub(super) fn draw(canvas: &mut Canvas, section: &HoleSection<'_>, cycle: &Cycle) {
     let y = |z: Micrometres| section.y(z.to_mm());
     let (out, begin, end) = (y(cycle.out), y(cycle.begin), y(cycle.end));
     let stepped = matches!(cycle.kind, CycleKind::Peck { .. } | CycleKind::ChipBreak { .. });
@@ -109,7 +109,7 @@ fn drawn(depths: &[Micrometres]) -> (Vec<usize>, bool) {
 /// G83: after each step out of the hole, and back to a little before the metal.
 fn pecks(
     canvas: &mut Canvas,
-    section: &Section<'_>,
+    section: &HoleSection<'_>,
     depths: &[Micrometres],
     y: &dyn Fn(Micrometres) -> f64,
     begin: f64,
@@ -146,7 +146,7 @@ fn pecks(
 /// G86: after each step a little way back, inside the hole.
 fn breaks(
     canvas: &mut Canvas,
-    section: &Section<'_>,
+    section: &HoleSection<'_>,
     depths: &[Micrometres],
     y: &dyn Fn(Micrometres) -> f64,
     begin: f64,
@@ -178,7 +178,7 @@ fn breaks(
 }
 
 /// The columns of steps side by side, from the way down to left of the way up.
-fn columns(section: &Section<'_>, count: usize) -> Vec<f64> {
+fn columns(section: &HoleSection<'_>, count: usize) -> Vec<f64> {
     let (first, room) = (section.axis - STEPPED, STEPPED + 4.0);
     (0..count).map(|index| first + room * index as f64 / (count.max(2) - 1) as f64).collect()
 }
@@ -214,7 +214,7 @@ pub(super) fn from_above(
     middle: At,
     radii: &[Micrometres],
     sense: Sense,
-    section: &Section<'_>,
+    section: &HoleSection<'_>,
     lang: Lang,
 ) {
     let t = section.transition;

@@ -3,7 +3,7 @@
 use crate::document::{Block, Column, Document, Field, Inlines, Keep, Table};
 use crate::words::say;
 
-use super::{EncodingSheet, Row};
+use super::{EncodingSheet, SheetRow};
 
 impl EncodingSheet {
     /// The sheet as a page. What the textbook's sheet does not have carries a `†`.
@@ -43,7 +43,7 @@ impl EncodingSheet {
     }
 }
 
-fn cells(row: &Row) -> [String; 4] {
+fn cells(row: &SheetRow) -> [String; 4] {
     let text = |cell: &Option<String>| cell.clone().unwrap_or_default();
     [text(&row.transition), text(&row.tool), row.code.clone(), row.meaning.clone()]
 }

@@ -16,7 +16,7 @@ vocabulary! {
     }
 
     /// What a field of the call of a cycle holds.
-    pub enum Holds {
+    pub enum FieldContent {
         Contour = "contour",
         StartX = "start-x",
         StartZ = "start-z",
@@ -105,7 +105,7 @@ rows! {
         control: LatheControl,
         place_in_call: i64,
         field: &'t str,
-        holds: Holds,
+        holds: FieldContent,
         measure: Option<Measure>,
     } shown { unit_of_field, meaning_uk, meaning_en }
 

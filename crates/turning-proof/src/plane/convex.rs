@@ -1,24 +1,24 @@
 //! Convex pieces, of which tools are made, and what they sweep.
 
-use super::{CHORD, Spot, Window};
+use super::{CHORD, Vector, Window};
 
 /// A convex piece: its corners to the left around it, with Z to the right and the radius up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Convex {
-    corners: Vec<Spot>,
+    corners: Vec<Vector>,
     window: Window,
 }
 
 impl Convex {
     /// The hull of some spots; `None` if they have no area.
-    pub fn hull(spots: impl IntoIterator<Item = Spot>) -> Option<Self> {
-        let mut spots: Vec<Spot> = spots.into_iter().collect();
+    pub fn hull(spots: impl IntoIterator<Item = Vector>) -> Option<Self> {
+        let mut spots: Vec<Vector> = spots.into_iter().collect();
         spots.sort_by(|a, b| a.z.total_cmp(&b.z).then(a.r.total_cmp(&b.r)));
         spots.dedup();
-        let mut corners: Vec<Spot> = Vec::with_capacity(spots.len() + 1);
+        let mut corners: Vec<Vector> = Vec::with_capacity(spots.len() + 1);
         for upper in [false, true] {
             let begun = corners.len();
-            let mut take = |spot: Spot| {
+            let mut take = |spot: Vector| {
                 while corners.len() >= begun + 2 {
                     let (a, b) = (corners[corners.len() - 2], corners[corners.len() - 1]);
                     if b.minus(a).cross(spot.minus(b)) > 0.0 {
@@ -40,8 +40,8 @@ impl Convex {
     }
 
     /// The corners of a rectangle.
-    pub fn rectangle(a: Spot, b: Spot) -> [Spot; 4] {
-        [a, Spot::new(b.z, a.r), b, Spot::new(a.z, b.r)]
+    pub fn rectangle(a: Vector, b: Vector) -> [Vector; 4] {
+        [a, Vector::new(b.z, a.r), b, Vector::new(a.z, b.r)]
     }
 
     /// A disc, as chords.
@@ -50,10 +50,10 @@ impl Convex {
         // As many above as below, so that it is the same from both sides.
         let count = 2 * (std::f64::consts::PI / step).ceil().max(4.0) as usize;
         let angle = |index: usize| std::f64::consts::TAU * index as f64 / count as f64;
-        Self::hull((0..count).map(|index| Spot::default().towards(angle(index), radius)))
+        Self::hull((0..count).map(|index| Vector::default().towards(angle(index), radius)))
     }
 
-    pub fn corners(&self) -> &[Spot] {
+    pub fn corners(&self) -> &[Vector] {
         &self.corners
     }
 
@@ -62,7 +62,7 @@ impl Convex {
     }
 
     /// What it sweeps along a straight line.
-    pub fn swept(&self, from: Spot, to: Spot) -> Option<Self> {
+    pub fn swept(&self, from: Vector, to: Vector) -> Option<Self> {
         let ends = if from == to { vec![from] } else { vec![from, to] };
         Self::hull(ends.iter().flat_map(|end| self.corners.iter().map(|corner| corner.plus(*end))))
     }
@@ -72,7 +72,7 @@ impl Convex {
         if self.window.least.r >= 0.0 {
             return vec![self];
         }
-        let mirrored = Self::hull(self.corners.iter().map(|corner| Spot::new(corner.z, -corner.r)));
+        let mirrored = Self::hull(self.corners.iter().map(|corner| Vector::new(corner.z, -corner.r)));
         [Some(self), mirrored].into_iter().flatten().filter_map(|piece| piece.above_axis()).collect()
     }
 
@@ -84,14 +84,14 @@ impl Convex {
                 kept.push(here);
             }
             if (here.r < 0.0) != (next.r < 0.0) {
-                kept.push(Spot::new(here.z + (next.z - here.z) * here.r / (here.r - next.r), 0.0));
+                kept.push(Vector::new(here.z + (next.z - here.z) * here.r / (here.r - next.r), 0.0));
             }
         }
         Self::hull(kept)
     }
 
     /// How far a spot is from it, mm; 0 inside.
-    pub fn distance(&self, spot: Spot) -> f64 {
+    pub fn distance(&self, spot: Vector) -> f64 {
         let mut inside = true;
         let mut least = f64::INFINITY;
         for (index, &here) in self.corners.iter().enumerate() {

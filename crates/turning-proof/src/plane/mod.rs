@@ -15,12 +15,12 @@ pub const CHORD: f64 = 0.0005;
 
 /// A place or a displacement, mm: z away from the chuck, r from the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub struct Spot {
+pub struct Vector {
     pub z: f64,
     pub r: f64,
 }
 
-impl Spot {
+impl Vector {
     pub const fn new(z: f64, r: f64) -> Self {
         Self { z, r }
     }

@@ -5,7 +5,7 @@ use i_overlay::core::overlay::{IntOverlayOptions, Overlay, ShapeType};
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::i_float::int::point::IntPoint;
 
-use super::{Convex, Spot, Window};
+use super::{Convex, Vector, Window};
 
 /// Steps of the grid in a millimetre: 10 nm, a five-hundredth of what findings tolerate.
 const GRID: f64 = 100_000.0;
@@ -31,12 +31,12 @@ pub struct Region {
     windows: Vec<Window>,
 }
 
-fn grid(spot: Spot) -> IntPoint<i32> {
+fn grid(spot: Vector) -> IntPoint<i32> {
     IntPoint::new((spot.z * GRID).round() as i32, (spot.r * GRID).round() as i32)
 }
 
-fn spot(point: IntPoint<i32>) -> Spot {
-    Spot::new(f64::from(point.x) / GRID, f64::from(point.y) / GRID)
+fn spot(point: IntPoint<i32>) -> Vector {
+    Vector::new(f64::from(point.x) / GRID, f64::from(point.y) / GRID)
 }
 
 impl Region {
@@ -46,7 +46,7 @@ impl Region {
     }
 
     /// What closed chains enclose, whichever way they run.
-    pub fn enclosed(chains: impl IntoIterator<Item = Vec<Spot>>) -> Self {
+    pub fn enclosed(chains: impl IntoIterator<Item = Vec<Vector>>) -> Self {
         let mut all = Self::default();
         for chain in chains {
             let mut contour: Contour = chain.into_iter().map(grid).collect();
@@ -96,12 +96,12 @@ impl Region {
     }
 
     /// Its corners, contour by contour.
-    pub fn chains(&self) -> impl Iterator<Item = Vec<Spot>> {
+    pub fn chains(&self) -> impl Iterator<Item = Vec<Vector>> {
         self.contours.iter().map(|contour| contour.iter().map(|&point| spot(point)).collect())
     }
 
     /// Its edges.
-    pub fn edges(&self) -> impl Iterator<Item = (Spot, Spot)> {
+    pub fn edges(&self) -> impl Iterator<Item = (Vector, Vector)> {
         self.contours.iter().flat_map(|contour| edges(contour))
     }
 
@@ -127,7 +127,7 @@ impl Region {
     }
 
     /// Whether a spot is in it.
-    pub fn holds(&self, place: Spot) -> bool {
+    pub fn holds(&self, place: Vector) -> bool {
         let mut winding = 0;
         for (a, b) in self.edges() {
             let left = b.minus(a).cross(place.minus(a));
@@ -158,8 +158,8 @@ impl Region {
     /// Mirrored along the axis: z becomes `about` − z.
     #[must_use]
     pub fn mirrored(&self, about: f64) -> Self {
-        let mirror = |contour: Vec<Spot>| {
-            let mut contour: Contour = contour.iter().map(|spot| grid(Spot::new(about - spot.z, spot.r))).collect();
+        let mirror = |contour: Vec<Vector>| {
+            let mut contour: Contour = contour.iter().map(|spot| grid(Vector::new(about - spot.z, spot.r))).collect();
             contour.reverse();
             contour
         };
@@ -167,7 +167,7 @@ impl Region {
     }
 }
 
-fn edges(contour: &[IntPoint<i32>]) -> impl Iterator<Item = (Spot, Spot)> {
+fn edges(contour: &[IntPoint<i32>]) -> impl Iterator<Item = (Vector, Vector)> {
     let shifted = contour.iter().skip(1).chain(contour.first());
     contour.iter().zip(shifted).map(|(&a, &b)| (spot(a), spot(b)))
 }

@@ -1,34 +1,36 @@
 //! Boxes along the axes.
 
-use super::Spot;
+use super::Vector;
 
 /// A box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
-    pub least: Spot,
-    pub most: Spot,
+    pub least: Vector,
+    pub most: Vector,
 }
 
 impl Window {
     /// What every spot widens.
-    pub const NONE: Self =
-        Self { least: Spot::new(f64::INFINITY, f64::INFINITY), most: Spot::new(f64::NEG_INFINITY, f64::NEG_INFINITY) };
+    pub const NONE: Self = Self {
+        least: Vector::new(f64::INFINITY, f64::INFINITY),
+        most: Vector::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+    };
 
-    pub fn around(spots: impl IntoIterator<Item = Spot>) -> Self {
+    pub fn around(spots: impl IntoIterator<Item = Vector>) -> Self {
         spots.into_iter().fold(Self::NONE, |all, spot| all.with(Self { least: spot, most: spot }))
     }
 
     #[must_use]
     pub fn with(self, other: Self) -> Self {
         Self {
-            least: Spot::new(self.least.z.min(other.least.z), self.least.r.min(other.least.r)),
-            most: Spot::new(self.most.z.max(other.most.z), self.most.r.max(other.most.r)),
+            least: Vector::new(self.least.z.min(other.least.z), self.least.r.min(other.least.r)),
+            most: Vector::new(self.most.z.max(other.most.z), self.most.r.max(other.most.r)),
         }
     }
 
     #[must_use]
     pub fn grown(self, by: f64) -> Self {
-        let by = Spot::new(by, by);
+        let by = Vector::new(by, by);
         Self { least: self.least.minus(by), most: self.most.plus(by) }
     }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::{Cutter, Hand, Holder, Side, Tool};
-use crate::plane::{Convex, Spot, chords, turned};
+use crate::plane::{Convex, Vector, chords, turned};
 
 /// The length of shanks, bars and drills, mm: the turret behind them is unknown.
 const FAR: f64 = 100.0;
@@ -26,24 +26,24 @@ impl Outline {
             Cutter::Insert { lead_angle, trail_angle, nose_radius, edge_length, hand, side } => {
                 let angles = [lead_angle.0, trail_angle.0].map(f64::to_radians);
                 let (edges, [main, second]) = insert(angles, nose_radius.0, edge_length.0, hand);
-                let behind = Spot::new(main.z.max(second.z), main.r.max(second.r));
+                let behind = Vector::new(main.z.max(second.z), main.r.max(second.r));
                 (vec![edges], vec![held(tool.holder, behind, &[main, second])], side, hand)
             }
             Cutter::Blade { width, corner_radius, depth, side } => {
                 let blade = rounded(width.0, corner_radius.0, depth.0);
-                let root = [Spot::new(0.0, depth.0), Spot::new(width.0, depth.0)];
+                let root = [Vector::new(0.0, depth.0), Vector::new(width.0, depth.0)];
                 (vec![blade], vec![held_blade(tool.holder, depth.0, &root)], side, Hand::Right)
             }
             Cutter::FaceBlade { width, corner_radius, depth } => {
-                let swap = |spot: Spot| Spot::new(spot.r, spot.z);
+                let swap = |spot: Vector| Vector::new(spot.r, spot.z);
                 let blade = rounded(width.0, corner_radius.0, depth.0).into_iter().map(swap).collect();
                 (vec![blade], vec![behind_face(tool.holder, depth.0)], Side::Outside, Hand::Right)
             }
             Cutter::Thread { angle, reach, side } => {
                 let half = libm::tan((angle.0 / 2.0).to_radians()) * reach.0;
-                let root = [Spot::new(-half, reach.0), Spot::new(half, reach.0)];
-                let point = vec![Spot::default(), root[0], root[1]];
-                (vec![point], vec![held(tool.holder, Spot::new(half, reach.0), &root)], side, Hand::Right)
+                let root = [Vector::new(-half, reach.0), Vector::new(half, reach.0)];
+                let point = vec![Vector::default(), root[0], root[1]];
+                (vec![point], vec![held(tool.holder, Vector::new(half, reach.0), &root)], side, Hand::Right)
             }
             Cutter::Drill { diameter, point_angle, flute } => {
                 let (cuts, shank) = drill(diameter.0 / 2.0, point_angle.0, flute.0);
@@ -53,16 +53,16 @@ impl Outline {
                 let (pilot, length, body) = (pilot.0 / 2.0, pilot_length.0, body.0 / 2.0);
                 let (cuts, _) = drill(pilot, CENTRE_POINT, length);
                 let cone = length + (body - pilot) / libm::tan(30_f64.to_radians());
-                let sides = [(length, 0.0), (length, pilot), (cone, body), (cone, 0.0)].map(|(z, r)| Spot::new(z, r));
-                let shank = Convex::rectangle(Spot::new(cone, 0.0), Spot::new(cone + FAR, body));
+                let sides = [(length, 0.0), (length, pilot), (cone, body), (cone, 0.0)].map(|(z, r)| Vector::new(z, r));
+                let shank = Convex::rectangle(Vector::new(cone, 0.0), Vector::new(cone + FAR, body));
                 (vec![cuts, sides.to_vec()], vec![shank.to_vec()], Side::Outside, Hand::Right)
             }
         };
-        let mirror = |spot: Spot| {
+        let mirror = |spot: Vector| {
             let z = if hand == Hand::Left { -spot.z } else { spot.z };
-            Spot::new(z, if side == Side::Inside { -spot.r } else { spot.r })
+            Vector::new(z, if side == Side::Inside { -spot.r } else { spot.r })
         };
-        let hulls = |pieces: Vec<Vec<Spot>>| {
+        let hulls = |pieces: Vec<Vec<Vector>>| {
             pieces.into_iter().filter_map(|piece| Convex::hull(piece.into_iter().map(mirror))).collect()
         };
         Self { cuts: hulls(cuts), holds: hulls(holds) }
@@ -73,10 +73,10 @@ impl Outline {
 const CENTRE_POINT: f64 = 120.0;
 
 /// The nose and both edges, and where the edges end.
-fn insert([lead, trail]: [f64; 2], nose: f64, edge: f64, hand: Hand) -> (Vec<Spot>, [Spot; 2]) {
-    let centre = if hand == Hand::Neutral { Spot::new(0.0, nose) } else { Spot::new(nose, nose) };
-    let main = Spot::new(-libm::cos(lead), libm::sin(lead));
-    let second = Spot::new(libm::cos(trail), libm::sin(trail));
+fn insert([lead, trail]: [f64; 2], nose: f64, edge: f64, hand: Hand) -> (Vec<Vector>, [Vector; 2]) {
+    let centre = if hand == Hand::Neutral { Vector::new(0.0, nose) } else { Vector::new(nose, nose) };
+    let main = Vector::new(-libm::cos(lead), libm::sin(lead));
+    let second = Vector::new(libm::cos(trail), libm::sin(trail));
     // Outwards of the insert: the main edge looks towards the feed, the other one towards the surface.
     let (ahead, below) = (main.right().times(-1.0), second.right());
     let touching = [ahead, below].map(|normal| centre.plus(normal.times(nose)));
@@ -87,8 +87,8 @@ fn insert([lead, trail]: [f64; 2], nose: f64, edge: f64, hand: Hand) -> (Vec<Spo
     if nose > 0.0 {
         spots.extend(chords(centre, touching[0], touching[1], turned(centre, touching[0], touching[1], true)));
         // What makes cylinders and faces is no chord.
-        let makes = |path: &Spot| ahead.cross(*path) >= 0.0 && path.cross(below) >= 0.0;
-        let ways = [Spot::new(-1.0, 0.0), Spot::new(0.0, -1.0)];
+        let makes = |path: &Vector| ahead.cross(*path) >= 0.0 && path.cross(below) >= 0.0;
+        let ways = [Vector::new(-1.0, 0.0), Vector::new(0.0, -1.0)];
         spots.extend(ways.into_iter().filter(makes).map(|path| centre.plus(path.times(nose))));
     }
     spots.extend(ends);
@@ -96,11 +96,11 @@ fn insert([lead, trail]: [f64; 2], nose: f64, edge: f64, hand: Hand) -> (Vec<Spo
 }
 
 /// A blade with its corner at zero, cutting towards the axis.
-fn rounded(width: f64, corner: f64, depth: f64) -> Vec<Spot> {
+fn rounded(width: f64, corner: f64, depth: f64) -> Vec<Vector> {
     let corner = corner.min(width / 2.0);
-    let mut spots = vec![Spot::new(0.0, depth), Spot::new(width, depth)];
+    let mut spots = vec![Vector::new(0.0, depth), Vector::new(width, depth)];
     for (centre, begin) in [(corner, -2.0 * FRAC_PI_2), (width - corner, -FRAC_PI_2)] {
-        let centre = Spot::new(centre, corner);
+        let centre = Vector::new(centre, corner);
         let from = centre.towards(begin, corner);
         spots.push(from);
         if corner > 0.0 {
@@ -111,43 +111,44 @@ fn rounded(width: f64, corner: f64, depth: f64) -> Vec<Spot> {
 }
 
 /// A holder whose head ends at the ends of the edges.
-fn held(holder: Holder, behind: Spot, edges: &[Spot]) -> Vec<Spot> {
+fn held(holder: Holder, behind: Vector, edges: &[Vector]) -> Vec<Vector> {
     let body = match holder {
         Holder::None => return Vec::new(),
         Holder::Shank { width, set_back } => {
-            Convex::rectangle(Spot::new(set_back.0, behind.r), Spot::new(set_back.0 + width.0, behind.r + FAR))
+            Convex::rectangle(Vector::new(set_back.0, behind.r), Vector::new(set_back.0 + width.0, behind.r + FAR))
         }
-        Holder::Bar { diameter, stands_out } => {
-            Convex::rectangle(Spot::new(behind.z, stands_out.0), Spot::new(behind.z + BAR, stands_out.0 + diameter.0))
-        }
+        Holder::Bar { diameter, stands_out } => Convex::rectangle(
+            Vector::new(behind.z, stands_out.0),
+            Vector::new(behind.z + BAR, stands_out.0 + diameter.0),
+        ),
     };
     body.into_iter().chain(edges.iter().copied()).collect()
 }
 
 /// A blade's holder begins where the blade ends; a bar is as near to the chuck as the blade.
-fn held_blade(holder: Holder, depth: f64, root: &[Spot]) -> Vec<Spot> {
+fn held_blade(holder: Holder, depth: f64, root: &[Vector]) -> Vec<Vector> {
     match holder {
         Holder::Bar { diameter, .. } => {
-            Convex::rectangle(Spot::new(0.0, depth), Spot::new(BAR, depth + diameter.0)).to_vec()
+            Convex::rectangle(Vector::new(0.0, depth), Vector::new(BAR, depth + diameter.0)).to_vec()
         }
-        Holder::None | Holder::Shank { .. } => held(holder, Spot::new(0.0, depth), root),
+        Holder::None | Holder::Shank { .. } => held(holder, Vector::new(0.0, depth), root),
     }
 }
 
 /// Behind a blade that works along the axis: a shank goes away from the axis, a bar along it.
-fn behind_face(holder: Holder, depth: f64) -> Vec<Spot> {
+fn behind_face(holder: Holder, depth: f64) -> Vec<Vector> {
     let far = match holder {
         Holder::None => return Vec::new(),
-        Holder::Shank { width, .. } => Spot::new(depth + width.0, FAR),
-        Holder::Bar { diameter, .. } => Spot::new(depth + BAR, diameter.0),
+        Holder::Shank { width, .. } => Vector::new(depth + width.0, FAR),
+        Holder::Bar { diameter, .. } => Vector::new(depth + BAR, diameter.0),
     };
-    Convex::rectangle(Spot::new(depth, 0.0), far).to_vec()
+    Convex::rectangle(Vector::new(depth, 0.0), far).to_vec()
 }
 
 /// The cutting part of a drill, and its shank.
-fn drill(radius: f64, point_angle: f64, flute: f64) -> (Vec<Spot>, Vec<Spot>) {
+fn drill(radius: f64, point_angle: f64, flute: f64) -> (Vec<Vector>, Vec<Vector>) {
     let point = (radius / libm::tan((point_angle / 2.0).to_radians())).min(flute);
-    let cuts = [(0.0, 0.0), (point, radius), (flute, radius), (flute, 0.0)].map(|(z, r)| Spot::new(z, r));
-    let shank = Convex::rectangle(Spot::new(flute, 0.0), Spot::new(flute + FAR, radius));
+    let cuts = [(0.0, 0.0), (point, radius), (flute, radius), (flute, 0.0)].map(|(z, r)| Vector::new(z, r));
+    let shank = Convex::rectangle(Vector::new(flute, 0.0), Vector::new(flute + FAR, radius));
     (cuts.to_vec(), shank.to_vec())
 }

@@ -16,7 +16,7 @@ use super::surfaces::{Place, diameter, on_side, place, query_size};
 
 /// The accuracy that a lathe reaches, from its passport.
 #[derive(Clone, Copy, Debug)]
-pub struct Holds {
+pub struct LatheAccuracy {
     /// The finest grade of outer diameters.
     pub outer: ItGrade,
     /// The finest grade of bores.
@@ -27,7 +27,7 @@ pub struct Holds {
     pub finest: Roughness,
 }
 
-impl Holds {
+impl LatheAccuracy {
     const fn grade(&self, place: Place) -> ItGrade {
         match place {
             Place::Outer => self.outer,
@@ -59,7 +59,7 @@ pub struct Elsewhere {
 /// # Errors The knowledge base lacks a table.
 pub fn elsewhere(
     profile: &Profile,
-    holds: Option<&Holds>,
+    holds: Option<&LatheAccuracy>,
     length: Micrometres,
     knowledge: &Knowledge,
 ) -> Result<(Vec<Elsewhere>, Vec<Finding>), KnowledgeError> {
@@ -79,7 +79,7 @@ pub fn elsewhere(
 fn compare(
     surface: &Surface,
     place: Place,
-    holds: &Holds,
+    holds: &LatheAccuracy,
     length: Micrometres,
     knowledge: &Knowledge,
     findings: &mut Vec<Finding>,

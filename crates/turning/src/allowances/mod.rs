@@ -15,7 +15,7 @@ pub mod surfaces;
 mod union;
 
 pub use areas::{Area, Areas, areas, between};
-pub use capability::{Elsewhere, Holds, elsewhere};
+pub use capability::{Elsewhere, LatheAccuracy, elsewhere};
 pub use equidistant::{EquidistantError, Over, equidistant, equidistant_over};
 pub use finishing::{Allowance, Errors, Method, allowance, finishing, least};
 pub use surfaces::Place;

@@ -22,7 +22,7 @@ const TRIFLE: f64 = 0.0015;
 
 /// A bridge and what it covers, as the tool sees it.
 #[derive(Clone, Debug)]
-pub(super) struct Span {
+pub(super) struct BridgeSpan {
     /// The index of the first bit under it, and of the first bit after it.
     pub bits: (usize, usize),
     /// The part under it, from lip to lip.
@@ -36,7 +36,7 @@ pub(super) struct Span {
 /// What is left for the tool, and the bridges.
 pub(super) struct Bridged {
     pub bits: Vec<Bit>,
-    pub spans: Vec<Span>,
+    pub spans: Vec<BridgeSpan>,
 }
 
 /// Bridges the bits that are `lost` to the tool.
@@ -53,7 +53,7 @@ pub(super) fn bridge(bits: &[Bit], lost: &[bool]) -> Bridged {
         let end = (index..bits.len()).find(|index| !is_lost(*index)).unwrap_or(bits.len());
         let run = bits.get(index..end).unwrap_or_default();
         if let Some(over) = corner(done.bits.last(), run, bits.get(end)) {
-            done.lay(Span { bits: (index, end), under: run.to_vec(), over, open: false });
+            done.lay(BridgeSpan { bits: (index, end), under: run.to_vec(), over, open: false });
             index = end;
             continue;
         }
@@ -72,7 +72,7 @@ pub(super) fn bridge(bits: &[Bit], lost: &[bool]) -> Bridged {
 }
 
 impl Bridged {
-    fn lay(&mut self, span: Span) {
+    fn lay(&mut self, span: BridgeSpan) {
         self.bits.extend(span.over.iter().copied());
         self.spans.push(span);
     }
@@ -86,7 +86,7 @@ impl Bridged {
         let Some(hit) = ahead.iter().position(rises) else {
             let end = ahead.iter().map(|bit| bit.piece.to.z).max().unwrap_or(lip.z);
             let over = laid(first.surface, &[lip, Point::new(lip.radius, end)]);
-            self.lay(Span { bits: (index, bits.len()), under: ahead.to_vec(), over, open: true });
+            self.lay(BridgeSpan { bits: (index, bits.len()), under: ahead.to_vec(), over, open: true });
             return bits.len();
         };
         let mut under: Vec<Bit> = ahead.get(..hit).unwrap_or_default().to_vec();
@@ -96,7 +96,7 @@ impl Bridged {
             let over = laid(first.surface, &[lip, top]);
             let rest = Bit { piece: wall.piece.between(top, wall.piece.to), ..*wall };
             let all = rest.piece.is_nothing();
-            self.lay(Span { bits: (index, index + hit + usize::from(all)), under, over, open: false });
+            self.lay(BridgeSpan { bits: (index, index + hit + usize::from(all)), under, over, open: false });
             if !all {
                 self.bits.push(rest);
             }

@@ -9,7 +9,7 @@ use crate::tables::turning::part::TurningElementFor;
 use crate::turning::contour::{Surface, SurfaceName};
 use crate::units::{Degrees, round_to};
 
-use super::bridge::Span;
+use super::bridge::BridgeSpan;
 use super::reach::Shade;
 use super::view::{Bit, steepness};
 use super::{Angles, Class, Element, ElementReason};
@@ -23,7 +23,7 @@ pub(super) struct SeenBit<'s> {
     bit: &'s Bit,
     shade: Option<Shade>,
     reached: bool,
-    under: Option<&'s Span>,
+    under: Option<&'s BridgeSpan>,
 }
 
 /// What the tool reaches of a contour.
@@ -35,7 +35,7 @@ pub(super) struct Seen<'s> {
 }
 
 impl<'s> Seen<'s> {
-    pub fn new(bits: &'s [Bit], shades: &[(Option<Shade>, bool)], spans: &'s [Span]) -> Self {
+    pub fn new(bits: &'s [Bit], shades: &[(Option<Shade>, bool)], spans: &'s [BridgeSpan]) -> Self {
         let seen = |(bit, (shade, reached)): (&'s Bit, &(Option<Shade>, bool))| SeenBit {
             bit,
             shade: *shade,
@@ -59,7 +59,7 @@ impl<'s> Seen<'s> {
     }
 
     /// The steepest fall of a valley, and whether the tool reaches part of its floor.
-    fn valley(&self, span: &Span) -> (f64, bool) {
+    fn valley(&self, span: &BridgeSpan) -> (f64, bool) {
         let fall = span.under.iter().map(|bit| steepness(bit.piece).1).fold(0.0, f64::max);
         let floor = span.under.iter().map(|bit| bit.piece.from.radius.min(bit.piece.to.radius)).min();
         let on_floor = |bit: &Bit| bit.piece.to.radius <= bit.piece.from.radius && Some(bit.piece.to.radius) == floor;

@@ -29,7 +29,7 @@ pub use crate::tables::turning::part::{Element, ElementReason};
 
 use super::contour::{Contour, Piece, Profile, SurfaceKind, SurfaceName};
 use super::point::Point;
-use bridge::{Bridged, Span, bridge};
+use bridge::{BridgeSpan, Bridged, bridge};
 use classify::Seen;
 use reach::{Edges, Shade};
 pub(super) use view::steepness;
@@ -187,7 +187,7 @@ fn is_bridged(kind: SurfaceKind) -> bool {
     kind.is_additional() && kind != SurfaceKind::Thread
 }
 
-fn valley(span: &Span, view: View) -> Valley {
+fn valley(span: &BridgeSpan, view: View) -> Valley {
     let mut surfaces: Vec<usize> = span.under.iter().map(|bit| bit.surface).collect();
     surfaces.sort_unstable();
     surfaces.dedup();

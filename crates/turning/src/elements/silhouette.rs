@@ -6,11 +6,11 @@ use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 
-use super::bridge::Span;
+use super::bridge::BridgeSpan;
 use super::view::Bit;
 
 /// The outline of bits as seen from outside, with the bridges it needs.
-pub(super) fn silhouette(bits: Vec<Bit>) -> (Vec<Bit>, Vec<Span>) {
+pub(super) fn silhouette(bits: Vec<Bit>) -> (Vec<Bit>, Vec<BridgeSpan>) {
     let mut seen: Vec<Bit> = Vec::new();
     let mut spans = Vec::new();
     for bit in bits {
@@ -30,7 +30,7 @@ pub(super) fn silhouette(bits: Vec<Bit>) -> (Vec<Bit>, Vec<Span>) {
 }
 
 /// Removes what lies under the end of a bit that runs back and outwards, and goes upright to that end.
-fn upright(seen: &mut Vec<Bit>, bit: Bit) -> Span {
+fn upright(seen: &mut Vec<Bit>, bit: Bit) -> BridgeSpan {
     let lip = bit.piece.to;
     let mut under = vec![bit];
     let mut foot = bit.piece.from;
@@ -49,7 +49,7 @@ fn upright(seen: &mut Vec<Bit>, bit: Bit) -> Span {
     let foot = Point::new(foot.radius.min(lip.radius), lip.z);
     let over = Bit { surface: bit.surface, origin: None, piece: Piece::line(foot, lip) };
     seen.push(over);
-    Span { bits: (0, 0), under, over: vec![over], open: false }
+    BridgeSpan { bits: (0, 0), under, over: vec![over], open: false }
 }
 
 /// Where a piece passes a Z on its way towards the chuck.

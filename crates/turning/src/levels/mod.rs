@@ -13,11 +13,11 @@ pub mod zone;
 
 use crate::turning::length::Half;
 use crate::turning::shaft::Shaft;
-use zone::{Cylinder, Section, sections};
+use zone::{Cylinder, ZoneSection, sections};
 
 /// The stock over a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Stock {
+pub struct CylinderStock {
     /// The cylinder.
     pub cylinder: Cylinder,
     /// Radius of the blank over it.
@@ -38,7 +38,7 @@ pub struct Levels {
     /// The one depth t_p.
     pub depth: Half,
     /// The sections of the zone.
-    pub sections: Vec<Section>,
+    pub sections: Vec<ZoneSection>,
 }
 
 impl Levels {
@@ -58,32 +58,32 @@ impl Levels {
     }
 
     /// The stock over each cylinder, from the free end.
-    pub fn stocks(&self) -> Vec<Stock> {
+    pub fn stocks(&self) -> Vec<CylinderStock> {
         stocks(&self.sections, self.limit)
     }
 
     /// The radius of a horizontal of a section, from 1; 0 is the surface of the blank.
-    pub fn horizontal(&self, section: &Section, level: i64) -> Half {
+    pub fn horizontal(&self, section: &ZoneSection, level: i64) -> Half {
         section.blank - Half::new(self.depth.halves().saturating_mul(level))
     }
 
     /// How many levels lie over a cylinder, the last perhaps thinner: ⌈tᵢ / t_p⌉.
-    pub fn count(&self, section: &Section, cylinder: &Cylinder) -> i64 {
+    pub fn count(&self, section: &ZoneSection, cylinder: &Cylinder) -> i64 {
         section.stock(cylinder).parts(self.depth)
     }
 
     /// How many levels of the full depth lie over a cylinder: ⌊tᵢ / t_p⌋.
-    pub fn full(&self, section: &Section, cylinder: &Cylinder) -> i64 {
+    pub fn full(&self, section: &ZoneSection, cylinder: &Cylinder) -> i64 {
         section.stock(cylinder).halves() / self.depth.halves().max(1)
     }
 }
 
-fn stocks(sections: &[Section], limit: Half) -> Vec<Stock> {
-    let of = |section: &Section, cylinder: &Cylinder| {
+fn stocks(sections: &[ZoneSection], limit: Half) -> Vec<CylinderStock> {
+    let of = |section: &ZoneSection, cylinder: &Cylinder| {
         let stock = section.stock(cylinder);
         let passes = stock.parts(limit);
         let mean = stock.part(passes);
-        Stock { cylinder: *cylinder, blank: section.blank, stock, passes, mean }
+        CylinderStock { cylinder: *cylinder, blank: section.blank, stock, passes, mean }
     };
     sections.iter().flat_map(|section| section.cylinders.iter().map(move |one| of(section, one))).collect()
 }

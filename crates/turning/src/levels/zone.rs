@@ -22,14 +22,14 @@ pub struct Cylinder {
 
 /// Neighbouring cylinders with stock under one diameter of the blank.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Section {
+pub struct ZoneSection {
     /// Radius of the blank.
     pub blank: Half,
     /// The cylinders from the free end, each larger than the one before.
     pub cylinders: Vec<Cylinder>,
 }
 
-impl Section {
+impl ZoneSection {
     /// Z of its beginning.
     pub fn from(&self) -> Half {
         self.cylinders.first().map_or(Half::ZERO, |first| first.from)
@@ -42,9 +42,9 @@ impl Section {
 }
 
 /// The sections of a shaft that have stock, from the free end.
-pub fn sections(shaft: &Shaft) -> Vec<Section> {
+pub fn sections(shaft: &Shaft) -> Vec<ZoneSection> {
     let cells = cells(shaft);
-    let mut sections: Vec<Section> = Vec::new();
+    let mut sections: Vec<ZoneSection> = Vec::new();
     let mut before: Option<Half> = None;
     for (index, cell) in cells.iter().enumerate() {
         let next = cells.get(index + 1).map(|next| next.radius);
@@ -53,7 +53,7 @@ pub fn sections(shaft: &Shaft) -> Vec<Section> {
         if cell.radius < cell.blank {
             match sections.last_mut().filter(|_| before == Some(cell.blank)) {
                 Some(section) => section.cylinders.push(cylinder),
-                None => sections.push(Section { blank: cell.blank, cylinders: vec![cylinder] }),
+                None => sections.push(ZoneSection { blank: cell.blank, cylinders: vec![cylinder] }),
             }
         }
         before = Some(cell.blank);

@@ -46,7 +46,7 @@ pub struct Pace {
 
 /// What a cut over a zone is.
 #[derive(Clone, Copy, Debug)]
-pub struct Task<'a, 'k> {
+pub struct ZoneCut<'a, 'k> {
     /// The tool.
     pub tool: &'a TurningTool<'k>,
     /// The largest diameter that is cut.
@@ -65,7 +65,7 @@ pub struct Task<'a, 'k> {
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn depth(
-    task: Task<'_, '_>,
+    task: ZoneCut<'_, '_>,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Depth>, KnowledgeError> {
@@ -174,7 +174,7 @@ fn of_one_feed(
 
 /// What is cut, with the skin of the blank by the rule `turning-skin` and its row; none without a lathe.
 fn cut<'a, 'k>(
-    task: Task<'a, 'k>,
+    task: ZoneCut<'a, 'k>,
     bench: &'a Bench<'_, 'k>,
 ) -> Result<Option<(TurningCut<'a, 'k>, Because)>, KnowledgeError> {
     let Some(lathe) = bench.lathe else { return Ok(None) };
@@ -193,7 +193,7 @@ fn cut<'a, 'k>(
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn pace(
-    task: Task<'_, '_>,
+    task: ZoneCut<'_, '_>,
     depth: Half,
     roughness: Option<Roughness>,
     bench: &Bench<'_, '_>,

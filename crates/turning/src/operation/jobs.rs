@@ -20,7 +20,7 @@ use crate::turning::zones::fit::reaches;
 use crate::turning::zones::{Feed, Needs, SetUp, TurnedSide};
 use crate::units::{Degrees, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 
-use super::depth::{self, Task};
+use super::depth::{self, ZoneCut};
 use super::layers::Layers;
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
@@ -405,7 +405,7 @@ impl Finishing<'_> {
         let part = bench.held.as_ref().map(|held| held.over(from, to, self.tolerance(bench)));
         let bore_depth = (self.side == Side::Inner).then(|| to.rounded_up());
         let (diameter, stock) = (largest(self.contour), self.allowance);
-        let task = Task { tool: &tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
+        let task = ZoneCut { tool: &tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
         let paced = depth::pace(task, self.allowance, Some(roughness), bench, findings)?;
         let mut notes = Vec::new();
         if let Some(tight) = tightest(self.contour).filter(|tight| nose.radius > *tight) {

@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity, doubtful_row};
 use crate::tables::lathes::LatheQuantity as Q;
-use crate::turning::allowances::capability::{Elsewhere, Holds, elsewhere};
+use crate::turning::allowances::capability::{Elsewhere, LatheAccuracy, elsewhere};
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::Workpiece;
 use crate::units::Micrometres;
@@ -39,7 +39,7 @@ pub fn finished_elsewhere(
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Elsewhere>, KnowledgeError> {
     let holds = lathe.and_then(|lathe| {
-        Some(Holds {
+        Some(LatheAccuracy {
             outer: lathe.it_outer?,
             inner: lathe.it_inner?,
             face: lathe.it_face?,

@@ -10,7 +10,7 @@ use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{
-    self, Allowance, Control, CycleOf, Direction, NotWritten, ProgramFile, Roughing, Section, Speed,
+    self, Allowance, Control, CycleOf, Direction, NotWritten, ProgramFile, Roughing, Speed, ToolSection,
 };
 use crate::turning::shaft::Holding;
 use crate::turning::toolpath::Toolpath;
@@ -113,8 +113,8 @@ pub(super) fn sections(
     stations: &[Station],
     form: Form,
     spindle: Option<RevsPerMinute>,
-) -> Result<Vec<Section>, NotWritten> {
-    let mut sections: Vec<Section> = Vec::new();
+) -> Result<Vec<ToolSection>, NotWritten> {
+    let mut sections: Vec<ToolSection> = Vec::new();
     for job in &set_up.jobs {
         let tool = place(stations, job).ok_or(NotWritten::NoTool)?;
         let (speed, feeds) = match job.pace {
@@ -126,7 +126,7 @@ pub(super) fn sections(
         };
         let cycle = if form == Form::Cycles { cycle(set_up, job) } else { None };
         let title = format!("T{tool} {}, {}", job.tool.designation, job.work.name());
-        let one = |last: &&mut Section| {
+        let one = |last: &&mut ToolSection| {
             last.tool == tool
                 && last.speed == speed
                 && last.feeds == feeds
@@ -136,7 +136,9 @@ pub(super) fn sections(
         };
         match sections.last_mut().filter(one) {
             Some(last) => join(&mut last.path, &job.path, job.side),
-            None => sections.push(Section { tool, title, speed, feeds, coolant: true, path: job.path.clone(), cycle }),
+            None => {
+                sections.push(ToolSection { tool, title, speed, feeds, coolant: true, path: job.path.clone(), cycle })
+            }
         }
     }
     Ok(sections)

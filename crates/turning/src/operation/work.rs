@@ -20,7 +20,7 @@ use crate::turning::transitions::{self, PreparedZone, Scheme, Settings, Stock, T
 use crate::turning::zones::{self, Feed, Fit, Returns, SetUp, TurnedSide, Zone, fit, idle_returns};
 use crate::units::{Degrees, Micrometres};
 
-use super::depth::{self, Depth, Pace, Task};
+use super::depth::{self, Depth, Pace, ZoneCut};
 use super::layers::{self, Layers};
 use super::pocket::{cut, pieceworks};
 use super::tools::{self, Bench, ChosenTool};
@@ -274,7 +274,7 @@ fn zone_work(
     };
     let bore_depth = (ground.rough.side == Side::Inner).then(|| zone.to_z.rounded_up());
     let part = bench.held.as_ref().map(|held| held.over(zone.from_z, zone.to_z, None));
-    let task = Task { tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
+    let task = ZoneCut { tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
     work.depth = depth::depth(task, bench, findings)?;
     let Some(limit) = work.depth.as_ref().map(|depth| depth.limiting_depth_mm) else { return Ok(work) };
     // Before the levels are made: there may be too many for the memory.
@@ -339,13 +339,13 @@ fn clear(
     scheme: usize,
     limit: Half,
     zone: &Zone,
-    task: Task<'_, '_>,
+    task: ZoneCut<'_, '_>,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Cleared, KnowledgeError> {
     let knowledge = bench.knowledge;
     let levels = levels(&stock, limit, zone.feed);
-    let task = Task { diameter: begins_at(&levels, &stock).unwrap_or(task.diameter), ..task };
+    let task = ZoneCut { diameter: begins_at(&levels, &stock).unwrap_or(task.diameter), ..task };
     let pace = depth::pace(task, levels.depth, None, bench, findings)?;
     let settings =
         Settings { depth: levels.depth, approach: pace.approach_mm, retract: pace.retract_mm, feeds: pace.feeds };

@@ -2,11 +2,11 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::tables::controls::lathe::{Holds, LatheControl, LatheCycleFields, LatheCycles, Measure};
+use crate::tables::controls::lathe::{FieldContent, LatheControl, LatheCycleFields, LatheCycles, Measure};
 use crate::turning::contour::Side;
 use crate::turning::length::Half;
 
-use super::cycle::{Direction, Task};
+use super::cycle::{CycleTask, Direction};
 use super::setting::Feeds;
 use super::text::{diameter, number, position};
 
@@ -14,7 +14,7 @@ use super::text::{diameter, number, position};
 #[derive(Clone, Debug)]
 struct Field {
     name: String,
-    holds: Holds,
+    holds: FieldContent,
     on_diameter: bool,
 }
 
@@ -74,31 +74,31 @@ impl Cycles {
     }
 
     /// The function that calls the cycle of a task.
-    pub fn code(&self, task: &Task<'_>) -> &str {
+    pub fn code(&self, task: &CycleTask<'_>) -> &str {
         self.cycle(task.roughing.direction, task.rough.side).map(|cycle| cycle.code.as_str()).unwrap_or_default()
     }
 
     /// The fields of the call in their order, each with its name and value. The allowance along the contour is always
     /// left out: allowances are along X and Z.
-    pub fn filled(&self, task: &Task<'_>, contour: &str, feeds: &Feeds) -> Vec<(&str, String)> {
+    pub fn filled(&self, task: &CycleTask<'_>, contour: &str, feeds: &Feeds) -> Vec<(&str, String)> {
         let machining = self.cycle(task.roughing.direction, task.rough.side).and_then(|cycle| cycle.machining);
         let value = |field: &Field| {
             let length = |half: Half| if field.on_diameter { diameter(half) } else { half.to_string() };
             let start = task.begins();
             match field.holds {
-                Holds::Contour => contour.to_owned(),
-                Holds::StartX => length(start.radius),
-                Holds::StartZ => position(start.z),
-                Holds::Allowance => Half::ZERO.to_string(),
-                Holds::AllowanceX => length(task.roughing.allowance.radius),
-                Holds::AllowanceZ => task.roughing.allowance.z.to_string(),
-                Holds::Depth => length(task.roughing.depth),
-                Holds::Retract => length(task.roughing.retract),
-                Holds::RoughFeed => number(feeds.cut.0, 4),
-                Holds::PlungeFeed => number(feeds.infeed.0, 4),
-                Holds::FinishFeed => number(feeds.finish.0, 4),
-                Holds::Machining => machining.map(|kind| kind.to_string()).unwrap_or_default(),
-                Holds::Nothing => String::new(),
+                FieldContent::Contour => contour.to_owned(),
+                FieldContent::StartX => length(start.radius),
+                FieldContent::StartZ => position(start.z),
+                FieldContent::Allowance => Half::ZERO.to_string(),
+                FieldContent::AllowanceX => length(task.roughing.allowance.radius),
+                FieldContent::AllowanceZ => task.roughing.allowance.z.to_string(),
+                FieldContent::Depth => length(task.roughing.depth),
+                FieldContent::Retract => length(task.roughing.retract),
+                FieldContent::RoughFeed => number(feeds.cut.0, 4),
+                FieldContent::PlungeFeed => number(feeds.infeed.0, 4),
+                FieldContent::FinishFeed => number(feeds.finish.0, 4),
+                FieldContent::Machining => machining.map(|kind| kind.to_string()).unwrap_or_default(),
+                FieldContent::Nothing => String::new(),
             }
         };
         self.fields.iter().map(|field| (field.name.as_str(), value(field))).collect()

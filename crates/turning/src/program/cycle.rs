@@ -64,13 +64,13 @@ pub struct CycleProgram {
 }
 
 /// A checked task: a contour that the passes can follow, and the corner of the blank before it.
-pub(super) struct Task<'a> {
+pub(super) struct CycleTask<'a> {
     pub rough: &'a Contour,
     pub corner: Point,
     pub roughing: Roughing,
 }
 
-impl<'a> Task<'a> {
+impl<'a> CycleTask<'a> {
     /// Checks a task. The corner is where the face of the blank meets its surface: for an outer contour the radius of
     /// the surface, for a bore that of the hole, and the Z of the free face.
     ///

@@ -2,7 +2,7 @@
 
 use super::Control;
 use super::call::Cycles;
-use super::cycle::{CycleCall, Task};
+use super::cycle::{CycleCall, CycleTask};
 use super::refused::NotWritten;
 use super::setting::Setting;
 use super::text::{Pace, ProgramWriter, number};
@@ -19,7 +19,7 @@ const FIRST: usize = 100;
 pub(super) fn write(
     control: &Control,
     cycles: &Cycles,
-    task: &Task<'_>,
+    task: &CycleTask<'_>,
     setting: &Setting,
     index: usize,
 ) -> Result<CycleCall, NotWritten> {

@@ -35,11 +35,11 @@ pub use plain::plain;
 pub use refused::NotWritten;
 pub use setting::{Feeds, Setting, Speed};
 use text::ProgramWriter;
-pub use whole::{CycleOf, Section, whole};
+pub use whole::{CycleOf, ToolSection, whole};
 use words::ControlWords;
 
 /// Writes the cycle of a task for a control.
-type CycleWriter = fn(&Control, &Cycles, &cycle::Task<'_>, &Setting, usize) -> Result<CycleCall, NotWritten>;
+type CycleWriter = fn(&Control, &Cycles, &cycle::CycleTask<'_>, &Setting, usize) -> Result<CycleCall, NotWritten>;
 
 /// The controls with a writer of cycles: one line and one file each.
 const WRITERS: [(LatheControl, CycleWriter); 2] =
@@ -110,7 +110,7 @@ pub fn cycle(
 ) -> Result<CycleProgram, NotWritten> {
     let Some((cycles, writer)) = &control.cycles else { return Err(control.not_documented()) };
     setting.check()?;
-    let task = cycle::Task::new(rough, corner, roughing)?;
+    let task = cycle::CycleTask::new(rough, corner, roughing)?;
     let call = writer(control, cycles, &task, setting, 0)?;
     let mut sheet = ProgramWriter::new(control.words()?);
     plain::begin(&mut sheet, control, setting)?;

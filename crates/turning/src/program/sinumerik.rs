@@ -4,7 +4,7 @@ use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 
 use super::call::Cycles;
-use super::cycle::{CycleCall, ProgramFile, Task};
+use super::cycle::{CycleCall, CycleTask, ProgramFile};
 use super::refused::NotWritten;
 use super::setting::Setting;
 use super::text::{Pace, ProgramWriter};
@@ -19,7 +19,7 @@ use super::{Control, file_name};
 pub(super) fn write(
     control: &Control,
     cycles: &Cycles,
-    task: &Task<'_>,
+    task: &CycleTask<'_>,
     setting: &Setting,
     index: usize,
 ) -> Result<CycleCall, NotWritten> {

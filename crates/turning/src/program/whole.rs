@@ -6,7 +6,7 @@ use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::MillimetresPerRev;
 use technolog_core::ascii::ascii;
 
-use super::cycle::{ProgramFile, Roughing, Task};
+use super::cycle::{CycleTask, ProgramFile, Roughing};
 use super::plain::{end, modes, spindle};
 use super::refused::{NotWritten, check_arc};
 use super::setting::{Feeds, Setting, Speed};
@@ -16,7 +16,7 @@ use super::{Control, file_name};
 
 /// What one tool does at one pace.
 #[derive(Clone, Debug)]
-pub struct Section {
+pub struct ToolSection {
     /// The place of the tool in the turret, at least 1.
     pub tool: u32,
     /// What the operator reads at the tool: its designation and its work.
@@ -50,15 +50,20 @@ pub struct CycleOf {
 /// wherever the last one ended. Paths of one tool follow each other from home to home.
 ///
 /// # Errors Why it cannot be written.
-pub fn whole(control: &Control, name: &str, number: u8, sections: &[Section]) -> Result<Vec<ProgramFile>, NotWritten> {
+pub fn whole(
+    control: &Control,
+    name: &str,
+    number: u8,
+    sections: &[ToolSection],
+) -> Result<Vec<ProgramFile>, NotWritten> {
     let words = control.words()?;
     let latin = file_name(name);
     let mut sheet = ProgramWriter::new(words);
     modes(&mut sheet, &format!("{name} - {number}"));
     let mut files = Vec::new();
-    let mut before: Option<&Section> = None;
+    let mut before: Option<&ToolSection> = None;
     let calls = sections.iter().enumerate().map(|(index, section)| {
-        let task = section.cycle.as_ref().map(|one| Task::new(&one.rough, one.corner, one.roughing));
+        let task = section.cycle.as_ref().map(|one| CycleTask::new(&one.rough, one.corner, one.roughing));
         // What no cycle can do is written as motions.
         let (Some(Ok(task)), Some((cycles, writer))) = (task, &control.cycles) else { return Ok(None) };
         let setting = Setting {
@@ -121,7 +126,7 @@ fn change(sheet: &mut ProgramWriter<'_>, after: bool) {
 }
 
 /// The motions of a section.
-fn along(sheet: &mut ProgramWriter<'_>, section: &Section) {
+fn along(sheet: &mut ProgramWriter<'_>, section: &ToolSection) {
     sheet.rapid(section.path.from);
     for (piece, purpose) in section.path.pieces() {
         let pace = match (purpose, section.feeds.of(purpose)) {
@@ -134,8 +139,8 @@ fn along(sheet: &mut ProgramWriter<'_>, section: &Section) {
 }
 
 /// Whether a section can be written.
-fn check(section: &Section, name: &str) -> Result<(), NotWritten> {
-    let Section { tool, speed, feeds, coolant, .. } = *section;
+fn check(section: &ToolSection, name: &str) -> Result<(), NotWritten> {
+    let ToolSection { tool, speed, feeds, coolant, .. } = *section;
     Setting { name: name.to_owned(), tool, speed, feeds, coolant }.check()?;
     if section.path.moves.is_empty() {
         return Err(NotWritten::EmptyWay);

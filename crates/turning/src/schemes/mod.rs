@@ -190,7 +190,7 @@ fn best(ranked: &[(i64, SchemeEntry)]) -> Option<Best> {
 }
 
 fn splitting(levels: &Levels, rates: Rates) -> Splitting {
-    let cylinder = |one: super::levels::Stock| CylinderEntry {
+    let cylinder = |one: super::levels::CylinderStock| CylinderEntry {
         diameter_mm: one.cylinder.radius.diameter(),
         blank_diameter_mm: one.blank.diameter(),
         from_z_mm: Half::ZERO - one.cylinder.from,

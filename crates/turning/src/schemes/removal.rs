@@ -3,7 +3,7 @@
 
 use crate::turning::length::Half;
 use crate::turning::levels::Levels;
-use crate::turning::levels::zone::Section;
+use crate::turning::levels::zone::ZoneSection;
 use crate::turning::point::Point;
 
 use super::path::{SchemePath, Vertex};
@@ -36,7 +36,7 @@ pub fn path(scheme: Scheme, levels: &Levels, approach: Half, retract: Half) -> V
 
 /// Cylinder after cylinder, each level by level. The last pass of a cylinder goes up its face, and on along the stock
 /// of the next cylinder to the first level of that one, where the tool is already at the metal.
-fn verticals(levels: &Levels, section: &Section, path: &mut SchemePath) {
+fn verticals(levels: &Levels, section: &ZoneSection, path: &mut SchemePath) {
     for (index, cylinder) in section.cylinders.iter().enumerate() {
         for level in 1..=levels.count(section, cylinder) {
             if level > 1 || index == 0 {
@@ -56,7 +56,7 @@ fn verticals(levels: &Levels, section: &Section, path: &mut SchemePath) {
 
 /// Level after level over all cylinders. If a cylinder ends above a level, the tool goes up the face and on along that
 /// cylinder; where it reaches the surface of a cylinder, it cleans the face at its end.
-fn by_levels(levels: &Levels, section: &Section, path: &mut SchemePath) {
+fn by_levels(levels: &Levels, section: &ZoneSection, path: &mut SchemePath) {
     let Some(first) = section.cylinders.first() else { return };
     for level in 1..=levels.count(section, first) {
         let (above, at) = (levels.horizontal(section, level - 1), levels.horizontal(section, level));
@@ -81,7 +81,7 @@ fn by_levels(levels: &Levels, section: &Section, path: &mut SchemePath) {
 
 /// Straight passes, a number for each cylinder. The numbers fall towards the chuck, so a level ends at the first
 /// cylinder that does not have it.
-fn straight(levels: &Levels, section: &Section, counts: &[i64], path: &mut SchemePath) {
+fn straight(levels: &Levels, section: &ZoneSection, counts: &[i64], path: &mut SchemePath) {
     for level in 1..=counts.first().copied().unwrap_or(0) {
         let over = section.cylinders.iter().zip(counts).take_while(|(_, count)| **count >= level);
         if let Some((last, _)) = over.last() {
@@ -92,7 +92,7 @@ fn straight(levels: &Levels, section: &Section, counts: &[i64], path: &mut Schem
 }
 
 /// One pass along the whole contour of a section.
-fn contour(section: &Section, path: &mut SchemePath) {
+fn contour(section: &ZoneSection, path: &mut SchemePath) {
     let Some(first) = section.cylinders.first() else { return };
     path.start(Point { radius: first.radius, z: first.from });
     for cylinder in &section.cylinders {

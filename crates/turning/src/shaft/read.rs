@@ -8,7 +8,7 @@ use crate::units::{Micrometres, MillimetresPerMinute};
 
 use super::check;
 use super::file::{self, ShaftFile};
-use super::shape::{self, Shape};
+use super::shape::{self, BlankShape};
 use super::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
 
 /// The approach if the file gives rates and no approach, mm: our choice; the lecture names δ without a figure.
@@ -38,7 +38,7 @@ struct PlacedBlank {
     kind: Option<BlankKind>,
     diameter: Option<Placed<Micrometres>>,
     length: Option<Placed<Micrometres>>,
-    shape: Option<Shape>,
+    shape: Option<BlankShape>,
 }
 
 impl Reader<'_> {
@@ -102,8 +102,9 @@ impl Reader<'_> {
         });
         let diameter = self.need(&mut fields, file::Blank::diameter);
         let length = self.need(&mut fields, file::Blank::length);
-        let shape =
-            fields.take(file::Blank::steps).map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
+        let shape = fields
+            .take(file::Blank::steps)
+            .map(|node| BlankShape { steps: self.steps(node), place: node.place.clone() });
         fields.finish(&mut self.problems);
         PlacedBlank { kind, diameter, length, shape }
     }

@@ -9,7 +9,7 @@ use super::BlankKind;
 use super::read::PlacedStep;
 
 /// The steps of a blank and their place in the file.
-pub(crate) struct Shape {
+pub(crate) struct BlankShape {
     pub(crate) steps: Vec<PlacedStep>,
     pub(crate) place: Place,
 }
@@ -17,7 +17,7 @@ pub(crate) struct Shape {
 /// Compares every step of the blank with the one before it and with the cylinder around the blank, and every step of
 /// the shaft with the blank where the step begins, because the blank over it is thinnest there.
 pub(crate) fn check(
-    shape: &Shape,
+    shape: &BlankShape,
     kind: Option<BlankKind>,
     steps: &[PlacedStep],
     around: Option<&Placed<Micrometres>>,

@@ -5,7 +5,7 @@ use crate::turning::length::Half;
 use crate::turning::toolpath::Purpose;
 
 use super::builder::{SupportPointRole, ToolpathBuilder};
-use super::split::{Section, Split};
+use super::split::{BlankSection, Split};
 use super::straight::Back;
 
 /// After each straight pass the tool follows the contour up to the level of the previous pass.
@@ -29,7 +29,7 @@ pub fn work(builder: &mut ToolpathBuilder<'_>, split: &Split, nose_radius: Half)
 
 fn below(
     builder: &mut ToolpathBuilder<'_>,
-    section: &Section,
+    section: &BlankSection,
     index: usize,
     within: (Half, Half),
     before: Half,

@@ -43,7 +43,7 @@ pub struct PieceStock {
 
 /// A section of the zone: under one stretch of the blank between its faces.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Section {
+pub struct BlankSection {
     /// Z of its beginning.
     #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from: Half,
@@ -68,7 +68,7 @@ pub struct Split {
     #[serde(rename = "depth_mm")]
     pub depth: Half,
     /// The sections that have stock, from the free end.
-    pub sections: Vec<Section>,
+    pub sections: Vec<BlankSection>,
 }
 
 impl Split {
@@ -132,7 +132,7 @@ impl Split {
         self
     }
 
-    fn levelled(mut sections: Vec<Section>, depth: Half) -> Self {
+    fn levelled(mut sections: Vec<BlankSection>, depth: Half) -> Self {
         for section in &mut sections {
             let floor = section.stocks.iter().map(|one| one.deepest).min().unwrap_or(section.top);
             section.horizontals = horizontals(section.top, floor, depth);
@@ -153,9 +153,9 @@ fn horizontals(top: Half, floor: Half, depth: Half) -> Vec<Half> {
     levels
 }
 
-fn sections(ground: &MonotoneContour, blank: &MonotoneContour, limit: Half) -> Vec<Section> {
+fn sections(ground: &MonotoneContour, blank: &MonotoneContour, limit: Half) -> Vec<BlankSection> {
     let (from, to) = (ground.from(), ground.to());
-    let mut sections: Vec<Section> = Vec::new();
+    let mut sections: Vec<BlankSection> = Vec::new();
     let mut begins = true;
     for piece in &blank.pieces {
         if piece.is_face() {
@@ -172,7 +172,7 @@ fn sections(ground: &MonotoneContour, blank: &MonotoneContour, limit: Half) -> V
                 section.to = b;
                 section.top = section.top.max(top);
             }
-            None => sections.push(Section { from: a, to: b, top, stocks: Vec::new(), horizontals: Vec::new() }),
+            None => sections.push(BlankSection { from: a, to: b, top, stocks: Vec::new(), horizontals: Vec::new() }),
         }
         begins = false;
     }
@@ -183,7 +183,7 @@ fn sections(ground: &MonotoneContour, blank: &MonotoneContour, limit: Half) -> V
     sections
 }
 
-fn stocks(ground: &MonotoneContour, section: &Section, limit: Half) -> Vec<PieceStock> {
+fn stocks(ground: &MonotoneContour, section: &BlankSection, limit: Half) -> Vec<PieceStock> {
     let of = |piece: &crate::turning::contour::Piece| {
         let part = super::monotone::clipped(piece, section.from, section.to)?;
         let deepest = part.from.radius.min(part.to.radius);

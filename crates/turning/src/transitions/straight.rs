@@ -6,7 +6,7 @@ use crate::turning::point::Point;
 use crate::turning::toolpath::Purpose;
 
 use super::builder::{SupportPointRole, ToolpathBuilder};
-use super::split::Section;
+use super::split::BlankSection;
 
 /// How the tool returns from a pass that began on a falling flank. From a pass that began outside of metal it always
 /// returns through air.
@@ -25,12 +25,12 @@ pub enum Back {
 ///    goes down to the next depth (l. 314-318).
 /// 3. Where a pass begins on a falling flank, the tool follows the flank to its depth at the feed of cutting in.
 /// 4. Where a hump divides a level, one side is finished to its bottom before the other.
-pub fn clear(builder: &mut ToolpathBuilder<'_>, section: &Section, back: Back) {
+pub fn clear(builder: &mut ToolpathBuilder<'_>, section: &BlankSection, back: Back) {
     builder.leave_trail();
     below(builder, section, 0, (section.from, section.to), back);
 }
 
-fn below(builder: &mut ToolpathBuilder<'_>, section: &Section, index: usize, within: (Half, Half), back: Back) {
+fn below(builder: &mut ToolpathBuilder<'_>, section: &BlankSection, index: usize, within: (Half, Half), back: Back) {
     let Some(&radius) = section.horizontals.get(index) else { return };
     for (from, to) in builder.rough().spans(radius, within.0, within.1) {
         let span = Piece::line(Point { radius, z: from }, Point { radius, z: to });

@@ -6,7 +6,7 @@ use crate::turning::point::Point;
 use crate::turning::toolpath::Purpose;
 
 use super::builder::{SupportPointRole, ToolpathBuilder};
-use super::split::{Section, Split};
+use super::split::{BlankSection, Split};
 use super::straight::Back;
 
 /// At which end of the level the tool is after a pass.
@@ -32,7 +32,7 @@ pub fn work(builder: &mut ToolpathBuilder<'_>, split: &Split) {
     }
 }
 
-fn below(builder: &mut ToolpathBuilder<'_>, section: &Section, index: usize, within: (Half, Half), at: End) {
+fn below(builder: &mut ToolpathBuilder<'_>, section: &BlankSection, index: usize, within: (Half, Half), at: End) {
     let Some(&radius) = section.horizontals.get(index) else { return };
     let mut spans = builder.rough().spans(radius, within.0, within.1);
     if at == End::Far {

@@ -82,7 +82,7 @@ pub(super) struct Sizes {
 /// How a groove is placed on the contour: where it begins, whether its mouth runs along the axis or across it, in which
 /// direction, and where the metal is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(super) struct GrooveFrame {
     pub at: Point,
     /// Whether the mouth runs along the axis.
     pub on_cylinder: bool,
@@ -94,7 +94,7 @@ pub(super) struct Frame {
     pub hollow: Turn,
 }
 
-impl Frame {
+impl GrooveFrame {
     fn place(self, along: Half, into: Half) -> Point {
         let times = |sign: i64, length: Half| Half::new(sign * length.halves());
         let (radius, z) = if self.on_cylinder { (into, along) } else { (along, into) };
@@ -106,7 +106,7 @@ impl Frame {
 ///
 /// # Errors
 /// The code of the mistake: its walls meet above the floor, or the rounding is too large for it.
-pub(super) fn pieces(sizes: Sizes, frame: Frame) -> Result<Vec<Piece>, &'static str> {
+pub(super) fn pieces(sizes: Sizes, frame: GrooveFrame) -> Result<Vec<Piece>, &'static str> {
     let (width, depth) = (sizes.width, sizes.depth);
     let at = |along, into| frame.place(along, into);
     let start = at(Half::ZERO, Half::ZERO);
@@ -193,8 +193,8 @@ mod tests {
     }
 
     /// On a cylinder of radius 20, from Z 10.
-    fn outside() -> Frame {
-        Frame { at: at(20.0, 10.0), on_cylinder: true, radial: -1, axial: 1, hollow: Turn::Left }
+    fn outside() -> GrooveFrame {
+        GrooveFrame { at: at(20.0, 10.0), on_cylinder: true, radial: -1, axial: 1, hollow: Turn::Left }
     }
 
     fn corners(pieces: &[Piece]) -> Vec<Point> {
@@ -222,7 +222,7 @@ mod tests {
 
     #[test]
     fn a_face_is_grooved_along_the_axis() {
-        let frame = Frame { at: at(10.0, 0.0), on_cylinder: false, radial: 1, axial: 1, hollow: Turn::Left };
+        let frame = GrooveFrame { at: at(10.0, 0.0), on_cylinder: false, radial: 1, axial: 1, hollow: Turn::Left };
         let drawn = corners(&pieces(sizes(GrooveForm::Face, 4.0, 2.0), frame).unwrap());
         assert_eq!(drawn, [at(10.0, 0.0), at(10.0, 2.0), at(14.0, 2.0), at(14.0, 0.0)]);
     }

@@ -8,7 +8,7 @@ use crate::turning::point::Point;
 use crate::turning::reading::{Reader, mistake};
 use crate::turning::shaft::BlankKind;
 use crate::turning::shaft::read::PlacedStep;
-use crate::turning::shaft::shape::{self, Shape};
+use crate::turning::shaft::shape::{self, BlankShape};
 use crate::units::Micrometres;
 
 use super::file::BlankFile;
@@ -93,7 +93,7 @@ impl Reader<'_> {
             self.refuse(fields, &[BlankFile::steps], "blank-key-of-another-kind", kind);
         }
         let steps =
-            fields.take(BlankFile::steps).map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
+            fields.take(BlankFile::steps).map(|node| BlankShape { steps: self.steps(node), place: node.place.clone() });
         if let Some(shape) = &steps {
             shape::check(shape, Some(BlankKind::Forging), &[], diameter.as_ref(), length.as_ref(), self);
         }

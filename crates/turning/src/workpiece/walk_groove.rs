@@ -7,7 +7,7 @@ use crate::turning::point::Point;
 use crate::turning::reading::mistake;
 use crate::units::{Decimal, Micrometres};
 
-use super::groove::{self, Frame, GrooveForm, Sizes};
+use super::groove::{self, GrooveForm, GrooveFrame, Sizes};
 use super::items::{ContourItem, GrooveValues, ItemShape, Measure};
 use super::relief;
 use super::walk::Walk;
@@ -43,17 +43,17 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    fn frame(&self, index: usize, here: Point, kind: GrooveForm) -> Option<Frame> {
+    fn frame(&self, index: usize, here: Point, kind: GrooveForm) -> Option<GrooveFrame> {
         let outer = self.walked.side == Side::Outer;
         let hollow = self.hollow(true);
         if kind != GrooveForm::Face {
             let radial = if outer { -1 } else { 1 };
-            return Some(Frame { at: here, on_cylinder: true, radial, axial: 1, hollow });
+            return Some(GrooveFrame { at: here, on_cylinder: true, radial, axial: 1, hollow });
         }
         // On an outer contour a face that goes outwards faces the free end, so its metal is towards the chuck.
         let radial = self.radial_way(index)?;
         let axial = if outer { radial } else { -radial };
-        Some(Frame { at: here, on_cylinder: false, radial, axial, hollow })
+        Some(GrooveFrame { at: here, on_cylinder: false, radial, axial, hollow })
     }
 
     /// The sizes of a groove from the file; for a relief the missing ones from its standard.

@@ -15,7 +15,7 @@ mod search;
 use crate::part::Point;
 
 use super::metric::Metric;
-use super::places::{Bounds, Places, Quest};
+use super::places::{Bounds, PointBoxes, Quest};
 
 pub use exact::EXACT_POINTS;
 
@@ -164,7 +164,7 @@ pub(super) fn near_edges(space: &Space<'_>, mut edge: impl FnMut(usize, usize)) 
 /// The book's own rule (textbook Appendix Г): from each point to the nearest not yet visited, in straight
 /// distance; among equals the first of the list. It begins at point 0.
 pub fn nearest_rule(space: &Space<'_>) -> Path {
-    let places = Places::of(space.points);
+    let places = PointBoxes::of(space.points);
     let boxes = places.boxes();
     let mut left: Vec<u32> = vec![0; space.points.len()];
     boxes.iter().flatten().for_each(|&number| left[number as usize] += 1);

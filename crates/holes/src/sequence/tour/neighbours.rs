@@ -1,6 +1,6 @@
 //! The near points of every point: nearly all edges of short trees and tours are between such.
 
-use super::super::places::{Bounds, Places, Quest};
+use super::super::places::{Bounds, PointBoxes, Quest};
 use super::Space;
 use crate::part::Point;
 
@@ -13,12 +13,12 @@ const MOST: usize = 12;
 
 /// The near points of every point with the cost of going there, the cheapest first.
 pub(super) fn near_points(space: &Space<'_>) -> Vec<Vec<(i64, u32)>> {
-    let places = Places::of(space.points);
+    let places = PointBoxes::of(space.points);
     (0..space.points.len()).map(|point| near(space, &places, point)).collect()
 }
 
 /// The nearest of a point, and those of its quarters.
-fn near(space: &Space<'_>, places: &Places<'_>, node: usize) -> Vec<(i64, u32)> {
+fn near(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec<(i64, u32)> {
     let [a, b, c, d] = [const { Shortest::new(OF_QUARTER) }; 4];
     let at = space.points[node];
     let mut around = Around { space, node, at, nearest: Shortest::new(NEAREST), quarters: [a, b, c, d] };

@@ -6,7 +6,7 @@ use super::*;
 use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared};
 
 use super::super::bound::lower_bound;
-use super::super::places::Places;
+use super::super::places::PointBoxes;
 use super::super::spanning::shortest_tree;
 use crate::machine::Rapid;
 
@@ -189,12 +189,12 @@ proptest! {
                 left.swap_remove(at);
             }
             let known = vec![Vec::new(); points.len()];
-            let found = shortest_tree(&space, &Places::of(&points), &prices, &known);
+            let found = shortest_tree(&space, &PointBoxes::of(&points), &prices, &known);
             prop_assert_eq!(found.len() + 1, tree.len().max(1));
             prop_assert_eq!(found.iter().map(|&(from, to)| cost(from, to)).sum::<i64>(), total);
             let mut near = neighbours::near_points(&space);
             near.iter_mut().for_each(|near| near.retain(|&(_, other)| other as usize != space.beside()));
-            prop_assert_eq!(shortest_tree(&space, &Places::of(&points), &prices, &near), found);
+            prop_assert_eq!(shortest_tree(&space, &PointBoxes::of(&points), &prices, &near), found);
         }
     }
 

@@ -19,7 +19,7 @@ use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Side, Turning};
 use crate::note::{Figure, Note, Told};
 use crate::program::limits::{Spans, speed_off_steps};
-use crate::program::{Call, Fault, Setting, Span, Subject};
+use crate::program::{Call, Fault, Setting, Subject, TextSpan};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
 /// Step 2 in progress: the steps of one block so far, and the state it leaves.
@@ -32,7 +32,7 @@ pub(super) struct Maker<'a> {
     pub faults: Vec<Fault>,
     pub block: BlockRef,
     /// The whole block, for faults of no single word.
-    pub span: Span,
+    pub span: TextSpan,
     pub spans: &'a mut Spans,
     /// What cycles have drilled so far.
     pub holes: &'a mut Holes,
@@ -57,18 +57,18 @@ pub(super) enum After {
 
 impl Maker<'_> {
     /// Reports a broken rule.
-    pub(super) fn fault(&mut self, code: &'static str, span: Span) {
+    pub(super) fn fault(&mut self, code: &'static str, span: TextSpan) {
         self.tell(code, span, &[]);
     }
 
     /// Tells a breach of a rule with its figures.
-    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&'static str, Figure)]) {
+    pub(super) fn tell(&mut self, code: &'static str, span: TextSpan, figures: &[(&'static str, Figure)]) {
         let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.tell_note(code, span, note);
     }
 
     /// Tells a breach of a rule with its note.
-    pub(super) fn tell_note(&mut self, code: &'static str, span: Span, note: Note) {
+    pub(super) fn tell_note(&mut self, code: &'static str, span: TextSpan, note: Note) {
         self.tell_fault(Fault { note, ..fault(code, span, self.block.number) });
     }
 
@@ -270,7 +270,7 @@ impl Maker<'_> {
     }
 
     /// The value of a corrector; a number nobody has filled holds 0, as the control's memory does.
-    pub(super) fn corrector(&mut self, number: u32, span: Span) -> Micrometres {
+    pub(super) fn corrector(&mut self, number: u32, span: TextSpan) -> Micrometres {
         if number == 0 {
             return Micrometres::ZERO;
         }
@@ -371,12 +371,12 @@ impl Maker<'_> {
     }
 
     /// The feed by F and the operator's switch; reported when there is none, or when the spindle does not turn.
-    pub(super) fn feed(&mut self, span: Span) -> MillimetresPerMinute {
+    pub(super) fn feed(&mut self, span: TextSpan) -> MillimetresPerMinute {
         self.feed_of(self.state.feed, span)
     }
 
     /// A feed of so many thousandths.
-    pub(super) fn feed_of(&mut self, thousandths: i64, span: Span) -> MillimetresPerMinute {
+    pub(super) fn feed_of(&mut self, thousandths: i64, span: TextSpan) -> MillimetresPerMinute {
         if self.state.turning == Turning::Stopped {
             self.fault("feed-without-spindle", span);
         }

@@ -9,7 +9,7 @@ use super::rules::fault;
 use super::state::RADIUS;
 use super::text::{Block, Word};
 use super::words::letter;
-use crate::program::{Fault, Span, Subject};
+use crate::program::{Fault, Subject, TextSpan};
 
 /// The programs of a text.
 #[derive(Clone, Debug, Default)]
@@ -28,7 +28,7 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
         starts.insert(0, 0);
     }
     if blocks.is_empty() && faults.is_empty() {
-        faults.push(fault("empty-program", Span { line: 1, column: 1, width: 1 }, None));
+        faults.push(fault("empty-program", TextSpan { line: 1, column: 1, width: 1 }, None));
     }
     let mut programs = Programs::default();
     let mut main = None;
@@ -68,8 +68,8 @@ fn gaps(blocks: &[Block], faults: &mut Vec<Fault>) {
     if blocks.iter().any(|block| block.headless) {
         return;
     }
-    let numbered: Vec<(u32, Span)> = blocks.iter().filter_map(|block| Some((block.number?, block.span))).collect();
-    let step_of = |pair: &[(u32, Span)]| pair[1].0.saturating_sub(pair[0].0);
+    let numbered: Vec<(u32, TextSpan)> = blocks.iter().filter_map(|block| Some((block.number?, block.span))).collect();
+    let step_of = |pair: &[(u32, TextSpan)]| pair[1].0.saturating_sub(pair[0].0);
     let mut steps: BTreeMap<u32, usize> = BTreeMap::new();
     for pair in numbered.windows(2) {
         *steps.entry(step_of(pair)).or_default() += 1;

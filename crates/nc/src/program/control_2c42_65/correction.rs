@@ -15,11 +15,11 @@
 
 use crate::motion::geometry::{Point, distance, in_plane, sweep};
 use crate::motion::{Motion, MotionStep, Plane, Position, Sense};
-use crate::program::Span;
+use crate::program::TextSpan;
 use crate::units::Micrometres;
 
 /// A rule that a corrected path breaks: its code and where.
-pub(super) type Trouble = (&'static str, Span);
+pub(super) type Trouble = (&'static str, TextSpan);
 
 /// An element of the programmed path in its plane, mm.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ struct Element {
 struct Pending {
     element: Element,
     step: MotionStep,
-    span: Span,
+    span: TextSpan,
     /// It only brings the tool to the path.
     approach: bool,
 }
@@ -94,7 +94,7 @@ impl Compensator {
         &mut self,
         mut step: MotionStep,
         from: Position,
-        span: Span,
+        span: TextSpan,
         out: &mut Vec<MotionStep>,
     ) -> Result<(), Trouble> {
         let Some(plane) = self.plane else {

@@ -22,7 +22,7 @@ use crate::program::limits::Floating;
 use std::collections::BTreeMap;
 
 use crate::motion::{Axis, BlockRef, Motion, Position, Turning};
-use crate::program::{Call, Span, path};
+use crate::program::{Call, TextSpan, path};
 use crate::units::Micrometres;
 
 /// The levels of a cycle along its axis, machine coordinates without corrections.
@@ -100,7 +100,7 @@ impl Maker<'_> {
     }
 
     /// Remembers a hole; a fault when the same cycle has made it with the same tool at the same levels before.
-    fn drilled(&mut self, cycle: u8, levels: CycleLevels, span: Span) {
+    fn drilled(&mut self, cycle: u8, levels: CycleLevels, span: TextSpan) {
         let bottom = self.state.corrected(self.state.base.with(levels.axis, levels.two));
         let floating = self.state.floating;
         let hole = Hole { tool: self.state.tool, cycle, axis: levels.axis, bottom, floating, from: levels.one };
@@ -150,7 +150,7 @@ impl Maker<'_> {
         CycleLevels { axis, one, two, three, four }
     }
 
-    fn run_cycle(&mut self, code: u8, levels: CycleLevels, in_steps: bool, out_at_feed: bool, span: Span) {
+    fn run_cycle(&mut self, code: u8, levels: CycleLevels, in_steps: bool, out_at_feed: bool, span: TextSpan) {
         let before = self.state.turning;
         let dwell = self.parameter('E').map_or(0, |value| value / 1000);
         let kept = self.parameter('M').is_some();
@@ -192,7 +192,7 @@ impl Maker<'_> {
     /// G83: after every step the drill leaves the hole at rapid to point 1, which clears the flutes, and comes back at
     /// rapid to W before the metal. G86: after every step it jumps back by W at rapid, which breaks the chip, and stays
     /// in the hole. That G83 leaves to point 1 is reconstructed: its diagram is lost.
-    fn steps_inwards(&mut self, code: u8, levels: CycleLevels, feed: &Motion, span: Span) {
+    fn steps_inwards(&mut self, code: u8, levels: CycleLevels, feed: &Motion, span: TextSpan) {
         let [step, clearance] = ['V', 'W'].map(|address| self.parameter(address).unwrap_or_default());
         for (address, value) in [('V', step), ('W', clearance)] {
             if value <= 0 {
@@ -221,7 +221,7 @@ impl Maker<'_> {
     }
 
     /// To a level of the cycle axis; nothing when the tool is there.
-    fn along(&mut self, axis: Axis, level: Micrometres, motion: Motion, span: Span) {
+    fn along(&mut self, axis: Axis, level: Micrometres, motion: Motion, span: TextSpan) {
         if self.state.base.get(axis) == level {
             return;
         }

@@ -6,7 +6,7 @@ use super::words::{BlockWords, Function, WordValue};
 use crate::motion::geometry::{distance, in_plane, sweep};
 use crate::motion::{Axis, Motion, Position, Sense};
 use crate::note::Told;
-use crate::program::Span;
+use crate::program::TextSpan;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
@@ -84,7 +84,7 @@ impl Maker<'_> {
     }
 
     /// Whether an axis may move.
-    pub(super) fn may_move(&mut self, axis: Axis, span: Span) -> bool {
+    pub(super) fn may_move(&mut self, axis: Axis, span: TextSpan) -> bool {
         let homed = self.state.homed[axis.index()];
         if !homed {
             self.tell("not-homed", span, &[("axis", axis.letter().told())]);
@@ -151,7 +151,7 @@ impl Maker<'_> {
         words: &BlockWords,
         target: &mut Target,
         centre: [Option<Micrometres>; 3],
-        span: Span,
+        span: TextSpan,
     ) -> Option<Motion> {
         let row = self.control.plane(self.state.groups[PLANE]);
         let [a, b, across] = row.plane.axes();

@@ -5,7 +5,7 @@
 
 use super::control::Control;
 use super::rules::fault;
-use crate::program::{Fault, Span};
+use crate::program::{Fault, TextSpan};
 
 /// An address with its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub(super) struct Word {
     /// Digits before the point, as written.
     pub digits: usize,
     /// Where it stands.
-    pub span: Span,
+    pub span: TextSpan,
     /// Whether it stands behind the G function of a cycle and so is a parameter of it (3.12.1).
     pub in_cycle: bool,
     /// Whether it is left out when the operator asked for the skip (4.2.4.3).
@@ -40,7 +40,7 @@ impl Word {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Block {
     /// The whole of it.
-    pub span: Span,
+    pub span: TextSpan,
     /// Its number.
     pub number: Option<u32>,
     /// The number of the program that begins with it.
@@ -57,7 +57,7 @@ pub(super) struct Block {
 pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) {
     if text.len() > control.memory_bytes {
         // The rest is not read: thousands of faults of a file that is no program are of no use.
-        let whole = Span { line: 1, column: 1, width: 1 };
+        let whole = TextSpan { line: 1, column: 1, width: 1 };
         let memory = control.memory_bytes;
         return (Vec::new(), vec![fault("memory-full", whole, None).with("bytes", text.len()).with("memory", memory)]);
     }
@@ -103,10 +103,10 @@ impl SourceLine<'_> {
         if self.ascii { to } else { self.text[..to].chars().count() }
     }
 
-    fn span(&self, from: usize, to: usize) -> Span {
+    fn span(&self, from: usize, to: usize) -> TextSpan {
         let number = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         let (from, to) = (self.characters(from), self.characters(to));
-        Span { line: self.number, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
+        TextSpan { line: self.number, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
     }
 
     /// One line; none for an empty one and of the sign `%` that begins a tape.
@@ -196,7 +196,7 @@ impl SourceLine<'_> {
         }
     }
 
-    fn word(&mut self, address: char, written: &str, span: Span) -> Option<Word> {
+    fn word(&mut self, address: char, written: &str, span: TextSpan) -> Option<Word> {
         let Some(&known) = self.control.addresses.of(address) else {
             self.faults.push(match latin(address) {
                 Some(latin) => fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin),
@@ -233,7 +233,7 @@ impl SourceLine<'_> {
     }
 
     /// A number as written: its thousandths, and how many digits stand before the point.
-    fn number(&mut self, written: &str, address: char, span: Span) -> Option<(i64, usize)> {
+    fn number(&mut self, written: &str, address: char, span: TextSpan) -> Option<(i64, usize)> {
         let (negative, unsigned) = match written.strip_prefix('-') {
             Some(rest) => (true, rest),
             None => (false, written.strip_prefix('+').unwrap_or(written)),
@@ -273,8 +273,8 @@ pub(in crate::program) fn decimal_comma(
     number: &str,
     places: &str,
     decimal: bool,
-    span: Span,
-    fault: impl Fn(&'static str, Span, Option<u32>) -> Fault,
+    span: TextSpan,
+    fault: impl Fn(&'static str, TextSpan, Option<u32>) -> Fault,
 ) -> Fault {
     if !decimal {
         return fault("number-not-whole", span, None).with("address", address);

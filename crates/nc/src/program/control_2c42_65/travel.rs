@@ -3,7 +3,7 @@
 use super::block::Maker;
 use super::correction::Trouble;
 use crate::motion::{Motion, MotionStep, Position, geometry};
-use crate::program::Span;
+use crate::program::TextSpan;
 use crate::program::limits::{Reached, beyond_travel};
 
 impl Maker<'_> {
@@ -14,7 +14,7 @@ impl Maker<'_> {
     }
 
     /// One more step from a point of the programmed path to where the state is now.
-    pub(super) fn push_from(&mut self, motion: Motion, from: Position, span: Span) {
+    pub(super) fn push_from(&mut self, motion: Motion, from: Position, span: TextSpan) {
         self.made += 1;
         let step = MotionStep { motion, at: self.state.corrected(self.state.base), block: self.block };
         let begin = self.steps.len();
@@ -30,7 +30,7 @@ impl Maker<'_> {
     }
 
     /// Checks what the radius correction has emitted, from a place in the steps on, against the travels.
-    pub(super) fn emit(&mut self, begin: usize, given: Result<(), Trouble>, span: Span) {
+    pub(super) fn emit(&mut self, begin: usize, given: Result<(), Trouble>, span: TextSpan) {
         if let Err((code, at)) = given {
             self.fault(code, at);
             return;
@@ -47,7 +47,7 @@ impl Maker<'_> {
     }
 
     /// An axis may not leave its travel (3.8.3).
-    fn hold_in_travel(&mut self, reached: Reached, span: Span) {
+    fn hold_in_travel(&mut self, reached: Reached, span: TextSpan) {
         let (from, floating) = (self.state.actual, self.state.floating);
         for (code, note) in beyond_travel(self.machine, reached, from, floating, self.spans) {
             self.tell_note(code, span, note);

@@ -3,13 +3,13 @@
 use super::control::{Control, GROUPS};
 use super::text::Block;
 use crate::motion::Axis;
-use crate::program::Span;
+use crate::program::TextSpan;
 
 /// A number in thousandths with its place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WordValue {
     pub thousandths: i64,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 impl WordValue {
@@ -22,7 +22,7 @@ impl WordValue {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Function {
     pub code: u8,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 /// The words of a block as they are to be carried out.

@@ -7,7 +7,7 @@ use super::words::{BlockWords, WordValue};
 use crate::motion::geometry::{Point, distance, in_plane};
 use crate::motion::{Axis, Motion, Sense};
 use crate::note::Told;
-use crate::program::Span;
+use crate::program::TextSpan;
 use crate::units::Micrometres;
 
 impl Maker<'_> {
@@ -57,7 +57,7 @@ impl Maker<'_> {
         axes: [Axis; 2],
         centre: [Option<WordValue>; 2],
         target: &Target,
-        span: Span,
+        span: TextSpan,
     ) -> Option<Point> {
         let inches = self.state.inches();
         let mut middle = [0.0; 2];

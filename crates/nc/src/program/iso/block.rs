@@ -13,7 +13,7 @@ use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning, geometry};
 use crate::note::{Figure, Note, Told};
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
-use crate::program::{Fault, Setting, Span, Subject};
+use crate::program::{Fault, Setting, Subject, TextSpan};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
 
 /// A block on its way: its steps, made on a copy of the state.
@@ -27,7 +27,7 @@ pub(super) struct Maker<'a> {
     pub faults: Vec<Fault>,
     pub block: BlockRef,
     /// The whole block, for faults of no single word.
-    pub span: Span,
+    pub span: TextSpan,
     pub spans: &'a mut Spans,
     /// Steps that may be made.
     pub budget: usize,
@@ -41,21 +41,21 @@ pub(super) enum After {
     /// The next block.
     Next,
     /// M99.
-    Return(Span),
+    Return(TextSpan),
     /// M2, M30.
     End,
 }
 
 impl Maker<'_> {
     /// Reports a broken rule.
-    pub(super) fn fault(&mut self, code: &'static str, span: Span) -> &mut Fault {
+    pub(super) fn fault(&mut self, code: &'static str, span: TextSpan) -> &mut Fault {
         self.faults.push(fault(code, span, self.block.number));
         let last = self.faults.len() - 1;
         &mut self.faults[last]
     }
 
     /// Tells one with its figures.
-    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&'static str, Figure)]) {
+    pub(super) fn tell(&mut self, code: &'static str, span: TextSpan, figures: &[(&'static str, Figure)]) {
         let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.fault(code, span).note = note;
     }
@@ -281,7 +281,7 @@ impl Maker<'_> {
     }
 
     /// The feed by F and the operator's switch; reported when there is none, or when the spindle does not turn.
-    pub(super) fn feed(&mut self, span: Span) -> MillimetresPerMinute {
+    pub(super) fn feed(&mut self, span: TextSpan) -> MillimetresPerMinute {
         if self.state.turning == Turning::Stopped {
             self.fault("feed-without-spindle", span);
         }
@@ -298,7 +298,7 @@ impl Maker<'_> {
     }
 
     /// One more step to a position; none if a straight motion would not move.
-    pub(super) fn go(&mut self, motion: Motion, to: Position, floating: [Floating; 3], span: Span) {
+    pub(super) fn go(&mut self, motion: Motion, to: Position, floating: [Floating; 3], span: TextSpan) {
         let from = std::mem::replace(&mut self.state.at, to);
         self.state.floating = floating;
         if from == to && !matches!(motion, Motion::Arc { .. }) {
@@ -314,7 +314,7 @@ impl Maker<'_> {
     }
 
     /// Along Z to a level.
-    pub(super) fn climb(&mut self, motion: Motion, z: Micrometres, span: Span) {
+    pub(super) fn climb(&mut self, motion: Motion, z: Micrometres, span: TextSpan) {
         let (at, floating) = (self.state.at.with(Axis::Z, z), self.state.floating);
         self.go(motion, at, floating, span);
     }

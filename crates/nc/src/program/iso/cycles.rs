@@ -21,7 +21,7 @@ use super::programs::calls;
 use super::words::{BlockWords, Function, place};
 use crate::motion::{Axis, Motion, Position, Turning};
 use crate::note::Told;
-use crate::program::Span;
+use crate::program::TextSpan;
 use crate::units::Micrometres;
 
 /// The levels of a cycle along Z, machine coordinates.
@@ -135,7 +135,7 @@ impl Maker<'_> {
         repeats
     }
 
-    fn levels(&mut self, initial: Micrometres, span: Span) -> Option<CycleLevels> {
+    fn levels(&mut self, initial: Micrometres, span: TextSpan) -> Option<CycleLevels> {
         let [r, z] = ['R', 'Z'].map(|address| Micrometres::new(self.parameter(address).unwrap_or_default()));
         let origin = self.state.origin(Axis::Z, self.setting).0;
         let (r, bottom) = if self.state.absolute() { (origin + r, origin + z) } else { (initial + r, initial + r + z) };
@@ -153,7 +153,7 @@ impl Maker<'_> {
     }
 
     /// Whether the machine and its spindle can.
-    fn may_run(&mut self, cycle: &Cycle, span: Span) -> bool {
+    fn may_run(&mut self, cycle: &Cycle, span: TextSpan) -> bool {
         if cycle.bottom == Bottom::Reversed {
             if !self.machine.can_tap {
                 self.fault("cannot-tap", span);
@@ -165,7 +165,7 @@ impl Maker<'_> {
         !self.broken()
     }
 
-    fn holes(&mut self, cycle: &Cycle, levels: CycleLevels, words: &BlockWords, repeats: i64, span: Span) {
+    fn holes(&mut self, cycle: &Cycle, levels: CycleLevels, words: &BlockWords, repeats: i64, span: TextSpan) {
         let feed = Motion::Feed { feed_mm_per_min: self.feed(span) };
         if self.control.kind == IsoControl::LinuxCnc && self.initial() < levels.r {
             self.set_floating();
@@ -198,7 +198,7 @@ impl Maker<'_> {
     }
 
     /// From R to the bottom and out again.
-    fn hole(&mut self, cycle: &Cycle, levels: CycleLevels, feed: &Motion, span: Span) {
+    fn hole(&mut self, cycle: &Cycle, levels: CycleLevels, feed: &Motion, span: TextSpan) {
         self.steps_inwards(cycle.inwards, levels, feed, span);
         self.climb(feed.clone(), levels.bottom, span);
         let before = self.state.turning;
@@ -237,7 +237,7 @@ impl Maker<'_> {
     ///
     /// G83: after every step out to R at rapid, which clears the flutes, and back at rapid to a clearance before the
     /// metal. G73: after every step back at rapid by a little, which breaks the chip, and on.
-    fn steps_inwards(&mut self, inwards: Inwards, levels: CycleLevels, feed: &Motion, span: Span) {
+    fn steps_inwards(&mut self, inwards: Inwards, levels: CycleLevels, feed: &Motion, span: TextSpan) {
         let step = Micrometres::new(self.parameter('Q').unwrap_or_default());
         if inwards == Inwards::Feed || step <= Micrometres::ZERO {
             return;

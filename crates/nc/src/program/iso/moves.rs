@@ -5,7 +5,7 @@ use super::control::{Effect, Group, IsoControl};
 use super::words::{BlockWords, Function};
 use crate::motion::{Axis, Motion, Position};
 use crate::note::Told;
-use crate::program::Span;
+use crate::program::TextSpan;
 use crate::program::limits::Floating;
 
 /// Where a block wants to go.
@@ -14,7 +14,7 @@ pub(super) struct Target {
     pub at: Position,
     pub floating: [Floating; 3],
     /// The first word of an axis.
-    pub span: Option<Span>,
+    pub span: Option<TextSpan>,
 }
 
 impl Maker<'_> {
@@ -100,7 +100,7 @@ impl Maker<'_> {
     }
 
     /// The control counts thousandths, the machine may not. Inches are rounded anyway.
-    fn finer_than_machine(&mut self, value: crate::units::Micrometres, span: Span) {
+    fn finer_than_machine(&mut self, value: crate::units::Micrometres, span: TextSpan) {
         let step = self.machine.resolution.micrometres().max(1);
         if !self.state.inches() && value.micrometres() % step != 0 {
             self.tell("finer-than-machine", span, &[("step", self.machine.resolution.told())]);

@@ -7,7 +7,7 @@ use super::control::{Action, Control};
 use super::rules::fault;
 use super::text::{Block, Label};
 use super::words::{BlockWords, Function};
-use crate::program::{Fault, Span};
+use crate::program::{Fault, TextSpan};
 
 /// The programs of a text.
 #[derive(Clone, Debug, Default)]
@@ -25,14 +25,14 @@ pub(super) struct Programs {
 pub(super) struct Call {
     pub name: String,
     pub repeats: i64,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 /// Finds the programs and holds every call against them.
 pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control, faults: &mut Vec<Fault>) -> Programs {
     let mut programs = Programs::default();
     if blocks.is_empty() && faults.is_empty() {
-        faults.push(fault("empty-program", Span { line: 1, column: 1, width: 1 }, None));
+        faults.push(fault("empty-program", TextSpan { line: 1, column: 1, width: 1 }, None));
     }
     let number = |block: &Block| match &block.label {
         Some(Label::Number(name)) => Some(name.clone()),

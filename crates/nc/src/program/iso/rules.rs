@@ -3,7 +3,7 @@
 //! `words`.
 
 use crate::note::Severity;
-use crate::program::{Fault, Rule, Span};
+use crate::program::{Fault, Rule, TextSpan};
 
 use Severity::{Doubtful as Warning, Error, Note as Remark};
 
@@ -77,6 +77,6 @@ pub(super) const RULES: &[Rule] = &[
 ];
 
 /// A broken rule.
-pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
+pub(super) fn fault(code: &'static str, span: TextSpan, block: Option<u32>) -> Fault {
     Fault::of(RULES, code, span, block)
 }

@@ -12,7 +12,7 @@ use super::words::BlockWords;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, MotionStep, Sink};
 use crate::program::running::{BUDGET, BlockOutcome, Running};
-use crate::program::{Fault, Setting, Span};
+use crate::program::{Fault, Setting, TextSpan};
 
 /// Checks a program: its text, then its run. The steps of the run go to the sink; what is wrong comes back, by place.
 ///
@@ -82,7 +82,7 @@ impl<S: Sink> ProgramRun<'_, S> {
     /// The main program has run out of blocks without M2 or M30.
     fn open_end(&mut self) {
         let last = self.programs.main.clone().last().and_then(|index| self.blocks.get(index));
-        let (span, number) = last.map_or((Span::default(), None), |block| (block.span, block.number));
+        let (span, number) = last.map_or((TextSpan::default(), None), |block| (block.span, block.number));
         if self.closed && self.control.o_words {
             let block = BlockRef { line: span.line, number };
             self.running.take(&MotionStep { motion: Motion::End, at: self.state.at, block });

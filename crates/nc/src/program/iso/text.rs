@@ -4,7 +4,7 @@
 use super::control::{ActiveComment, CommentAct, Control, IsoControl, Written};
 use super::rules::fault;
 use crate::program::control_2c42_65::{comma_places, decimal_comma, latin};
-use crate::program::{Fault, Span};
+use crate::program::{Fault, TextSpan};
 use crate::units::Micrometres;
 
 /// An address with its number.
@@ -13,7 +13,7 @@ pub(super) struct Word {
     pub address: char,
     /// The number in millionths: fine enough for inches.
     pub millionths: i64,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 /// What a line says of subprograms, beside its words.
@@ -35,7 +35,7 @@ pub(super) enum Label {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Block {
     /// The whole of it.
-    pub span: Span,
+    pub span: TextSpan,
     /// Its number.
     pub number: Option<u32>,
     /// Whether it begins with `/`.
@@ -96,9 +96,9 @@ struct SourceLine<'a> {
 }
 
 impl SourceLine<'_> {
-    fn span(&self, from: usize, to: usize) -> Span {
+    fn span(&self, from: usize, to: usize) -> TextSpan {
         let number = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
-        Span { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
+        TextSpan { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
     }
 
     /// One line; none for one that is empty or all comment.
@@ -231,7 +231,7 @@ impl SourceLine<'_> {
         }
     }
 
-    fn word(&mut self, address: char, written: &str, span: Span) -> Option<Word> {
+    fn word(&mut self, address: char, written: &str, span: TextSpan) -> Option<Word> {
         if let Some(latin) = latin(address) {
             self.faults.push(fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin));
             return None;
@@ -266,7 +266,7 @@ impl SourceLine<'_> {
     }
 
     /// A number as written, in millionths.
-    fn number(&mut self, written: &str, address: char, span: Span) -> Option<i64> {
+    fn number(&mut self, written: &str, address: char, span: TextSpan) -> Option<i64> {
         let unsigned = written.trim_start_matches(['+', '-']);
         let (whole, part) = unsigned.split_once('.').unwrap_or((unsigned, ""));
         let code = if whole.is_empty() && part.is_empty() {

@@ -3,14 +3,14 @@
 use super::control::{Control, Effect, Group};
 use super::rules::fault;
 use super::text::Block;
-use crate::program::{Fault, Span};
+use crate::program::{Fault, TextSpan};
 use crate::units::Micrometres;
 
 /// A number with its place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WordValue {
     pub millionths: i64,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 impl WordValue {
@@ -34,7 +34,7 @@ impl WordValue {
 pub(super) struct Function {
     /// Of G in tenths, of M whole.
     pub code: i64,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 impl Function {
@@ -142,7 +142,7 @@ impl BlockWords {
     }
 }
 
-fn twice(code: &'static str, first: Function, second: Function, span: Span) -> Fault {
+fn twice(code: &'static str, first: Function, second: Function, span: TextSpan) -> Fault {
     fault(code, span, None).with("first", first.name()).with("second", second.name())
 }
 

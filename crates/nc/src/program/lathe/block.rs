@@ -4,7 +4,7 @@
 //! The order within a block: modes; feed, speed, tool; spindle and coolant; dwell; the motion or the cycle; stop and end.
 
 use super::LatheReader;
-use super::contour::Spot;
+use super::contour::PassPoint;
 use super::control::LatheLanguage;
 use super::motion::{LatheAct, LatheMotion, LathePlace, LathePoint, LatheTool};
 use super::rules::fault;
@@ -12,7 +12,7 @@ use super::state::State;
 use super::words::{BlockWords, Value};
 use crate::motion::{Sense, Turning};
 use crate::note::Told;
-use crate::program::{Fault, Span};
+use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe_reading::{Does, LatheGroup};
 use crate::units::{MillimetresPerRev, Seconds};
 
@@ -22,7 +22,7 @@ pub(super) struct Maker<'a> {
     pub state: State,
     pub motions: Vec<LatheMotion>,
     pub faults: Vec<Fault>,
-    pub span: Span,
+    pub span: TextSpan,
     pub number: Option<u32>,
     /// Whether a cycle makes the motions.
     pub of_cycle: bool,
@@ -40,10 +40,10 @@ pub(super) enum After {
 
 /// How a line or an arc runs: what a motion and a piece of a contour have in common.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
+pub(super) struct PathShape {
     pub to: LathePlace,
     /// Centre and whether it is counterclockwise.
-    pub round: Option<(Spot, bool)>,
+    pub round: Option<(PassPoint, bool)>,
 }
 
 /// How far the radii at both ends of an arc may differ, mm, and as a part of the radius.
@@ -51,11 +51,11 @@ const ARC_TOLERANCE: (f64, f64) = (0.005, 0.001);
 
 impl Maker<'_> {
     /// Reports a broken rule.
-    pub fn tell(&mut self, code: &'static str, span: Span) {
+    pub fn tell(&mut self, code: &'static str, span: TextSpan) {
         self.faults.push(fault(code, span, self.number));
     }
 
-    pub fn tell_with(&mut self, code: &'static str, span: Span, name: &'static str, value: impl Told) {
+    pub fn tell_with(&mut self, code: &'static str, span: TextSpan, name: &'static str, value: impl Told) {
         self.faults.push(fault(code, span, self.number).with(name, value));
     }
 
@@ -317,7 +317,7 @@ impl Maker<'_> {
     }
 
     /// To a place whose part coordinates are unknown: the named axes are unknown afterwards.
-    fn away(&mut self, words: &BlockWords, axes: bool, span: Span) {
+    fn away(&mut self, words: &BlockWords, axes: bool, span: TextSpan) {
         self.start_said(span);
         let mut to = self.state.at;
         let named = |names: [&str; 2]| {
@@ -340,7 +340,7 @@ impl Maker<'_> {
     }
 
     /// What must be true before anything moves, and before anything cuts.
-    pub fn before_moving(&mut self, span: Span, cuts: bool) {
+    pub fn before_moving(&mut self, span: TextSpan, cuts: bool) {
         self.start_said(span);
         if self.state.modes.get(&LatheGroup::Plane).is_some_and(|plane| *plane != Does::PlaneZx) {
             self.tell("lathe-plane", span);
@@ -359,7 +359,7 @@ impl Maker<'_> {
         }
     }
 
-    fn start_said(&mut self, span: Span) {
+    fn start_said(&mut self, span: TextSpan) {
         if std::mem::replace(&mut self.state.moved, true) {
             return;
         }
@@ -377,7 +377,7 @@ impl Maker<'_> {
     }
 
     /// A line or an arc at feed.
-    fn cut(&mut self, shape: Shape, span: Span) {
+    fn cut(&mut self, shape: PathShape, span: TextSpan) {
         let Some(feed) = self.state.feed() else {
             self.tell("feed-zero", span);
             return;
@@ -394,7 +394,7 @@ impl Maker<'_> {
     }
 
     /// G33 with K (and I), G32 with F.
-    fn thread(&mut self, words: &BlockWords, to: LathePlace, span: Span) {
+    fn thread(&mut self, words: &BlockWords, to: LathePlace, span: TextSpan) {
         let lead = match self.language.kind {
             LatheReader::Fanuc => {
                 self.state.lead = words.take("F").map(|value| value.value).or(self.state.lead);
@@ -418,7 +418,7 @@ impl Maker<'_> {
     }
 
     /// A line bound to the spindle; LinuxCNC counts the lead along the line, the others along its longer axis.
-    pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, lead: f64, span: Span) {
+    pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, lead: f64, span: TextSpan) {
         if self.state.is(LatheGroup::SpeedMode, Does::CuttingSpeed) {
             self.tell("lathe-thread-at-cutting-speed", span);
         }
@@ -432,10 +432,10 @@ impl Maker<'_> {
     }
 
     /// Where the words lead, and of an arc its centre; none where something is wrong.
-    pub fn shape(&mut self, words: &BlockWords, mode: Does, span: Span) -> Option<Shape> {
+    pub fn shape(&mut self, words: &BlockWords, mode: Does, span: TextSpan) -> Option<PathShape> {
         let to = self.target(words)?;
         if !matches!(mode, Does::Clockwise | Does::Counterclockwise) {
-            return Some(Shape { to, round: None });
+            return Some(PathShape { to, round: None });
         }
         let (Some(from), Some(end)) = (self.state.at.point(), to.point()) else {
             self.tell("lathe-place-unknown", span);
@@ -448,10 +448,10 @@ impl Maker<'_> {
             Some(radius) => self.centre_of_radius(from, end, ccw, &radius)?,
             None => self.centre_of_distances(words, from, end, span)?,
         };
-        Some(Shape { to, round: Some((centre, ccw)) })
+        Some(PathShape { to, round: Some((centre, ccw)) })
     }
 
-    fn centre_of_radius(&mut self, from: Spot, to: Spot, ccw: bool, given: &Value) -> Option<Spot> {
+    fn centre_of_radius(&mut self, from: PassPoint, to: PassPoint, ccw: bool, given: &Value) -> Option<PassPoint> {
         let (chord, radius) = (from.to(to), given.value);
         if chord < 1e-9 || radius.abs() < 1e-9 {
             self.tell("arc-radius-alone", given.span);
@@ -468,17 +468,23 @@ impl Maker<'_> {
         // The centre of an arc of at most half a circle lies left of the way of a counterclockwise one.
         let left = if ccw == (radius > 0.0) { 1.0 } else { -1.0 };
         let (dz, dx) = ((to.z - from.z) / chord, (to.x - from.x) / chord);
-        Some(Spot { z: (from.z + to.z) / 2.0 - left * height * dx, x: (from.x + to.x) / 2.0 + left * height * dz })
+        Some(PassPoint { z: (from.z + to.z) / 2.0 - left * height * dx, x: (from.x + to.x) / 2.0 + left * height * dz })
     }
 
-    fn centre_of_distances(&mut self, words: &BlockWords, from: Spot, to: Spot, span: Span) -> Option<Spot> {
+    fn centre_of_distances(
+        &mut self,
+        words: &BlockWords,
+        from: PassPoint,
+        to: PassPoint,
+        span: TextSpan,
+    ) -> Option<PassPoint> {
         let distance = |name: &str| words.take(name).map(|value| value.value);
         let (i, k) = (distance("I"), distance("K"));
         if i.is_none() && k.is_none() {
             self.tell("arc-without-centre", span);
             return None;
         }
-        let centre = Spot { z: from.z + k.unwrap_or_default(), x: from.x + i.unwrap_or_default() };
+        let centre = PassPoint { z: from.z + k.unwrap_or_default(), x: from.x + i.unwrap_or_default() };
         let (begin, end) = (from.to(centre), to.to(centre));
         let allowed = ARC_TOLERANCE.0.max(ARC_TOLERANCE.1 * begin).min(ARC_TOLERANCE.0 * 10.0);
         if (begin - end).abs() > allowed || begin < 1e-9 {
@@ -534,11 +540,11 @@ pub(super) fn shown(mm: f64) -> String {
     format!("{rounded}")
 }
 
-pub(super) const fn spot(point: LathePoint) -> Spot {
-    Spot { z: point.z_mm, x: point.radius_mm }
+pub(super) const fn spot(point: LathePoint) -> PassPoint {
+    PassPoint { z: point.z_mm, x: point.radius_mm }
 }
 
-pub(super) const fn point(spot: Spot) -> LathePoint {
+pub(super) const fn point(spot: PassPoint) -> LathePoint {
     LathePoint { radius_mm: spot.x, z_mm: spot.z }
 }
 

@@ -6,12 +6,12 @@ pub(super) const SAME: f64 = 1e-6;
 
 /// A point: `z` along the passes, `x` square to them, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Spot {
+pub(super) struct PassPoint {
     pub z: f64,
     pub x: f64,
 }
 
-impl Spot {
+impl PassPoint {
     pub fn to(self, other: Self) -> f64 {
         libm::hypot(other.z - self.z, other.x - self.x)
     }
@@ -20,15 +20,15 @@ impl Spot {
 /// The centre of an arc and its sense; counterclockwise with z to the right and x upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Round {
-    pub centre: Spot,
+    pub centre: PassPoint,
     pub ccw: bool,
 }
 
 /// A piece of a contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Leg {
-    pub from: Spot,
-    pub to: Spot,
+    pub from: PassPoint,
+    pub to: PassPoint,
     pub round: Option<Round>,
     /// Whether the program has it as a rapid.
     pub rapid: bool,
@@ -68,12 +68,12 @@ impl Leg {
         }
         let half = libm::sqrt(square.max(0.0));
         let candidates = [round.centre.z + half, round.centre.z - half];
-        candidates.into_iter().filter(|z| self.is_on(Spot { z: *z, x }, round)).collect()
+        candidates.into_iter().filter(|z| self.is_on(PassPoint { z: *z, x }, round)).collect()
     }
 
     /// Whether a point of the circle lies between the ends of the arc.
-    fn is_on(&self, spot: Spot, round: Round) -> bool {
-        let cross = |a: Spot, b: Spot| {
+    fn is_on(&self, spot: PassPoint, round: Round) -> bool {
+        let cross = |a: PassPoint, b: PassPoint| {
             (a.z - round.centre.z) * (b.x - round.centre.x) - (a.x - round.centre.x) * (b.z - round.centre.z)
         };
         let (after, before) = (cross(self.from, spot), cross(self.to, spot));
@@ -83,7 +83,7 @@ impl Leg {
 
 /// How the frame of the passes lies in the half-plane of the part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Frame {
+pub(super) struct PassFrame {
     /// Passes across: the axes change places.
     pub across: bool,
     /// Deeper is towards larger x: inside, or across from the chuck.
@@ -92,28 +92,28 @@ pub(super) struct Frame {
     pub mirror_z: bool,
 }
 
-impl Frame {
+impl PassFrame {
     /// The frame in which a contour falls in z and rises in x from the end of its first piece to its end.
-    pub fn of(first: Spot, last: Spot, across: bool) -> Self {
+    pub fn of(first: PassPoint, last: PassPoint, across: bool) -> Self {
         let turned = Self { across, ..Self::default() };
         let (first, last) = (turned.into(first), turned.into(last));
         Self { across, mirror_x: first.x > last.x, mirror_z: first.z < last.z }
     }
 
     /// A point of the part in the frame.
-    pub fn into(self, spot: Spot) -> Spot {
-        let turned = if self.across { Spot { z: spot.x, x: -spot.z } } else { spot };
-        Spot {
+    pub fn into(self, spot: PassPoint) -> PassPoint {
+        let turned = if self.across { PassPoint { z: spot.x, x: -spot.z } } else { spot };
+        PassPoint {
             z: if self.mirror_z { -turned.z } else { turned.z },
             x: if self.mirror_x { -turned.x } else { turned.x },
         }
     }
 
     /// A point of the frame in the part.
-    pub fn out(self, spot: Spot) -> Spot {
+    pub fn out(self, spot: PassPoint) -> PassPoint {
         let x = if self.mirror_x { -spot.x } else { spot.x };
         let z = if self.mirror_z { -spot.z } else { spot.z };
-        if self.across { Spot { z: -x, x: z } } else { Spot { z, x } }
+        if self.across { PassPoint { z: -x, x: z } } else { PassPoint { z, x } }
     }
 
     /// A sense of the frame in the part, and the other way.
@@ -131,13 +131,13 @@ impl Frame {
 /// A motion that a cycle makes, in its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Stroke {
-    Rapid(Spot),
-    Line(Spot),
-    Arc(Round, Spot),
+    Rapid(PassPoint),
+    Line(PassPoint),
+    Arc(Round, PassPoint),
 }
 
 impl Stroke {
-    pub const fn end(self) -> Spot {
+    pub const fn end(self) -> PassPoint {
         match self {
             Self::Rapid(to) | Self::Line(to) | Self::Arc(_, to) => to,
         }

@@ -2,11 +2,11 @@
 
 use super::LatheReader;
 use super::block::{Maker, point, sense, shown, spot};
-use super::contour::{Frame, Leg, SAME, Spot, Stroke};
+use super::contour::{Leg, PassFrame, PassPoint, SAME, Stroke};
 use super::motion::{LatheAct, LathePlace, LathePoint};
 use super::roughing::{Between, NoPasses, Passes, hollows, levels};
 use super::words::{BlockWords, Value};
-use crate::program::{Span, Subject};
+use crate::program::{Subject, TextSpan};
 use crate::tables::controls::lathe_reading::{Does, Form};
 
 /// The name of a cycle.
@@ -21,7 +21,7 @@ const fn name(does: Does) -> &'static str {
 
 impl Maker<'_> {
     /// The fields that a cycle must have; false, with a fault, where one is missing.
-    pub(super) fn fields(&mut self, words: &BlockWords, cycle: &str, form: Form, span: Span) -> bool {
+    pub(super) fn fields(&mut self, words: &BlockWords, cycle: &str, form: Form, span: TextSpan) -> bool {
         let fields = self.language.cycle(cycle, form);
         let missing: Vec<String> = fields.required.iter().filter(|it| words.look(it).is_none()).cloned().collect();
         if !missing.is_empty() {
@@ -33,7 +33,7 @@ impl Maker<'_> {
     }
 
     /// A word of a cycle that must be above 0.
-    pub(super) fn above_zero(&mut self, given: Option<Value>, otherwise: f64, span: Span) -> f64 {
+    pub(super) fn above_zero(&mut self, given: Option<Value>, otherwise: f64, span: TextSpan) -> f64 {
         let value = given.as_ref().map_or(otherwise, |given| given.value);
         if value <= 0.0 || !value.is_finite() {
             let span = given.as_ref().map_or(span, |given| given.span);
@@ -58,7 +58,7 @@ impl Maker<'_> {
     }
 
     /// Where a cycle of LinuxCNC begins: its X and Z, or where the tool stands.
-    pub(super) fn begin_of_words(&mut self, words: &BlockWords, span: Span) -> Option<LathePoint> {
+    pub(super) fn begin_of_words(&mut self, words: &BlockWords, span: TextSpan) -> Option<LathePoint> {
         let diameter = self.diameters();
         let x = words.take("X").map(|it| it.value * if diameter { 0.5 } else { 1.0 }).or(self.state.at.radius_mm);
         let z = words.take("Z").map(|it| it.value).or(self.state.at.z_mm);
@@ -82,7 +82,7 @@ impl Maker<'_> {
         &mut self,
         words: &BlockWords,
         does: Does,
-        span: Span,
+        span: TextSpan,
         begin: LathePoint,
         legs: Vec<Leg>,
     ) {
@@ -109,7 +109,7 @@ impl Maker<'_> {
         if does == Does::Finish {
             let passes = words.take("P").map_or(1.0, |it| it.value).clamp(0.0, 1000.0) as usize;
             for _ in 0..passes {
-                self.stroke(Stroke::Rapid(spot(begin)), Frame::default(), span);
+                self.stroke(Stroke::Rapid(spot(begin)), PassFrame::default(), span);
                 self.along(&legs, span);
             }
         } else {
@@ -124,9 +124,9 @@ impl Maker<'_> {
     }
 
     /// Passes over a contour with hollows, and along it.
-    fn rough(&mut self, legs: &[Leg], across: bool, (depth, retract): (f64, f64), span: Span) {
+    fn rough(&mut self, legs: &[Leg], across: bool, (depth, retract): (f64, f64), span: TextSpan) {
         let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return };
-        let frame = Frame::of(first.to, last.to, across);
+        let frame = PassFrame::of(first.to, last.to, across);
         let mut legs: Vec<Leg> = legs.iter().map(|leg| frame.leg(*leg)).collect();
         // A first piece that would lead back is taken straight down.
         if let Some(first) = legs.first_mut()
@@ -142,13 +142,13 @@ impl Maker<'_> {
         if let Some((top, last)) = ends
             && last.to.x < top.x
         {
-            legs.push(Leg { from: last.to, to: Spot { x: top.x, ..last.to }, round: None, ..last });
+            legs.push(Leg { from: last.to, to: PassPoint { x: top.x, ..last.to }, round: None, ..last });
         }
         let made = hollows(&legs, Passes { depth, retract, budget: self.budget });
         self.strokes(made, frame, span);
     }
 
-    pub(super) fn strokes(&mut self, made: Result<Vec<Stroke>, NoPasses>, frame: Frame, span: Span) {
+    pub(super) fn strokes(&mut self, made: Result<Vec<Stroke>, NoPasses>, frame: PassFrame, span: TextSpan) {
         match made {
             Ok(strokes) => strokes.into_iter().for_each(|stroke| self.stroke(stroke, frame, span)),
             Err(NoPasses::TooMany) => self.tell_with("run-too-long", span, "budget", crate::program::running::BUDGET),
@@ -157,7 +157,7 @@ impl Maker<'_> {
     }
 
     /// A motion of a cycle, out of its frame.
-    pub(super) fn stroke(&mut self, stroke: Stroke, frame: Frame, span: Span) {
+    pub(super) fn stroke(&mut self, stroke: Stroke, frame: PassFrame, span: TextSpan) {
         let to = LathePlace::from(point(frame.out(stroke.end())));
         let same = |a: Option<f64>, b: Option<f64>| a.zip(b).is_some_and(|(a, b)| (a - b).abs() < SAME);
         let here = self.state.at;
@@ -181,19 +181,19 @@ impl Maker<'_> {
     }
 
     /// Once along a contour, its first piece at rapid.
-    pub(super) fn along(&mut self, legs: &[Leg], span: Span) {
+    pub(super) fn along(&mut self, legs: &[Leg], span: TextSpan) {
         for (index, leg) in legs.iter().enumerate() {
             let stroke = match leg.round {
                 _ if index == 0 => Stroke::Rapid(leg.to),
                 None => Stroke::Line(leg.to),
                 Some(round) => Stroke::Arc(round, leg.to),
             };
-            self.stroke(stroke, Frame::default(), span);
+            self.stroke(stroke, PassFrame::default(), span);
         }
     }
 
     /// The first block of G71 and G72 of Fanuc: depth and retract.
-    pub(super) fn first_block(&mut self, words: &BlockWords, does: Does, span: Span) {
+    pub(super) fn first_block(&mut self, words: &BlockWords, does: Does, span: TextSpan) {
         if !self.fields(words, name(does), Form::First, span) {
             return;
         }
@@ -209,7 +209,7 @@ impl Maker<'_> {
         &mut self,
         words: &BlockWords,
         does: Does,
-        span: Span,
+        span: TextSpan,
         begin: LathePoint,
         legs: Vec<Leg>,
         type_two: bool,
@@ -228,9 +228,11 @@ impl Maker<'_> {
             self.tell_with("lathe-cycle-first-block", span, "word", name(does));
             return;
         };
-        let allowance =
-            Spot { x: words.take("U").map_or(0.0, |it| it.value) / 2.0, z: words.take("W").map_or(0.0, |it| it.value) };
-        let shift = |it: Spot| Spot { z: it.z + allowance.z, x: it.x + allowance.x };
+        let allowance = PassPoint {
+            x: words.take("U").map_or(0.0, |it| it.value) / 2.0,
+            z: words.take("W").map_or(0.0, |it| it.value),
+        };
+        let shift = |it: PassPoint| PassPoint { z: it.z + allowance.z, x: it.x + allowance.x };
         // The rough contour is the finished one, moved by both allowances; so is the beginning of the passes.
         let moved: Vec<Leg> = legs
             .iter()
@@ -240,7 +242,7 @@ impl Maker<'_> {
             })
             .collect();
         let (Some(first), Some(last)) = (moved.first().copied(), moved.last().copied()) else { return };
-        let frame = Frame::of(first.to, last.to, across);
+        let frame = PassFrame::of(first.to, last.to, across);
         let framed: Vec<Leg> = moved.iter().map(|leg| frame.leg(*leg)).collect();
         if first.round.is_some() {
             self.tell_with("lathe-not-monotone", span, "line", first.line);
@@ -272,10 +274,10 @@ impl Maker<'_> {
         }
         // Once along the rough contour, then back to where the cycle began.
         if let Some(first) = framed.first() {
-            let back = Spot { z: start.z, x: start.x.max(first.to.x) };
+            let back = PassPoint { z: start.z, x: start.x.max(first.to.x) };
             let here = self.state.at.point().map(|at| frame.into(spot(at)));
             if let Some(here) = here.filter(|here| here.z < start.z) {
-                self.stroke(Stroke::Rapid(Spot { z: here.z, x: back.x.max(here.x) }), frame, span);
+                self.stroke(Stroke::Rapid(PassPoint { z: here.z, x: back.x.max(here.x) }), frame, span);
             }
             self.stroke(Stroke::Rapid(back), frame, span);
             let down = if first.rapid { Stroke::Rapid(first.to) } else { Stroke::Line(first.to) };
@@ -284,11 +286,11 @@ impl Maker<'_> {
                 self.stroke(leg.round.map_or(Stroke::Line(leg.to), |round| Stroke::Arc(round, leg.to)), frame, span);
             }
         }
-        self.stroke(Stroke::Rapid(spot(begin)), Frame::default(), span);
+        self.stroke(Stroke::Rapid(spot(begin)), PassFrame::default(), span);
     }
 
     /// G70 of Fanuc: once along the contour with its own feeds, then back to the beginning.
-    fn finish(&mut self, legs: &[Leg], begin: LathePoint, span: Span) {
+    fn finish(&mut self, legs: &[Leg], begin: LathePoint, span: TextSpan) {
         self.tell_with("lathe-cycle-from-memory", span, "word", "G70");
         let kept = self.state.feed;
         for leg in legs {
@@ -300,9 +302,9 @@ impl Maker<'_> {
                 None => Stroke::Line(leg.to),
                 Some(round) => Stroke::Arc(round, leg.to),
             };
-            self.stroke(stroke, Frame::default(), span);
+            self.stroke(stroke, PassFrame::default(), span);
         }
         self.state.feed = kept;
-        self.stroke(Stroke::Rapid(spot(begin)), Frame::default(), span);
+        self.stroke(Stroke::Rapid(spot(begin)), PassFrame::default(), span);
     }
 }

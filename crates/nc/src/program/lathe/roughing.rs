@@ -5,7 +5,7 @@
 //! falling piece ends, on along what rises behind it, and into the next hollow in the same way.
 //! [`levels`] is the plain way of G71 of Fanuc, type I, and of CYCLE95: level by level from one beginning.
 
-use super::contour::{Leg, Round, SAME, Spot, Stroke};
+use super::contour::{Leg, PassPoint, Round, SAME, Stroke};
 
 /// Why passes cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ struct HollowRoughing<'a> {
     legs: &'a [Leg],
     passes: Passes,
     strokes: Vec<Stroke>,
-    at: Spot,
+    at: PassPoint,
     top: f64,
     left: usize,
 }
@@ -108,7 +108,7 @@ impl HollowRoughing<'_> {
                 leg.to
             } else {
                 let z = leg.crossings(level).first().copied().ok_or(NoPasses::Above)?;
-                Spot { z, x: level }
+                PassPoint { z, x: level }
             };
             self.put(if index == 0 { Stroke::Rapid(end) } else { Stroke::Line(end) });
             return Ok(Down::Fell);
@@ -127,13 +127,13 @@ impl HollowRoughing<'_> {
         } else {
             crossings.first().copied().filter(|z| *z >= round.centre.z)
         };
-        let end = met.map_or(leg.to, |z| Spot { z, x: level });
+        let end = met.map_or(leg.to, |z| PassPoint { z, x: level });
         self.arc(round, end, met.is_none());
         Ok(Down::Fell)
     }
 
     /// An arc, unless it is shorter than can be told.
-    fn arc(&mut self, round: Round, end: Spot, always: bool) {
+    fn arc(&mut self, round: Round, end: PassPoint, always: bool) {
         if always || self.at.to(end) > 1e-3 {
             self.strokes.push(Stroke::Arc(round, end));
         }
@@ -159,7 +159,7 @@ impl HollowRoughing<'_> {
                     }
                     let radius = leg.from.to(round.centre);
                     let over = leg.to.z < round.centre.z;
-                    let top = Spot { z: round.centre.z, x: round.centre.x + radius };
+                    let top = PassPoint { z: round.centre.z, x: round.centre.x + radius };
                     self.arc(round, if over { top } else { leg.to }, false);
                     return Some(index);
                 }
@@ -186,11 +186,11 @@ impl HollowRoughing<'_> {
                 *index += usize::from(at_foot);
                 return !at_foot;
             }
-            self.put(Stroke::Line(Spot { z, x: here.x }));
+            self.put(Stroke::Line(PassPoint { z, x: here.x }));
             // A short pass draws back by half of itself at most.
             let back = self.passes.retract * (distance / 2.0 / self.passes.retract).min(1.0);
-            self.put(Stroke::Rapid(Spot { z: z + back, x: here.x + back }));
-            self.put(Stroke::Rapid(Spot { z: here.z - back, x: here.x + back }));
+            self.put(Stroke::Rapid(PassPoint { z: z + back, x: here.x + back }));
+            self.put(Stroke::Rapid(PassPoint { z: here.z - back, x: here.x + back }));
             self.put(if *index == 0 { Stroke::Rapid(here) } else { Stroke::Line(here) });
             return true;
         }
@@ -213,7 +213,7 @@ pub(super) struct Between {
 ///
 /// `lowest` is the height below which nothing is cut by passes.
 pub(super) fn levels(
-    begin: Spot,
+    begin: PassPoint,
     legs: &[Leg],
     lowest: f64,
     passes: Passes,
@@ -223,7 +223,7 @@ pub(super) fn levels(
     let mut before = begin.x;
     while before - passes.depth > lowest + SAME {
         let level = before - passes.depth;
-        let here = Spot { z: begin.z, x: level };
+        let here = PassPoint { z: begin.z, x: level };
         // The contour is met first by the piece with the largest z.
         let met = legs.iter().enumerate().find_map(|(index, leg)| {
             let z = leg
@@ -235,11 +235,11 @@ pub(super) fn levels(
         });
         let Some((index, z)) = met else { break };
         strokes.push(if between.down_at_rapid { Stroke::Rapid(here) } else { Stroke::Line(here) });
-        strokes.push(Stroke::Line(Spot { z, x: level }));
-        let mut at = Spot { z, x: level };
+        strokes.push(Stroke::Line(PassPoint { z, x: level }));
+        let mut at = PassPoint { z, x: level };
         if between.along_contour {
             for leg in legs.iter().skip(index) {
-                let end = leg.crossings(before).first().map_or(leg.to, |z| Spot { z: *z, x: before });
+                let end = leg.crossings(before).first().map_or(leg.to, |z| PassPoint { z: *z, x: before });
                 if at.to(end) > SAME {
                     strokes.push(leg.round.map_or(Stroke::Line(end), |round| Stroke::Arc(round, end)));
                 }
@@ -249,8 +249,8 @@ pub(super) fn levels(
                 }
             }
         }
-        strokes.push(Stroke::Rapid(Spot { z: at.z + passes.retract, x: at.x + passes.retract }));
-        strokes.push(Stroke::Rapid(Spot { z: begin.z, x: at.x + passes.retract }));
+        strokes.push(Stroke::Rapid(PassPoint { z: at.z + passes.retract, x: at.x + passes.retract }));
+        strokes.push(Stroke::Rapid(PassPoint { z: begin.z, x: at.x + passes.retract }));
         if strokes.len() > passes.budget {
             return Err(NoPasses::TooMany);
         }

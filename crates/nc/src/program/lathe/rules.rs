@@ -2,7 +2,7 @@
 //! docs/lathe-programs-read.md that tells it.
 
 use crate::note::Severity;
-use crate::program::{Fault, Rule, Span};
+use crate::program::{Fault, Rule, TextSpan};
 
 use Severity::{Doubtful, Error, Note, Wrong};
 
@@ -72,6 +72,6 @@ pub(super) const RULES: &[Rule] = &[
 ];
 
 /// A broken rule.
-pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
+pub(super) fn fault(code: &'static str, span: TextSpan, block: Option<u32>) -> Fault {
     Fault::of(RULES, code, span, block)
 }

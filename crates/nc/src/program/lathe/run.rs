@@ -13,7 +13,7 @@ use super::rules::fault;
 use super::state::State;
 use super::text::{self, Argument, Block, Head};
 use super::words::BlockWords;
-use crate::program::{Fault, Span};
+use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe_reading::{Does, LatheGroup};
 
 /// Blocks and motions that a run carries out.
@@ -58,7 +58,7 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
     }
     programs.find(&blocks, main, language.kind, &mut faults);
     if main == 0 {
-        faults.push(fault("empty-program", Span { line: 1, column: 1, width: 1 }, None));
+        faults.push(fault("empty-program", TextSpan { line: 1, column: 1, width: 1 }, None));
     }
     let mut run = Run {
         blocks: &blocks,
@@ -294,7 +294,7 @@ impl Run<'_> {
     }
 
     /// What a block calls: its name, how often, where.
-    fn call(&self, block: &Block, words: &BlockWords) -> Option<(String, u32, Span)> {
+    fn call(&self, block: &Block, words: &BlockWords) -> Option<(String, u32, TextSpan)> {
         if let Some(Head::Call(name, _)) = &block.head {
             return Some((name.clone(), 1, block.span));
         }
@@ -308,7 +308,7 @@ impl Run<'_> {
         words.names.first().map(|(name, span)| (name.clone(), 1, *span))
     }
 
-    fn run_call(&mut self, name: &str, times: u32, span: Span, number: Option<u32>, depth: usize) -> Next {
+    fn run_call(&mut self, name: &str, times: u32, span: TextSpan, number: Option<u32>, depth: usize) -> Next {
         let Some(range) = self.programs.named.get(name).cloned() else {
             let is_word = self.language.kind == LatheReader::Sinumerik;
             let (code, key) = if is_word { ("unknown-word", "word") } else { ("subprogram-missing", "number") };
@@ -333,7 +333,7 @@ impl Run<'_> {
         maker: &mut Maker<'_>,
         words: &BlockWords,
         does: Does,
-        span: Span,
+        span: TextSpan,
         index: usize,
     ) -> Option<Next> {
         if self.language.kind == LatheReader::LinuxCnc {
@@ -374,7 +374,7 @@ impl Run<'_> {
     }
 
     /// CYCLE95, CYCLE97 and MSG.
-    fn call_of_siemens(&mut self, maker: &mut Maker<'_>, name: &str, arguments: &[Argument], span: Span) {
+    fn call_of_siemens(&mut self, maker: &mut Maker<'_>, name: &str, arguments: &[Argument], span: TextSpan) {
         match name {
             "MSG" | "SETMS" => maker.of_cycle = false,
             "CYCLE97" => maker.cycle97(arguments, span),

@@ -2,11 +2,11 @@
 //! known from memory of the manual, and told so.
 
 use super::block::Maker;
-use super::contour::{Frame, Leg, Round, SAME, Spot, Stroke};
+use super::contour::{Leg, PassFrame, PassPoint, Round, SAME, Stroke};
 use super::motion::{LathePlace, LathePoint};
 use super::roughing::{Between, Passes, hollows, levels};
 use super::text::Argument;
-use crate::program::Span;
+use crate::program::TextSpan;
 use crate::tables::controls::lathe_reading::Form;
 
 /// The arguments of a call by their names.
@@ -28,7 +28,7 @@ impl Fields {
 
 impl Maker<'_> {
     /// The arguments of a call, compared with the table.
-    fn call_fields(&mut self, cycle: &str, arguments: &[Argument], span: Span) -> Option<Fields> {
+    fn call_fields(&mut self, cycle: &str, arguments: &[Argument], span: TextSpan) -> Option<Fields> {
         let known = self.language.cycle(cycle, Form::One);
         if arguments.len() > known.all.len() {
             self.tell_with("lathe-cycle-fields-too-many", span, "most", known.all.len());
@@ -58,7 +58,7 @@ impl Maker<'_> {
     }
 
     /// CYCLE95(NPP, MID, FALZ, FALX, FAL, FF1, FF2, FF3, VARI, DT, DAM, _VRT).
-    pub(super) fn cycle95(&mut self, arguments: &[Argument], span: Span, legs: Vec<Leg>) {
+    pub(super) fn cycle95(&mut self, arguments: &[Argument], span: TextSpan, legs: Vec<Leg>) {
         self.before_moving(span, true);
         let Some(fields) = self.call_fields("CYCLE95", arguments, span) else { return };
         let variant = fields.or_zero("VARI") as i64;
@@ -90,7 +90,7 @@ impl Maker<'_> {
         };
         let legs = if backwards { reversed(&legs) } else { legs };
         let out = if inside { -1.0 } else { 1.0 };
-        let allowance = Spot { z: fields.or_zero("FALZ"), x: out * fields.or_zero("FALX") };
+        let allowance = PassPoint { z: fields.or_zero("FALZ"), x: out * fields.or_zero("FALX") };
         let clear = fields.get("_VRT").filter(|clear| *clear > 0.0).unwrap_or(1.0);
         let kept = self.state.feed;
         if !(5..=8).contains(&kind) {
@@ -104,9 +104,9 @@ impl Maker<'_> {
         self.state.feed = kept;
     }
 
-    fn rough95(&mut self, legs: &[Leg], across: bool, (depth, clear): (f64, f64), clean: bool, span: Span) {
+    fn rough95(&mut self, legs: &[Leg], across: bool, (depth, clear): (f64, f64), clean: bool, span: TextSpan) {
         let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return };
-        let frame = Frame::of(first.from, last.to, across);
+        let frame = PassFrame::of(first.from, last.to, across);
         let framed: Vec<Leg> = legs.iter().map(|leg| frame.leg(*leg)).collect();
         if let Some(leg) = framed.iter().find(|leg| !leg.is_monotone()) {
             self.tell_with("lathe-not-monotone", span, "line", leg.line);
@@ -114,11 +114,11 @@ impl Maker<'_> {
         }
         let top = framed.iter().map(|leg| leg.from.x.max(leg.to.x)).fold(f64::NEG_INFINITY, f64::max);
         let lowest = framed.iter().map(|leg| leg.from.x.min(leg.to.x)).fold(f64::INFINITY, f64::min);
-        let Some(begin) = framed.first().map(|leg| Spot { z: leg.from.z + clear, x: top }) else { return };
+        let Some(begin) = framed.first().map(|leg| PassPoint { z: leg.from.z + clear, x: top }) else { return };
         // Passes of one depth, none deeper than the one that is given.
         let count = libm::ceil(((top - lowest) / depth - SAME).max(1.0));
         let passes = Passes { depth: (top - lowest) / count, retract: clear, budget: self.budget };
-        self.stroke(Stroke::Rapid(Spot { x: top + clear, ..begin }), frame, span);
+        self.stroke(Stroke::Rapid(PassPoint { x: top + clear, ..begin }), frame, span);
         let rises = framed.iter().all(|leg| leg.to.x >= leg.from.x - SAME);
         let made = if rises {
             levels(
@@ -136,26 +136,26 @@ impl Maker<'_> {
         self.strokes(made, frame, span);
     }
 
-    fn finish95(&mut self, legs: &[Leg], across: bool, clear: f64, span: Span) {
+    fn finish95(&mut self, legs: &[Leg], across: bool, clear: f64, span: TextSpan) {
         let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return };
-        let frame = Frame::of(first.from, last.to, across);
+        let frame = PassFrame::of(first.from, last.to, across);
         let framed: Vec<Leg> = legs.iter().map(|leg| frame.leg(*leg)).collect();
         let top = framed.iter().map(|leg| leg.from.x.max(leg.to.x)).fold(f64::NEG_INFINITY, f64::max);
         let Some(begin) = framed.first().map(|leg| leg.from) else { return };
-        self.stroke(Stroke::Rapid(Spot { z: begin.z + clear, x: top + clear }), frame, span);
-        self.stroke(Stroke::Rapid(Spot { z: begin.z + clear, x: begin.x }), frame, span);
+        self.stroke(Stroke::Rapid(PassPoint { z: begin.z + clear, x: top + clear }), frame, span);
+        self.stroke(Stroke::Rapid(PassPoint { z: begin.z + clear, x: begin.x }), frame, span);
         self.stroke(Stroke::Line(begin), frame, span);
         for leg in &framed {
             self.stroke(leg.round.map_or(Stroke::Line(leg.to), |round| Stroke::Arc(round, leg.to)), frame, span);
         }
         if let Some(end) = framed.last().map(|leg| leg.to) {
-            self.stroke(Stroke::Rapid(Spot { z: end.z + clear, x: end.x + clear }), frame, span);
-            self.stroke(Stroke::Rapid(Spot { z: begin.z + clear, x: end.x + clear }), frame, span);
+            self.stroke(Stroke::Rapid(PassPoint { z: end.z + clear, x: end.x + clear }), frame, span);
+            self.stroke(Stroke::Rapid(PassPoint { z: begin.z + clear, x: end.x + clear }), frame, span);
         }
     }
 
     /// CYCLE97(PIT, MPIT, SPL, FPL, DM1, DM2, APP, ROP, TDEP, FAL, IANG, NSP, NRC, NID, VARI, NUMT, _VRT).
-    pub(super) fn cycle97(&mut self, arguments: &[Argument], span: Span) {
+    pub(super) fn cycle97(&mut self, arguments: &[Argument], span: TextSpan) {
         self.before_moving(span, true);
         let Some(fields) = self.call_fields("CYCLE97", arguments, span) else { return };
         let variant = fields.or_zero("VARI") as i64;
@@ -207,19 +207,19 @@ impl Maker<'_> {
             let a = place(crest(from) - out * depth, begin_z);
             let b = place(crest(to) - out * depth, to);
             for to in [place(high, begin_z), a] {
-                self.stroke(Stroke::Rapid(Spot { z: to.z_mm, x: to.radius_mm }), Frame::default(), span);
+                self.stroke(Stroke::Rapid(PassPoint { z: to.z_mm, x: to.radius_mm }), PassFrame::default(), span);
             }
             self.thread_to(a, b, lead, span);
-            self.stroke(Stroke::Rapid(Spot { z: to, x: high }), Frame::default(), span);
+            self.stroke(Stroke::Rapid(PassPoint { z: to, x: high }), PassFrame::default(), span);
         }
-        self.stroke(Stroke::Rapid(Spot { z: from, x: high }), Frame::default(), span);
+        self.stroke(Stroke::Rapid(PassPoint { z: from, x: high }), PassFrame::default(), span);
         debug_assert!(self.state.at != LathePlace::default());
     }
 }
 
 /// A contour with both allowances.
-fn moved(legs: &[Leg], by: Spot) -> Vec<Leg> {
-    let shift = |it: Spot| Spot { z: it.z + by.z, x: it.x + by.x };
+fn moved(legs: &[Leg], by: PassPoint) -> Vec<Leg> {
+    let shift = |it: PassPoint| PassPoint { z: it.z + by.z, x: it.x + by.x };
     let moved = |leg: &Leg| {
         let round = leg.round.map(|it| Round { centre: shift(it.centre), ..it });
         Leg { from: shift(leg.from), to: shift(leg.to), round, ..*leg }

@@ -5,7 +5,7 @@ use super::LatheReader;
 use super::expression::{Expression, Reader};
 use super::rules::fault;
 use crate::program::control_2c42_65::latin;
-use crate::program::{Fault, Span};
+use crate::program::{Fault, TextSpan};
 
 /// An address with what stands behind it.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub(super) struct Word {
     pub value: Expression,
     /// Whether its number has a point: Fanuc counts one without in other units.
     pub point: bool,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 /// An argument of a call.
@@ -44,17 +44,17 @@ pub(super) enum Head {
 /// A line of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Block {
-    pub span: Span,
+    pub span: TextSpan,
     pub number: Option<u32>,
     pub skipped: bool,
     pub head: Option<Head>,
     pub words: Vec<Word>,
     /// Words without a number: DIAMON, M-less names of subprograms.
-    pub names: Vec<(String, Span)>,
+    pub names: Vec<(String, TextSpan)>,
     /// A call with arguments in parentheses: `CYCLE95(…)`.
-    pub call: Option<(String, Vec<Argument>, Span)>,
+    pub call: Option<(String, Vec<Argument>, TextSpan)>,
     /// `#5=…`, `R5=…`.
-    pub sets: Vec<(String, Expression, Span)>,
+    pub sets: Vec<(String, Expression, TextSpan)>,
 }
 
 /// The most blocks that are read.
@@ -74,7 +74,7 @@ pub(super) fn blocks(text: &str, control: LatheReader) -> (Vec<Block>, Vec<Fault
             continue;
         }
         if blocks.len() >= MOST_BLOCKS {
-            let span = Span { line: number, column: 1, width: 1 };
+            let span = TextSpan { line: number, column: 1, width: 1 };
             faults.push(fault("too-many-blocks", span, None).with("most", MOST_BLOCKS));
             break;
         }
@@ -91,9 +91,9 @@ struct Line<'a> {
 }
 
 impl Line<'_> {
-    fn span(&self, from: usize, to: usize) -> Span {
+    fn span(&self, from: usize, to: usize) -> TextSpan {
         let number = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
-        Span { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
+        TextSpan { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
     }
 
     /// The significant characters: no comments, and spaces only where they end a name.

@@ -4,7 +4,7 @@ use super::LatheReader;
 use super::block::{Maker, spot};
 use super::motion::{LatheAct, LathePlace, LathePoint};
 use super::words::{BlockWords, Value};
-use crate::program::Span;
+use crate::program::TextSpan;
 use crate::tables::controls::lathe_reading::{Does, Form};
 use crate::units::MillimetresPerRev;
 
@@ -25,7 +25,7 @@ fn at(radius_mm: f64, z_mm: f64) -> LathePlace {
 
 impl Maker<'_> {
     /// G76.
-    pub(super) fn thread_cycle(&mut self, words: &BlockWords, span: Span) {
+    pub(super) fn thread_cycle(&mut self, words: &BlockWords, span: TextSpan) {
         match self.language.kind {
             LatheReader::Fanuc if words.look("F").is_none() => self.first_of_thread(words, span),
             LatheReader::Fanuc => self.fanuc_thread(words, span),
@@ -35,7 +35,7 @@ impl Maker<'_> {
 
     /// G76 of LinuxCNC: passes of depth J·n^(1/R) up to K beyond the crest, which lies by I beyond the drive line; the whole
     /// of a pass is shifted by what is still to be cut, so that the last one begins on the drive line. Seen in rs274.
-    fn linuxcnc_thread(&mut self, words: &BlockWords, span: Span) {
+    fn linuxcnc_thread(&mut self, words: &BlockWords, span: TextSpan) {
         self.before_moving(span, true);
         if !self.fields(words, "G76", Form::One, span) {
             return;
@@ -115,7 +115,7 @@ impl Maker<'_> {
     }
 
     /// The first block of G76 of Fanuc.
-    fn first_of_thread(&mut self, words: &BlockWords, span: Span) {
+    fn first_of_thread(&mut self, words: &BlockWords, span: TextSpan) {
         if !self.fields(words, "G76", Form::First, span) {
             return;
         }
@@ -147,7 +147,7 @@ impl Maker<'_> {
 
     /// The second block of G76 of Fanuc: passes of depth d·√n, none shallower than the least, down to the finishing
     /// allowance, and then so many at the full depth. From memory of the manual.
-    fn fanuc_thread(&mut self, words: &BlockWords, span: Span) {
+    fn fanuc_thread(&mut self, words: &BlockWords, span: TextSpan) {
         self.before_moving(span, true);
         let Some([finishes, run_out, angle, least, allowance]) = self.state.first.thread else {
             self.tell_with("lathe-cycle-first-block", span, "word", "G76");
@@ -201,7 +201,7 @@ impl Maker<'_> {
         &mut self,
         words: &BlockWords,
         kept: Option<(LathePoint, bool, bool)>,
-        span: Span,
+        span: TextSpan,
     ) -> Option<(LathePoint, LathePoint)> {
         let Some(begin) = self.state.at.point() else {
             self.tell("lathe-place-unknown", span);
@@ -227,7 +227,7 @@ impl Maker<'_> {
         (end, taper): (LathePoint, f64),
         above: f64,
         (lead, run_out): (f64, f64),
-        span: Span,
+        span: TextSpan,
     ) {
         let out = if begin.radius_mm > end.radius_mm { 1.0 } else { -1.0 };
         let root = end.radius_mm + out * above;
@@ -245,7 +245,7 @@ impl Maker<'_> {
     }
 
     /// G92 of Fanuc: one pass, and back. Its run-out is a parameter of the machine: none is made here.
-    pub(super) fn thread_box(&mut self, words: &BlockWords, span: Span) {
+    pub(super) fn thread_box(&mut self, words: &BlockWords, span: TextSpan) {
         if let Some(lead) = words.take("F") {
             self.state.lead = Some(lead.value);
         }

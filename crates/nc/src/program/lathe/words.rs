@@ -7,7 +7,7 @@ use super::control::LatheLanguage;
 use super::expression::Parameters;
 use super::rules::fault;
 use super::text::Block;
-use crate::program::{Fault, Span};
+use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe_reading::{Does, LatheGroup};
 
 /// A word with its value.
@@ -16,7 +16,7 @@ pub(super) struct Value {
     pub name: String,
     pub value: f64,
     pub point: bool,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 /// A function with its place.
@@ -25,7 +25,7 @@ pub(super) struct Function {
     pub code: String,
     pub group: LatheGroup,
     pub does: Does,
-    pub span: Span,
+    pub span: TextSpan,
 }
 
 /// The words of a block.
@@ -35,7 +35,7 @@ pub(super) struct BlockWords {
     values: Vec<Value>,
     used: RefCell<BTreeSet<usize>>,
     /// Names that are no function: calls of subprograms.
-    pub names: Vec<(String, Span)>,
+    pub names: Vec<(String, TextSpan)>,
 }
 
 /// The code of a function as the table has it: `G01` is `G1`, `G91.1` stays.
@@ -75,7 +75,14 @@ impl BlockWords {
         words
     }
 
-    fn function(&mut self, code: &str, span: Span, block: &Block, language: &LatheLanguage, faults: &mut Vec<Fault>) {
+    fn function(
+        &mut self,
+        code: &str,
+        span: TextSpan,
+        block: &Block,
+        language: &LatheLanguage,
+        faults: &mut Vec<Fault>,
+    ) {
         let Some((group, does)) = language.functions.get(code).copied() else {
             faults.push(fault("unknown-word", span, block.number).with("word", code.to_owned()));
             return;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::cuts::{TOLERANCE, near};
 use super::matching::Matched;
 use super::walk::{Event, Stay, TipMotion};
-use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, Task};
+use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask};
 use crate::job::Pause;
 use crate::motion::{BlockRef, Turning};
 use crate::note::Severity;
@@ -15,7 +15,7 @@ use crate::units::Micrometres;
 pub(super) fn all(
     made: &ObservedCuts,
     matched: &Matched,
-    tasks: &[Task<'_>],
+    tasks: &[StopTask<'_>],
     asked: &ProofInput<'_>,
     turned_over: usize,
     findings: &mut Vec<ProgramFinding>,
@@ -33,12 +33,12 @@ pub(super) fn all(
 struct Around<'a, 't> {
     made: &'a ObservedCuts,
     matched: &'a Matched,
-    tasks: &'a [Task<'t>],
+    tasks: &'a [StopTask<'t>],
     asked: &'a ProofInput<'t>,
 }
 
 impl<'t> Around<'_, 't> {
-    fn task(&self, cut: usize) -> Option<&Task<'t>> {
+    fn task(&self, cut: usize) -> Option<&StopTask<'t>> {
         self.matched.task_of.get(cut).copied().flatten().and_then(|task| self.tasks.get(task))
     }
 

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::cuts::{Descent, TOLERANCE, near};
-use super::matching::{Matched, Places};
+use super::matching::{Matched, TaskIndex};
 use super::tools::Tools;
 use super::walk::{TipMotion, TipMove};
-use super::{Code, DeviationFigure, Name, ObservedCuts, ProgramFinding, ProofInput, Task, milled};
+use super::{Code, DeviationFigure, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask, milled};
 use crate::job::{Cycle, CycleKind};
 use crate::motion::Turning;
 use crate::note::Severity;
@@ -21,11 +21,11 @@ pub(super) fn all(
     made: &ObservedCuts,
     matched: &Matched,
     tools: &Tools,
-    tasks: &[Task<'_>],
+    tasks: &[StopTask<'_>],
     asked: &ProofInput<'_>,
     findings: &mut Vec<ProgramFinding>,
 ) {
-    let places = Places::of(tasks);
+    let places = TaskIndex::of(tasks);
     // The furthest task made at every point so far, to tell the order.
     let mut furthest: BTreeMap<(usize, Micrometres, Micrometres), usize> = BTreeMap::new();
     for (number, cut) in made.cuts.iter().enumerate() {
@@ -68,7 +68,7 @@ pub(super) fn all(
 /// A cut and its stop, to tell what is wrong.
 pub(super) struct Say<'a, 't> {
     pub cut: &'a Descent,
-    pub task: &'a Task<'t>,
+    pub task: &'a StopTask<'t>,
 }
 
 impl Say<'_, '_> {
@@ -140,9 +140,9 @@ fn collisions(cut: &Descent, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
 fn superfluous(
     cut: &Descent,
     matched: &Matched,
-    places: &Places,
+    places: &TaskIndex,
     tools: &Tools,
-    tasks: &[Task<'_>],
+    tasks: &[StopTask<'_>],
     findings: &mut Vec<ProgramFinding>,
 ) {
     // What never feeds is told as a rapid into the part.
@@ -166,8 +166,8 @@ fn superfluous(
 }
 
 /// One finding for the points of a transition.
-fn missing(matched: &Matched, tasks: &[Task<'_>], findings: &mut Vec<ProgramFinding>) {
-    let mut without: BTreeMap<(usize, &str, usize), Vec<&Task<'_>>> = BTreeMap::new();
+fn missing(matched: &Matched, tasks: &[StopTask<'_>], findings: &mut Vec<ProgramFinding>) {
+    let mut without: BTreeMap<(usize, &str, usize), Vec<&StopTask<'_>>> = BTreeMap::new();
     for (task, cut) in tasks.iter().zip(&matched.cut_of) {
         if cut.is_none() {
             without.entry((task.setup, &task.stop.hole, task.stop.transition)).or_default().push(task);

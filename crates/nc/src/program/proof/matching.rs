@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::cuts::{Descent, TOLERANCE, near};
 use super::tools::Tools;
-use super::walk::Frame;
-use super::{ObservedCuts, ProofInput, Task};
+use super::walk::SetUpFrame;
+use super::{ObservedCuts, ProofInput, StopTask};
 use crate::motion::{Motion, MotionStep};
 use crate::units::Micrometres;
 
@@ -19,10 +19,10 @@ pub(super) struct Matched {
 }
 
 /// Tasks by set-up and X: a plate may have thousands.
-pub(super) struct Places(BTreeMap<(usize, Micrometres), Vec<usize>>);
+pub(super) struct TaskIndex(BTreeMap<(usize, Micrometres), Vec<usize>>);
 
-impl Places {
-    pub fn of(tasks: &[Task<'_>]) -> Self {
+impl TaskIndex {
+    pub fn of(tasks: &[StopTask<'_>]) -> Self {
         let mut places: BTreeMap<_, Vec<usize>> = BTreeMap::new();
         for (number, task) in tasks.iter().enumerate() {
             places.entry((task.setup, task.stop.at.x)).or_default().push(number);
@@ -31,7 +31,7 @@ impl Places {
     }
 
     /// The tasks at the point of a cut, in the order of the job.
-    pub fn at(&self, cut: &Descent, tasks: &[Task<'_>]) -> Vec<usize> {
+    pub fn at(&self, cut: &Descent, tasks: &[StopTask<'_>]) -> Vec<usize> {
         let [x, y] = cut.at;
         let found = self.0.range((cut.setup, x - TOLERANCE)..=(cut.setup, x + TOLERANCE));
         let mut found: Vec<usize> = found.flat_map(|(_, numbers)| numbers.iter().copied()).collect();
@@ -42,14 +42,14 @@ impl Places {
 }
 
 /// Whether a cut goes as deep as a task asks.
-pub(super) fn fits(cut: &Descent, task: &Task<'_>) -> bool {
+pub(super) fn fits(cut: &Descent, task: &StopTask<'_>) -> bool {
     near(cut.deepest(), task.cycle.end)
 }
 
 /// Gives each cut its task: first what fits in tool, point and depth, in the order of the program; then what another
 /// tool made; then what has another depth.
-pub(super) fn matched(cuts: &[Descent], tools: &Tools, tasks: &[Task<'_>]) -> Matched {
-    let places = Places::of(tasks);
+pub(super) fn matched(cuts: &[Descent], tools: &Tools, tasks: &[StopTask<'_>]) -> Matched {
+    let places = TaskIndex::of(tasks);
     let mut matched = Matched { task_of: vec![None; cuts.len()], cut_of: vec![None; tasks.len()] };
     for round in 0..3 {
         for (number, cut) in cuts.iter().enumerate() {
@@ -75,12 +75,17 @@ pub(super) fn matched(cuts: &[Descent], tools: &Tools, tasks: &[Task<'_>]) -> Ma
 
 /// Before which step the part is turned over: at the stop or, where there is none, the tool change at which most cuts
 /// fit. Never, where the job has one set-up only.
-pub(super) fn turned_over(steps: &[MotionStep], asked: &ProofInput<'_>, frames: &[Frame], tasks: &[Task<'_>]) -> usize {
+pub(super) fn turned_over(
+    steps: &[MotionStep],
+    asked: &ProofInput<'_>,
+    frames: &[SetUpFrame],
+    tasks: &[StopTask<'_>],
+) -> usize {
     let never = steps.len();
     if frames.len() < 2 {
         return never;
     }
-    let places = Places::of(tasks);
+    let places = TaskIndex::of(tasks);
     let score = |at: usize| {
         let cuts = ObservedCuts::of(steps, asked, frames, at).cuts;
         cuts.iter().filter(|cut| places.at(cut, tasks).into_iter().any(|task| fits(cut, &tasks[task]))).count()

@@ -48,7 +48,7 @@ use crate::units::Micrometres;
 use cuts::{Descent, TOLERANCE};
 pub use finding::{Code, DeviationFigure, Name, ProgramFinding};
 pub use planned_job::PlannedJob;
-use walk::{Frame, TipHistory};
+use walk::{SetUpFrame, TipHistory};
 
 /// The input of a proof: what a program is compared with.
 #[derive(Clone, Copy, Debug)]
@@ -165,7 +165,7 @@ pub struct SuperfluousCut {
 
 /// A stop of the job with what it belongs to.
 #[derive(Clone, Copy, Debug)]
-struct Task<'a> {
+struct StopTask<'a> {
     /// Place of the set-up in the job.
     setup: usize,
     /// Place of the work among all works.
@@ -176,7 +176,7 @@ struct Task<'a> {
     transition: &'a Transition,
 }
 
-impl Task<'_> {
+impl StopTask<'_> {
     /// Z that the steps of a deep hole reach before the first that goes into the metal: a small drill's step may be
     /// shorter than the approach. Without such steps the beginning of the feed.
     fn reached_in_air(&self, metal: Micrometres) -> Micrometres {
@@ -191,8 +191,8 @@ impl Task<'_> {
 /// Compares the steps of a program with a job.
 pub fn prove(steps: &[MotionStep], asked: &ProofInput<'_>) -> Proof {
     let tasks = tasks(asked);
-    let frame = |zero: &Position| Frame { zero: *zero, top: asked.plan.part.datum.top };
-    let mut frames: Vec<Frame> = asked.zeros.iter().map(frame).collect();
+    let frame = |zero: &Position| SetUpFrame { zero: *zero, top: asked.plan.part.datum.top };
+    let mut frames: Vec<SetUpFrame> = asked.zeros.iter().map(frame).collect();
     if frames.is_empty() {
         // A job without work has no set-up; its program begins and ends all the same.
         frames.push(frame(&Position::default()));
@@ -209,7 +209,7 @@ pub fn prove(steps: &[MotionStep], asked: &ProofInput<'_>) -> Proof {
     for (cut, task) in made.cuts.iter().zip(&matched.task_of) {
         let at = Point::from(cut.at);
         match task.and_then(|task| tasks.get(task)) {
-            Some(Task { stop, .. }) => proof.visits.push(MadeStop {
+            Some(StopTask { stop, .. }) => proof.visits.push(MadeStop {
                 hole: stop.hole.clone(),
                 transition: stop.transition,
                 pass: stop.pass,
@@ -247,7 +247,7 @@ struct ObservedCuts {
 }
 
 impl ObservedCuts {
-    fn of(steps: &[MotionStep], asked: &ProofInput<'_>, frames: &[Frame], turned_over: usize) -> Self {
+    fn of(steps: &[MotionStep], asked: &ProofInput<'_>, frames: &[SetUpFrame], turned_over: usize) -> Self {
         let works = asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|_| !asked.own_correctors);
         let needs_none = |tool: u32| asked.job.correctors.contains(&(tool, Micrometres::ZERO));
         let references = works.filter(|work| needs_none(work.corrector)).map(|work| work.place).collect();
@@ -286,7 +286,7 @@ fn faced(asked: &ProofInput<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> 
     faced
 }
 
-fn tasks<'a>(asked: &ProofInput<'a>) -> Vec<Task<'a>> {
+fn tasks<'a>(asked: &ProofInput<'a>) -> Vec<StopTask<'a>> {
     let mut tasks = Vec::new();
     let mut work = 0;
     let setups: &'a [SetUp] = &asked.job.setups;
@@ -296,7 +296,7 @@ fn tasks<'a>(asked: &ProofInput<'a>) -> Vec<Task<'a>> {
                 let hole = asked.plan.holes.iter().find(|hole| hole.name == stop.hole);
                 let transition = hole.and_then(|hole| hole.transitions.get(stop.transition));
                 if let (Some(cycle), Some(transition)) = (tool.cycles.get(stop.cycle), transition) {
-                    tasks.push(Task { setup, work, tool, stop, cycle, transition });
+                    tasks.push(StopTask { setup, work, tool, stop, cycle, transition });
                 }
             }
             work += 1;

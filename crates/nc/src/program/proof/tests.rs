@@ -1,7 +1,7 @@
 //! Which motions are merged into one cut, cycle by cycle. They are the motions that an interpreter makes of the cycle.
 
 use super::cuts::{Descent, cuts};
-use super::walk::{Frame, walk};
+use super::walk::{SetUpFrame, walk};
 use crate::motion::{BlockRef, Motion, MotionStep, Plane, Position, Sense, Turning};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
@@ -55,7 +55,7 @@ fn step(motion: Motion, at: [i64; 3]) -> MotionStep {
 }
 
 fn cut(text: &str) -> Vec<Descent> {
-    let frame = Frame { zero: Position::default(), top: Micrometres::ZERO };
+    let frame = SetUpFrame { zero: Position::default(), top: Micrometres::ZERO };
     let steps = steps(text);
     let start = Position::of([0, 0, 100].map(Micrometres::from_mm));
     let walk = walk(&steps, start, &[frame], steps.len(), &Default::default());

@@ -3,9 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::cuts::Descent;
-use super::matching::{Places, fits};
+use super::matching::{TaskIndex, fits};
 use super::walk::Event;
-use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, Task};
+use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask};
 use crate::job::Pause;
 use crate::note::Severity;
 use crate::units::Micrometres;
@@ -30,9 +30,9 @@ impl Tools {
 /// T is the plan's place in the magazine. Where the tool of that place would make none of its cuts and another would
 /// make most of them, the program numbers its tools in its own way, which is reported. Where a place is filled several
 /// times, the tool is the one whose work is done, and the operator must have been asked before.
-pub(super) fn tools(made: &ObservedCuts, tasks: &[Task<'_>], asked: &ProofInput<'_>) -> Tools {
+pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofInput<'_>) -> Tools {
     let mut tools = Tools::default();
-    let places = Places::of(tasks);
+    let places = TaskIndex::of(tasks);
     // For every cut the tools of the plan that would make it: that of the place, or one whose correction acts.
     let corrected =
         |tool: u32| asked.plan.tools.iter().find(|known| known.number == tool).map(|known| known.correction_mm);

@@ -15,7 +15,7 @@ pub(super) type Tip = [Micrometres; 3];
 
 /// Where the drawing's zero and the part's face are in a set-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Frame {
+pub(super) struct SetUpFrame {
     /// The zero, machine coordinates, measured with the reference tool.
     pub zero: Position,
     /// Z of the face that is up, in the drawing.
@@ -142,7 +142,7 @@ struct WalkState {
 pub(super) fn walk(
     steps: &[MotionStep],
     start: Position,
-    frames: &[Frame],
+    frames: &[SetUpFrame],
     turned_over: usize,
     references: &BTreeSet<u32>,
 ) -> TipHistory {
@@ -202,7 +202,7 @@ fn take(
     state: &mut WalkState,
     (order, step): (usize, &MotionStep),
     setup: usize,
-    frame: &Frame,
+    frame: &SetUpFrame,
 ) {
     let how = match &step.motion {
         Motion::Rapid => TipMotion::Rapid,
@@ -298,7 +298,7 @@ fn take(
     }
 }
 
-fn tip(at: Position, state: &WalkState, frame: &Frame) -> Tip {
+fn tip(at: Position, state: &WalkState, frame: &SetUpFrame) -> Tip {
     let longer = state.longer.get(&state.section).copied().unwrap_or_default();
     [at.x - frame.zero.x, at.y - frame.zero.y, at.z - frame.zero.z - longer]
 }

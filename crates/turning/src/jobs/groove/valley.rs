@@ -128,10 +128,10 @@ impl Valley {
     /// on beyond the mouth by that radius, because a shoulder may stand over them, and because the edge of a groove
     /// that is less deep than the corner must not be rounded.
     pub fn centres(&self, corner: f64) -> Option<CentrePath> {
-        let mut way: Vec<Span> = Vec::new();
+        let mut way: Vec<PathSpan> = Vec::new();
         let last = self.pieces.len().saturating_sub(1);
         for (index, piece) in self.pieces.iter().enumerate() {
-            let Some(mut next) = Span::beside(*piece, corner) else { continue };
+            let Some(mut next) = PathSpan::beside(*piece, corner) else { continue };
             let line = next.arc.is_none();
             if index == 0 && line {
                 next.from = next.from.minus(piece.direction_at_start().times(corner));
@@ -178,14 +178,14 @@ impl Valley {
 
 /// A stretch of a toolpath: a line, or an arc about a centre that is hollow as the corner it comes of.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Span {
+pub(super) struct PathSpan {
     pub from: Vector,
     pub to: Vector,
     /// Radius of an arc, mm.
     pub arc: Option<f64>,
 }
 
-impl Span {
+impl PathSpan {
     /// Beside a piece, out of the metal; none of a hollow arc that is no larger than the corner.
     fn beside(piece: Piece, corner: f64) -> Option<Self> {
         let (from, to) = (piece.from.vector(), piece.to.vector());
@@ -237,7 +237,7 @@ impl Span {
 /// The path of a centre over a groove, from one end of the mouth to the other.
 #[derive(Clone, Debug)]
 pub(super) struct CentrePath {
-    spans: Vec<Span>,
+    spans: Vec<PathSpan>,
     /// Its lowest height, mm.
     low: f64,
 }
@@ -263,7 +263,7 @@ impl CentrePath {
 
     /// The part down to the floor, in its order, moved; and the part from the other mouth down to the floor.
     pub fn halves(&self, left: Vector, right: Vector) -> (Vec<Piece>, Vec<Piece>) {
-        let on_floor = |span: &&Span| {
+        let on_floor = |span: &&PathSpan| {
             span.arc.is_none()
                 && (span.from.radius - self.low).abs() < APART
                 && (span.to.radius - self.low).abs() < APART

@@ -29,7 +29,7 @@ use super::limits::Limits;
 use super::refused::NoJob;
 use super::site;
 use super::{Body, Job, JobTool, Work};
-use pace::Pace;
+use pace::AxialConditions;
 
 /// Where a drilled hole ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,7 +132,7 @@ pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         blind: matches!(hole.end, HoleEnd::Blind(_)),
         ..cut(operation, drill.diameter, hole.from, depth, drill.material)
     };
-    let Pace { speed, feed, because: of_pace } = pace::pace(&cut, lathe, bench)?;
+    let AxialConditions { speed, feed, because: of_pace } = pace::pace(&cut, lathe, bench)?;
     let mut because = vec![Because::row(drill.row.row, Note::new("job-tool-taken").with("tool", drill.designation))];
     because.extend(of_pace);
     let ratio = depth.to_mm() / drill.diameter.to_mm();
@@ -328,7 +328,7 @@ fn centred(row: &CentreHole<'_>, form: CentreForm, face: Half, note: Note, bench
         tool_diameter: Some(row.pilot),
         ..cut(Operation::CentreDrill, mouth, Micrometres::ZERO, depth, ToolMaterial::HighSpeedSteel)
     };
-    let Pace { speed, feed, because: of_pace } = pace::pace(&cut, lathe, bench)?;
+    let AxialConditions { speed, feed, because: of_pace } = pace::pace(&cut, lathe, bench)?;
     let (rates, _) = rates::of_table(bench.knowledge)?;
     let at = |z: Half| Point { radius: Half::ZERO, z };
     let from = face - Half::of(rates.approach);

@@ -18,7 +18,7 @@ use technolog_cutting::{Cut, handbook, practice, rpm_at, speed_at};
 use super::super::refused::{NoJob, of_tables};
 
 /// Speed and feed of a tool on the axis.
-pub(super) struct Pace {
+pub(super) struct AxialConditions {
     pub speed: Speed,
     pub feed: Feeds,
     pub because: Vec<Because>,
@@ -39,7 +39,7 @@ impl<'k> Asking<'k> for Bench<'_, 'k> {
 /// gives a feed.
 ///
 /// # Errors The tables have no figures; or even the least feed of the lathe is too much.
-pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<Pace, NoJob> {
+pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<AxialConditions, NoJob> {
     let (mut feed, mut because) = handbook::feed(cut, bench).map_err(of_tables)?;
     let Some((life, of_life)) = handbook::tool_life(cut, bench).map_err(of_tables)? else {
         return Err(Refusal::Not(NoJob::NoDrill { diameter: cut.diameter, depth: crate::turning::length::Half::ZERO }));
@@ -86,7 +86,7 @@ pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried
     let note =
         Note::new("job-drill-speed").with("wanted", round_to(wanted.0, 1)).with("speed", used.0).with("spindle", rpm.0);
     because.push(Because::table(lathe.table, note));
-    Ok(Pace { speed: Speed::Spindle(RevsPerMinute(rpm.0)), feed: Feeds::all(feed), because })
+    Ok(AxialConditions { speed: Speed::Spindle(RevsPerMinute(rpm.0)), feed: Feeds::all(feed), because })
 }
 
 fn lathe_limit(lathe: &Lathe<'_>, quantity: LatheQuantity, limit: f64) -> Tried<Because, NoJob> {
