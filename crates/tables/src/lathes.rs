@@ -36,6 +36,8 @@ vocabulary! {
         ChuckDiameterShare = "chuck-diameter-share",
         JawShare = "jaw-share",
         CentreAngle = "centre-angle",
+        CentreBody = "centre-body",
+        CentreOut = "centre-out",
         QuillShare = "quill-share",
         ToolChangeTime = "tool-change-time",
         SpindleStartTime = "spindle-start-time",

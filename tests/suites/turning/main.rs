@@ -21,6 +21,7 @@ mod programs;
 mod read_back;
 mod schemes;
 mod setting;
+mod tailstock;
 mod tools;
 mod transitions;
 mod workpiece;

@@ -68,6 +68,8 @@ vocabulary! {
         ContourBegins = "contour-begins",
         ContourEnds = "contour-ends",
         ChangePosition = "change-position",
+        ChangePositionX = "change-position-x",
+        ChangePositionZ = "change-position-z",
         SpeedLimit = "speed-limit",
         Thread = "thread",
         ThreadLead = "thread-lead",

@@ -29,6 +29,7 @@ pub mod prepare;
 pub mod programs;
 pub mod proof;
 pub mod setting;
+mod tailstock;
 pub mod times;
 pub mod tool_table;
 pub mod tools;
@@ -52,6 +53,7 @@ use tools::Bench;
 use work::{Hollow, ZoneWork};
 
 pub use jaws::{ChuckBody, Jaws};
+pub use tailstock::Tailstock;
 
 /// A turning operation.
 #[derive(Clone, Debug, Serialize)]
@@ -81,6 +83,9 @@ pub struct SetUpWork {
     /// The jaws that hold the part; none between centres, and where nothing is long enough for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jaws: Option<Jaws>,
+    /// The tailstock before the free end, between centres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tailstock: Option<Tailstock>,
     /// What it roughs outside and inside, in the order of work.
     pub sides: Vec<SideWork>,
     /// What its tools do, one after another.
@@ -169,11 +174,12 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
         }
         let jaws = Jaws::of(&set_up, workpiece, lathe.as_ref(), knowledge)?;
         findings.extend(jaws.and_then(|jaws| jaws.short(set_up.number)));
+        let tailstock = Tailstock::of(&set_up, workpiece, lathe.as_ref(), knowledge)?;
         let held = held::Held::of(&set_up, jaws.as_ref(), workpiece, &bench.material, knowledge)?;
         let bench = Bench { held, ..bench.clone() };
         let sides = sides(&set_up, &bench, &mut findings)?;
         let jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
-        done.push(SetUpWork { set_up, jaws, sides, jobs });
+        done.push(SetUpWork { set_up, jaws, tailstock, sides, jobs });
     }
     let mut operation = Operation {
         workpiece: workpiece.clone(),

@@ -10,7 +10,7 @@ use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{
-    self, Allowance, Control, CycleOf, Direction, NotWritten, ProgramFile, Roughing, Speed, ToolSection,
+    self, Allowance, Control, CycleOf, Direction, FreeEnd, NotWritten, ProgramFile, Roughing, Speed, ToolSection,
 };
 use crate::turning::shaft::Holding;
 use crate::turning::toolpath::Toolpath;
@@ -85,6 +85,7 @@ pub fn programs(
     let control = Control::read(control, knowledge)?;
     let stations = stations(operation);
     let between_centres = operation.workpiece.holding == Holding::Centres;
+    let end_of_part = if between_centres { FreeEnd::Tailstock } else { FreeEnd::Open };
     let written = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty()).map(|set_up| {
         let mut places: Vec<u32> = set_up.jobs.iter().filter_map(|job| place(&stations, job)).collect();
         places.dedup();
@@ -94,8 +95,9 @@ pub fn programs(
         } else if let Some(why) = proof::rejects(operation, number) {
             Err(NotWritten::Unsafe { why })
         } else {
-            sections(set_up, &stations, form, spindle)
-                .and_then(|sections| program::whole(&control, &operation.workpiece.name, number, &sections))
+            sections(set_up, &stations, form, spindle).and_then(|sections| {
+                program::whole(&control, &operation.workpiece.name, number, &sections, end_of_part)
+            })
         };
         OperationProgram { set_up: number, places, files }
     });

@@ -16,7 +16,7 @@ use crate::units::{Degrees, Micrometres};
 use proof::{At, Block, Cutter, Fault, Holder, Mm, Motion, MotionKind, Sense, SetUp, Stock};
 
 use super::unfinished::undone;
-use super::{Operation, SetUpWork};
+use super::{Operation, SetUpWork, Tailstock};
 
 /// The result of the proof for each set-up, in the order of work.
 #[derive(Clone, Debug)]
@@ -62,8 +62,11 @@ pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork
     Proven { set_up: number, proof: proof::prove(&task) }
 }
 
-/// The jaws of a set-up and the chuck behind them, as they turn.
+/// What holds the part in a set-up: the jaws with the chuck behind them, or the tailstock.
 fn bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
+    if let Some(tailstock) = &set_up.tailstock {
+        return tailstock_bodies(tailstock);
+    }
     let Some((jaws, body)) = set_up.jaws.and_then(|jaws| Some((jaws, jaws.body?))) else { return Vec::new() };
     let (front, grips) = (-jaws.front_mm.to_mm(), jaws.grips_mm.to_mm() / 2.0);
     let face = front - body.out_mm.to_mm();
@@ -77,6 +80,31 @@ fn bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
         block("body-jaws", front, face, body.sweep_mm.to_mm() / 2.0),
         block("body-chuck", face, face - FAR, body.chuck_mm.to_mm() / 2.0),
     ]
+}
+
+/// The centre, from its cone at the face to the quill, and the quill.
+fn tailstock_bodies(tailstock: &Tailstock) -> Vec<proof::Body> {
+    let face = -tailstock.face_mm.to_mm();
+    let [mouth, body, quill] =
+        [tailstock.mouth_mm, tailstock.body_mm, tailstock.quill_mm].map(|diameter| diameter.to_mm() / 2.0);
+    let (cone, off) = (face + tailstock.cone_mm(), face + tailstock.quill_off_mm());
+    let outline = |name, corners: &[(f64, f64)]| proof::Body {
+        name: Figure::word(name),
+        outline: corners.iter().map(|&(z, radius)| At::new(Mm(z), Mm(radius))).collect(),
+    };
+    vec![
+        outline(CENTRE, &[(face, 0.0), (face, mouth), (cone, body), (off, body), (off, 0.0)]),
+        outline(QUILL, &[(off, 0.0), (off, quill), (off + FAR, quill), (off + FAR, 0.0)]),
+    ]
+}
+
+/// The bodies of the tailstock by name.
+const CENTRE: &str = "body-centre";
+const QUILL: &str = "body-quill";
+
+/// Whether a tool meets the tailstock. How large that is nobody has confirmed, and a thinner centre may stand there.
+fn meets_tailstock(fault: &Fault) -> bool {
+    matches!(fault, Fault::Struck { body, .. } if [CENTRE, QUILL].into_iter().any(|name| *body == Figure::word(name)))
 }
 
 /// How long a chuck is taken to be, mm: no toolpath goes past it.
@@ -119,9 +147,13 @@ pub fn told<'a>(
         Fault::Stands { surface, .. } | Fault::Corner { surface, .. } | Fault::ThreadShallow { surface, .. } => {
             surface.as_ref().is_none_or(|surface| own.contains(surface))
         }
-        unsafe_fault => is_unsafe(operation, unsafe_fault),
+        unsafe_fault => is_unsafe(operation, unsafe_fault) || meets_tailstock(unsafe_fault),
     };
-    let severity = |fault: &Fault| if fault.is_mild() { Severity::Note } else { Severity::Wrong };
+    let severity = |fault: &Fault| match fault {
+        fault if fault.is_mild() => Severity::Note,
+        fault if meets_tailstock(fault) => Severity::Doubtful,
+        _ => Severity::Wrong,
+    };
     proof.faults.iter().filter(is_told).map(move |fault| (severity(fault), fault))
 }
 
@@ -130,7 +162,8 @@ fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
     match fault {
         Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } => false,
         Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
-        Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::Struck { .. } | Fault::OffAxis { .. } => true,
+        Fault::Struck { .. } => !meets_tailstock(fault),
+        Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
     }
 }
 

@@ -21,7 +21,8 @@ pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
     }
     let holding = operation.workpiece.holding;
     let not_proven = if holding == Holding::Centres { "centre-not-proven" } else { "jaws-not-proven" };
-    let has_body = |set_up: &SetUpWork| set_up.jaws.is_some_and(|jaws| jaws.body.is_some());
+    let has_body =
+        |set_up: &SetUpWork| set_up.jaws.is_some_and(|jaws| jaws.body.is_some()) || set_up.tailstock.is_some();
     if operation.set_ups.iter().any(|set_up| !set_up.jobs.is_empty() && !has_body(set_up)) {
         findings.push(Finding::of_part(Severity::Doubtful, Note::new(not_proven)));
     }

@@ -35,7 +35,7 @@ pub use plain::plain;
 pub use refused::NotWritten;
 pub use setting::{Feeds, Setting, Speed};
 use text::ProgramWriter;
-pub use whole::{CycleOf, ToolSection, whole};
+pub use whole::{CycleOf, FreeEnd, ToolSection, whole};
 use words::ControlWords;
 
 /// Writes the cycle of a task for a control.

@@ -5,6 +5,7 @@ use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::units::{Decimal, MillimetresPerRev};
 
+use super::whole::FreeEnd;
 use super::words::{ControlWords, Use};
 
 /// At which rate a move goes.
@@ -67,6 +68,17 @@ impl<'c> ProgramWriter<'c> {
     /// A rapid to a point, from the current position.
     pub fn rapid(&mut self, to: Point) {
         self.go(Piece::line(self.at.unwrap_or(to), to), Pace::Rapid);
+    }
+
+    /// A rapid to the first point of a tool, which comes from its change position: past a tailstock Z goes before X.
+    pub fn approach(&mut self, to: Point, end_of_part: FreeEnd) {
+        if end_of_part == FreeEnd::Tailstock && self.at.is_none() {
+            self.line(&format!("{} Z{}", self.words.get(Use::Rapid), self.words.figure(position(to.z))));
+            self.line(&format!("X{}", self.words.figure(diameter(to.radius))));
+            (self.at, self.motion) = (Some(to), Some(Use::Rapid));
+        } else {
+            self.rapid(to);
+        }
     }
 
     /// One move. An arc always has its function: in LinuxCNC's G71 an arc without one is a G2.

@@ -44,6 +44,15 @@ pub struct CycleOf {
     pub roughing: Roughing,
 }
 
+/// What stands before the free end of the part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FreeEnd {
+    /// Nothing: both axes may go to the change position together.
+    Open,
+    /// A tailstock: the tool passes it with X drawn back, so X leaves first and comes last.
+    Tailstock,
+}
+
 /// The program of a set-up; `number` tells the set-ups of a part apart. The main file comes first.
 ///
 /// Before each tool and at the end the turret goes to the change position of the control, so that the program can begin
@@ -55,6 +64,7 @@ pub fn whole(
     name: &str,
     number: u8,
     sections: &[ToolSection],
+    end_of_part: FreeEnd,
 ) -> Result<Vec<ProgramFile>, NotWritten> {
     let words = control.words()?;
     let latin = file_name(name);
@@ -85,7 +95,7 @@ pub fn whole(
         check(section, name)?;
         let same = before.filter(|before| before.tool == section.tool);
         if same.is_none() {
-            change(&mut sheet, before.is_some());
+            change(&mut sheet, before.is_some(), end_of_part);
             sheet.comment(&ascii(&section.title));
             sheet.line(&words.tool(section.tool));
         }
@@ -100,16 +110,16 @@ pub fn whole(
         }
         match call {
             Some((call, begins)) => {
-                sheet.rapid(*begins);
+                sheet.approach(*begins, end_of_part);
                 sheet.lines(&call.call);
                 sheet.forget();
                 sheet.rapid(*begins);
             }
-            None => along(&mut sheet, section),
+            None => along(&mut sheet, section, end_of_part),
         }
         before = Some(section);
     }
-    sheet.put(&[Use::ChangePosition]);
+    leave(&mut sheet, end_of_part);
     end(&mut sheet);
     let ending = &control.ending;
     files.insert(0, ProgramFile { name: format!("{latin}_{number}{ending}"), text: sheet.finish() });
@@ -117,17 +127,30 @@ pub fn whole(
 }
 
 /// To the change position; after a tool its spindle and coolant stop there.
-fn change(sheet: &mut ProgramWriter<'_>, after: bool) {
-    sheet.put(&[Use::ChangePosition]);
+fn change(sheet: &mut ProgramWriter<'_>, after: bool, end_of_part: FreeEnd) {
+    leave(sheet, end_of_part);
     if after {
         sheet.put(&[Use::SpindleStop]);
         sheet.put(&[Use::CoolantOff]);
     }
 }
 
+/// To the change position.
+fn leave(sheet: &mut ProgramWriter<'_>, end_of_part: FreeEnd) {
+    match end_of_part {
+        FreeEnd::Open => sheet.put(&[Use::ChangePosition]),
+        FreeEnd::Tailstock => {
+            sheet.put(&[Use::ChangePositionX]);
+            sheet.put(&[Use::ChangePositionZ]);
+            // LinuxCNC names the axis by a distance of nothing.
+            sheet.put(&[Use::Absolute]);
+        }
+    }
+}
+
 /// The motions of a section.
-fn along(sheet: &mut ProgramWriter<'_>, section: &ToolSection) {
-    sheet.rapid(section.path.from);
+fn along(sheet: &mut ProgramWriter<'_>, section: &ToolSection, end_of_part: FreeEnd) {
+    sheet.approach(section.path.from, end_of_part);
     for (piece, purpose) in section.path.pieces() {
         let pace = match (purpose, section.feeds.of(purpose)) {
             (Purpose::Thread, Some(lead)) => Pace::Thread(lead),

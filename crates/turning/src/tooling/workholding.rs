@@ -3,7 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure as Figure};
-use crate::units::{Degrees, Micrometres, Minutes};
+use crate::units::{Micrometres, Minutes};
 
 use super::Lathe;
 
@@ -18,8 +18,12 @@ pub struct Workholding {
     pub chuck_diameter: Micrometres,
     /// How far the jaws stand out before its face, and at most outwards from what they grip.
     pub jaw: Micrometres,
-    /// The whole angle of the centre.
-    pub centre_angle: Degrees,
+    /// The tangent of half the angle of the centre.
+    pub centre_slope: f64,
+    /// Diameter of the centre behind its cone.
+    pub centre_body: Micrometres,
+    /// How far the point of the centre stands out before the quill.
+    pub centre_out: Micrometres,
     /// Diameter of the quill behind the centre.
     pub quill_diameter: Micrometres,
 }
@@ -44,7 +48,9 @@ impl<'k> Lathe<'k> {
         Ok(Some(Workholding {
             chuck_diameter,
             jaw: of(chuck_diameter, Figure::JawShare)?,
-            centre_angle: Degrees(figure(Figure::CentreAngle, knowledge)?),
+            centre_slope: libm::tan((figure(Figure::CentreAngle, knowledge)? / 2.0).to_radians()),
+            centre_body: Micrometres::from_mm_rounded(figure(Figure::CentreBody, knowledge)?),
+            centre_out: Micrometres::from_mm_rounded(figure(Figure::CentreOut, knowledge)?),
             quill_diameter: of(bed, Figure::QuillShare)?,
         }))
     }

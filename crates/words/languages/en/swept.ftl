@@ -36,3 +36,5 @@ swept-far = a place is farther than { $limit } mm from zero, or is no number: su
 swept-tool = { $tool }: no tool has such lengths or angles
 word-body-jaws = a jaw of the chuck
 word-body-chuck = the chuck
+word-body-centre = the tailstock centre
+word-body-quill = the quill of the tailstock

@@ -43,3 +43,5 @@ swept-far = точка лежить далі ніж за { $limit } мм від 
 swept-tool = { $tool }: інструмента з такими довжинами чи кутами не буває
 word-body-jaws = кулачок патрона
 word-body-chuck = патрон
+word-body-centre = задній центр
+word-body-quill = піноль задньої бабки

@@ -1,0 +1,85 @@
+//! The tailstock centre and its quill before the free end of a part between centres.
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::note::Note;
+use crate::tables::turning::jobs::CentreHole;
+use crate::turning::length::Half;
+use crate::turning::tooling::{Lathe, Workholding};
+use crate::turning::workpiece::Workpiece;
+use crate::turning::zones::{Hold, SetUp};
+use crate::units::Micrometres;
+
+/// A centre in the centre hole of the free end: a cone from the face outwards, its body, then the quill.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Tailstock {
+    /// Z of the face with the centre hole, in the coordinates of the set-up.
+    pub face_mm: Half,
+    /// The diameter of the cone at the face: the mouth of the centre hole that such an end has (`centre-holes`).
+    pub mouth_mm: Micrometres,
+    /// The tangent of half the angle of the cone.
+    #[serde(skip)]
+    pub slope: f64,
+    /// The diameter of the centre behind its cone.
+    pub body_mm: Micrometres,
+    /// How far the quill stays off the point of the centre.
+    pub out_mm: Micrometres,
+    /// The diameter of the quill.
+    pub quill_mm: Micrometres,
+}
+
+impl Tailstock {
+    /// The tailstock of a set-up; none in a chuck, and where the size of the lathe is not known.
+    ///
+    /// # Errors The knowledge base lacks a table or a row.
+    pub fn of(
+        set_up: &SetUp,
+        workpiece: &Workpiece,
+        lathe: Option<&Lathe<'_>>,
+        knowledge: &Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        let (Some(Hold::Centres), Some(lathe)) = (&set_up.holds_at, lathe) else { return Ok(None) };
+        let Some(Workholding { centre_slope: slope, centre_body, centre_out, quill_diameter, .. }) =
+            lathe.workholding(knowledge)?
+        else {
+            return Ok(None);
+        };
+        let blank = workpiece.blank.outer.clone();
+        let blank = if set_up.turned_over { blank.turned_over(workpiece.length()) } else { blank };
+        let first = blank.pieces.iter().find(|piece| piece.from.z != piece.to.z);
+        let Some(end) = first.map(|piece| piece.from) else { return Ok(None) };
+        let diameter = end.radius.diameter();
+        let rows = knowledge.rows::<CentreHole<'_>>()?;
+        let fitting = rows.into_iter().filter(|row| row.part_diameter <= diameter).max_by_key(|row| row.cone);
+        let mouth_mm = fitting.map_or(Micrometres::ZERO, |row| row.cone);
+        Ok(Some(Self {
+            face_mm: end.z,
+            mouth_mm,
+            slope,
+            body_mm: centre_body.max(mouth_mm),
+            out_mm: centre_out,
+            quill_mm: quill_diameter,
+        }))
+    }
+
+    /// How far before the face the cone reaches the diameter of the body, mm.
+    pub fn cone_mm(&self) -> f64 {
+        (self.body_mm - self.mouth_mm).to_mm() / 2.0 / self.slope
+    }
+
+    /// How far before the face the quill ends, mm: the point stands in the part.
+    pub fn quill_off_mm(&self) -> f64 {
+        (self.out_mm.to_mm() - self.mouth_mm.to_mm() / 2.0 / self.slope).max(self.cone_mm())
+    }
+
+    /// What is told of it.
+    pub fn note(&self) -> Note {
+        Note::new("tailstock-stands")
+            .with("mouth", self.mouth_mm)
+            .with("body", self.body_mm)
+            .with("quill", self.quill_mm)
+            .with("off", crate::units::round_to(self.quill_off_mm(), 1))
+    }
+}
