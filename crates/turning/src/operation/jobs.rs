@@ -217,14 +217,14 @@ pub(super) fn per_rev(rates: &crate::turning::transitions::Feeds, rpm: RevsPerMi
     }
 }
 
-/// The finishing pass along the main contour of a side; none where nothing is to be finished, or where roughing left
-/// stock in the way.
+/// The finishing passes along the main contour of a side: one, or the face of the free end by itself where no tool both
+/// faces and follows the rest. None where nothing is to be finished, or where roughing left stock in the way.
 fn finish(
     set_up: &SetUp,
     side: &SideWork,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
-) -> Result<Option<Job>, KnowledgeError> {
+) -> Result<Vec<Job>, KnowledgeError> {
     let standing = &side.layers.rough;
     // Between centres the face is ready: the tailstock centre stands before it.
     let contour = if bench.workpiece.holding == Holding::Centres && side.side == Side::Outer {
@@ -234,7 +234,7 @@ fn finish(
     };
     let contour = as_turned(contour, set_up, bench);
     if contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
-        return Ok(None);
+        return Ok(Vec::new());
     }
     let stretch = stretch(set_up, side.side);
     let surfaces: Vec<&Surface> = stretch.map(main_surfaces).unwrap_or_default();
@@ -243,15 +243,27 @@ fn finish(
     };
     let faces = contour.start() == side.layers.left.start();
     let surfaces: Vec<&Surface> = surfaces.into_iter().filter(|surface| faces || !face(surface)).collect();
-    let task = Finishing {
+    let over = |contour, surfaces: Vec<_>| Finishing {
         side: side.side,
-        contour: &contour,
+        contour,
         standing,
         allowance: allowance(&side.layers, &surfaces),
         surfaces,
-        needs: needs(&contour),
+        needs: needs(contour),
     };
-    task.job(bench, findings, |seen, standing, clearance| Some(along(seen, standing, clearance)))
+    let whole = over(&contour, surfaces.clone());
+    let (face_alone, rest) = split_at_face(&contour);
+    let parts = if whole.tool(bench)?.is_some() || face_alone.pieces.is_empty() || rest.pieces.is_empty() {
+        vec![whole]
+    } else {
+        let (of_face, others) = surfaces.into_iter().partition(face);
+        vec![over(&face_alone, of_face), over(&rest, others)]
+    };
+    let mut jobs = Vec::new();
+    for part in parts {
+        jobs.extend(part.job(bench, findings, |seen, standing, clearance| Some(along(seen, standing, clearance)))?);
+    }
+    Ok(jobs)
 }
 
 /// How far the finishing of one zone of a hollow goes on into the next, so that no seam is left between two tools.
@@ -313,9 +325,16 @@ pub(super) const fn stretch(set_up: &SetUp, side: Side) -> Option<&TurnedSide> {
 
 /// A contour without the face at its free end.
 fn without_face(contour: &Contour) -> Contour {
+    split_at_face(contour).1
+}
+
+/// The face that a contour begins with, and the rest.
+fn split_at_face(contour: &Contour) -> (Contour, Contour) {
     let faces =
         contour.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius).count();
-    Contour { side: contour.side, pieces: contour.pieces.iter().skip(faces).copied().collect() }
+    let (face, rest) = contour.pieces.split_at(faces);
+    let of = |pieces: &[Piece]| Contour { side: contour.side, pieces: pieces.to_vec() };
+    (of(face), of(rest))
 }
 
 /// The largest finishing allowance of the surfaces that a pass finishes; of a far face alone, which is no surface of the
@@ -503,14 +522,14 @@ fn largest(contour: &Contour) -> Micrometres {
     contour.radii().map_or(Half::ZERO, |(_, most)| most).diameter()
 }
 
-/// The angles that a contour asks of a tool that follows it; the face at the free end requires none.
+/// The angles that a contour needs of a tool that follows it. The face at the free end is cut towards the axis, square to
+/// which the main edge must not lean over it.
 fn needs(contour: &Contour) -> Needs {
     let outer = |piece: &Piece| match contour.side {
         Side::Outer => *piece,
         Side::Inner => piece.inside_out(Half::ZERO),
     };
     let pieces = contour.pieces.iter().map(outer);
-    let rest = pieces.skip_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius);
-    let steepest = rest.map(steepness).fold((0.0_f64, 0.0_f64), |most, one| (most.0.max(one.0), most.1.max(one.1)));
+    let steepest = pieces.map(steepness).fold((0.0_f64, 0.0_f64), |most, one| (most.0.max(one.0), most.1.max(one.1)));
     Needs { main: Degrees(steepest.0), secondary: Degrees(steepest.1) }
 }
