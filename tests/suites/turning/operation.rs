@@ -474,6 +474,19 @@ fn trace() {
             }
         }
     }
+    for (set_up, proven) in operation.set_ups.iter().zip(&operation.proven) {
+        let jobs = set_up.jobs.iter();
+        let moves: Vec<String> = jobs
+            .flat_map(|job| {
+                job.path.pieces().map(move |one| format!("{:?} {}: {one:?}", job.work, job.tool.designation))
+            })
+            .collect();
+        for fault in proven.proof.iter().flat_map(|proof| &proof.faults) {
+            if let Some(at) = fault.block().and_then(|block| moves.get(block.0 - 1)) {
+                println!("fault {} in {at}", fault.code());
+            }
+        }
+    }
     for finding in &operation.findings {
         println!("{:?} {:?}", finding.severity, finding.note);
     }

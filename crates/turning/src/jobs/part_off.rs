@@ -149,6 +149,7 @@ mod tests {
             material,
             elsewhere: &[],
             held: None,
+            barred: Vec::new(),
             knowledge: &knowledge,
         };
         let parting = Parting {

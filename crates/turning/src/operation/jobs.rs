@@ -24,7 +24,7 @@ use super::depth::{self, ZoneCut};
 use super::layers::Layers;
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
-use super::{SideWork, clip, crests, features};
+use super::{SideWork, Stage, clip, crests, features};
 use crate::turning::cutting::{Direction, TurningConditions, unsaid_roughness, wall_share};
 use technolog_core::part::tolerance_width;
 
@@ -381,7 +381,7 @@ impl Finishing<'_> {
     /// in them.
     fn tool<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Option<TurningTool<'k>>, KnowledgeError> {
         let passage = self.narrowest();
-        let mut candidates = tools::candidates(self.side, bench)?;
+        let mut candidates = tools::candidates(self.side, Stage::Finishing, bench)?;
         candidates.retain(|tool| reaches(self.needs, passage, &tools::angles(tool)));
         let tight = tightest(self.contour);
         let fits = |tool: &TurningTool<'_>| tight.is_none_or(|tight| tools::nose(tool).radius <= tight);

@@ -12,6 +12,7 @@
 //!
 //! What a rule or a table can decide is not decided here: the rules are evaluated in this order and their reasons kept.
 
+mod barred;
 pub mod by_passes;
 mod clip;
 mod crests;
@@ -52,6 +53,7 @@ use layers::Layers;
 use tools::Bench;
 use work::{Hollow, ZoneWork};
 
+pub use barred::{Barred, Stage};
 pub use jaws::{ChuckBody, Jaws};
 pub use tailstock::Tailstock;
 
@@ -120,6 +122,12 @@ impl Operation {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
     }
 
+    /// How bad it is: set-ups that the proof rejects, then what is wrong.
+    fn badness(&self) -> (usize, usize) {
+        let rejected = self.proven.iter().filter(|proven| proof::rejected(self, proven).is_some());
+        (rejected.count(), self.findings.iter().filter(|finding| finding.severity <= Severity::Wrong).count())
+    }
+
     /// Every zone with its work, in the order of work.
     pub fn zones(&self) -> impl Iterator<Item = (&SetUpWork, &SideWork, &ZoneWork)> {
         let sides = self.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)));
@@ -133,6 +141,29 @@ impl Operation {
 ///
 /// # Errors The knowledge base lacks a table or a row that must be there.
 pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
+    let mut barred = Vec::new();
+    let mut last = plan_without(workpiece, &barred, knowledge)?;
+    let mut best = last.clone();
+    for _ in 0..ATTEMPTS {
+        let rejected = barred::rejected(&last);
+        if rejected.is_empty() {
+            break;
+        }
+        barred.extend(rejected);
+        last = plan_without(workpiece, &barred, knowledge)?;
+        if last.badness() < best.badness() {
+            best = last.clone();
+            best.findings.extend(barred.iter().map(Barred::finding));
+        }
+    }
+    Ok(best)
+}
+
+/// How many times other tools are tried where the proof rejects some.
+const ATTEMPTS: usize = 6;
+
+/// Plans the turning of a part without the tools that the proof has rejected.
+fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     let mut findings = workpiece.findings.clone();
     let lathe = prepare::lathe(workpiece, knowledge, &mut findings)?;
     let blank_advice = advice(workpiece, knowledge)?;
@@ -157,6 +188,7 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
         material: stated(workpiece, knowledge)?,
         held: None,
         elsewhere: &elsewhere,
+        barred: Vec::new(),
         knowledge,
     };
     let mut done = Vec::new();
@@ -176,7 +208,8 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
         findings.extend(jaws.and_then(|jaws| jaws.short(set_up.number)));
         let tailstock = Tailstock::of(&set_up, workpiece, lathe.as_ref(), knowledge)?;
         let held = held::Held::of(&set_up, jaws.as_ref(), workpiece, &bench.material, knowledge)?;
-        let bench = Bench { held, ..bench.clone() };
+        let own = barred.iter().filter(|one| one.set_up == set_up.number).cloned().collect();
+        let bench = Bench { held, barred: own, ..bench.clone() };
         let sides = sides(&set_up, &bench, &mut findings)?;
         let jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
         done.push(SetUpWork { set_up, jaws, tailstock, sides, jobs });

@@ -32,7 +32,10 @@ pub fn prove(operation: &Operation) -> Vec<Proven> {
     let mut proven = Vec::new();
     for set_up in &operation.set_ups {
         let jobs = set_up.jobs.iter().enumerate();
-        let motions = jobs.flat_map(|(index, job)| motions(&job.path, index)).collect();
+        let mut motions: Vec<Motion> = jobs.flat_map(|(index, job)| motions(&job.path, index)).collect();
+        for (number, motion) in (1..).zip(&mut motions) {
+            motion.block = Block(number);
+        }
         proven.push(prove_set_up(operation, &proven, set_up, motions));
     }
     proven
@@ -165,6 +168,13 @@ fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
         Fault::Struck { .. } => !meets_tailstock(fault),
         Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
     }
+}
+
+/// The blocks in which a set-up is unsafe, with what happens there.
+pub(super) fn unsafe_places(operation: &Operation, proven: &Proven) -> Vec<(usize, Note)> {
+    let Ok(proof) = &proven.proof else { return Vec::new() };
+    let found = proof.faults.iter().filter(|fault| is_unsafe(operation, fault));
+    found.filter_map(|fault| Some((fault.block()?.0, fault.note()))).collect()
 }
 
 /// Why no program of a set-up is written: the first fault of the proof that makes it unsafe, or why there is no proof.

@@ -21,6 +21,7 @@ use crate::turning::zones::{ToolAngles, Zone, fit};
 use crate::units::{Degrees, Micrometres};
 
 use super::held::Held;
+use super::{Barred, Stage};
 
 /// What an operation is planned with.
 #[derive(Clone, Debug)]
@@ -35,6 +36,8 @@ pub struct Bench<'a, 'k> {
     pub held: Option<Held>,
     /// What is finished on another machine.
     pub elsewhere: &'a [Elsewhere],
+    /// The tools that the proof rejected in this set-up.
+    pub barred: Vec<Barred>,
     /// Every table.
     pub knowledge: &'k Knowledge,
 }
@@ -88,12 +91,12 @@ fn put_in_order(tools: &mut [TurningTool<'_>], kind: ToolKind, knowledge: &Knowl
     Ok(())
 }
 
-/// The tools that may rough a side: of the right hand or neutral, with a shank that the lathe clamps and a known nose
+/// The tools that may rough or finish a side: of the right hand or neutral, with a shank that the lathe clamps and a known nose
 /// radius; in the order of the rule `turning-tool-order`.
 ///
 /// # Errors
 /// A table of tools is broken.
-pub fn candidates<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
+pub fn candidates<'k>(side: Side, stage: Stage, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
     let wanted = match side {
         Side::Outer => (ToolKind::Turning, Place::Outer),
         Side::Inner => (ToolKind::Boring, Place::Inner),
@@ -101,6 +104,9 @@ pub fn candidates<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTo
     let mut tools = TurningTool::all(bench.knowledge)?;
     tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.hand != Hand::L && tool.nose_radius.is_some());
     tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+    let is_barred =
+        |one: &Barred, tool: &TurningTool<'_>| (one.side, one.stage) == (side, stage) && one.tool == tool.designation;
+    tools.retain(|tool| !bench.barred.iter().any(|one| is_barred(one, tool)));
     put_in_order(&mut tools, wanted.0, bench.knowledge)?;
     Ok(tools)
 }
@@ -121,7 +127,7 @@ pub fn for_valleys<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningT
     });
     plunging.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
     put_in_order(&mut plunging, ToolKind::Grooving, bench.knowledge)?;
-    let mut tools = candidates(side, bench)?;
+    let mut tools = candidates(side, Stage::Roughing, bench)?;
     tools.extend(plunging);
     Ok(tools)
 }

@@ -20,6 +20,7 @@ use crate::turning::transitions::{self, PreparedZone, Scheme, Settings, Stock, T
 use crate::turning::zones::{self, Feed, Fit, Returns, SetUp, TurnedSide, Zone, fit, idle_returns};
 use crate::units::{Degrees, Micrometres};
 
+use super::Stage;
 use super::depth::{self, Depth, Pace, ZoneCut};
 use super::layers::{self, Layers};
 use super::pocket::{cut, pieceworks};
@@ -106,7 +107,7 @@ pub fn zones(
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<ZoneWork>, KnowledgeError> {
     let knowledge = bench.knowledge;
-    let candidates = tools::candidates(layers.rough.side, bench)?;
+    let candidates = tools::candidates(layers.rough.side, Stage::Roughing, bench)?;
     let angles: Vec<_> = candidates.iter().map(tools::angles).collect();
     let near_part = BlankShape::of(bench.workpiece.blank.kind) == BlankShape::NearPart;
     let find = |ground: &ZoneContours| {

@@ -24,7 +24,8 @@ pub enum Back {
 /// 2. Between two passes the tool is drawn back by the retract, returns to the vertical of its start as a rapid, and
 ///    goes down to the next depth (l. 314-318).
 /// 3. Where a pass begins on a falling flank, the tool follows the flank to its depth at the feed of cutting in.
-/// 4. Where a hump divides a level, one side is finished to its bottom before the other.
+/// 4. What the levels of the sections before have left in the way of a pass is cut with it.
+/// 5. Where a hump divides a level, one side is finished to its bottom before the other.
 pub fn clear(builder: &mut ToolpathBuilder<'_>, section: &BlankSection, back: Back) {
     builder.leave_trail();
     below(builder, section, 0, (section.from, section.to), back);
@@ -33,12 +34,20 @@ pub fn clear(builder: &mut ToolpathBuilder<'_>, section: &BlankSection, back: Ba
 fn below(builder: &mut ToolpathBuilder<'_>, section: &BlankSection, index: usize, within: (Half, Half), back: Back) {
     let Some(&radius) = section.horizontals.get(index) else { return };
     for (from, to) in builder.rough().spans(radius, within.0, within.1) {
-        let span = Piece::line(Point { radius, z: from }, Point { radius, z: to });
+        let begins = if from == section.from { beginning(builder, radius, (from, to)) } else { from };
+        let span = Piece::line(Point { radius, z: begins }, Point { radius, z: to });
         if let Some(pass) = builder.trimmed(&[span]).first() {
             cut(builder, *pass, back);
         }
         below(builder, section, index + 1, (from, to), back);
     }
+}
+
+/// Where a pass over the beginning of a section begins: what the levels of the sections before it left above its radius is
+/// cut with it, or the tool would plunge through that.
+fn beginning(builder: &ToolpathBuilder<'_>, radius: Half, (from, to): (Half, Half)) -> Half {
+    let over = builder.rough().spans(radius, builder.zone.worked.0.min(from), to);
+    over.into_iter().find(|(begins, ends)| *begins <= from && from < *ends).map_or(from, |(begins, _)| begins)
 }
 
 fn cut(builder: &mut ToolpathBuilder<'_>, pass: Piece, back: Back) {

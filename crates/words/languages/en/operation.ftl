@@ -31,6 +31,7 @@ groove-not-cut = { $surface }: the groove is not cut
 faced-through-centre = zone { $zone }: the face is turned to the axis, where the tailstock centre stands
     .help = face the blank and drill its centre holes first (`blank: {"{"}face: 0, …{"}"}`), or hold it in a chuck
 jaws-not-proven = the chuck is not part of the proof: its size is not known (the record of a lathe has it: name one, `machine:`), or no surface is long enough for its jaws; watch the first run near it
+tool-barred = set-up { $number }: { $tool } is not taken, the proof rejected it: { $why }
 tailstock-stands = the proof has a centre that grows from Ø{ $mouth } at the face to Ø{ $body }, with a quill of Ø{ $quill } { $off } mm before the face; where yours is thinner (a centre with a turned-down body) or the quill stands farther off, the tool may clear it: try it at reduced rapid
 centre-not-proven = the proof knows the stock and the tools, not the tailstock centre and its quill: watch the approach past them
 over-driver = set-up { $number }: between centres the tool goes { $past } mm past the far face, where the part is driven, and the driver is not known here: only a face driver of less than Ø{ $diameter } stays clear, a dog on the shaft would be struck

@@ -22,7 +22,15 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
     let knowledge = shipped::knowledge().unwrap();
     let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
     let material = Material::find(&knowledge, &workpiece.material).unwrap();
-    let bench = Bench { workpiece, lathe: Some(&lathe), material, elsewhere: &[], held: None, knowledge: &knowledge };
+    let bench = Bench {
+        workpiece,
+        lathe: Some(&lathe),
+        material,
+        elsewhere: &[],
+        held: None,
+        barred: Vec::new(),
+        knowledge: &knowledge,
+    };
     let profile = match side {
         Side::Outer => &workpiece.outer,
         Side::Inner => workpiece.inner.as_ref().unwrap(),

@@ -1,0 +1,73 @@
+//! Tools that the proof rejected for a work, so that the next candidate is planned.
+
+use crate::note::{Finding, Note, Severity};
+use crate::turning::contour::Side;
+use crate::turning::jobs::{Job, Work as JobWork};
+
+use super::{Operation, SetUpWork, proof};
+
+/// A tool that may not do a work again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Barred {
+    /// The number of the set-up.
+    pub set_up: u8,
+    /// The side.
+    pub side: Side,
+    /// The work.
+    pub stage: Stage,
+    /// The designation of the tool.
+    pub tool: String,
+    /// What the proof found.
+    pub why: Note,
+}
+
+/// What a tool is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// To rough zones.
+    Roughing,
+    /// To finish contours.
+    Finishing,
+}
+
+impl Stage {
+    /// The stage of a job; none if its tool is not chosen among turning tools.
+    const fn of(work: JobWork) -> Option<Self> {
+        match work {
+            JobWork::Face | JobWork::Rough => Some(Self::Roughing),
+            JobWork::Finish => Some(Self::Finishing),
+            JobWork::Centre | JobWork::Drill | JobWork::Groove | JobWork::Thread | JobWork::PartOff => None,
+        }
+    }
+}
+
+impl Barred {
+    /// What the page tells of it.
+    pub fn finding(&self) -> Finding {
+        let note = Note::new("tool-barred").with("number", self.set_up).with("tool", self.tool.clone());
+        Finding::of_part(Severity::Note, note.with("why", self.why.clone()))
+    }
+}
+
+/// The tools that the proof rejects in an operation, where others could be tried.
+pub(super) fn rejected(operation: &Operation) -> Vec<Barred> {
+    let mut barred = Vec::new();
+    for (set_up, proven) in operation.set_ups.iter().zip(&operation.proven) {
+        for (block, why) in proof::unsafe_places(operation, proven) {
+            let Some(job) = job_of(set_up, block) else { continue };
+            let Some(stage) = Stage::of(job.work) else { continue };
+            let (set_up, side, tool) = (set_up.set_up.number, job.side, job.tool.designation.clone());
+            barred.push(Barred { set_up, side, stage, tool, why });
+        }
+    }
+    barred
+}
+
+/// The job that a block of the proof belongs to. Blocks count from 1 through all jobs of a set-up.
+fn job_of(set_up: &SetUpWork, block: usize) -> Option<&Job> {
+    let mut last = 0;
+    set_up.jobs.iter().find(|job| {
+        last += job.path.moves.len();
+        block <= last
+    })
+}
