@@ -1,7 +1,7 @@
 //! Compares two plans: where they differ, and what that costs.
 //!
-//! Rows are matched by their hole and operation, tools and conditions by the rows they are for: the same choice under
-//! another number or in another place of the file is no difference.
+//! Rows are matched by hole and operation, tools and conditions by the rows they belong to. The same choice under
+//! another number or at another place of the file is no difference.
 
 use std::collections::BTreeSet;
 
@@ -32,23 +32,23 @@ pub struct Comparison {
     pub b: String,
     /// Where they differ, by sections.
     pub differences: Vec<Difference>,
-    /// What both cost; what neither states nor its figures give is left out.
+    /// The costs of both; a cost that is neither stated nor computable is left out.
     pub costs: Vec<Cost>,
 }
 
-/// What two plans state otherwise.
+/// A difference between the values that two plans state.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Difference {
     /// Where in the report.
     pub section: Section,
-    /// About whom; tools by their place in the first plan, or in the second where only that has them.
+    /// The subject; tools by their place in the first plan, or in the second where only that has them.
     pub subject: Subject,
-    /// What: the key of a figure, or `row`, `order`, `designation`, … for what is no figure.
+    /// The key of the figure, or `row`, `order`, `designation`, … for other things.
     pub what: String,
-    /// Which figure it is.
+    /// The quantity of the figure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quantity: Option<Quantity>,
-    /// The name of the factor it is.
+    /// The name of the factor, if the figure is one.
     #[serde(skip)]
     pub factor: Option<note::Figure>,
     /// In the first plan.
@@ -59,7 +59,7 @@ pub struct Difference {
     pub b: Option<String>,
 }
 
-/// What something costs in both plans.
+/// A cost in both plans.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cost {
     /// `machine`, `rapid`, `tool_change`, `total` in min; `changes` and `places` in numbers.
@@ -70,13 +70,13 @@ pub struct Cost {
     /// In the second.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub b: Option<f64>,
-    /// How much more the second costs.
+    /// The second minus the first.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub more: Option<f64>,
 }
 
 impl Auditor<'_> {
-    /// Holds two plans beside each other.
+    /// Compares two plans.
     ///
     /// # Errors
     /// The knowledge base has no answer.
@@ -91,7 +91,7 @@ impl Auditor<'_> {
         Ok(Comparison { a: a.file.clone(), b: b.file.clone(), differences, costs })
     }
 
-    /// What a plan costs, as it states it, else as its own figures give it.
+    /// The costs of a plan, as stated or else computed from its own figures.
     fn expenses(&self, stated: &Stated) -> Result<Vec<(&'static str, Option<f64>)>, KnowledgeError> {
         let ours = self.ours(stated)?;
         let context = Context::new(stated, &ours, self)?;
@@ -204,7 +204,7 @@ impl PlanComparison<'_> {
         let (a, b) = (a.and_then(|at| self.a.conditions.get(at)), b.and_then(|at| self.b.conditions.get(at)));
         let [one, two] = [a, b].map(|own| own.map_or(&none, |own| &own.figures));
         self.figures(Section::Conditions, subject, one, two);
-        // Factors of conditions that only one plan has are told by their results.
+        // Factors of conditions that only one plan has are not listed: their results are.
         let (Some(a), Some(b)) = (a, b) else { return };
         let quantities: BTreeSet<Quantity> = a.factors.keys().chain(b.factors.keys()).copied().collect();
         for quantity in quantities {

@@ -1,4 +1,4 @@
-//! What audits of many plans share: tables read once, parts planned once, programs interpreted once.
+//! What audits of many plans share: tables are read once, parts planned once, programs interpreted once.
 
 use std::sync::Arc;
 
@@ -32,7 +32,7 @@ pub struct Auditor<'k> {
     languages: Memo<Result<Arc<Language>, KnowledgeError>>,
 }
 
-/// The simulation of a program on a machine with its setting.
+/// The simulation of a program on a machine with the operator's setting.
 #[derive(Clone, Debug)]
 pub(super) struct SimulatedProgram {
     pub faults: Arc<[Fault]>,
@@ -61,13 +61,13 @@ impl<'k> Auditor<'k> {
     /// Checks a plan against the knowledge. The same part is planned once.
     ///
     /// # Errors
-    /// The knowledge base has no answer. What is wrong with the plan is a finding.
+    /// The knowledge base has no answer. A fault of the plan is a finding.
     pub fn audit(&self, stated: &Stated) -> Result<Audit, KnowledgeError> {
         let ours = self.ours(stated)?;
         self.audit_beside(stated, &ours)
     }
 
-    /// Our own plan of the same part by the same method.
+    /// The program's own plan of the same part by the same method.
     pub(super) fn ours(&self, stated: &Stated) -> Result<Arc<Plan>, KnowledgeError> {
         let plan = || planner::plan(&stated.part, stated.method, self.knowledge).map(Arc::new);
         // A part that cannot be serialised cannot be compared with another, so it is planned separately.
@@ -82,12 +82,12 @@ impl<'k> Auditor<'k> {
         self.languages.get(control.to_owned(), || Language::read(control, self.knowledge).map(Arc::new))
     }
 
-    /// What may be rounded how.
+    /// The rounding tolerances.
     pub(super) const fn tolerances(&self) -> &Tolerances {
         &self.tolerances
     }
 
-    /// The same beside our own plan of the same part by the same method, where it was made already.
+    /// As [`Auditor::audit`], beside an existing plan of the program for the same part and method.
     ///
     /// # Errors
     /// As for [`Auditor::audit`].

@@ -1,5 +1,5 @@
-//! What the rules and checks of an audit share: the stated plan, the shop, what the tables say of its tools, and the
-//! plan we would make of the same part.
+//! What the rules and checks of an audit share: the stated plan, the shop, the catalog rows of its tools, and the
+//! program's plan of the same part.
 
 use std::collections::BTreeMap;
 
@@ -20,20 +20,20 @@ use super::near::{NameMatch, same_table};
 use super::quantity::{Id, Quantity, Scope};
 use super::stated::{Row, Stated};
 
-/// What an audit stands in.
+/// The context of an audit.
 #[derive(Debug)]
 pub struct Context<'a> {
     /// The plan as stated.
     pub stated: &'a Stated,
     /// The knowledge, the machine and the material.
     pub shop: Shop<'a>,
-    /// The plan we would make of the same part, by the same method.
+    /// The program's plan of the same part, by the same method.
     pub plan: &'a Plan,
     /// What audits share.
     pub auditor: &'a Auditor<'a>,
     cutters: Vec<NameMatch<NamedCutter<'a>>>,
     holders: Vec<NameMatch<HolderRow<'a>>>,
-    /// Correctors by the word that calls them in the program: `G43` or `G44`.
+    /// The word that calls each offset register in the program: `G43` or `G44`.
     calls: BTreeMap<u32, &'static str>,
 }
 
@@ -49,7 +49,8 @@ impl<'a> Context<'a> {
         for tool in &stated.tools {
             let table = tool.table.as_ref().map(|table| table.value.as_str());
             let named = tool.designation.as_ref().map(|text| text.value.as_str());
-            // A table that is named decides between equal designations; that it is another's, its check says.
+            // A stated table decides between equal designations; if it is the table of another, the check of
+            // designations says so.
             let of_table =
                 |cutter: &NamedCutter<'_>| table.is_none_or(|table| same_table(&cutter.row.row.table.id, table));
             let mut found = auditor.cutters.find(named, of_table);
@@ -64,17 +65,17 @@ impl<'a> Context<'a> {
         Ok(Self { stated, shop, plan, auditor, cutters, holders, calls })
     }
 
-    /// What the catalogs know of a tool's designation.
+    /// The catalog entry near to the designation of a tool.
     pub fn cutter_near(&self, tool: usize) -> &NameMatch<NamedCutter<'a>> {
         self.cutters.get(tool).unwrap_or(&NameMatch::Unstated)
     }
 
-    /// The cutter of a tool, where its designation is known, or misprinted but not in doubt.
+    /// The cutter of a tool, where its designation is known or clearly misprinted.
     pub fn cutter(&self, tool: usize) -> Option<&NamedCutter<'a>> {
         self.cutter_near(tool).meant()
     }
 
-    /// What the catalogs know of a holder's designation.
+    /// The catalog entry near to the designation of a holder.
     pub fn holder_near(&self, tool: usize) -> &NameMatch<HolderRow<'a>> {
         self.holders.get(tool).unwrap_or(&NameMatch::Unstated)
     }
@@ -84,7 +85,7 @@ impl<'a> Context<'a> {
         self.holder_near(tool).meant()
     }
 
-    /// Whether a cutter carries the machine's own taper, so that it needs no holder.
+    /// Whether a cutter has the taper of the machine, so that it needs no holder.
     pub fn whole(&self, tool: usize) -> bool {
         self.cutter(tool).is_some_and(|cutter| cutter.head.shank == Shank::Taper)
     }
@@ -95,7 +96,8 @@ impl<'a> Context<'a> {
         self.stated.part.holes.iter().find(|hole| hole.name == *name)
     }
 
-    /// The same transition in our plan: of the same hole, operation and place, and where it is stated of the same diameter.
+    /// The same transition in the program's plan: of the same hole, operation and place, and of the stated diameter,
+    /// if any.
     pub fn reference(&self, row: usize) -> Option<&'a Transition> {
         let diameter = self.stated.rows.get(row)?.figures.get(&Quantity::Diameter).filter(|_| !self.stated.own);
         let alike =
@@ -103,7 +105,7 @@ impl<'a> Context<'a> {
         self.same_transition(row).filter(alike)
     }
 
-    /// The same whatever its diameter.
+    /// As `reference`, but of any diameter.
     pub fn same_transition(&self, row: usize) -> Option<&'a Transition> {
         let own = self.stated.rows.get(row)?;
         let name = &own.hole.as_ref()?.value;
@@ -127,8 +129,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// From the hole of a group that is nearest to its clamp to that clamp: where the plan, else the drawing, says where
-    /// clamps press. A hole under a clamp has no arm.
+    /// The distance from the hole of a group to its nearest clamp: by the clamps of the plan, otherwise of the
+    /// drawing. A hole under a clamp has no distance.
     pub fn distance_to_clamp(&self, hole: &Hole) -> Option<Micrometres> {
         let stated = self.stated.clamping.as_ref().map(|clamping| clamping.at.as_slice()).unwrap_or_default();
         let drawn: Vec<Point> = self.stated.part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
@@ -147,7 +149,7 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// The tools in the order of their changes: of the rows, without changing a tool for itself.
+    /// The tools in the order of their changes by the rows; the same tool in successive rows counts once.
     pub fn changes(&self) -> Vec<u32> {
         if let Some(changes) = &self.stated.changes {
             return changes.clone();
@@ -179,8 +181,8 @@ impl<'a> Context<'a> {
         Some((shown(below), shown(above)))
     }
 
-    /// What a rule of thresholds says of a stated value that is this share of what it is compared with: the share, per
-    /// cent, and the answer.
+    /// The answer of a threshold rule for a stated value, given as a share of what it is compared with: the share,
+    /// per cent, and the answer.
     ///
     /// # Errors
     /// The rule cannot answer.
@@ -190,16 +192,17 @@ impl<'a> Context<'a> {
         question: impl FnOnce(Percent) -> Q,
     ) -> Result<(f64, TypedAnswer<'a, Q::Row<'a>>), KnowledgeError> {
         let percent = share * 100.0;
-        // The columns begin at nothing, and beyond ten thousand times nothing is distinguished.
+        // The columns begin at zero, and above ten thousand times nothing is distinguished.
         Ok((percent, self.shop.knowledge.ask(&question(Percent(percent.clamp(0.0, 1e6))))?))
     }
 
-    /// Whether the corrector of a tool is subtracted: as the plan says, else as its program calls it, else it is added.
+    /// Whether the correction of a tool is subtracted: as the plan says, else as its program calls it; otherwise it
+    /// is added.
     pub fn subtracts(&self, tool: usize) -> bool {
         self.correction_word(tool) == Some("G44")
     }
 
-    /// `G43` or `G44`, where plan or program says.
+    /// `G43` or `G44`, by the plan or else by the program.
     pub fn correction_word(&self, tool: usize) -> Option<&str> {
         let tool = self.stated.tools.get(tool)?;
         if let Some(word) = &tool.correction_word {
@@ -210,7 +213,7 @@ impl<'a> Context<'a> {
     }
 }
 
-/// Which correctors a program calls with which word.
+/// The word with which a program calls each offset register.
 fn calls(program: &str) -> BTreeMap<u32, &'static str> {
     let mut calls = BTreeMap::new();
     for line in program.lines() {

@@ -1,4 +1,5 @@
-//! From the verdicts of the graph to findings: what is stated, what is right, what else changes because of it.
+//! Turns the verdicts of the graph into findings: the stated value, the right value, and what else changes because of
+//! it.
 
 use crate::note::{Note, Severity};
 
@@ -8,7 +9,7 @@ use super::graph::{Graph, Status, Verdict};
 use super::quantity::{Id, Quantity};
 use super::stated::StatedFigure;
 
-/// Figures that people read have so many significant digits.
+/// The number of significant digits of figures for people.
 const DIGITS: i32 = 5;
 
 /// A finding for every stated figure that is not what it should be.
@@ -28,10 +29,10 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
         Status::Fine => return None,
         Status::Root(severity, Some(note)) => (*severity, note.clone(), Vec::new()),
         Status::Root(severity, None) => {
-            // A slip of the comma or of the sign is told by the figures it was computed from.
+            // A slip of the decimal point or of the sign is recognised by the value from the stated inputs.
             let by_stated = verdict.by_stated.map(|by| nature(figure.value, by)).filter(|own| *own != Nature::Figure);
             let note = Note::new(by_stated.unwrap_or_else(|| nature(figure.value, verdict.right)).code());
-            // Later figures use the right value: a misprint.
+            // Later figures use the right value, so it is a misprint.
             let went_on = graph.dependents(id).into_iter().any(|other| {
                 context.stated.figure(other).is_some()
                     && all.iter().any(|verdict| verdict.id == other && verdict.status == Status::Fine)
@@ -59,11 +60,11 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
     finding.right = Some(shown(verdict.right));
     let off = (figure.value - verdict.right) / verdict.right * 100.0;
     let off = off.is_finite().then(|| crate::units::round_to(off, 1));
-    // What is chosen from a series or counted is not some per cent wrong.
+    // For a value from a series or a count a deviation in per cent means nothing.
     finding.deviation_percent = off.filter(|_| !matches!(verdict.status, Status::Root(_, Some(_))));
     let by_stated = verdict.by_stated.map(shown).filter(|by| Some(by) != finding.right.as_ref());
     finding.by_stated = by_stated.filter(|_| roots.is_empty());
-    // A misprinted figure is shown by what was computed from the right one.
+    // A misprinted figure is shown with a figure that was computed from its right value.
     let shown_by = graph.computed_from_right(id).and_then(|other| {
         let formula = graph.formula(other)?;
         Some((all.iter().find(|verdict| verdict.id == other)?, formula))
@@ -96,7 +97,7 @@ fn changes(root: Id, all: &[Verdict], context: &Context<'_>) -> Vec<Change> {
     all.iter().filter(follows).filter_map(change).collect()
 }
 
-/// That a figure is wrong only because others are.
+/// The note that a figure is wrong only because others are.
 pub(super) fn follows(fields: &[String]) -> Note {
     Note::new("audit-follows").with("fields", fields.join(", "))
 }
@@ -138,7 +139,7 @@ pub(super) fn nature(stated: f64, right: f64) -> Nature {
 
 /// The formula in symbols and with its figures: `n = 1000·V/(π·D) = 1000·30.32/(3.14·6)`.
 fn with_numbers(verdict: &Verdict, symbols: &str, numbers: &str) -> String {
-    // What is the same as another figure, chosen or given, has no sum to show.
+    // A copied figure, chosen or given, has no arithmetic to show.
     if matches!(numbers, "" | "{0}") {
         return String::new();
     }

@@ -1,4 +1,4 @@
-//! What an audit says: findings as data, without a language.
+//! The results of an audit: findings as data, independent of language.
 
 use std::collections::BTreeMap;
 
@@ -119,7 +119,7 @@ pub struct MissingKeys {
     pub keys: Vec<&'static str>,
 }
 
-/// What of the plan a finding is about.
+/// The part of a plan that a finding concerns.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Subject {
     /// The transition.
@@ -139,9 +139,9 @@ pub(super) enum FindingKind {
     /// No other check uses it.
     #[default]
     Other,
-    /// A figure is not what a rule gives.
+    /// A figure differs from what a rule gives.
     Formula(&'static Rule),
-    /// A figure is what a rule gives of others that are slips.
+    /// A figure is what a rule gives, but from other figures that are slips.
     Follows(&'static Rule),
     /// A cutter is made for something else.
     OfOther(OfOther),
@@ -152,7 +152,7 @@ pub(super) enum FindingKind {
 }
 
 impl FindingKind {
-    /// The rule whose figure it is, where it is one's.
+    /// The rule of the figure, if there is one.
     pub const fn rule(&self) -> Option<&'static Rule> {
         match self {
             Self::Formula(rule) | Self::Follows(rule) => Some(rule),
@@ -319,7 +319,7 @@ impl AuditFinding {
 
 impl Audit {
     pub(super) fn new(stated: &Stated, mut findings: Vec<AuditFinding>) -> Self {
-        // Roots before what follows from them, the most severe first, then as the report and the file have them; notes last.
+        // Roots before their consequences, the most severe first, then in the order of report and file; notes last.
         findings.sort_by_key(|finding| {
             let (note, follows) = (finding.severity == Severity::Note, !finding.follows_from.is_empty());
             (note, follows, finding.severity, finding.section, finding.line, finding.column)
@@ -332,7 +332,8 @@ impl Audit {
         Self { plan: stated.name.clone(), file: stated.file.clone(), summary, findings, marks: None }
     }
 
-    /// Where to begin: the gravest finding that follows from no other; of equals the first of the report.
+    /// The finding to look at first: the most severe one that follows from no other; among equals the first of the
+    /// report.
     pub fn first_root(&self) -> Option<&AuditFinding> {
         let roots = self.findings.iter().filter(|one| one.severity < Severity::Note && one.follows_from.is_empty());
         roots.min_by_key(|one| one.severity)

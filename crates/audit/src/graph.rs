@@ -1,9 +1,9 @@
-//! The figures of a plan as a graph: which follows from which, what it should be, and where a deviation begins.
+//! The figures of a plan as a graph: which figure follows from which, its right value, and where a deviation begins.
 //!
-//! A figure is compared with its formula. Where it does not fit, the slip is its own; where it fits only because a
-//! figure it was computed from is wrong, it is a consequence and names the root. An author who misprints a figure and
-//! goes on with the right one makes one slip, not two: so a formula is tried with the stated and with the right value
-//! of every input.
+//! A figure is compared with its formula. Where it does not fit, the slip is its own. Where it fits only because one
+//! of its inputs is wrong, it is a consequence and names the root. An author who misprints a figure but continues
+//! with the right value makes one slip, not two; therefore a formula is tried with the stated and with the right
+//! value of every input.
 
 use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -17,19 +17,19 @@ use super::tolerance::Tolerances;
 /// A rule that computes a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rule {
-    /// Stable id; where it comes from is the message `audit-source-` with it.
+    /// Stable id; the message `audit-source-` with this id names its source.
     pub id: &'static str,
     /// Its formula in symbols.
     pub formula: &'static str,
 }
 
-/// How a value that is chosen, not computed, stands to what may be chosen: nothing against it, or how grave it is and why.
+/// The judgement of a chosen value: nothing against it, or severity and reason.
 pub type Judged = Option<(Severity, Note)>;
 
 mod what_if;
 
 type Compute<'a> = Box<dyn Fn(&[f64]) -> Option<f64> + 'a>;
-/// Judges a stated value beside the inputs of its formula.
+/// Judges a stated value, given the inputs of its formula.
 pub(super) type Judge<'a> = Box<dyn Fn(f64, &[f64]) -> Judged + 'a>;
 
 /// A rule applied to one figure.
@@ -44,7 +44,7 @@ pub struct Formula<'a> {
     pub numbers: String,
     /// The computation.
     pub compute: Compute<'a>,
-    /// For what is chosen: whether a stated value may stand although it is not the computed one.
+    /// For chosen values: whether a stated value is acceptable although it is not the computed one.
     pub judge: Option<Judge<'a>>,
     /// The rows it rests on.
     pub because: Vec<Because>,
@@ -55,11 +55,11 @@ pub struct Formula<'a> {
 pub struct Constant {
     /// The values.
     pub values: Vec<f64>,
-    /// Where they stand.
+    /// The rows that give them.
     pub because: Vec<Because>,
 }
 
-/// What became of a stated figure.
+/// The judgement of a stated figure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Status {
     /// It is as it should be.
@@ -95,16 +95,16 @@ pub struct Graph<'a> {
     formulas: BTreeMap<Id, Vec<Formula<'a>>>,
     right: RefCell<BTreeMap<Id, Option<f64>>>,
     open: RefCell<BTreeSet<Id>>,
-    /// Of several formulas of a figure the one that is taken.
+    /// The formula used for each figure, where there are several.
     taken: RefCell<BTreeMap<Id, Option<usize>>>,
-    /// Figures by what is computed from them.
+    /// For each figure, the figures computed from it.
     users: OnceCell<BTreeMap<Id, Vec<Id>>>,
     verdicts: OnceCell<Vec<Verdict>>,
-    /// Figures that were misprinted, each with a figure that the author computed from the right one.
+    /// Misprinted figures, each with a figure that the author computed from the right value.
     misprinted: BTreeMap<Id, Id>,
     /// What the tables give for figures that no formula computes.
     tables: BTreeMap<Id, f64>,
-    /// Stated figures that are known to be off, or not.
+    /// Stated figures that are known to be wrong or right.
     off: RefCell<BTreeMap<Id, bool>>,
 }
 
@@ -137,7 +137,7 @@ impl<'a> Graph<'a> {
         self.constants.insert(id, constant);
     }
 
-    /// Adds what the tables give for figures that no formula computes; nothing is required by it.
+    /// Adds table values for figures without a formula; they require nothing.
     pub fn know(&mut self, tables: BTreeMap<Id, f64>) {
         self.tables = tables;
     }
@@ -154,7 +154,7 @@ impl<'a> Graph<'a> {
             return formulas.get((*taken)?);
         }
         let taken = formulas.iter().position(|formula| self.value_of(formula).is_some());
-        // In the middle of a computation some figures are not known yet.
+        // During a computation some figures are not known yet.
         if self.open.borrow().is_empty() {
             self.taken.borrow_mut().insert(id, taken);
         }
@@ -166,7 +166,7 @@ impl<'a> Graph<'a> {
         (formula.compute)(&inputs?).filter(|value| value.is_finite())
     }
 
-    /// What a figure should be: by its formula, else as stated. A choice that may stand is right as it is.
+    /// The right value of a figure: by its formula, otherwise as stated. An acceptable choice is right.
     pub fn right(&self, id: Id) -> Option<f64> {
         if let Some(constant) = self.constants.get(&id) {
             return constant.values.first().copied();
@@ -186,8 +186,8 @@ impl<'a> Graph<'a> {
                 (Some(judge), Some(stated)) if may_stand(&judge(stated, &inputs)) => Some(stated),
                 _ => {
                     let value = (formula.compute)(&inputs).filter(|value| value.is_finite())?;
-                    // A plan of ours is printed from unrounded figures: the printed one is nearer to them than what
-                    // comes out of other prints.
+                    // A plan of the program is printed from unrounded figures: the printed value is nearer to them
+                    // than a value computed from other printed ones.
                     let figure = self.stated.figure(id).filter(|_| self.stated.own);
                     let nearer = figure.filter(|own| self.fits(id, own, value, self.slack(formula, &inputs)));
                     Some(nearer.map_or(value, |own| own.value))
@@ -200,12 +200,12 @@ impl<'a> Graph<'a> {
         value
     }
 
-    /// What a figure is as stated, else what it should be.
+    /// The stated value of a figure, otherwise its right value.
     pub fn stated_or_right(&self, id: Id) -> Option<f64> {
         self.stated.figure(id).map(|figure| figure.value).or_else(|| self.right(id))
     }
 
-    /// What a figure is as the plan has it: as stated, else as its formula makes it of what is stated.
+    /// The value of a figure as the plan has it: as stated, otherwise computed from stated values.
     pub(super) fn written(&self, id: Id) -> Option<f64> {
         self.written_if(id, None)
     }
@@ -222,7 +222,7 @@ impl<'a> Graph<'a> {
         (stated.value - value).abs() <= self.tolerances.of(id.quantity, stated, value) + slack
     }
 
-    /// Whether a figure of the plan, stated or made of what is stated, is not what it should be.
+    /// Whether a figure, stated or computed from stated ones, differs from its right value.
     fn is_off(&self, id: Id) -> bool {
         let (Some(written), Some(right)) = (self.written(id), self.right(id)) else { return false };
         let Some(figure) = self.stated.figure(id) else {
@@ -231,16 +231,16 @@ impl<'a> Graph<'a> {
         if let Some(known) = self.off.borrow().get(&id) {
             return *known;
         }
-        // While the figures before it are asked, it is what it looks like by itself.
+        // While its inputs are being judged, the figure is judged by itself.
         let alone = !self.fits(id, figure, right, 0.0);
         self.off.borrow_mut().insert(id, alone);
-        // What rounding on the way explains is as it should be.
+        // A difference explained by rounding of the inputs is no deviation.
         let off = alone && self.judged(id).is_none_or(|verdict| verdict.status != Status::Fine);
         self.off.borrow_mut().insert(id, off);
         off
     }
 
-    /// The inputs of a figure's formula that are not what they should be.
+    /// The inputs of a figure's formula that differ from their right values.
     fn off_inputs(&self, id: Id) -> Vec<Id> {
         let inputs = self.formula(id).map(|formula| formula.inputs.as_slice()).unwrap_or_default();
         inputs.iter().copied().filter(|input| *input != id && self.is_off(*input)).collect()
@@ -257,7 +257,7 @@ impl<'a> Graph<'a> {
         }
     }
 
-    /// What a formula's input may have been when the author computed: as stated, as it should be, or any value in use.
+    /// The values that an input may have had when the author computed: as stated, as right, or any value in use.
     fn options(&self, input: Id) -> Vec<(f64, bool)> {
         if let Some(constant) = self.constants.get(&input) {
             return constant.values.iter().map(|value| (*value, false)).collect();
@@ -275,8 +275,8 @@ impl<'a> Graph<'a> {
         options
     }
 
-    /// The first of these, and whether it may be wrong: what the author saw. Whether it is wrong costs more to find
-    /// out.
+    /// The first of these, and whether it may be wrong: the value the author saw. To find out whether it is wrong
+    /// costs more.
     fn as_written(&self, input: Id) -> Option<(f64, bool)> {
         if let Some(constant) = self.constants.get(&input) {
             return constant.values.first().map(|value| (*value, false));
@@ -284,14 +284,14 @@ impl<'a> Graph<'a> {
         self.written(input).map(|written| (written, true)).or_else(|| Some((self.right(input)?, false)))
     }
 
-    /// How much a result may differ because inputs are printed rounded.
+    /// How much a result may differ because its inputs are printed rounded.
     fn slack(&self, formula: &Formula<'a>, inputs: &[f64]) -> f64 {
         let Some(middle) = (formula.compute)(inputs) else { return 0.0 };
         let mut slack = 0.0;
         let mut moved = inputs.to_vec();
         for (at, input) in formula.inputs.iter().enumerate() {
             let Some(figure) = self.stated.figure(*input) else { continue };
-            // A formula gives the whole figure; only a plan of ours is printed from unrounded figures.
+            // A formula gives an unrounded figure; only a plan of the program is printed from unrounded figures.
             let whole = !self.stated.own && self.formula(*input).is_some();
             if !self.tolerances.rounded(input.quantity) || whole {
                 continue;
@@ -303,7 +303,7 @@ impl<'a> Graph<'a> {
         slack
     }
 
-    /// The verdict on a stated figure; none if no formula computes it. Only when every formula is there.
+    /// The verdict on a stated figure; none if no formula computes it. Call it only when all formulas are added.
     pub fn verdict(&self, id: Id) -> Option<&Verdict> {
         let verdicts = self.verdicts();
         verdicts.binary_search_by(|verdict| verdict.id.cmp(&id)).ok().and_then(|at| verdicts.get(at))
@@ -327,14 +327,14 @@ impl<'a> Graph<'a> {
         if let Some(judge) = &formula.judge {
             let judged = judge(figure.value, &verdict.inputs);
             if may_stand(&judged) {
-                // Dominated, but it may stand: what follows from it is right.
+                // Not the best, but acceptable: what follows from it is right.
                 if let Some((severity, note)) = judged {
                     verdict.right = (formula.compute)(&verdict.inputs).unwrap_or(right);
                     verdict.status = Status::Root(severity, Some(note));
                 }
                 return Some(verdict);
             }
-            // Chosen rightly for inputs that are wrong.
+            // A right choice for wrong inputs.
             let by_wrong = judge(figure.value, &stated_inputs);
             let wrong = |at: usize| {
                 let input = formula.inputs[at];
@@ -359,10 +359,10 @@ impl<'a> Graph<'a> {
         Some(verdict)
     }
 
-    /// Whether some mixture of stated and right inputs gives the stated result; the wrong ones among them.
+    /// Whether some combination of stated and right inputs gives the stated result; returns the wrong inputs.
     fn explained(&self, id: Id, figure: &StatedFigure, formula: &Formula<'a>) -> Option<BTreeSet<Id>> {
         let options: Vec<Vec<(f64, bool)>> = formula.inputs.iter().map(|input| self.options(*input)).collect();
-        // Only what differs is worth trying; more than that is no formula of a plan.
+        // Only inputs with different values are tried; a larger number of combinations does not occur in a plan.
         let total: usize = options.iter().map(|one| one.len().max(1)).product();
         let mut best: Option<BTreeSet<Id>> = None;
         for number in 0..total.min(4096) {
@@ -395,7 +395,7 @@ impl<'a> Graph<'a> {
         inputs.flat_map(|(_, input)| self.roots_of(*input)).collect()
     }
 
-    /// Every stated figure that has a formula, with its verdict. Only when every formula is there.
+    /// Every stated figure with a formula, with its verdict. Call it only when all formulas are added.
     pub fn verdicts(&self) -> &[Verdict] {
         self.verdicts.get_or_init(|| self.formulas.keys().filter_map(|id| self.judged(*id)).collect())
     }
@@ -412,7 +412,7 @@ impl<'a> Graph<'a> {
         })
     }
 
-    /// What depends on a figure, directly and further on. Only when every formula is there.
+    /// All figures that depend on a figure, directly or not. Call it only when all formulas are added.
     pub fn dependents(&self, id: Id) -> BTreeSet<Id> {
         let users = self.users();
         let mut found = BTreeSet::new();
@@ -428,7 +428,7 @@ impl<'a> Graph<'a> {
     }
 }
 
-/// Whether a judged choice may stand: nothing is said against it, or only that another were better.
+/// Whether a judged choice is acceptable: without objection, or with a better one available.
 fn may_stand(judged: &Judged) -> bool {
     judged.as_ref().is_none_or(|(severity, _)| *severity >= Severity::Doubtful)
 }

@@ -1,4 +1,4 @@
-//! The audit: any plan compared with the knowledge base.
+//! The audit: compares any plan with the knowledge base.
 //!
 //! ```text
 //! plan.yaml → read → Stated ┐                ┌ rules  → graph → verdicts ┐
@@ -7,13 +7,13 @@
 //! ```
 //!
 //! - [`stated`] is a plan as written, every figure with its place and its printed text;
-//! - [`rules`] compute figures from others, `graph` says where a deviation begins and what follows from it;
-//! - [`checks`] hold choices against the tables: designations, cutters, holders, routes, limits, the program;
+//! - [`rules`] compute figures from others, `graph` finds where a deviation begins and what follows from it;
+//! - [`checks`] compare choices with the tables: designations, cutters, holders, routes, limits, the program;
 //! - [`Auditor`] keeps what many audits share;
 //! - the table `audit-tolerance` gives the rounding tolerances.
 //!
-//! Architecture invariant: an audit invents nothing. What a plan does not state is listed as missing, and what had to be
-//! taken from the tables instead is named in the finding that rests on it.
+//! Architecture invariant: an audit invents nothing. What a plan does not state is listed as missing, and a value
+//! taken from the tables in its place is named in the finding that uses it.
 
 mod against;
 mod auditor;
@@ -38,7 +38,7 @@ mod tolerance;
 pub mod turned;
 mod write;
 
-// This room and those below, under one name each in the whole program.
+// The types of this crate and of others, under one name each in the whole program.
 use crate as audit;
 use technolog_core::{error, machine, memo, motion, note, part, plan, reason, shop, zone};
 use technolog_cutting as cutting;
@@ -62,15 +62,15 @@ pub use read::{Files, NamedText, Unreadable, read_if_plan, read_plan, read_plan_
 use stated::Stated;
 pub use write::by_hand;
 
-/// Checks one plan against the knowledge; many are audited faster by one [`Auditor`].
+/// Checks one plan against the knowledge base; for many plans one [`Auditor`] is faster.
 ///
 /// # Errors
-/// The knowledge base has no answer. What is wrong with the plan is a finding.
+/// The knowledge base has no answer. A fault of the plan is a finding.
 pub fn audit(stated: &Stated, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
     Auditor::new(knowledge)?.audit(stated)
 }
 
-/// The same beside our own plan of the same part by the same method, where it was made already.
+/// As [`audit()`], beside an existing plan of the program for the same part and method.
 ///
 /// # Errors
 /// As for [`audit()`].

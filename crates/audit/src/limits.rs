@@ -1,4 +1,4 @@
-//! How much a plan may have; docs/limits.md has the figures.
+//! The size limits of a plan; docs/limits.md lists them.
 
 use technolog_note::note;
 
@@ -11,7 +11,7 @@ pub const MOST_ROWS: usize = 3_000;
 pub const MOST_TOOLS: usize = 500;
 /// Factors of a figure of the card. Each is looked for by its name among those of other conditions.
 pub const MOST_FACTORS: usize = 100;
-/// Of names that may have been meant, no more are listed.
+/// The most names listed as possible meanings.
 const MOST_LISTED: usize = 20;
 
 /// The items of a list of rows, as many as a plan may have; more are refused at the first of them.

@@ -1,4 +1,4 @@
-//! Audits of many plans: what a folder holds, file by file.
+//! Audits of many plans: the files of a folder.
 
 use serde::Serialize;
 use technolog_core::lang::Lang;
@@ -7,7 +7,7 @@ use crate::knowledge::Diagnostic;
 
 use super::finding::{Audit, Counts};
 
-/// What became of a file.
+/// The result for one file.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum Audited {

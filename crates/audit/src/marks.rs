@@ -1,4 +1,4 @@
-//! Marks: what an audit costs the author by a lecturer's scheme.
+//! Marks: the points of an audit by a lecturer's scheme.
 
 mod read;
 pub mod scheme;
@@ -16,9 +16,9 @@ pub use scheme::schema;
 pub struct MarkingScheme {
     /// Its name.
     pub name: String,
-    /// The most that can be had.
+    /// The maximum of points.
     pub points: f64,
-    /// From how many points on a plan passes.
+    /// The number of points from which a plan passes.
     pub pass: Option<f64>,
     /// Deductions by severity.
     pub deduct: BySeverity,
@@ -30,7 +30,7 @@ pub struct MarkingScheme {
     pub rules: Vec<(String, f64)>,
 }
 
-/// Deductions by severity; none if the scheme is silent.
+/// Deductions by severity; none where the scheme gives none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[allow(missing_docs)] // the severities
 pub struct BySeverity {
@@ -40,7 +40,7 @@ pub struct BySeverity {
     pub note: Option<f64>,
 }
 
-/// What is special about a section.
+/// The special rules of a section.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SectionScheme {
     /// Its own deductions.
@@ -54,14 +54,15 @@ pub struct SectionScheme {
 pub struct Marks {
     /// The name of the scheme.
     pub scheme: String,
-    /// Points had.
+    /// Points achieved.
     pub points: f64,
-    /// Of how many.
+    /// Maximum of points.
     pub of: f64,
-    /// Whether the plan passes, where the scheme says from when.
+    /// Whether the plan passes, where the scheme gives a limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub passed: Option<bool>,
-    /// What was taken off for each finding, in the order of the audit; what is free is there with its reason too.
+    /// The deduction for each finding, in the order of the audit; findings without deduction are listed with the
+    /// reason.
     pub deductions: Vec<Deduction>,
 }
 
@@ -78,14 +79,14 @@ pub struct Deduction {
     pub severity: Severity,
     /// Points taken off.
     pub points: f64,
-    /// By what of the scheme.
+    /// The entry of the scheme that applies.
     pub by: DeductedBy,
-    /// Whether the cap of the section or the last point left less to take than the scheme says.
+    /// Whether the cap of the section, or too few remaining points, reduced the deduction.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub capped: bool,
 }
 
-/// By what of the scheme points are taken off.
+/// The entry of the scheme that gives a deduction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum DeductedBy {
@@ -111,8 +112,8 @@ impl BySeverity {
 }
 
 impl MarkingScheme {
-    /// The marks of an audit. The most particular word of the scheme holds: the rule before the section before the
-    /// severity; what follows from another slip is charged as a consequence whatever its rule.
+    /// The marks of an audit. The most specific entry of the scheme applies: rule before section before severity. A
+    /// consequence of another slip is charged as a consequence, whatever its rule.
     pub fn mark(&self, audit: &Audit) -> Marks {
         let mut left = self.points;
         let mut spent: Vec<(Section, f64)> = Vec::new();
@@ -156,7 +157,7 @@ impl MarkingScheme {
     }
 }
 
-/// Hundredths: halves and quarters of points stay what they are, binary dust goes.
+/// Rounded to hundredths: halves and quarters stay exact, binary noise is removed.
 fn rounded(points: f64) -> f64 {
     crate::units::round_to(points, 2)
 }

@@ -1,9 +1,9 @@
-//! Which figure was misprinted, where only what was computed from it does not fit.
+//! Finds which figure was misprinted, where only the figures computed from it do not fit.
 //!
-//! An author who misprints a figure and goes on with the right one leaves a plan in which everything computed from that
-//! figure disagrees with it. Which of the figures is at fault is told by the others: a misprint explains every disagreement
-//! and breaks nothing that fits. Where that leaves more than one figure, the tables decide, then the likeness of a slip of
-//! the pen; where nothing decides, the computed figure is named and nothing is guessed.
+//! An author who misprints a figure and continues with the right value leaves a plan in which everything computed
+//! from that figure disagrees with it. The other figures show which one is at fault: a misprint explains every
+//! disagreement and breaks nothing that fits. Where several figures are possible, the tables decide, then the
+//! similarity to a typing error. Where nothing decides, the computed figure is reported and nothing is guessed.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +15,7 @@ const MISPRINT: Rule = Rule { id: "misprinted", formula: "" };
 
 pub(super) const RULES: &[Rule] = &[MISPRINT];
 
-/// A misprint changes one figure, and few plans have more of them than that.
+/// The most misprints of a plan; each changes one figure, and few plans have so many.
 const MOST: usize = 32;
 
 /// A figure that may have been misprinted.
@@ -23,7 +23,7 @@ struct Suspect {
     id: Id,
     /// What it should have been.
     right: f64,
-    /// How many figures fit by that and do not fit as it is.
+    /// How many more figures fit with that value.
     mends: usize,
     /// Whether the tables give that value.
     known: bool,
@@ -31,7 +31,7 @@ struct Suspect {
     slip: bool,
 }
 
-/// Finds misprinted figures one after the other and puts them right.
+/// Finds misprinted figures one by one and corrects them.
 pub(super) fn correct(graph: &mut Graph<'_>) {
     for _ in 0..MOST {
         let own: Vec<Id> = graph
@@ -58,14 +58,14 @@ pub(super) fn correct(graph: &mut Graph<'_>) {
     }
 }
 
-/// The figure whose misprint explains that a computed figure does not fit; none if it is that figure itself or where
-/// more than one may be it.
+/// The figure whose misprint explains why a computed figure does not fit; none if the computed figure itself is
+/// wrong, or several are possible.
 fn misprinted(graph: &Graph<'_>, computed: Id) -> Option<Suspect> {
     let suspects: Vec<Suspect> =
         graph.stated_inputs(computed).into_iter().filter_map(|id| suspect(graph, id, computed)).collect();
     let most = suspects.iter().map(|one| one.mends).max()?;
     let own = graph.computed_if(computed, None)?;
-    // How much would fit, were the slip its own, and whether what follows from it speaks against that.
+    // How many figures would fit if the slip were its own, and whether its consequences contradict that.
     let users = graph.stated_users(computed).into_iter();
     let users: Vec<(Option<bool>, Option<bool>)> =
         users.map(|user| (graph.fits_if(user, None), graph.fits_if(user, Some((computed, own))))).collect();
@@ -77,7 +77,7 @@ fn misprinted(graph: &Graph<'_>, computed: Id) -> Option<Suspect> {
     let slip = graph.printed(computed).is_some_and(|figure| is_slip(&figure.text, figure.value, own));
     let mut best: Vec<Suspect> = suspects.into_iter().filter(|one| one.mends == most).collect();
     if most == 1 || mended == most && alone {
-        // Nothing speaks for the computed figure but itself, or it was computed wrong and carried on.
+        // Only the computed figure itself is in its favour, or it was computed wrong and used further.
         let known = best.iter().any(|one| one.known);
         if !known && slip && alone {
             return None;
@@ -92,9 +92,9 @@ fn misprinted(graph: &Graph<'_>, computed: Id) -> Option<Suspect> {
     if best.len() == 1 { best.pop() } else { None }
 }
 
-/// Whether the misprint of a figure explains that a computed one does not fit.
+/// The right value of a figure, if its misprint explains why a computed one does not fit.
 fn suspect(graph: &Graph<'_>, id: Id, computed: Id) -> Option<Suspect> {
-    // What a formula computes rightly is no misprint, and what it does not is told already.
+    // A figure that its formula gives is no misprint, and one that differs from its formula is reported already.
     if graph.formula(id).is_some_and(|formula| formula.judge.is_none()) {
         return None;
     }
@@ -113,7 +113,7 @@ fn suspect(graph: &Graph<'_>, id: Id, computed: Id) -> Option<Suspect> {
     };
     let known = graph.tables().get(&id).copied();
     let same = |one: f64, other: f64| graph.within_tolerance(id, one, other);
-    // What the tables give is as it should be.
+    // The figure agrees with the tables, so it is right.
     if known.is_some_and(|known| same(figure.value, known)) {
         return None;
     }
@@ -124,8 +124,8 @@ fn suspect(graph: &Graph<'_>, id: Id, computed: Id) -> Option<Suspect> {
     Some(Suspect { id, right, mends, known, slip: is_slip(&figure.text, figure.value, right) })
 }
 
-/// The values of a figure that give the computed one as stated, where that goes with the figure or with its reciprocal, or
-/// is the figure itself.
+/// The values of a figure that give the computed one as stated, where the result is proportional to the figure or to
+/// its reciprocal, or is the figure itself.
 fn solutions(graph: &Graph<'_>, id: Id, value: f64, computed: Id) -> Vec<f64> {
     let Some(target) = graph.printed(computed).map(|figure| figure.value) else { return Vec::new() };
     let other = value * 1.25 + 0.125;
@@ -137,14 +137,13 @@ fn solutions(graph: &Graph<'_>, id: Id, value: f64, computed: Id) -> Vec<f64> {
     [line, reciprocal, target].into_iter().filter(|value| value.is_finite()).collect()
 }
 
-/// A value at the places of a print, and at so many more.
+/// A value rounded to the printed places and `more` further ones.
 fn rounded(value: f64, last_place: f64, more: i32) -> f64 {
     let place = last_place * libm::pow(10.0, f64::from(-more));
     libm::round(value / place) * place
 }
 
-/// Whether a value printed wrong looks like a slip of the pen: of the decimal point or the sign, one digit another, or two
-/// exchanged.
+/// Whether a misprinted value looks like a typing error: decimal point, sign, one digit, or two digits exchanged.
 fn is_slip(text: &str, stated: f64, right: f64) -> bool {
     if nature(stated, right) != Nature::Figure {
         return true;
@@ -157,7 +156,7 @@ fn is_slip(text: &str, stated: f64, right: f64) -> bool {
     }
     let off: Vec<(u8, u8)> = text.bytes().zip(printed.bytes()).filter(|(a, b)| a != b).collect();
     match off.as_slice() {
-        // Of a short figure any other value is one digit off.
+        // With a single digit, any other value differs in one digit.
         [_] => text.bytes().filter(u8::is_ascii_digit).skip_while(|digit| *digit == b'0').count() > 2,
         [(a, b), (c, d)] => a == d && b == c,
         _ => false,

@@ -1,8 +1,8 @@
-//! Designations and standards as people write them: found although a prefix is lost or a letter misread.
+//! Designations and standards as people write them: found even if a prefix is missing or a letter is misread.
 
 use std::collections::BTreeMap;
 
-/// What became of a name that was looked for.
+/// The result of looking a name up.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NameMatch<T> {
     /// No name was stated.
@@ -16,7 +16,7 @@ pub enum NameMatch<T> {
 }
 
 impl<T> NameMatch<T> {
-    /// What was found or doubtless meant.
+    /// The value that was found or clearly meant.
     pub fn meant(&self) -> Option<&T> {
         match self {
             Self::Found(found) | Self::Meant(found, _) => Some(found),
@@ -25,13 +25,13 @@ impl<T> NameMatch<T> {
     }
 }
 
-/// Names to look others up among, made comparable once.
+/// A list of names for look-ups, normalised once.
 #[derive(Debug)]
 pub struct Names<'n, T> {
     all: Vec<(T, &'n str, Vec<char>)>,
     /// The same names without dashes.
     bare: Vec<Vec<char>>,
-    /// Where each name stands.
+    /// The indices of each name.
     exact: BTreeMap<Vec<char>, Vec<usize>>,
 }
 
@@ -52,7 +52,7 @@ impl<'n, T: Clone> Names<'n, T> {
         self.all.iter().map(|(value, ..)| value)
     }
 
-    /// Looks a name up among those that may be meant.
+    /// Looks a name up among those for which `may_be` holds.
     pub fn find(&self, name: Option<&str>, may_be: impl Fn(&T) -> bool) -> NameMatch<T> {
         let Some(name) = name else { return NameMatch::Unstated };
         let wanted = plain(name);
@@ -69,7 +69,7 @@ impl<'n, T: Clone> Names<'n, T> {
         {
             return NameMatch::Found(value.clone());
         }
-        // The source prints some numbers with a zero too many, and the regular one is right too.
+        // The source prints some numbers with an extra zero; the regular form is right too.
         let regular = |(value, _, other): &&(T, &str, Vec<char>)| may_be(value) && has_surplus_zero(other, &wanted);
         let mut regular = self.all.iter().filter(regular);
         if let Some((value, _, first)) = regular.next()
@@ -84,7 +84,7 @@ impl<'n, T: Clone> Names<'n, T> {
             if let Some(away) = most.and_then(|most| distance_within(&wanted, other, most)) {
                 best = Some((away, known));
             }
-            // A tail long enough to tell designations apart.
+            // A tail long enough to distinguish designations.
             if wanted.len() >= 6 && other.len() > wanted.len() && other.ends_with(&wanted) {
                 lost.push((value, known));
             }
@@ -115,8 +115,8 @@ fn without_dashes(name: &[char]) -> Vec<char> {
     name.iter().copied().filter(|letter| *letter != '-').collect()
 }
 
-/// Whether a printed name is the regular one with a zero too many in its last number, which has four digits: `00015` for
-/// `0015`, `01010` for `0110`.
+/// Whether a printed name is the regular one with an extra zero in its last number, which has four digits: `00015`
+/// for `0015`, `01010` for `0110`.
 fn has_surplus_zero(printed: &[char], regular: &[char]) -> bool {
     const DIGITS: usize = 4;
     let last = printed.iter().rposition(|letter| *letter == '-').map_or(0, |dash| dash + 1);
@@ -136,8 +136,8 @@ pub enum Likeness {
     Other,
 }
 
-/// How a written standard stands to the right one; a standard without the type that the catalog adds to it,
-/// `ГОСТ 1672-80` for `ГОСТ 1672-80, тип 2`, is the same.
+/// Compares a written standard with the right one. A standard without the type that the catalog adds, `ГОСТ 1672-80`
+/// for `ГОСТ 1672-80, тип 2`, is the same.
 pub fn likeness(written: &str, right: &str) -> Likeness {
     let (a, b) = (plain(written), plain(right));
     let without_type = right.split_once(',').map(|(number, _)| plain(number));
@@ -170,7 +170,7 @@ pub fn plain(name: &str) -> Vec<char> {
     name.chars().filter(|letter| !letter.is_whitespace()).map(alike).flat_map(char::to_uppercase).collect()
 }
 
-/// How many signs must be changed, put in or left out (Levenshtein), if no more than so many.
+/// The edit distance of two names (Levenshtein), if at most `most`.
 fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
     if a.len().abs_diff(b.len()) > most {
         return None;
@@ -186,7 +186,7 @@ fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
             row[j + 1] = changed.min(row[j] + 1).min(corner + 1);
             least = least.min(row[j + 1]);
         }
-        // No way through this row gets shorter.
+        // No path through this row gets shorter.
         if least > most {
             return None;
         }

@@ -1,4 +1,4 @@
-//! A plan that `technolog plan --format json` or `yaml` wrote, as stated.
+//! Reads a plan written by `technolog plan --format json` or `yaml` as a stated plan.
 
 use std::collections::BTreeMap;
 use technolog_note::note;
@@ -17,7 +17,7 @@ use super::read::{MOST, number};
 use super::stated::{Clamping, Conditions, Figures, Row, Stated, StatedFigure, StatedValue, Text, Tool};
 use super::tolerance::Tolerances;
 
-/// What of the file is needed as a whole; all else is read with its places.
+/// The fields read as a whole; all others are read with their places.
 #[derive(Deserialize)]
 struct Head {
     part: Part,
@@ -64,7 +64,7 @@ const TIMES: [(&str, Quantity); 7] = [
     ("total_min", Quantity::TotalTime),
 ];
 
-/// Reads it. What it lacks is not stated; what is no figure where one belongs is a mistake.
+/// Reads the plan. Missing fields are not stated; a text in place of a figure is a mistake.
 pub(super) fn read(
     root: &Node,
     text: &str,
@@ -72,7 +72,7 @@ pub(super) fn read(
     problems: &mut Problems,
     knowledge: &Knowledge,
 ) -> Option<Stated> {
-    // JSON is YAML, but its enumerations are written otherwise.
+    // JSON is YAML, but its enums are written differently.
     let json = text.trim_start().starts_with('{');
     let head: Result<Head, (String, Option<(usize, usize)>)> = if json {
         serde_json::from_str(text).map_err(|error| (error.to_string(), Some((error.line(), error.column()))))
@@ -159,7 +159,7 @@ pub(super) fn read(
     })
 }
 
-/// A number such as `1e400`, which is infinite to every formula: whoever told it later would not tell what is written.
+/// A number such as `1e400`, which every formula reads as infinite; a later message could not quote what is written.
 fn endless(node: &Node) -> Option<(&Node, &str)> {
     match &node.kind {
         NodeKind::Scalar { text, quoted: false } => {
@@ -184,7 +184,7 @@ impl Own<'_> {
             return None;
         }
         let value = number(text).map(|(value, _)| value).or_else(|| text.parse().ok());
-        // `1e400` is infinite, and beyond all that is written by hand either.
+        // `1e400` is infinite, and larger than any figure written by hand.
         let Some(value) = value.filter(|value: &f64| value.abs() <= MOST) else {
             return self.problems.error("bad-value", note!("case-number", text = text), &node.place);
         };
@@ -308,7 +308,7 @@ impl Own<'_> {
     }
 }
 
-/// The first text of several lines: no plan of ours has one.
+/// The first text with several lines: no plan of the program has one.
 fn several_lines(node: &Node) -> Option<&Node> {
     match &node.kind {
         NodeKind::Scalar { text, .. } => text.contains(['\n', '\t']).then_some(node),
@@ -317,7 +317,7 @@ fn several_lines(node: &Node) -> Option<&Node> {
     }
 }
 
-/// The items of a list; of what is none, none.
+/// The items of a list; none if the node is no list.
 pub(super) fn items(node: Option<&Node>) -> &[Node] {
     match node.map(|node| &node.kind) {
         Some(NodeKind::Seq(items)) => items,

@@ -1,8 +1,8 @@
-//! What of a plan a figure belongs to.
+//! The part of a plan to which a figure belongs.
 
 pub use technolog_tables::quantity::Quantity;
 
-/// What of a plan a figure belongs to; a part of the plan is named by its place in its list, from 0.
+/// The part of a plan to which a figure belongs; parts of a list by their index, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Scope {
     /// A constant of the formulas.

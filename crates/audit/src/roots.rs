@@ -1,4 +1,5 @@
-//! One mistake, one root: a finding that follows from another one names it, whichever checks found them.
+//! Connects findings of all checks: a finding that follows from another one names it, so that each mistake has one
+//! root.
 
 use std::collections::BTreeSet;
 
@@ -9,12 +10,13 @@ use super::finding::{AuditFinding, Change, FindingKind};
 use super::graph::{Graph, Rule, Status};
 use super::quantity::Id;
 
-/// Whether a finding is a slip, or follows from one; a note is neither.
+/// Whether a finding is a slip or follows from one; a note is neither.
 fn grave(finding: &AuditFinding) -> bool {
     finding.severity < Severity::Note
 }
 
-/// What a finding that rests on a stated figure follows from: the figure itself where it is a slip, else its roots.
+/// The slips that a finding about a stated figure follows from: the figure itself if it is a slip, otherwise its
+/// roots.
 pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
     match graph.verdict(id).map(|verdict| verdict.status.clone()) {
         Some(Status::Root(Severity::Error | Severity::Wrong, _)) => vec![id],
@@ -23,13 +25,13 @@ pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
     }
 }
 
-/// A field, where a slip of it is told already.
+/// The field, if a finding already reports a slip of it.
 pub(super) fn told(findings: &[AuditFinding], field: String) -> Vec<String> {
     let slip = |one: &AuditFinding| one.field == field && grave(one) && one.follows_from.is_empty();
     if findings.iter().any(slip) { vec![field] } else { Vec::new() }
 }
 
-/// Removes the verdict on a figure that is right after all, and the findings that followed from it alone.
+/// Removes the verdict on a figure that proved right, and the findings that followed only from it.
 pub(super) fn retract(findings: &mut Vec<AuditFinding>, field: &str, rule: &Rule) {
     let slip = |one: &AuditFinding| one.field == field && one.kind.rule() == Some(rule) && one.follows_from.is_empty();
     if !findings.iter().any(slip) {
@@ -38,13 +40,13 @@ pub(super) fn retract(findings: &mut Vec<AuditFinding>, field: &str, rule: &Rule
     let follows =
         |one: &AuditFinding| !one.follows_from.is_empty() && one.follows_from.iter().all(|root| root == field);
     findings.retain(|one| !slip(one) && !follows(one));
-    // What follows from another slip too still does.
+    // Findings that also follow from another slip keep that one.
     for one in findings.iter_mut() {
         one.follows_from.retain(|root| root != field);
     }
 }
 
-/// Traces every finding back to slips that follow from nothing, and lists at those what follows from them.
+/// Traces every finding back to the slips that follow from nothing, and lists its consequences there.
 pub(super) fn settle(findings: &mut [AuditFinding]) {
     let settled: Vec<BTreeSet<String>> = findings.iter().map(|one| roots(one, findings)).collect();
     for (one, roots) in findings.iter_mut().zip(settled) {
@@ -62,7 +64,7 @@ pub(super) fn settle(findings: &mut [AuditFinding]) {
         let (Some(quantity), Some(stated), Some(right)) = (root.quantity, &root.stated, &root.right) else { continue };
         let change = Change { field: root.field.clone(), quantity, stated: stated.clone(), right: right.clone() };
         let fields = root.follows_from.clone();
-        // A slip that turned out to follow from another lists nothing more.
+        // A slip that follows from another no longer lists consequences.
         if let Some(one) = findings.get_mut(at) {
             one.changes.clear();
         }
@@ -77,7 +79,7 @@ pub(super) fn settle(findings: &mut [AuditFinding]) {
     }
 }
 
-/// The fields of a finding's roots: of those it follows from, the ones that follow from nothing themselves.
+/// The fields of a finding's roots: of the findings it follows from, those that follow from nothing.
 fn roots(one: &AuditFinding, all: &[AuditFinding]) -> BTreeSet<String> {
     let (mut found, mut seen) = (BTreeSet::new(), BTreeSet::new());
     let mut open = one.follows_from.clone();
@@ -86,7 +88,7 @@ fn roots(one: &AuditFinding, all: &[AuditFinding]) -> BTreeSet<String> {
             continue;
         }
         let at = || all.iter().filter(|other| other.field == field && grave(other));
-        // A field without a formula finding is one that a check names.
+        // A field without a finding of a formula is one that a check names.
         if at().next().is_none() || at().any(|other| other.follows_from.is_empty()) {
             found.insert(field);
         } else {

@@ -1,4 +1,4 @@
-//! A plan as it is stated: what the file says, how it is printed and where, and nothing more.
+//! A plan as stated: what the file contains, how it is printed, and where; nothing else.
 
 use std::collections::BTreeMap;
 use technolog_note::note;
@@ -30,7 +30,7 @@ pub struct StatedFigure {
     pub value: f64,
     /// As it is printed.
     pub text: String,
-    /// What its last place is worth: 0.01 for `26.52`.
+    /// The value of one unit in its last place: 0.01 for `26.52`.
     pub last_place: f64,
     /// Where it stands.
     pub place: Place,
@@ -48,12 +48,12 @@ pub struct Stated {
     pub file: String,
     /// The part it is for.
     pub part: Part,
-    /// The method of its cutting conditions, which our plan uses too for the comparison.
+    /// The method of its cutting conditions; the program's plan for comparison uses the same.
     pub method: CuttingMethod,
-    /// Whether it was written by `technolog plan`: its figures are rounded as that rounds, and its route is listed
-    /// hole by hole.
+    /// Whether `technolog plan` wrote it: then its figures are rounded as that command rounds, and its route is
+    /// listed hole by hole.
     pub own: bool,
-    /// The file of a plan of ours, as a tree with places.
+    /// The file of a plan of the program, as a tree with places.
     pub tree: Option<Node>,
     /// The route, in the order of work.
     pub rows: Vec<Row>,
@@ -72,8 +72,8 @@ pub struct Stated {
 }
 
 impl Stated {
-    /// What knowledge lacks for it, as a mistake of its file where that is the reason: tables that were checked lack nothing
-    /// for a part that was read, so it is a figure of the part inside a plan of ours.
+    /// An error of the knowledge base as a mistake of the file, where the file is the reason. Checked tables lack
+    /// nothing for a part that was read, so the reason is a figure of the part inside a plan of the program.
     pub fn at_fault(&self, error: &KnowledgeError) -> Option<Diagnostic> {
         let part = self.tree.as_ref()?.get("part")?;
         let message = note!("planfile-part-this-plan-cannot-planned", error = error);
@@ -112,12 +112,13 @@ pub struct Row {
 }
 
 impl Row {
-    /// Whether it is of the main cylinder of its hole, as far as the plan says: of no step and of nothing else of the hole.
+    /// Whether the row works on the main cylinder of its hole, by what the plan states: it names no step and no other
+    /// feature.
     pub fn of_main_cylinder(&self) -> bool {
         self.step.is_none() && self.feature.is_none_or(|feature| feature == Feature::Bore)
     }
 
-    /// Whether it makes the main cylinder wider or threads it; centring and the edge leave it as it is.
+    /// Whether the row widens or threads the main cylinder; centring and edges leave it as it is.
     pub fn opens_main_cylinder(&self) -> bool {
         let operation = self.operation.value;
         self.of_main_cylinder() && operation != Operation::CentreDrill && !operation.is_of_edge()
@@ -165,9 +166,9 @@ pub struct Conditions {
     pub place: Place,
     /// The rows they are for, by their places in the route.
     pub rows: Vec<usize>,
-    /// Whether the plan says that something else than the cutting speed held them back.
+    /// Whether the plan says that something other than the cutting speed limited them.
     pub held: bool,
-    /// Circles of a mill: the simple formulas do not hold for them.
+    /// Whether a mill moves in circles: the simple formulas do not apply.
     pub rounds: bool,
     /// The factors of feed, speed, force and power.
     pub factors: BTreeMap<Quantity, Vec<Factor>>,
@@ -176,7 +177,7 @@ pub struct Conditions {
 }
 
 impl Conditions {
-    /// Which feed they are worked with: the one taken, where it is stated beside the computed one.
+    /// The feed used: the one taken, where it is stated beside the computed one.
     pub fn feed(&self) -> Quantity {
         if self.figures.contains_key(&Quantity::FeedTaken) { Quantity::FeedTaken } else { Quantity::Feed }
     }
@@ -265,7 +266,7 @@ impl Stated {
         self.rows.iter().enumerate().filter(move |(_, row)| own(row))
     }
 
-    /// Whether a row of a group is followed by milling: by a mill the bottom becomes flat.
+    /// Whether a later row of the group mills, which makes the bottom flat.
     pub fn mill_follows(&self, hole: &str, row: usize) -> bool {
         self.rows_of_hole(hole).any(|(other, own)| other > row && own.operation.value == Operation::Mill)
     }

@@ -1,4 +1,4 @@
-//! What may be rounded how: the table `audit-tolerance`.
+//! The rounding tolerances: the table `audit-tolerance`.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::stated::StatedFigure;
 
 pub use crate::tables::audit::Range;
 
-/// How far each quantity may differ from what it should be.
+/// How far each quantity may differ from its right value.
 #[derive(Clone, Debug, Default)]
 pub struct Tolerances(BTreeMap<Quantity, Tolerance>);
 
@@ -73,7 +73,7 @@ impl Tolerances {
         self.0.get(&quantity).map_or(0, |own| own.own_places)
     }
 
-    /// Which figures there can be.
+    /// The possible range of its figures.
     pub fn range(&self, quantity: Quantity) -> Range {
         self.0.get(&quantity).map_or(Range::Any, |own| own.range)
     }

@@ -1,9 +1,9 @@
-//! A program of a lathe compared with its turned part: the motions that its control makes of the text are carried
-//! through the proof, whoever wrote it.
+//! Compares a lathe program with its turned part: the motions that the control reads from the text are checked by the
+//! proof, whoever wrote the program.
 //!
-//! What is not known of it: a rapid of both axes is taken as a straight line, as the proof of our own toolpaths takes it.
-//! Where the tool stands before its first motion, and after one to a reference point, it is taken to be far away. A tool
-//! that the text does not name is taken to be ours of that place in the turret: then nothing is worse than doubtful.
+//! Assumptions where nothing is known: a rapid of both axes is a straight line, as in the proof of the program's own
+//! toolpaths. Before its first motion, and after a motion to a reference point, the tool is far away. A tool that the
+//! text does not name is the program's tool at that place of the turret; then no finding is worse than doubtful.
 
 use technolog_core::ascii::ascii;
 use technolog_turning_proof::{At, Block, Mm, Motion, MotionKind, Piece, Sense};
@@ -23,11 +23,11 @@ use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::turning::program::ProgramFile;
 
-/// Where a tool is taken to stand when nobody knows it, mm from the axis and from the face.
+/// The assumed position of a tool that is not known, mm from the axis and from the face.
 const FAR: f64 = 1000.0;
 
-/// Compares a program of a set-up with the part, after what the jobs of the set-ups before it have left, and tells what
-/// comes of it: what the proof finds, with the lines, or why nothing can be said.
+/// Compares a program of a set-up with the part, after the jobs of earlier set-ups. Returns the findings of the proof
+/// with their lines, or why there is no comparison.
 pub fn held(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
     let Compared { work, proven, tools } = match compared(operation, set_up, text, run) {
         Ok(compared) => compared,
@@ -44,7 +44,8 @@ pub fn held(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Ve
             return faults;
         }
     };
-    // What stands in the end is the work of all tools; what is cut or hit in a line, of the tool that moves there.
+    // The final shape is the work of all tools; what is cut or hit in a line is the work of the tool that moves
+    // there.
     let is_sure = |line: Option<u32>| match line.and_then(|line| run.motions.iter().find(|one| one.line == line)) {
         Some(motion) => taken.iter().all(|tool| motion.modes.tool.is_none_or(|of| of.number != tool.number)),
         None => taken.is_empty(),
@@ -59,8 +60,9 @@ pub fn held(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Ve
     faults
 }
 
-/// Reads a program of ours back and carries the stock through what the control makes of its text. Gives the first reason
-/// why it must not be run; none where there is none, or where nobody reads the control.
+/// Reads a program of ours back, and simulates the in-process stock with the motions that the control reads from its
+/// text. Returns the first reason why the program must not be run; none if there is none, or if no reader for the
+/// control exists.
 ///
 /// # Errors
 /// The tables of the control lack something.
@@ -87,7 +89,7 @@ pub fn read_back(
     })
 }
 
-/// The language in which programs for a control of a lathe are read back, by `lathe-controls`; none where nobody reads them.
+/// The language that reads programs for a lathe control, by `lathe-controls`; none where there is no reader.
 ///
 /// # Errors
 /// There is no such control.
@@ -125,10 +127,10 @@ fn compared<'o>(operation: &'o Operation, set_up: u8, text: &str, run: &LatheRun
     Ok(Compared { work, proven: prove_set_up(operation, &operation.proven, work, motions), tools })
 }
 
-/// Where in the list of rules these findings stand: docs/lathe-programs-read.md.
+/// The id of these findings in the list of rules: docs/lathe-programs-read.md.
 pub const RULE: &str = "part";
 
-/// The code of what says that a program was held against the part.
+/// The code of the note that a program was compared with the part.
 pub const HELD: &str = "turned-held";
 
 fn fault(code: &'static str, severity: Severity, note: Note, line: u32) -> Fault {
@@ -145,7 +147,7 @@ struct Called {
     line: u32,
     /// The job of the set-up whose tool it is.
     job: usize,
-    /// Whether the text names it; else it is taken by its place.
+    /// Whether the text names it; otherwise it is identified by its place.
     is_named: bool,
 }
 
@@ -167,13 +169,13 @@ fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) ->
         if tools.iter().any(|known| known.number == tool.number) {
             continue;
         }
-        // A remark stands in the block of the call or before it.
+        // A comment is in the block of the call or before it.
         let at = usize::try_from(line).unwrap_or(usize::MAX);
         let near = [at.checked_sub(2), at.checked_sub(1)].into_iter().flatten().filter_map(|index| lines.get(index));
         let remarks: Vec<&String> = near.collect();
         let names = |index: &usize| {
             let name = work.jobs.get(*index).map_or("", |job| &job.tool.designation);
-            // Controls show Latin letters only.
+            // Controls can show only Latin letters.
             let names = [plain(name), plain(&ascii(name))];
             names.iter().any(|name| !name.is_empty() && remarks.iter().any(|remark| remark.contains(name)))
         };
@@ -187,7 +189,7 @@ fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) ->
     tools
 }
 
-/// A text by which designations are compared: capitals, digits and what else is no blank.
+/// A text for comparing designations: capitals, digits and all other characters but blanks.
 fn plain(text: &str) -> String {
     text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_uppercase).collect()
 }
@@ -195,13 +197,13 @@ fn plain(text: &str) -> String {
 /// Why a program cannot be compared with the part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum NotHeld {
-    /// It cuts from or to a place that is not known.
+    /// It cuts from or to an unknown position.
     Place { line: u32 },
     /// It moves a tool that the set-up does not have.
     Tool { line: u32, number: u32 },
     /// It moves before it calls a tool.
     NoTool { line: u32 },
-    /// The control offsets the path by the nose (G41, G42), which is not carried out.
+    /// The control offsets the path by the nose radius (G41, G42), which is not simulated.
     Compensated { line: u32 },
 }
 
@@ -230,7 +232,7 @@ impl NotHeld {
 /// The motions of a program as the proof has them; a block of the proof is a line of the program.
 ///
 /// # Errors
-/// Something of the program is not known well enough.
+/// Something in the program is not known well enough.
 fn motions(all: &[LatheMotion], tools: &[Called]) -> Result<Vec<Motion>, NotHeld> {
     let mut motions = Vec::new();
     for one in all.iter().filter(|one| one.act.moves()) {
@@ -245,7 +247,7 @@ fn motions(all: &[LatheMotion], tools: &[Called]) -> Result<Vec<Motion>, NotHeld
             continue;
         }
         let Some(number) = one.modes.tool.map(|tool| tool.number) else {
-            // On its way to or from a place that nobody knows no tool is needed yet.
+            // On a move from or to an unknown position no tool is needed yet.
             if known.is_none() {
                 continue;
             }

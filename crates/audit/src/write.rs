@@ -1,6 +1,6 @@
-//! A plan of ours in the form of a hand-written one, to edit and audit.
+//! Writes a plan of the program in the form of a hand-written one, to edit and audit.
 //!
-//! `read` reads it back. A plan by hand has no reasons and no candidates that were compared.
+//! `read` reads it back. A hand-written plan has no reasons and no rejected candidates.
 
 use std::collections::BTreeMap;
 use std::fmt::{Display, Write as _};
@@ -13,7 +13,7 @@ use crate::units::round_to;
 /// A transition of a group of holes, by their places in the plan.
 type At = (usize, usize);
 
-/// The plan as YAML by hand; `part` is the path of its part, relative to where the text will stand.
+/// The plan as hand-written YAML; `part` is the path of its part, relative to the place of the new file.
 pub fn by_hand(plan: &Plan, part: &str) -> String {
     let rows = rows(plan);
     let mut text = String::new();
@@ -45,7 +45,7 @@ pub fn by_hand(plan: &Plan, part: &str) -> String {
     text
 }
 
-/// Every transition once, in the order in which the tools come to it; then what is done on another machine.
+/// Every transition once, in the order in which the tools come to it; then the work on another machine.
 fn rows(plan: &Plan) -> Vec<At> {
     let place = |name: &str| plan.holes.iter().position(|hole| hole.name == name);
     let stops = plan.sequence.iter().flat_map(|visit| &visit.stops);
@@ -156,7 +156,7 @@ fn conditions(transition: &Transition) -> String {
     flow.maybe("torque", own.torque_n_m.map(|torque| torque.0));
     flow.maybe("power", own.power_kw.map(|power| power.0));
     flow.put("travel", transition.travel_mm).put("time", own.machine_time_min.0);
-    // Where something else held it back, the life is that of a lower load and not the one that speeds are given for.
+    // With another limit, the life is that of a lower load, not the one for which speeds are given.
     if own.limited_by == Limit::CuttingSpeed {
         flow.put("tool_life", own.tool_life_min.0);
     }

@@ -1,7 +1,7 @@
-//! Names in the letters that every control shows.
+//! Names in letters that every control can show.
 
-/// A name as a remark: Ukrainian in Latin letters (the table of 2010), without what a control cannot show or what would
-/// end the remark.
+/// A name for a comment in a program: Ukrainian in Latin letters (the table of 2010), without characters that a
+/// control cannot show or that would end the comment.
 pub fn ascii(text: &str) -> String {
     const LATIN: [(char, &str); 34] = [
         ('а', "a"),
@@ -40,7 +40,7 @@ pub fn ascii(text: &str) -> String {
         ('ø', "D"),
     ];
     let mut latin = String::with_capacity(text.len());
-    // The name of the standards is written so in other languages.
+    // In other languages the name of the standards is written so.
     for letter in text.replace("ГОСТ", "GOST").chars() {
         let small = letter.to_lowercase().next().unwrap_or(letter);
         match LATIN.iter().find(|(known, _)| *known == small) {
@@ -54,8 +54,8 @@ pub fn ascii(text: &str) -> String {
     if acts(&latin) { format!("- {}", latin.trim_start()) } else { latin }
 }
 
-/// Whether LinuxCNC would run the remark: what those of table `iso-active-comments` begin with, which a test holds this
-/// list against.
+/// Whether LinuxCNC would execute the comment: it begins as those of table `iso-active-comments`, with which a test
+/// compares this list.
 fn acts(remark: &str) -> bool {
     const BEGINNINGS: [&str; 13] = [
         "msg,",

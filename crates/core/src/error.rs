@@ -1,5 +1,4 @@
-//! What stops planning altogether: knowledge that lacks what planning needs; and what makes it try the next
-//! alternative.
+//! What stops planning: missing knowledge; and what makes the planner try the next alternative.
 //!
 //! A hole that cannot be made is not such an error; it is a finding of the plan.
 
@@ -7,20 +6,20 @@ use crate::reason::Reason;
 
 pub use crate::knowledge::KnowledgeError;
 
-/// Why a stage stops: the knowledge cannot answer, or it answers that this cannot be done.
+/// Why a stage stops: the knowledge has no answer, or the answer is that something cannot be done.
 ///
-/// The second is the typed refusal by which the planner tries the next alternative; it becomes a finding
-/// when there is none. What a stage refuses for is a type of its own: [`Reason`] of routes and whole holes,
-/// [`crate::reason::Uncut`] of cutting conditions.
+/// The second is the typed refusal after which the planner tries the next alternative; without one it becomes a
+/// finding. The reason of a refusal is a type of the stage: [`Reason`] for routes and whole holes,
+/// [`crate::reason::Uncut`] for cutting conditions.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Refusal<W = Reason> {
-    /// Planning stops: a table lacks what is required of it.
+    /// Planning stops: a table lacks something that is required.
     Knowledge(KnowledgeError),
-    /// This alternative cannot be carried out, for that reason.
+    /// This alternative cannot be carried out, for the given reason.
     Not(W),
 }
 
-/// What a stage yields when it may refuse.
+/// The result of a stage that may refuse.
 pub type Tried<T, W = Reason> = Result<T, Refusal<W>>;
 
 impl<W, E: Into<KnowledgeError>> From<E> for Refusal<W> {
@@ -30,7 +29,7 @@ impl<W, E: Into<KnowledgeError>> From<E> for Refusal<W> {
 }
 
 impl<W> Refusal<W> {
-    /// The refusal for the reason that a later stage makes of this one; a knowledge error stays as it is.
+    /// Converts the reason of a refusal for a later stage; a knowledge error stays as it is.
     pub fn map<V>(self, other: impl FnOnce(W) -> V) -> Refusal<V> {
         match self {
             Self::Not(why) => Refusal::Not(other(why)),
@@ -38,7 +37,7 @@ impl<W> Refusal<W> {
         }
     }
 
-    /// Tells a refusal from a knowledge error, where the caller goes on after the first.
+    /// Separates refusals from knowledge errors, for callers that continue after a refusal.
     ///
     /// # Errors
     /// The knowledge error.

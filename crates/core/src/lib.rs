@@ -1,10 +1,11 @@
-//! What every room speaks of, and nothing that plans.
+//! The common types of all rooms; nothing here plans.
 //!
 //! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
-//! - [`practice_speed`] is the speed that shops use, beside what a formula computes;
+//! - [`practice_speed`] is the speed used in shops, for comparison with the formulas;
 //! - [`plan`] is the result of planning, a value; [`motion`] is what programs do;
-//! - [`note`] and [`error`] are sentences as data; [`lang`] and [`words`] the few words that are read as well as written;
-//! - [`memo`] and [`parallel`] are for many parts at once.
+//! - [`note`] and [`error`] are sentences as data; [`lang`] and [`words`] are the few words that are read as well as
+//!   written;
+//! - [`memo`] and [`parallel`] serve work on many parts at once.
 //!
 //! Architecture invariant: nothing here chooses a tool, a figure or an order.
 
@@ -26,7 +27,7 @@ pub mod shop;
 pub mod words;
 pub mod zone;
 
-// So that paths are the same here as in every room above.
+// Re-exported, so that paths are the same here as in every later room.
 use technolog_knowledge::{self as knowledge, units};
 #[cfg(test)]
 use technolog_shipped as shipped;

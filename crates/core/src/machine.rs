@@ -35,7 +35,7 @@ impl Axis {
         }
     }
 
-    /// The axis of a letter.
+    /// The axis with that letter.
     pub const fn of(letter: char) -> Option<Self> {
         match letter {
             'X' => Some(Self::X),
@@ -45,19 +45,20 @@ impl Axis {
         }
     }
 
-    /// Its number, from 0: the place in arrays of three.
+    /// Its index in arrays of three, from 0.
     pub const fn index(self) -> usize {
         self as usize
     }
 }
 
-/// A machine as planning sees it.
+/// A machine as the planner sees it.
 #[derive(Clone, Debug)]
 pub struct Machine<'k> {
     /// The table of its record.
     pub table: &'k Table,
     record: Record<'k>,
-    /// What its programs are written for, as the command line names controls; absent if the record does not say.
+    /// The control for which its programs are written, by its name on the command line; absent if the record does not
+    /// say.
     pub control: Option<&'k str>,
     /// Length of its table, along X; absent if the record does not say.
     pub table_length: Option<Micrometres>,
@@ -85,7 +86,7 @@ pub struct Machine<'k> {
     pub travel_y: Micrometres,
     /// Travel of the quill along Z, of the whole stroke.
     pub travel_z: Micrometres,
-    /// The least step that it can be told to go.
+    /// The least step of its axes.
     pub resolution: Micrometres,
     /// Largest mass of a part, kg.
     pub load_max_kg: f64,
@@ -93,12 +94,12 @@ pub struct Machine<'k> {
     pub magazine: usize,
     /// Time of one tool change.
     pub tool_change: Minutes,
-    /// Where the table stands for a tool change.
+    /// The position of the table for a tool change.
     pub tool_change_at: (Micrometres, Micrometres),
-    /// Where the quill stands for a tool change.
+    /// The position of the quill for a tool change.
     pub tool_change_z: Micrometres,
-    /// From the spindle's nose to the table with the quill up, least and greatest by the knee; absent if the record
-    /// does not say.
+    /// From the spindle nose to the table with the quill retracted, least and greatest by the knee; absent if the
+    /// record does not say.
     pub nose_to_table: Option<(Micrometres, Micrometres)>,
     /// Number of the spindle's 7:24 taper.
     pub taper: i64,
@@ -114,7 +115,7 @@ pub struct Machine<'k> {
     pub tool_mass_max_kg: f64,
     /// Accuracy of position along an axis: σc of table A.6.
     pub position_accuracy: Micrometres,
-    /// Roundness of a cylinder milled by contour; absent if the record does not say.
+    /// Circularity of a cylinder milled by contour; absent if the record does not say.
     pub roundness: Option<Micrometres>,
     /// Whether it cuts threads with a tap.
     pub can_tap: bool,
@@ -134,9 +135,9 @@ pub struct Rapid {
 }
 
 impl Rapid {
-    /// Time of a rapid along one axis, min: `d/v`, and with an acceleration `a` that both speeds up and slows
-    /// down `d/v + v/a` for a way of at least `v²/a`, `2·√(d/a)` for a shorter one (a trapezium and a triangle
-    /// of speed over time). Textbook 1.3.1 adds the same to the way of speeding up, as εр.т.
+    /// Time of a rapid along one axis, min: `d/v`; with an acceleration `a` at both ends `d/v + v/a` for a travel of
+    /// at least `v²/a`, `2·√(d/a)` for a shorter one (a trapezium and a triangle of speed over time). Textbook 1.3.1
+    /// adds the same for acceleration, as εр.т.
     pub fn time(self, way: Micrometres) -> Minutes {
         let (way, rate) = (way.abs().to_mm(), self.rate.0 / 60.0);
         let seconds = match self.acceleration.map(|acceleration| acceleration.0) {
@@ -165,7 +166,7 @@ impl<'k> Record<'k> {
 }
 
 impl<'k> Machine<'k> {
-    /// How its axes move in rapids.
+    /// The rapids of its axes.
     pub const fn rapids(&self) -> Rapid {
         Rapid { rate: self.rapid, acceleration: self.rapid_acceleration }
     }
@@ -239,7 +240,7 @@ impl<'k> Machine<'k> {
         }
     }
 
-    /// The row of a quantity, for those who cite it.
+    /// The row of a quantity, for citing it.
     ///
     /// # Errors
     /// The record does not name it.

@@ -1,4 +1,4 @@
-//! What the part is made of, as the cutting tables require it.
+//! The material of the part, as the cutting tables need it.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -31,7 +31,7 @@ pub struct Material<'k> {
     designation: &'k str,
 }
 
-/// How hard or strong the blank is; of steels the one that is not said follows from the other.
+/// Hardness or strength of the blank; for steels a missing one follows from the other.
 #[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct MaterialState {
     /// Brinell hardness, HB.
@@ -42,12 +42,12 @@ pub struct MaterialState {
     pub strength: Option<f64>,
 }
 
-/// The id of a material by itself or by an alias; else the known name that is nearest to it, if one is near.
+/// The id of a material by its name or an alias; otherwise the nearest known name, if one is near.
 ///
 /// # Errors
 /// No material has that name.
 pub fn named(knowledge: &Knowledge, text: &str) -> Result<String, Option<String>> {
-    // Knowledge without materials, as tests have it, knows no name.
+    // Knowledge without materials, as in tests, has no names.
     let grades = knowledge.rows::<MaterialGrade<'_>>().unwrap_or_default().into_iter().map(|row| (row.id, row.id));
     let aliases = knowledge.rows::<MaterialAlias<'_>>().unwrap_or_default().into_iter().map(|row| (row.alias, row.id));
     let known: Vec<(&str, &str)> = grades.chain(aliases).collect();
@@ -57,7 +57,7 @@ pub fn named(knowledge: &Knowledge, text: &str) -> Result<String, Option<String>
     }
 }
 
-/// The figures of a steel in a delivery state; none if no standard at hand has that state of it.
+/// The figures of a steel in a delivery state; none if no available standard has the steel in that state.
 pub fn delivered(knowledge: &Knowledge, material: &str, state: DeliveryState) -> Option<MaterialState> {
     let is = |row: &DeliveryStates<'_>| row.material == material && row.state == state;
     let row = knowledge.find(is).ok().flatten()?;
@@ -95,8 +95,9 @@ impl<'k> Material<'k> {
         }
     }
 
-    /// The same material in a state: hard or strong as said, and the other figure by the table `hardness-strength`, so
-    /// that feeds, speeds and forces are of one bar. Materials that the table has not keep the figure that was not said.
+    /// The material in a state: the stated hardness or strength, and the other figure by the table
+    /// `hardness-strength`, so that feeds, speeds and forces belong to one bar. Materials that are not in the table
+    /// keep the figure that is not stated.
     ///
     /// # Errors
     /// The knowledge has no such table.

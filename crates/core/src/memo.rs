@@ -14,9 +14,9 @@ impl<V> Default for Memo<V> {
 }
 
 impl<V: Clone> Memo<V> {
-    /// The value of that key, made now if it was not made before.
+    /// The value of that key, computed if it does not exist yet.
     pub fn get(&self, key: String, make: impl FnOnce() -> V) -> V {
-        // A thread that failed while it held the lock has put in an empty cell at most.
+        // A thread that failed while it held the lock has added at most an empty cell.
         let cell = self.0.lock().unwrap_or_else(PoisonError::into_inner).entry(key).or_default().clone();
         cell.get_or_init(make).clone()
     }

@@ -1,4 +1,4 @@
-//! What a plan has to say: findings, and the reasons of decisions with the rows they rest on.
+//! Findings of a plan, and the reasons of its decisions with their rows.
 
 use std::collections::BTreeMap;
 
@@ -10,18 +10,18 @@ pub use technolog_note::{Figure, Note, Told, Word};
 
 use crate::knowledge::{Answer, Column, RowRef, Source, Table};
 
-/// That a row is not confirmed, as a finding about the whole part; none where it is.
+/// A finding about the whole part that a row is not confirmed; none where it is.
 pub fn doubtful_row(row: RowRef<'_>) -> Option<Finding> {
     let doubt = Because::row(row, Note::new("unconfirmed")).doubt()?;
     Some(Finding::of_part(Severity::Doubtful, doubt))
 }
 
-/// Something about a plan that its reader must know.
+/// A remark on a plan for its reader.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {
     /// How grave.
     pub severity: Severity,
-    /// The group of holes it is about; absent: the whole part.
+    /// The group of holes it concerns; absent: the whole part.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hole: Option<String>,
     /// What it says.
@@ -40,8 +40,8 @@ impl Finding {
         Self { severity, hole: None, note }
     }
 
-    /// Sorts findings for output and removes duplicates: the gravest first, those of a hole together, those of one
-    /// table by their rows.
+    /// Sorts findings for output and removes duplicates: the most severe first, those of a hole together, those of
+    /// one table by their rows.
     pub fn in_order(findings: &mut Vec<Self>) {
         findings
             .sort_by(|a, b| (a.severity, &a.hole).cmp(&(b.severity, &b.hole)).then_with(|| a.note.in_order(&b.note)));
@@ -49,7 +49,7 @@ impl Finding {
     }
 }
 
-/// Why something was decided: the row it rests on, and what was passed over.
+/// The reason of a decision: its row, and the rejected candidates.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Because {
     /// The table.
@@ -62,7 +62,7 @@ pub struct Because {
     pub source: Option<Source>,
     /// Where it stands.
     pub place: String,
-    /// From what the row was inferred, where it was.
+    /// The data from which the row was inferred, if it was.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
     /// Why the row is not fully trusted.
@@ -71,13 +71,13 @@ pub struct Because {
     /// What was decided.
     #[serde(flatten)]
     pub note: Note,
-    /// What was considered and not taken, each with its reason.
+    /// The rejected candidates, each with its reason.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub rejected: Vec<Note>,
 }
 
 impl Because {
-    /// A decision that rests on a row.
+    /// A decision by a row.
     pub fn row(row: RowRef<'_>, note: Note) -> Self {
         let content = row.row();
         Self {
@@ -92,8 +92,7 @@ impl Because {
         }
     }
 
-    /// A decision that rests on the answer of a decision table: its winner, and the rejected rows by the
-    /// first column that failed.
+    /// A decision by a decision table: the row that applies, and the other rows with the first column that failed.
     pub fn answer(answer: &Answer<'_>, note: Note) -> Self {
         let mut by_column: BTreeMap<&str, (&Column, Vec<usize>)> = BTreeMap::new();
         for (row, column) in answer.rejected() {
@@ -109,7 +108,7 @@ impl Because {
         }
     }
 
-    /// A decision that rests on a whole table, such as that it has no row.
+    /// A decision by a whole table, for example because it has no row.
     pub fn table(table: &Table, note: Note) -> Self {
         Self {
             table: table.id.clone(),
@@ -123,14 +122,14 @@ impl Because {
         }
     }
 
-    /// With what was passed over.
+    /// Adds rejected candidates.
     #[must_use]
     pub fn over(mut self, rejected: Vec<Note>) -> Self {
         self.rejected = rejected;
         self
     }
 
-    /// That the row is not confirmed, and why; none where it is.
+    /// A note that the row is not confirmed, with the reason; none where it is.
     pub fn doubt(&self) -> Option<Note> {
         let why = self.unconfirmed.as_ref()?;
         let row = self.row.map_or_else(|| "-".told(), Told::told);
@@ -148,7 +147,7 @@ impl Because {
     }
 }
 
-/// Row numbers with runs drawn together: `1–3, 5`.
+/// Row numbers with ranges joined: `1–3, 5`.
 fn runs(rows: &[usize]) -> String {
     let runs: Vec<String> = rows
         .chunk_by(|a, b| a + 1 == *b)

@@ -1,17 +1,16 @@
-//! The same work on many things, on all cores.
+//! The same work on many inputs, on all cores.
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// The results in the order of the inputs, whichever finished first. After each one `told` gets the number that are
-/// done.
+/// The results in the order of the inputs. After each one `told` is called with the number of finished inputs.
 pub fn map<T: Sync, R: Send>(things: &[T], work: impl Fn(&T) -> R + Sync, told: impl Fn(usize) + Sync) -> Vec<R> {
     let cores = thread::available_parallelism().map_or(1, NonZero::get).min(things.len());
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let take = || {
         let mut own = Vec::new();
-        // Threads take one at a time, not a share each: inputs differ in how long they take.
+        // Threads take one input at a time, not a share each, because inputs take different times.
         loop {
             let at = next.fetch_add(1, Ordering::Relaxed);
             let Some(thing) = things.get(at) else { return own };
@@ -25,7 +24,7 @@ pub fn map<T: Sync, R: Send>(things: &[T], work: impl Fn(&T) -> R + Sync, told: 
         for thread in threads {
             match thread.join() {
                 Ok(own) => results.extend(own),
-                // A defect of the program, not of its input: it ends here as it would in one thread.
+                // A panic is a defect of the program, not of its input: it is passed on as in one thread.
                 Err(defect) => std::panic::resume_unwind(defect),
             }
         }

@@ -1,4 +1,4 @@
-//! The speeds that shops use, by the public tables of `catalogs/practice`.
+//! The speeds used in shops, by the public tables of `catalogs/practice`.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::vocabulary::ToolMaterial;
@@ -12,16 +12,16 @@ use crate::tables::practice::{
 use crate::tables::turning::jobs::GroovingPracticeFor;
 use crate::units::{Brinell, MetresPerMinute, Micrometres};
 
-/// The speeds that shops drive, m/min.
+/// The speeds used in shops, m/min.
 #[derive(Clone, Copy, Debug)]
 pub struct PracticeSpeed<'k> {
     /// The lower end.
     pub low: MetresPerMinute,
-    /// What is usual.
+    /// The usual speed.
     pub typical: MetresPerMinute,
     /// The upper end.
     pub high: MetresPerMinute,
-    /// The row that says so.
+    /// The row that gives them.
     pub row: RowRef<'k>,
 }
 
@@ -83,11 +83,11 @@ impl<'k> PracticeSpeed<'k> {
         }
     }
 
-    /// What shops drive with a carbide insert on a lathe; of a bar in a bore a share of it. Nothing where the tables have
-    /// no figure.
+    /// The speeds used in shops for a carbide insert on a lathe; for a bar in a bore a share of them. None where the
+    /// tables have no figure.
     ///
-    /// The usual speed and the lower end are those of uncoated carbide, of which the catalogs' tools are; the upper end
-    /// is that of coated carbide where that is faster, because the pages on uncoated grades are of an older generation.
+    /// The usual speed and the lower end are those of uncoated carbide, as the catalogs' tools are. The upper end is
+    /// that of coated carbide where that is faster, because the pages on uncoated grades are of an older generation.
     ///
     /// # Errors
     /// The tables cannot answer.
@@ -107,7 +107,7 @@ impl<'k> PracticeSpeed<'k> {
         if inner { Self::share(SharedWork::Bore, turned, knowledge) } else { Ok(turned) }
     }
 
-    /// What shops drive with the blade of a grooving insert of a width; none if the table has no figure.
+    /// The speeds used in shops for the blade of a grooving insert of that width; none if the table has no figure.
     ///
     /// # Errors
     /// The table cannot answer.
@@ -141,7 +141,7 @@ impl<'k> PracticeSpeed<'k> {
         Ok(row.map(|row| Self::new(row.speed_low, row.speed_high, row.row)))
     }
 
-    /// Of operations that have no rows of their own: a share of drilling or turning.
+    /// For operations without rows of their own: a share of drilling or turning.
     fn share(
         operation: SharedWork,
         of: Option<Self>,
@@ -152,7 +152,7 @@ impl<'k> PracticeSpeed<'k> {
     }
 }
 
-/// The rows of the pages for the material; none for a hardness or a grade of somebody's own tables, which they lack.
+/// The rows for the material; none for a hardness or a grade from tables of the user, which they lack.
 ///
 /// # Errors
 /// The rule `practice-group` cannot answer.

@@ -1,4 +1,4 @@
-//! Rows of the tables that planning goes through again and again: each table is read once for a part.
+//! Rows of tables that planning reads again and again: each table is read once for a part.
 
 use std::sync::OnceLock;
 use technolog_note::note;
@@ -13,7 +13,7 @@ use crate::tables::materials::Clamping;
 use crate::tables::standards::MorseTaper;
 use crate::tables::tools::CutterRow;
 
-/// Tables taken down and read when they are first asked.
+/// Tables that are read at their first use.
 #[derive(Debug)]
 pub struct Shelf<'k> {
     knowledge: &'k Knowledge,
@@ -30,7 +30,7 @@ pub struct Shelf<'k> {
 pub struct CutterTable<'k> {
     /// The table.
     pub table: &'k Table,
-    /// What it says of all its cutters.
+    /// The head of the table, for all its cutters.
     pub head: &'k ToolHead,
     rows: Rows<CutterRow<'k>>,
 }
@@ -59,7 +59,7 @@ impl<'k> CutterTable<'k> {
     /// Its rows.
     ///
     /// # Errors
-    /// A row is not what its contract says; never of a table that was checked.
+    /// A row breaks its contract; this does not happen to checked tables.
     pub fn rows(&self) -> Result<&[CutterRow<'k>], TableError> {
         self.rows.of(|| Ok(self.table))
     }
@@ -101,7 +101,7 @@ impl<'k> Shelf<'k> {
     /// Every cutter that makes a transition, whatever its size.
     ///
     /// # Errors
-    /// A row is not what its contract says; never of tables that were checked.
+    /// A row breaks its contract; this does not happen to checked tables.
     pub fn cutters_for(&self, operation: Operation) -> Result<Vec<&CutterRow<'k>>, TableError> {
         let mut found = Vec::new();
         for tables in self.cutters.iter().filter(|tables| tables.head.operations.contains(&operation)) {

@@ -25,7 +25,7 @@ pub struct Shop<'k> {
     pub material: Material<'k>,
     /// How cutting conditions are found.
     pub method: CuttingMethod,
-    /// Tables that are asked again and again.
+    /// Tables that are read again and again.
     pub shelf: Arc<Shelf<'k>>,
 }
 
@@ -38,7 +38,7 @@ impl<'k> Shop<'k> {
         Ok(self.default_row(name)?.value)
     }
 
-    /// A row of the conventions in `hole-defaults`, for those who cite it.
+    /// A row of the conventions in `hole-defaults`, for citing it.
     ///
     /// # Errors
     /// The table does not name it.
@@ -66,7 +66,7 @@ impl<'k> Shop<'k> {
         Ok(Micrometres::from_mm_rounded(self.share(name)?))
     }
 
-    /// Whether an operation is cooled where its speed does not say, by the rule `coolant`.
+    /// Whether an operation uses coolant where its speed does not say so, by the rule `coolant`.
     ///
     /// # Errors
     /// The rule does not say it.
@@ -77,7 +77,7 @@ impl<'k> Shop<'k> {
         Ok((cooled, Because::answer(&asked.answer, note.with("operation", Figure::operation(operation.name())))))
     }
 
-    /// The same shop with a machine that bears any load and any tool: for work on another machine, whose limits are not
+    /// The shop with a machine without limits of load and tool: for work on another machine, whose limits are not
     /// known. Its spindle steps stay, as a guide.
     #[must_use]
     pub fn without_limits(&self) -> Self {

@@ -1,4 +1,5 @@
-//! Names of operations, quantities and units: plans written by people are read by the first, pages print them all.
+//! Names of operations, quantities and units. Hand-written plans are read by the names of operations; pages print all
+//! of them.
 
 use crate::knowledge::Word as _;
 use crate::knowledge::units::Unit;
@@ -11,10 +12,10 @@ pub fn operation_verb(name: &str, lang: Lang) -> &str {
     lang.form("operation", name, "verb")
 }
 
-/// The operation that is called so, as an instruction or as a noun, in whatever case.
+/// The operation of a word, given as an instruction or as a noun, in any letter case.
 pub fn operation_named(text: &str, lang: Lang) -> Option<Operation> {
     let text = text.trim().to_lowercase();
-    // The letters of our words have no other length in lower case.
+    // The letters of these words have the same length in lower case.
     let same = |word: &str| word.len() == text.len() && word.to_lowercase() == text;
     let name =
         Operation::WORDS.iter().find(|name| same(operation_verb(name, lang)) || same(operation_noun(name, lang)))?;
@@ -29,7 +30,7 @@ pub fn operation_noun(name: &str, lang: Lang) -> &str {
 /// The name of a figure of a plan: `глибина різання`.
 pub fn quantity_noun(quantity: Quantity, lang: Lang) -> &'static str {
     let key = quantity.key();
-    // A key of two parts has a point, which no name of a message has.
+    // A key of two parts has a point, which names of messages cannot have.
     lang.find(&format!("quantity-{}", key.replace('.', "-"))).unwrap_or(key)
 }
 
@@ -37,7 +38,7 @@ pub fn quantity_noun(quantity: Quantity, lang: Lang) -> &'static str {
 pub fn unit(unit: Unit, lang: Lang) -> &'static str {
     match unit {
         Unit::None => "",
-        // Some are written alike in every language.
+        // Some are the same in every language.
         _ => lang.find(&format!("unit-{}", unit.text().replace(['*', '/'], "-"))).unwrap_or(unit.text()),
     }
 }

@@ -1,4 +1,4 @@
-//! The machine's working zone: what a part and its tools need of it, the same for planning, jobs and audits.
+//! The working zone of the machine: the space that a part and its tools need; used by planning, jobs and audits.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -9,37 +9,38 @@ use crate::part::Part;
 use crate::tables::rules::{Approach, ApproachFor};
 use crate::units::Micrometres;
 
-/// A tool between the height at which it passes over the part and its lowest point; heights of its tip over the table.
+/// The stroke of a tool between its height above the part and its lowest point; heights of its tip above the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stroke {
     /// From the spindle's nose to its tip.
     pub length: Micrometres,
-    /// Where it passes over the part.
+    /// The height at which it passes above the part.
     pub highest: Micrometres,
-    /// Where it has done its work.
+    /// Its lowest point.
     pub lowest: Micrometres,
 }
 
 impl Stroke {
-    /// From the table to the spindle's nose with the quill up: the least at which the tool passes over the part.
+    /// The height of the spindle nose above the table with the quill retracted: the least at which the tool passes
+    /// above the part.
     pub fn passes_from(&self) -> Micrometres {
         self.highest + self.length
     }
 
-    /// How far the quill comes down to the tool's lowest point, where its nose stands so high when it is up.
+    /// The travel of the quill to the tool's lowest point, if the nose has that height with the quill retracted.
     pub fn way(&self, nose: Micrometres) -> Micrometres {
         nose - self.lowest - self.length
     }
 }
 
-/// The lowest height of the spindle's nose over the table with the quill up: what the most demanding tool allows, but
-/// not below the machine's least; `None` without tools.
+/// The lowest height of the spindle nose above the table with the quill retracted: what the most demanding tool
+/// allows, but not below the machine's least; `None` without tools.
 pub fn lowest_nose(strokes: &[Stroke], least: Option<Micrometres>) -> Option<Micrometres> {
     let needed = strokes.iter().map(Stroke::passes_from).max()?;
     Some(least.map_or(needed, |least| least.max(needed)))
 }
 
-/// The axes of the table, each with the least and the greatest coordinate of the holes; none where there is no hole.
+/// The axes of the table, each with the least and the greatest coordinate of the holes; none without holes.
 pub fn spans(part: &Part) -> impl Iterator<Item = (Axis, Micrometres, Micrometres)> {
     let points = || part.holes.iter().flat_map(|hole| &hole.at);
     let x = points().map(|point| point.x).min().zip(points().map(|point| point.x).max());
@@ -47,7 +48,7 @@ pub fn spans(part: &Part) -> impl Iterator<Item = (Axis, Micrometres, Micrometre
     [(Axis::X, x), (Axis::Y, y)].into_iter().filter_map(|(axis, span)| span.map(|(low, high)| (axis, low, high)))
 }
 
-/// What of a part goes beyond the machine's table.
+/// A limit of the machine's table that a part exceeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum OffTable {
@@ -69,7 +70,7 @@ impl OffTable {
     }
 }
 
-/// Whether the blank is light enough for the table, and the holes lie within its travel: what does not.
+/// The limits of the table that a part exceeds: its mass, and its travel for the holes.
 pub fn off_table(part: &Part, machine: &Machine<'_>) -> Vec<OffTable> {
     let limit = machine.load_max_kg;
     let heavy = part.mass_kg.filter(|mass| *mass > limit).map(|mass| OffTable::TooHeavy { mass, limit });
@@ -80,8 +81,8 @@ pub fn off_table(part: &Part, machine: &Machine<'_>) -> Vec<OffTable> {
     heavy.into_iter().chain(beyond).collect()
 }
 
-/// The row of the rule `approach` for a part: how far before the metal the feed begins (`approach`), and how far a tool
-/// comes out of a hole (`overrun`); textbook 1.4, l. 413-418.
+/// The row of the rule `approach` for a part: the distance before the metal where the feed begins (`approach`), and
+/// how far a tool comes out of a hole (`overrun`); textbook 1.4, l. 413-418.
 ///
 /// # Errors
 /// The rule has no row.

@@ -13,7 +13,7 @@ use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors, figures};
 /// Turning formulas, speed × 0.9 for internal work (Косилова/Мещеряков т.2; facts 1.8).
 ///
 /// - V = Cv / (T^m·t^x·s^y)·Kmv·Kpv·0.9;
-/// - Pz = 10·Cp·t^x·s^y·V^n·Kp, N, with V the speed that is driven; the torque is Pz·D/2.
+/// - Pz = 10·Cp·t^x·s^y·V^n·Kp, N, with V the speed used; the torque is Pz·D/2.
 pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let (tabulated, reason) = feed(cut, shop)?;
     let feed = taken.unwrap_or(tabulated);
@@ -39,7 +39,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     }
 
     let mut loads = Loads::default();
-    // Without a row of forces the pass is still cut; its torque is left out and not guessed.
+    // Without a row of forces the pass is cut all the same; its torque is left out, not guessed.
     let question = |material_group| BoringForceFor { material_group, tool_material: cut.tool_material };
     if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
         let row = &figures.row;
@@ -79,7 +79,7 @@ fn feed(cut: &Cut, shop: &Shop<'_>) -> Tried<(MillimetresPerRev, Because), Uncut
     let finish = shop.knowledge.table(BoringFinishFeedFor::TABLE)?;
     let column = nearest_column(finish, limit).ok_or(Refusal::Not(Uncut::TooFineToBore { roughness: limit }))?;
     if column < limit && column_is_coarsest(finish, column) {
-        // A coarser surface than the table goes to is no reason to feed faster than the stage does.
+        // A surface coarser than the table is no reason for a feed above that of the stage.
         return Ok(by_stage);
     }
     let nose = nose.to_string();
@@ -90,7 +90,7 @@ fn feed(cut: &Cut, shop: &Shop<'_>) -> Tried<(MillimetresPerRev, Because), Uncut
     Ok((MillimetresPerRev(feed), because))
 }
 
-/// The coarsest roughness of the table that still holds the limit.
+/// The coarsest roughness of the table that is within the limit.
 fn nearest_column(table: &Table, limit: Roughness) -> Option<Roughness> {
     columns(table).into_iter().filter(|column| *column <= limit).max()
 }

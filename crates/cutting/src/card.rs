@@ -16,13 +16,14 @@ use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, 
 use super::drilling::Base;
 use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, power_of, rpm_at};
 
-/// What the cards do not contain, so that a plan by them needs another source there.
+/// What the cards do not contain, so that a plan by cards needs another source there.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum CardDoubt {
-    /// At a known point of drilling out the card's forces, N and kW, are not those of the formula that are taken.
+    /// At a known point of drilling out, the forces of the card, N and kW, differ from those of the formula that are
+    /// used.
     ForcesDiffer { speed: f64, thrust: f64, power: f64 },
-    /// The card's own factors of depth are not at hand; the handbook's would be this one, at so many diameters.
+    /// The depth factors of the card are not available; that of the handbook would be `factor`, at `ratio` diameters.
     WithoutDepth { table: String, ratio: f64, factor: f64 },
     /// The card's factors are those of the worked example's grade.
     OtherGrade { material: String, example: String },
@@ -44,14 +45,14 @@ impl CardDoubt {
     }
 }
 
-/// What a point of the card prints: speed, thrust and power.
+/// The figures of a card point: speed, thrust and power.
 fn point(code: &'static str, [speed, thrust, power]: [f64; 3]) -> Note {
     Note::new(code).with("speed", speed).with("thrust", thrust).with("power", power)
 }
 
-/// Conditions by the card: its point for steel, then the worked example's factors of the material group;
-/// `loads` are those of the formula for the material at hand. `part` is what the skin of the
-/// blank makes of the speed by the handbook's table: the card's own factor, Kvw, is known only where it is 1.
+/// Conditions by the card: its point for steel, then the worked example's factors of the material group. `loads` are
+/// those of the formula for the actual material. `part` is the speed factor for the skin of the blank by the
+/// handbook's table: the card's own factor, Kvw, is known only where it is 1.
 pub(super) fn draft(
     cut: &Cut,
     feed: MillimetresPerRev,
@@ -67,7 +68,7 @@ pub(super) fn draft(
         Ok(row.factor)
     };
     let speed = MetresPerMinute(base.speed * calibrated(CardRatio::Speed)?);
-    // Drilling-out forces of the card are not those of the formula; nothing is calibrated on one point.
+    // The drilling-out forces of the card differ from the formula; one point is not enough for calibration.
     let (thrust_factor, power_factor) = match cut.operation {
         Operation::DrillOut => (1.0, 1.0),
         _ => (calibrated(CardRatio::Thrust)?, calibrated(CardRatio::Power)?),
@@ -100,8 +101,8 @@ pub(super) fn draft(
         axial_force_by_book_n: force.map(|force| Newtons(force.0 / material).rounded(0)),
         power_by_book_kw: power.map(|power| Kilowatts(power.0 / material).rounded(2)),
     };
-    // The worked example divides force and power by the factor by which it raises the feed. What the
-    // machine and the clamps must bear is the formula's load at the feed really taken.
+    // The worked example divides force and power by the factor of its higher feed. The loads on machine and clamps
+    // are those of the formula at the real feed.
     Ok(DraftConditions {
         feed: MillimetresPerRev(feed.0 * material),
         speed: MetresPerMinute(speed.0 * product * part),
@@ -117,7 +118,7 @@ pub(super) fn draft(
     })
 }
 
-/// The printed point of the card, where this cut is one of the three, with what it prints.
+/// The printed point of the card, if this cut is one of the three, with its figures.
 fn known_point<'k>(
     cut: &Cut,
     feed: MillimetresPerRev,

@@ -9,9 +9,9 @@ use super::{Cut, DraftConditions, drilling, feed, figures};
 
 /// Conditions by the coefficients of core drilling (Косилова/Мещеряков т.2, tables 29, 30, 32; facts 1.2-1.4).
 ///
-/// The handbook has no coefficients of its own for tools that widen the mouth of a hole; the rule
-/// `stand-in-operation` names those of core drilling, whose teeth and depth of cut are nearest. The feed has a
-/// table of its own, `counterboring-feed`.
+/// The handbook has no coefficients for tools that widen the mouth of a hole; the rule `stand-in-operation` takes
+/// those of core drilling, whose teeth and depth of cut are nearest. The feed has a table of its own,
+/// `counterboring-feed`.
 ///
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min;
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;

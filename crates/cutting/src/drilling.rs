@@ -15,7 +15,7 @@ use super::figures::Asking;
 use super::laws::{self, LoadLaw, SpeedLaw};
 use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, card, factors};
 
-/// The operation by which the coefficient tables know this transition: centring is drilling.
+/// The name of this transition in the coefficient tables: centring is drilling.
 pub(super) fn table_operation(operation: Operation) -> Coefficients {
     match operation {
         Operation::DrillOut => Coefficients::DrillOut,
@@ -33,7 +33,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     by_tables(cut, feed::tabulated(cut, shop)?.or(in_table(cut, taken, shop)?), shop)
 }
 
-/// A feed as the tables would have it: the cards raise theirs by a factor of the material afterwards.
+/// A feed as in the tables: the cards raise theirs by a material factor afterwards.
 fn in_table(
     cut: &Cut,
     taken: Option<MillimetresPerRev>,
@@ -45,12 +45,12 @@ fn in_table(
     }
 }
 
-/// Whether the normative cards are asked: they know nothing of core drills.
+/// Whether the normative cards are used: they have no core drills.
 fn by_card(cut: &Cut, shop: &Shop<'_>) -> bool {
     shop.method == CuttingMethod::Card && cut.operation != Operation::CoreDrill
 }
 
-/// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
+/// The same for a feed found elsewhere, as for tools without coefficients of their own.
 pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let Feed { feed, mut because, mut doubts } = feed;
     let mut base = base(cut, feed, shop)?;
@@ -91,8 +91,8 @@ pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<DraftCo
     })
 }
 
-/// Kv = Kmv·Kpv·Klv, and what the cards leave out of it. A row of another group is for its own reference material, so
-/// the factor of the actual material does not apply.
+/// Kv = Kmv·Kpv·Klv, and the factor that the cards leave out. A row of another group is for its own reference
+/// material, so the factor of the actual material does not apply.
 pub(super) fn speed_corrections<'k>(
     cut: &Cut,
     own_row: bool,
@@ -116,7 +116,7 @@ pub(super) fn speed_corrections<'k>(
 pub(super) struct Base {
     /// m/min.
     pub speed: f64,
-    /// Whether the speed row is the material's own.
+    /// Whether the speed row belongs to the material's own group.
     pub own_speed: bool,
     pub tool_life: Minutes,
     /// m of V ~ 1/T^m.
@@ -124,7 +124,7 @@ pub(super) struct Base {
     /// Whether the speed is for cutting with coolant, where the row says.
     pub coolant: Option<bool>,
     pub loads: Loads,
-    /// Whether the row of loads is the material's own.
+    /// Whether the row of loads belongs to the material's own group.
     pub own_loads: bool,
     pub because: Vec<Because>,
 }
@@ -141,7 +141,7 @@ fn base(cut: &Cut, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base, Uncu
 
     let mut loads = Loads::default();
     let mut own_loads = true;
-    // Without a row of loads the transition is still cut; its forces are left out and not guessed.
+    // Without a row of loads the transition is cut all the same; its forces are left out, not guessed.
     if let Ok((torque, thrust, figures)) = Refusal::split(laws::loads(operation, cut.tool_material, shop))? {
         let of_feed = |law: LoadLaw| PowerLaw::of_feed(law.without_feed(d, t), law.y);
         loads = Loads { torque: Some(of_feed(torque)), thrust: Some(of_feed(thrust)) };

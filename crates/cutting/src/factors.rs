@@ -95,7 +95,7 @@ pub fn material_force<'k>(
     Ok((factor, Because::row(row.row, shown("material-force-factor", factor))))
 }
 
-/// The figure of the reference material and that of ours, MPa or HB; none for alloys, which have classes.
+/// The figure of the reference material and that of the actual one, MPa or HB; none for alloys, which have classes.
 fn compared(reference: Reference, material: &Material<'_>) -> Option<(f64, f64)> {
     let (strength, hardness) = (material.strength.to_f64(), material.hardness.to_f64());
     match reference {
@@ -172,8 +172,9 @@ fn depth_ratio(cut: &Cut) -> f64 {
 
 /// The factor of depth of a table, or beyond it by the rule `depth-beyond`.
 ///
-/// The cards have their own factors of depth, which are not at hand; the worked example takes 1 at 3.5 diameters, where
-/// the handbook does not. By the card method the factor is therefore 1, and the reason tells which one was left out.
+/// The cards have their own depth factors, which are not available; the worked example takes 1 at 3.5 diameters,
+/// where the handbook does not. So the factor of the card method is 1, and the reason names the factor that was left
+/// out.
 fn by_depth<'k>(
     table: &'static str,
     depth_ratio: f64,
@@ -196,7 +197,7 @@ fn by_depth<'k>(
     Ok(ByDepth { factor: (factor, Because::row(row, shown(table, factor))), left_out: None })
 }
 
-/// Tool life by the handbook's table, by `tool-life-beyond` where that has no cell, or by a stand-in.
+/// Tool life by the handbook's table; where that has no cell by `tool-life-beyond`, or of a replacement.
 pub(crate) fn tool_life<'k>(
     operation: Coefficients,
     cut: &Cut,
@@ -222,7 +223,7 @@ pub fn single_point_life(knowledge: &Knowledge) -> Result<(Minutes, Because), Kn
     Ok((life, Because::row(row.row, lasts(life))))
 }
 
-/// What the speed of turning is multiplied by in a bore, by `boring-parameters`.
+/// The factor on the turning speed inside a bore, by `boring-parameters`.
 ///
 /// # Errors
 /// The table does not have it.
@@ -236,7 +237,7 @@ fn boring_constant(name: BoringConstant, knowledge: &Knowledge) -> Result<Boring
     knowledge.need(name.name(), |row: &BoringParameters<'_>| row.name.is(name))
 }
 
-/// How long a tool lasts, in words.
+/// A tool life in words.
 pub(crate) fn lasts(life: Minutes) -> Note {
     Note::new("tool-life").with("minutes", life.0)
 }

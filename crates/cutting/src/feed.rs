@@ -22,12 +22,12 @@ use super::{Cut, factors, figures};
 pub(super) struct Feed {
     pub feed: MillimetresPerRev,
     pub because: Vec<Because>,
-    /// What the cards cannot give for it.
+    /// What the cards cannot give for the feed.
     pub doubts: Vec<CardDoubt>,
 }
 
 impl Feed {
-    /// The same with the feed taken instead of the tabulated one.
+    /// The same with the feed `taken`, if given, in place of the tabulated one.
     pub fn or(self, taken: Option<MillimetresPerRev>) -> Self {
         Self { feed: taken.unwrap_or(self.feed), ..self }
     }
@@ -64,10 +64,10 @@ pub(super) fn tabulated<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Un
     Ok(Feed { feed: MillimetresPerRev(feed), because, doubts })
 }
 
-/// A tabulated feed, and the diameter it was asked at where that is not the cut's.
+/// A tabulated feed, and the diameter of the query where it is not that of the cut.
 type Upper<'k> = (Figures<'k, MillimetresPerRev>, Option<Micrometres>);
 
-/// The upper end of the feeds of the table that a choice names.
+/// The upper end of the feeds in the table that a choice names.
 fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &impl Asking<'k>) -> Tried<Upper<'k>, Uncut> {
     let hardness = Brinell(shop.material().hardness);
     match choice.feed_table {
@@ -105,7 +105,7 @@ fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &impl Asking<'k>) -> Trie
     }
 }
 
-/// The feed of one table; `column` is that of the diameter.
+/// The feed of one table; `column` is the column of the diameter.
 fn at<'k, Q: Question, A: Asking<'k>>(
     column: impl Fn(&Table) -> Option<&Column>,
     question: impl Fn(&'k str, Micrometres) -> Q,
@@ -118,7 +118,7 @@ fn at<'k, Q: Question, A: Asking<'k>>(
     Ok((figures.map(feed), first))
 }
 
-/// The first diameter of a table, where the one that is required lies below it (a centring spot of 1.8 mm).
+/// The first diameter of a table, where the required one is smaller (a centring spot of 1.8 mm).
 fn first_above(diameter: Micrometres, column: Option<&Column>) -> Option<Micrometres> {
     let (first, _) = *column?.domain.as_ref()?.intervals().first()?;
     (diameter.micrometres() < first).then(|| Micrometres::new(first))

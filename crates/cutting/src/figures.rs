@@ -1,5 +1,5 @@
 //! Queries of the cutting tables: the row of the material's own group, or by the rule `stand-in-material` that of
-//! another group, marked as such. A figure is never guessed silently.
+//! another group, marked as a replacement. A figure is never guessed silently.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::contract::{Question, TableRow};
@@ -12,7 +12,7 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::rules::{StandInMaterial, StandInMaterialFor, StandInOperationFor, StandInToolMaterialFor};
 
-/// Where cutting tables are queried for: a drilling machine, or a cut on a lathe.
+/// The context of a cutting table query: a machine for holes, or a cut on a lathe.
 pub trait Asking<'k> {
     /// Every table.
     fn knowledge(&self) -> &'k Knowledge;
@@ -42,16 +42,16 @@ impl<'k> Asking<'k> for Shop<'k> {
 pub struct Figures<'k, R> {
     /// The row.
     pub row: R,
-    /// The same, to be cited.
+    /// The row, for citing it.
     cited: RowRef<'k>,
-    /// Why the row of another group or tool material is used; empty for the material's own.
+    /// Why the row of another group or tool material is used; empty for a row of the material itself.
     stand_in: Vec<Because>,
-    /// Whether the row is of the material's own group, whatever tool material it is of.
+    /// Whether the row belongs to the material's own group, for any tool material.
     own_group: bool,
 }
 
 impl<'k, R> Figures<'k, R> {
-    /// Whether the row is of the material's own group, so that the material's factor applies to it.
+    /// Whether the row belongs to the material's own group, so that the material's factor applies to it.
     pub fn own(&self) -> bool {
         self.own_group
     }
@@ -61,14 +61,14 @@ impl<'k, R> Figures<'k, R> {
         std::iter::once(Because::row(self.cited, note)).chain(self.stand_in.clone()).collect()
     }
 
-    /// The same with the relevant figures of the row.
+    /// The same with only the relevant figures of the row.
     pub fn map<T>(self, of: impl FnOnce(R) -> T) -> Figures<'k, T> {
         let Self { row, cited, stand_in, own_group } = self;
         Figures { row: of(row), cited, stand_in, own_group }
     }
 }
 
-/// The row of a table for the shop's material; `question` asks of a material group.
+/// The row of a table for the shop's material; `question` makes the query for a material group.
 ///
 /// # Errors
 /// The table has no figure for the material, or the knowledge base has no answer.
@@ -88,9 +88,9 @@ pub fn ask<'k, Q: Question>(
     Err(missing(Q::TABLE, shop))
 }
 
-/// The row of a table for the shop's material and a tool material; where it has none for that tool, the row
-/// of the tool material that the rule `stand-in-tool-material` names. With the tool material whose row it is: the
-/// material's factor is of that one too.
+/// The row of a table for the shop's material and a tool material; if there is none, the row of the tool material
+/// that the rule `stand-in-tool-material` names. Returned with the tool material of the row, because the material's
+/// factor depends on it.
 pub(crate) fn ask_of_tool<'k, Q: Question>(
     question: impl Fn(&'k str, ToolMaterial) -> Q,
     tool_material: ToolMaterial,
@@ -146,8 +146,8 @@ pub(crate) fn stand_in_operation<'k>(
     Ok((rule.instead, Because::row(rule.row, note)))
 }
 
-/// The row that answers, as its figures and to be cited; none if the table has none. A figure outside the range of the
-/// table counts as missing.
+/// The row that answers, with its figures; none if the table has none. A query outside the range of the table counts
+/// as missing.
 ///
 /// # Errors
 /// The knowledge base has no answer.

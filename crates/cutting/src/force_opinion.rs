@@ -1,7 +1,8 @@
-//! A second opinion on forces: the specific cutting force and a maker's formulas beside those of the handbook.
+//! A second source for forces: the specific cutting force and a maker's formulas, compared with those of the
+//! handbook.
 //!
-//! The formula remains the method. If its torque is less than two thirds of the other, the rule `force-opinion` takes
-//! the other: machine and clamps must withstand the larger.
+//! The formula is the main method. If its torque is less than two thirds of the other, the rule `force-opinion` takes
+//! the other, because machine and clamps must bear the larger one.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
@@ -50,8 +51,9 @@ pub(super) fn hold_torque(
     Ok(())
 }
 
-/// Thrust and torque of a drill by a maker's formulas beside ours: P = 570·K·D·s^0.85 N, M = K·D²·(0.0063 + 0.1684·s)
-/// N·m, D in mm, s in mm/rev (tables `drill-force-formula`, `drill-force-factor`); none if the pages have no K.
+/// Thrust and torque of a drill by a maker's formulas, for comparison: P = 570·K·D·s^0.85 N, M = K·D²·(0.0063 +
+/// 0.1684·s) N·m, D in mm, s in mm/rev (tables `drill-force-formula`, `drill-force-factor`); none if the pages have
+/// no K.
 pub(super) fn makers(cut: &Cut, found: &Conditions, shop: &Shop<'_>) -> Result<Option<Because>, KnowledgeError> {
     let (Some(thrust), Some(torque)) = (found.axial_force_n, found.torque_n_m) else { return Ok(None) };
     if cut.operation != Operation::Drill || thrust.0 <= 0.0 || torque.0 <= 0.0 {

@@ -29,8 +29,8 @@ pub struct Handbook {
     pub loads_because: Vec<Because>,
 }
 
-/// The operation by which the tables of speed and tool life know a transition; none for those that they do not have
-/// (boring, milling, tapping, and tools that borrow the figures of others).
+/// The name of a transition in the tables of speed and tool life; none for transitions that they lack (boring,
+/// milling, tapping, and tools with figures of other tools).
 pub fn operation_of(operation: Operation) -> Option<Coefficients> {
     match operation {
         Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
@@ -49,7 +49,7 @@ pub fn tool_life<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Option<(Minutes
     operation_of(cut.operation).map(|operation| factors::tool_life(operation, cut, shop)).transpose()
 }
 
-/// The formulas of a cut at a feed; none for transitions that they do not cover. Reamers have no loads here: theirs
+/// The formulas of a cut at a feed; none for transitions that they do not cover. Reamers have no loads here: those
 /// need the number of teeth.
 ///
 /// # Errors

@@ -30,7 +30,7 @@ impl SpeedLaw {
             / (libm::pow(life, self.m) * libm::pow(depth_of_cut, self.x) * libm::pow(feed, self.y))
     }
 
-    /// The tool life at another speed than the one that gives `life`, min: T·(V/V1)^(1/m).
+    /// The tool life at another speed than that of `life`, min: T·(V/V1)^(1/m).
     pub fn life_at(&self, life: f64, speed: f64, other: f64) -> f64 {
         life * libm::pow(speed / other, 1.0 / self.m)
     }
@@ -55,7 +55,7 @@ impl LoadLaw {
         self.without_feed(diameter, depth_of_cut) * libm::pow(feed, self.y)
     }
 
-    /// What the feed's power is multiplied by.
+    /// The factor on the power of the feed.
     pub(super) fn without_feed(&self, diameter: f64, depth_of_cut: f64) -> f64 {
         self.factor * libm::pow(diameter, self.q) * libm::pow(depth_of_cut, self.x)
     }

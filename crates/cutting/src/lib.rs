@@ -1,7 +1,7 @@
-//! Cutting conditions: feed, speed, spindle step, forces, time, held by the machine's limits.
+//! Cutting conditions: feed, speed, spindle step, forces and time, within the limits of the machine.
 //!
-//! Every formula is a named function with its source; every coefficient is a catalog row, and the rows
-//! used stand in the result's `because`.
+//! Every formula is a named function with its source; every coefficient is a catalog row, and the rows used are in
+//! `because` of the result.
 
 mod boring;
 mod card;
@@ -20,7 +20,7 @@ mod reaming;
 mod settle;
 mod tapping;
 
-// The rooms below, under one name each in the whole program.
+// The types of other crates, under one name each in the whole program.
 use technolog_core::{error, material, note, plan, practice_speed, reason, shop};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_tables as tables;
@@ -43,17 +43,17 @@ pub use limits::spindle_step;
 use practice::Held;
 use settle::Settled;
 
-/// What is cut.
+/// A cut.
 #[derive(Clone, Copy, Debug)]
 pub struct Cut {
     /// The transition.
     pub operation: Operation,
     /// The diameter it leaves; for centring that of the spot, for a cone its widest, for a thread its nominal.
     pub diameter: Micrometres,
-    /// The narrow diameter of a step drill, which bears less feed than the wide one; absent for other tools.
+    /// The narrow diameter of a step drill, which permits less feed than the wide one; absent for other tools.
     pub feed_diameter: Option<Micrometres>,
-    /// The diameter of the tool where it must bear the torque, when it is not that of the cut: of a spotting drill
-    /// its own, of a step drill its narrow part.
+    /// The diameter where the tool bears the torque, if it is not that of the cut: of a spotting drill its own, of a
+    /// step drill its narrow part.
     pub tool_diameter: Option<Micrometres>,
     /// The diameter before it; zero in solid metal.
     pub from: Micrometres,
@@ -63,11 +63,11 @@ pub struct Cut {
     pub depth: Micrometres,
     /// Working travel of one pass.
     pub travel: Micrometres,
-    /// What the tool is of.
+    /// The material of the tool.
     pub tool_material: ToolMaterial,
     /// Nose radius of a boring bar's insert.
     pub nose_radius: Option<Micrometres>,
-    /// The roughness this transition must leave, when it is the last.
+    /// The roughness that this transition must leave, if it is the last one.
     pub roughness: Option<Roughness>,
     /// Whether a reamer follows.
     pub reamer_follows: bool,
@@ -83,7 +83,7 @@ pub struct Cut {
     pub cutter: Option<CutterShape>,
 }
 
-/// What the conditions of milling need of a mill.
+/// The figures of a mill for its conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CutterShape {
     /// Its own diameter, not that of the hole.
@@ -101,13 +101,13 @@ impl Cut {
     }
 }
 
-/// Conditions on the way: what a formula yields, before and after the machine's limits.
+/// Draft conditions: the result of a formula, before and after the machine's limits.
 #[derive(Clone, Debug)]
 struct DraftConditions {
     feed: MillimetresPerRev,
     speed: MetresPerMinute,
     tool_life: Minutes,
-    /// m of V ~ 1/T^m, to turn another speed back into a tool life.
+    /// m of V ~ 1/T^m, to convert another speed into a tool life.
     life_exponent: f64,
     coolant: Option<bool>,
     loads: Loads,
@@ -119,21 +119,21 @@ struct DraftConditions {
     rounds: Option<crate::plan::Rounds>,
 }
 
-/// How the tool moves: what the spindle turns, how deep it cuts and how far it is fed.
+/// The motion of a tool: the rotating diameter, the depth of cut and the length of the feed path.
 #[derive(Clone, Copy, Debug)]
 struct CutMotion {
-    /// The diameter at which the cutting speed is meant: the hole's, or the mill's own.
+    /// The diameter of the cutting speed: that of the hole, or that of the mill.
     turned: Micrometres,
     /// Depth of cut of one pass, mm.
     depth_of_cut: f64,
     /// Length of all moves at the working feed, mm.
     path: f64,
-    /// Whether the feed per revolution is bound to the spindle, as by a thread's pitch.
+    /// Whether the feed is synchronised with the spindle, as by the pitch of a thread.
     synchronous: bool,
 }
 
 impl CutMotion {
-    /// A tool of the hole's diameter fed along its axis, as often as there are passes.
+    /// A tool of the hole's diameter fed along its axis, once for each pass.
     fn along_axis(cut: &Cut) -> Self {
         Self {
             turned: cut.diameter,
@@ -144,14 +144,14 @@ impl CutMotion {
     }
 }
 
-/// Torque and thrust as power laws of the feed, so that a limit can be turned back into a feed.
+/// Torque and thrust as power laws of the feed, so that a limit can be converted into a feed.
 #[derive(Clone, Copy, Debug, Default)]
 struct Loads {
     torque: Option<PowerLaw>,
     thrust: Option<PowerLaw>,
 }
 
-/// `factor · s^exponent · V^of_speed`: s in mm/rev, V in m/min, the speed that is driven.
+/// `factor · s^exponent · V^of_speed`: s in mm/rev, V in m/min, the speed used.
 #[derive(Clone, Copy, Debug)]
 struct PowerLaw {
     factor: f64,
@@ -185,7 +185,7 @@ pub fn conditions(cut: &Cut, shop: &Shop<'_>) -> Tried<Conditions> {
     Ok(with_doubts(cut, shop)?.0)
 }
 
-/// The same, and what the cards could not give for it.
+/// As [`conditions`], and what the cards could not give.
 ///
 /// # Errors
 /// As for [`conditions`].
@@ -195,15 +195,16 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         settle::settle(cut, shop).map_err(|refusal| refusal.map(|why| Reason::NoConditions { operation, why }))?;
     let speed = speed_at(held.rpm, draft.motion.turned);
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
-    // The power follows from the torque as it is printed, so that who calculates it again finds the same.
+    // The power is computed from the printed torque, so that a check by hand gives the same.
     let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)).rounded(3));
     let power = torque.map(|torque| power_of(torque, held.rpm));
-    // The life belongs to the formula's speed, also where practice is slower; where practice is faster, to that of practice.
+    // The life belongs to the speed of the formula, also where practice is slower; where practice is faster, to the
+    // speed of practice.
     let lives_at = if practice == Held::Faster { draft.speed } else { formula_speed };
     let tool_life = Minutes(draft.tool_life.0 * libm::pow(lives_at.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(held.because);
-    // As the speed is meant; where its figures do not say, by the rule.
+    // As for the speed; where its figures do not say, by the rule.
     let coolant = match draft.coolant {
         Some(said) => said,
         None => {
@@ -217,7 +218,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         feed_mm_per_rev: held.feed.rounded(3),
         speed_m_per_min: speed.rounded(2),
         spindle_rpm: held.rpm,
-        // A tap's feed rate is pitch times speed to the last digit; otherwise the thread is torn.
+        // The feed rate of a tap is pitch times speed to the last digit; otherwise the thread is torn.
         feed_mm_per_min: feed_rate.rounded(if draft.motion.synchronous { 3 } else { 1 }),
         axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed, speed)).rounded(0)),
         torque_n_m: torque,
@@ -238,7 +239,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
     Ok((found, draft.doubts))
 }
 
-/// What the formulas give for a feed: for that of the tables, or for the one `taken` in its place.
+/// The draft for a feed: for that of the tables, or for `taken` in its place.
 fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     match cut.operation {
         Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
@@ -248,7 +249,7 @@ fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<
         Operation::RoughReam | Operation::FinishReam => reaming::draft(cut, taken, shop),
         Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => boring::draft(cut, taken, shop),
         Operation::Mill => milling::draft(cut, taken, shop),
-        // The pitch leaves no other feed.
+        // The pitch permits no other feed.
         Operation::Tap => tapping::draft(cut, shop),
     }
 }

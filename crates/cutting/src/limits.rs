@@ -19,7 +19,7 @@ pub(super) struct LimitedConditions {
     pub feed: MillimetresPerRev,
     pub rpm: RevsPerMinute,
     pub limited_by: Limit,
-    /// Whether a load or the power has cut the feed back at this step.
+    /// Whether a load or the power has reduced the feed at this step.
     pub reduced: bool,
     pub because: Vec<Because>,
 }
@@ -52,7 +52,7 @@ impl<'k> Margin<'k> {
     }
 }
 
-/// The feed that the loads allow, if it is less than the one required.
+/// The feed that the loads permit, if it is less than the required one.
 pub(super) struct Borne {
     pub feed: MillimetresPerRev,
     /// The limit.
@@ -60,7 +60,7 @@ pub(super) struct Borne {
     pub because: Vec<Because>,
 }
 
-/// A load that exceeds its limit by no more than this is at it: the limit was converted to a feed and back.
+/// A load that exceeds its limit by no more than this equals it, because the limit was converted to a feed and back.
 const SLACK: f64 = 1e-9;
 
 /// Reduces a feed to the limits of drill strength, thrust and torque at a spindle step; none if it is within them.
@@ -94,7 +94,7 @@ pub(super) fn borne(
     Ok(within(&bounds, asked, speed))
 }
 
-/// The feed within every limit, if the required one is not.
+/// The feed within all limits, if the required one is not.
 fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresPerMinute) -> Option<Borne> {
     let mut borne: Option<Borne> = None;
     for bound in bounds.iter().flatten() {
@@ -122,8 +122,8 @@ pub(super) fn step_of(draft: &DraftConditions, shop: &Shop<'_>) -> Result<RevsPe
     Ok(SpindleStepChoice::of(rpm_at(draft.speed, draft.motion.turned), shop)?.rpm)
 }
 
-/// Chooses the spindle step and holds the feed inside the loads, power and feed range; `limited` names the load that
-/// has cut the feed back already.
+/// Chooses the spindle step and keeps the feed within the loads, the power and the feed range; `limited` names the
+/// load that has already reduced the feed.
 pub(super) fn hold(
     draft: &DraftConditions,
     limited: Option<Limit>,
@@ -132,7 +132,7 @@ pub(super) fn hold(
 ) -> Tried<LimitedConditions, Uncut> {
     let (rpm, limited_by, reason) = spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)?;
     let mut best = at_step(draft, cut, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
-    // If power is the limit, a slower step allows more feed: the quickest of them is taken.
+    // If power is the limit, a slower step permits more feed: the step with the greatest feed rate is taken.
     for step in shop.machine.spindle_steps.iter().rev().filter(|step| step.0 < rpm.0) {
         if best.limited_by != Limit::SpindlePower {
             break;
@@ -193,9 +193,9 @@ fn at_step(
 
 /// The strength of a thin drill (textbook 1.2.1, l. 223-226: below 10 mm the drill's own strength limits the feed).
 ///
-/// Permissible torque Mp = k·d³·τ/1000, N·m, with the polar section modulus k·d³ of the fluted section, mm³,
-/// and the permissible shear stress τ, MPa (table `drill-strength`); d is the tool's own diameter, which for a spot is
-/// not that of the cut.
+/// Permissible torque Mp = k·d³·τ/1000, N·m, with the polar section modulus k·d³ of the fluted section, mm³, and the
+/// permissible shear stress τ, MPa (table `drill-strength`); d is the tool's own diameter, which for a spot is not
+/// that of the cut.
 fn drill_strength<'k>(
     draft: &DraftConditions,
     cut: &Cut,
@@ -215,10 +215,10 @@ fn drill_strength<'k>(
     Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row: strength.row, margin: None }))
 }
 
-/// Limits a tap: its feed is its pitch and cannot be reduced, so the speed is.
+/// Limits of a tap: its feed is its pitch and cannot be reduced, so the speed is reduced.
 ///
-/// The fastest step not above the computed speed at which power and feed rate suffice; the torque of a tap
-/// does not depend on speed, and where it is beyond the spindle the tap is refused.
+/// The fastest step not above the computed speed at which power and feed rate are enough. The torque of a tap does
+/// not depend on speed; if it is more than that of the spindle, the tap is refused.
 pub(super) fn synchronous(draft: &DraftConditions, shop: &Shop<'_>) -> Tried<LimitedConditions, Uncut> {
     let machine = &shop.machine;
     let wanted = rpm_at(draft.speed, draft.motion.turned);
@@ -253,7 +253,7 @@ pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMi
     Ok((taken.rpm, taken.limit, taken.because(wanted, shop)?))
 }
 
-/// A step of the series without its reasons: the loads need the step alone.
+/// A step of the series without its reasons: the loads need only the step.
 struct SpindleStepChoice<'k> {
     rpm: RevsPerMinute,
     limit: Limit,
@@ -261,7 +261,7 @@ struct SpindleStepChoice<'k> {
     between: Option<Between<'k>>,
 }
 
-/// The steps around a speed, by how much the faster one exceeds it, %, and what the rule says of that.
+/// The steps around a speed, by how much the faster one exceeds it, %, and the answer of the rule.
 struct Between<'k> {
     below: RevsPerMinute,
     above: RevsPerMinute,

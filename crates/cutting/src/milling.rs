@@ -22,13 +22,14 @@ const MILL: Mill = Mill::End;
 /// Conditions of milling a hole along circles (Косилова/Мещеряков т.2; facts 1.9).
 ///
 /// - V = Cv·D^q / (T^m·t^x·sz^y·B^u·z^p)·Kv, m/min, with Kv = Kmv·Kpv;
-/// - Pz = 10·Cp·t^x·sz^y·B^u·z / (D^q·n^w)·Kmp, N, with n the step that is driven; the torque is Pz·D/2000, N·m. No thrust is known;
+/// - Pz = 10·Cp·t^x·sz^y·B^u·z / (D^q·n^w)·Kmp, N, with n the spindle step used; the torque is Pz·D/2000, N·m. No
+///   thrust is known;
 /// - D is the mill's diameter, t the radial depth of one pass, B the axial depth of one level, all in mm;
 ///   sz in mm/tooth, T in min, z the number of teeth.
 ///
-/// sz is meant where the teeth meet the wall. The mill's centre goes round a smaller circle than the wall,
-/// so its feed is smaller too: s = sz·z·(d1 - D)/d1, mm/rev, with d1 the diameter that the first and
-/// narrowest pass leaves; all passes are made with it.
+/// sz applies where the teeth meet the wall. The centre of the mill moves on a smaller circle than the wall, so its
+/// feed is smaller too: s = sz·z·(d1 - D)/d1, mm/rev, with d1 the diameter after the first and narrowest pass; all
+/// passes use it.
 pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let whole = |mill: &CutterShape| {
         mill.teeth > 0 && mill.diameter > Micrometres::ZERO && mill.cutting_length > Micrometres::ZERO
@@ -71,11 +72,11 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     }
 
     let mut loads = Loads::default();
-    // Without a row of forces the pass is still cut; its torque is left out and not guessed.
+    // Without a row of forces the pass is cut all the same; its torque is left out, not guessed.
     let question = |material_group| MillingForceFor { mill: MILL, material_group, tool_material };
     if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
         let row = &figures.row;
-        // n^w as (n/V)^w·V^w, for the speed that is driven.
+        // n^w as (n/V)^w·V^w, for the speed used.
         let turns = super::rpm_at(MetresPerMinute(1.0), mill.diameter);
         let mut force = 10.0 * row.cp * libm::pow(t, row.x) * libm::pow(b, row.u) * z
             / (libm::pow(d, row.q) * libm::pow(turns.0, row.w));
@@ -113,7 +114,7 @@ struct Rounds {
     centre_share: f64,
     /// Length of all moves at the working feed, mm.
     path: f64,
-    /// The same, as the plan tells it.
+    /// The same, as in the plan.
     planned: plan::Rounds,
 }
 
@@ -148,14 +149,14 @@ fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Beca
     Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned }, Because::row(radial.row, note)))
 }
 
-/// In how many equal parts, at least one, a length is cut so that none is longer than `longest`.
+/// The number of equal parts, at least one, of a length, so that none is longer than `longest`.
 fn parts(length: f64, longest: f64) -> u32 {
-    // A micrometre of slack, so that 10 mm in steps of 5 are two parts whatever the last bit is.
+    // A micrometre of slack, so that 10 mm in steps of 5 are two parts whatever the last bit.
     libm::ceil((length - 0.001) / longest).max(1.0) as u32
 }
 
-/// sz by the mill's diameter (table `end-mill-feed`); of the last pass less, for the roughness it must
-/// leave (table `milling-finish-feed`).
+/// sz by the mill's diameter (table `end-mill-feed`); for the last pass less, by the required roughness (table
+/// `milling-finish-feed`).
 fn feed_per_tooth(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>), Uncut> {
     let diameter = mill.diameter;
     let figures = figures::ask(|material_group| EndMillFeedFor { material_group, diameter }, shop)?;

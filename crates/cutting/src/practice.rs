@@ -1,7 +1,7 @@
-//! A second opinion on speeds: shop practice by public tables, compared with the formulas of the handbook.
+//! A second source for speeds: shop practice by public tables, compared with the formulas of the handbook.
 //!
-//! The formula remains the method. If it differs from practice by more than a third, the rule `second-opinion` says
-//! which of the two is taken; the reasons of the plan name both.
+//! The formula is the main method. If it differs from practice by more than a third, the rule `second-opinion`
+//! chooses one of the two; the reasons of the plan name both.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -14,7 +14,7 @@ use crate::units::{MetresPerMinute, round_to};
 
 use super::{Cut, DraftConditions};
 
-/// What practice makes of a speed.
+/// The result of the comparison of a speed with practice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
     /// The formula's speed is kept.
@@ -33,7 +33,7 @@ pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> R
     Ok(held)
 }
 
-/// The speed to drive instead of that of the formula, by the rule `second-opinion`, and why.
+/// The speed to use in place of that of the formula, by the rule `second-opinion`, and the reason.
 ///
 /// # Errors The tables cannot answer.
 pub fn held(

@@ -50,9 +50,10 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     })
 }
 
-/// Holds the last reamer, which is there for the surface, to what the formula has for a rough one: at the feed of that
-/// one and the largest stock that a rough reamer finds (table `stock-before-reaming`). By itself the formula drives it
-/// faster, since it takes less; what the surface costs in feed is not made up by speed either. Nothing for other cuts.
+/// Limits the speed of the last reamer, which serves the surface, to that of the formula for a rough one: at its feed
+/// and with the largest stock of a rough reamer (table `stock-before-reaming`). The formula alone would give a faster
+/// speed, because the stock is smaller; and a lower feed for the surface must not raise the speed either. None for
+/// other cuts.
 pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
     if !cut.operation.is_reaming() || cut.roughness.is_none() {
         return Ok(false);
@@ -72,8 +73,8 @@ pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Sh
     Ok(true)
 }
 
-/// The tabulated feed with the factors of `reaming-feed-factor`: which of them apply says the rule
-/// `reaming-feed-condition`, and in a blind hole the feed stays inside the limits of the same table.
+/// The tabulated feed with the factors of `reaming-feed-factor`. The rule `reaming-feed-condition` says which of them
+/// apply; in a blind hole the feed stays within the limits of the same table.
 fn corrected_feed(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
     let Feed { feed, mut because, doubts } = feed::tabulated(cut, shop)?;
     let mut feed = feed.0;
@@ -103,7 +104,7 @@ fn corrected_feed(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
     Ok(Feed { feed: MillimetresPerRev(feed), because, doubts })
 }
 
-/// The torque as a power law of the feed; absent if no row of forces is known, for it is not guessed.
+/// The torque as a power law of the feed; absent without a row of forces, because it is not guessed.
 fn torque(cut: &Cut, shop: &Shop<'_>) -> Tried<(Option<PowerLaw>, Vec<Because>), Uncut> {
     let question = |material_group, tool_material| BoringForceFor { material_group, tool_material };
     let Ok((figures, of_tool)) = figures::ask_of_tool(question, cut.tool_material, shop) else {

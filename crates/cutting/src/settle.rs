@@ -1,4 +1,4 @@
-//! Solves feed and speed together: a feed that a load reduces gets the speed that belongs to it.
+//! Finds feed and speed together: a feed reduced by a load gets the matching speed.
 
 use crate::error::Tried;
 use crate::note::{Because, Note};
@@ -11,25 +11,25 @@ use super::limits::{self, Borne, LimitedConditions};
 use super::practice::{self, Held};
 use super::{Cut, DraftConditions, force_opinion, reaming};
 
-/// The most rounds of reducing the feed. Loads that do not depend on the speed settle in one; those that do (boring,
-/// V^-0.15) grow smaller with the higher speed of a smaller feed.
+/// The most rounds of reducing the feed. Loads that do not depend on the speed need one; those that do (boring,
+/// V^-0.15) decrease with the higher speed of a smaller feed.
 const ROUNDS: usize = 8;
 
-/// Conditions for the feed that is taken.
+/// Conditions for the final feed.
 pub(super) struct Settled {
     pub draft: DraftConditions,
-    /// The speed of the formula for the feed taken, before practice and the spindle's steps.
+    /// The speed of the formula for the final feed, before practice and the steps of the spindle.
     pub formula_speed: MetresPerMinute,
     /// The result of the comparison with practice.
     pub practice: Held,
     pub held: LimitedConditions,
 }
 
-/// The feed of the tables, or less where drill strength, thrust or torque need less; the speed that the formula has for
-/// it, V ~ 1/s^y, so that the tool lives as long as planned; its spindle step.
+/// The feed of the tables, or less where drill strength, thrust or torque require it; the speed of the formula for
+/// it, V ~ 1/s^y, so that the tool life is as planned; and its spindle step.
 ///
-/// Where power or the feed rate holds the feed, the speed is not raised again: both need less of it. The tool life is
-/// then that of the feed and speed taken.
+/// Where power or the feed rate limits the feed, the speed is not raised again, because it would need more of both.
+/// The tool life is then that of the final feed and speed.
 ///
 /// This terminates: the feed falls in each round.
 pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
@@ -75,7 +75,7 @@ impl DraftAtFeed {
     }
 }
 
-/// The conditions at a feed; `tabulated` is that of the tables, where it is not that one.
+/// The conditions at a feed; `tabulated` is that of the tables, if another.
 fn at(
     cut: &Cut,
     feed: Option<MillimetresPerRev>,
@@ -92,7 +92,7 @@ fn at(
     Ok(DraftAtFeed { draft, formula_speed, practice })
 }
 
-/// A note that the figures are for the feed taken and not for that of the tables.
+/// A note that the figures belong to the final feed and not to that of the tables.
 fn told(
     code: &'static str,
     feed: MillimetresPerRev,

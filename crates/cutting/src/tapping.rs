@@ -14,11 +14,11 @@ use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors};
 ///
 /// - the feed is the pitch P, mm/rev;
 /// - V = Cv·D^q / (T^m·P^y)·Kmv, m/min;
-/// - M = 10·Cm·D^q·P^y·Kp, N·m; a tap feeds itself, so no thrust is known;
+/// - M = 10·Cm·D^q·P^y·Kp, N·m; a tap pulls itself in, so no thrust is known;
 /// - D is the thread's nominal diameter and P its pitch, mm; T in min.
 ///
-/// In, the spindle reversed, and out again at the same feed rate: the path is twice the travel. Kmv and Kp
-/// are those of drilling, as the rule `stand-in-operation` says.
+/// The tap goes in, the spindle reverses, and the tap comes out at the same feed rate: the path is twice the travel.
+/// Kmv and Kp are those of drilling, by the rule `stand-in-operation`.
 pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let pitch = cut.pitch.ok_or(Refusal::Not(Uncut::NoPitch))?;
     let (d, p) = (cut.diameter.to_mm(), pitch.to_mm());
@@ -37,7 +37,7 @@ pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut>
     }
 
     let mut loads = Loads::default();
-    // Without a row of torque the thread is still cut; its torque is left out and not guessed.
+    // Without a row of torque the thread is cut all the same; its torque is left out, not guessed.
     let question = |material_group| TappingTorqueFor { material_group, tool_material };
     if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
         let row = &figures.row;

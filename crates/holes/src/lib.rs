@@ -1,8 +1,8 @@
-//! Planning of holes: each room adds its part of a plan, [`planner`] asks them in turn.
+//! Planning of holes. Each room adds its part of the plan; [`planner`] calls the rooms in turn.
 //!
-//! - [`route`] is by which steps a hole is made, [`tooling`] with what, [`setup`] how the part is clamped;
-//! - [`sequence`] is the order of tools and the path of each over the holes;
-//! - [`planner`] is the one place where a refusal makes it try the next alternative.
+//! - [`route`] finds the steps of a hole, [`tooling`] its tools, [`setup`] the clamping of the part;
+//! - [`sequence`] finds the order of the tools and the path of each tool over the holes;
+//! - [`planner`] is the only room that tries the next alternative after a refusal.
 
 pub mod planner;
 pub mod route;
@@ -10,7 +10,7 @@ pub mod sequence;
 pub mod setup;
 pub mod tooling;
 
-// The rooms below, under one name each in the whole program.
+// The types of other crates, under one name each in the whole program.
 use technolog_core::{error, machine, note, part, plan, reason, shop, zone};
 use technolog_cutting as cutting;
 use technolog_job as job;

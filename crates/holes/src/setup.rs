@@ -1,4 +1,4 @@
-//! Clamping: the force that holds the part against the largest torque, and the screw that gives it.
+//! Clamping: the force that holds the part against the largest torque, and the screw that gives this force.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Finding, Note, Severity};
@@ -9,15 +9,15 @@ use crate::tables::holes::HoleDefault;
 use crate::tables::materials::{ClampScrew, Clamping as Constant, ClampingConstant};
 use crate::units::{Micrometres, NewtonMetres, Newtons};
 
-/// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), the largest over all holes.
+/// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), the largest value over all holes.
 ///
-/// d is the distance from the hole to the nearest clamp; k and f are rows of `clamping`. The force is
-/// divided over the clamps, and the screw is the smallest of `clamp-screws` that bears it at 80 MPa and
-/// is no thinner than `least-screw`.
+/// d is the distance from the hole to the nearest clamp; k and f are rows of `clamping`. The force is divided over
+/// the clamps. The screw is the smallest of `clamp-screws` that bears it at 80 MPa and is not thinner than
+/// `least-screw`.
 ///
-/// Clamps of the file that do not suffice are given with the inequality that fails. Where the file has none, places are
-/// tried until they hold; where none does, no clamps are given, for a tool would run into them, and the finding says that
-/// another fixture is needed, which is no fault of the plan.
+/// Clamps of the file that are not enough are returned with the inequality that fails. Where the file has none,
+/// places are tried until one set holds. Where none holds, no clamps are returned, because a tool would hit them; the
+/// finding says that another fixture is needed, which is no fault of the plan.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -48,7 +48,7 @@ pub fn clamping(
     Ok((None, told.into_iter().collect()))
 }
 
-/// The clamping with clamps at those places, and what of it does not hold.
+/// The clamping with clamps at those places, and the conditions that do not hold.
 fn clamped(
     part: &Part,
     holes: &[HolePlan],
@@ -68,7 +68,7 @@ fn clamped(
         let torque = plan
             .transitions
             .iter()
-            // What is done on another machine is clamped there.
+            // On another machine the part is clamped anew.
             .filter(|transition| !transition.elsewhere)
             .filter_map(|transition| transition.conditions.torque_n_m)
             .fold(NewtonMetres(0.0), NewtonMetres::max);
@@ -93,12 +93,12 @@ fn clamped(
     if strong.is_none() {
         faults.push(Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len()));
     }
-    // Where none of the table bears the force, its last and strongest is shown.
+    // Where no screw of the table bears the force, the last and strongest is shown.
     let screw = match strong.or(screws.last()) {
         Some(screw) => screw,
         None => return Err(KnowledgeError::no_row(shop.knowledge.table_of::<ClampScrew<'_>>()?, "a screw")),
     };
-    // A drawing that names its screws keeps them; the plan then says which screw would do.
+    // The screws of the drawing are kept; the plan then says which screw would be enough.
     let named = part.fixture.clamps.iter().find_map(|clamp| clamp.screw.clone());
     let shown = screws.iter().find(|screw| named.as_deref() == Some(screw.thread)).unwrap_or(screw);
     let (name, most) = (screw.thread, shown.force_80);
@@ -131,7 +131,7 @@ fn clamped(
     Ok(Some((clamping, faults)))
 }
 
-/// A hole so near a clamp that the tool would run into it: the clamp's half width is the inset.
+/// A hole so near to a clamp that the tool would hit it: half the width of the clamp is the inset.
 fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(&'p str, Micrometres, Micrometres)> {
     part.holes.iter().find_map(|hole| {
         let needed = hole.diameter.nominal.half() + inset;
@@ -140,8 +140,9 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(
     })
 }
 
-/// Symmetric pairs on two opposite sides, and fours of two pairs, those with the most room to the holes first and the
-/// corners last; the middles of the sides come first among equals. Where holes are in the way of all, the best pair alone.
+/// Symmetric pairs on two opposite sides, and sets of four from two pairs: those with the most room to the holes
+/// first, corners last; among equals the middles of the sides first. Where holes block all of them, the best pair
+/// alone.
 fn proposals(part: &Part, inset: Micrometres) -> Vec<Vec<Point>> {
     let (blank, middle) = (&part.blank, part.middle());
     let across = (blank.width - inset - inset).half();
@@ -158,9 +159,9 @@ fn proposals(part: &Part, inset: Micrometres) -> Vec<Vec<Point>> {
     };
     let mut pairs: Vec<Vec<Point>> = sides.collect();
     pairs.sort_by_cached_key(|clamps| std::cmp::Reverse(room(clamps)));
-    // The corners last: a strap stands worst there.
+    // The corners last: a strap clamp is least stable there.
     pairs.extend([1, -1].map(|side| pair(along, across.ratio(side, 1))));
-    // Where a hole is in the way of a pair, it is in the way of every four with it.
+    // A hole that blocks a pair blocks every set of four with it.
     let free: Vec<&Vec<Point>> = pairs.iter().filter(|clamps| blocked(part, clamps, inset).is_none()).collect();
     if free.is_empty() {
         pairs.truncate(1);

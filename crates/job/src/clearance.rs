@@ -1,4 +1,4 @@
-//! Clearance over obstacles: the clamps that the part file names, and the part at the tool change.
+//! Clearance over obstacles: the clamps of the part file, and the part at the tool change.
 
 use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
@@ -9,7 +9,7 @@ use crate::units::Micrometres;
 
 use super::SetUp;
 
-/// A tool change over the part: tools are no higher above it than during their motions.
+/// A tool change above the part: the tools are not higher above it than during their motions.
 pub(super) fn change_over_part(
     setup: &SetUp,
     part: &Part,
@@ -65,8 +65,8 @@ pub(super) fn ways_over_clamps(
     Ok(())
 }
 
-/// Whether a rapid passes a point at less than a distance. Both axes have the same rate: it runs at 45° until one axis
-/// has arrived, and on along the other.
+/// Whether a rapid passes a point at less than a distance. Both axes have the same rate: the path is at 45° until one
+/// axis has arrived, then along the other.
 fn passes(from: Point, to: Point, at: Point, near: Micrometres) -> bool {
     let (dx, dy) = (to.x - from.x, to.y - from.y);
     let both = dx.abs().min(dy.abs());
@@ -75,7 +75,7 @@ fn passes(from: Point, to: Point, at: Point, near: Micrometres) -> bool {
     [(from, corner), (corner, to)].iter().any(|(a, b)| distance(*a, *b, at) < near.to_mm())
 }
 
-/// From a point to a stretch, mm.
+/// The distance from a point to a line segment, mm.
 fn distance(a: Point, b: Point, at: Point) -> f64 {
     let [ax, ay, bx, by, px, py] = [a.x, a.y, b.x, b.y, at.x, at.y].map(Micrometres::to_mm);
     let (dx, dy) = (bx - ax, by - ay);
@@ -92,7 +92,7 @@ mod tests {
         Point { x: Micrometres::from_mm(x), y: Micrometres::from_mm(y) }
     }
 
-    /// From the origin to X100 Y40 the axes go together to X40 Y40, then along X.
+    /// From the origin to X100 Y40 both axes move to X40 Y40, then one along X.
     #[test]
     fn a_rapid_leads_at_45_degrees_first() {
         let near = Micrometres::from_mm(5);

@@ -28,7 +28,7 @@ pub struct Feeding<'a> {
     pub depth: Micrometres,
     /// Where its tip ends.
     pub end: Micrometres,
-    /// How far above its cutting the feed begins.
+    /// The distance above its cut where the feed begins.
     pub approach: Micrometres,
     /// The pitch of its thread.
     pub pitch: Option<Micrometres>,
@@ -37,7 +37,7 @@ pub struct Feeding<'a> {
 }
 
 impl<'a> Feeding<'a> {
-    /// Of a transition of a plan.
+    /// The stroke of a transition of a plan.
     pub fn of(transition: &'a Transition, pitch: Option<Micrometres>) -> Self {
         Self {
             operation: transition.operation,
@@ -53,7 +53,7 @@ impl<'a> Feeding<'a> {
     }
 }
 
-/// How a tool is fed at each of its points; `top` is the entry face in the drawing's Z.
+/// How a tool is fed at each of its points; `top` is Z of the entry face in the drawing.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -68,7 +68,7 @@ pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Res
     let note = Note::new("machining-cycle").with("cycle", rule.cycle.name());
     let note = note.with("ratio", crate::units::round_to(ratio, 2));
 
-    // Figures in programs are whole steps of the machine.
+    // Figures in programs are multiples of the machine's step.
     let grid = |length: Micrometres| length.on_grid(shop.machine.resolution);
     let begin = grid(top - transition.start + transition.approach);
     let end = grid(top - transition.end);
@@ -76,7 +76,8 @@ pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Res
     let dwell = rule.dwell.filter(|turns| *turns > 0.0);
     let dwell_step = convention(Convention::DwellStep, shop.knowledge)?.0;
     let dwell = dwell.map(|turns| {
-        // Up to the next step in which dwells are counted, rounded because tenths do not add up exactly in binary.
+        // Rounded up to the next step in which dwells are counted; first rounded, because tenths are not exact in
+        // binary.
         let steps = libm::ceil(turns * 60.0 / conditions.spindle_rpm.0 / dwell_step);
         Seconds(crate::units::round_to(steps * dwell_step, 3))
     });
@@ -118,7 +119,7 @@ fn kind(
         }
         HoleCycle::Circles => {
             let rounds = transition.conditions.rounds.ok_or_else(|| lacks(note!("nc-circles-mill")))?;
-            // The spindle turns clockwise: against it the teeth go with the feed.
+            // With a clockwise spindle the other direction would be climb milling.
             let sense = match rule.cut.ok_or_else(|| lacks(note!("nc-how-mill-cuts")))? {
                 MillingDirection::Climb => Sense::Counterclockwise,
                 MillingDirection::Conventional => Sense::Clockwise,
@@ -128,7 +129,8 @@ fn kind(
     })
 }
 
-/// The levels and circles of a mill: the stock in equal passes, the depth in equal levels, the overrun with the last.
+/// The levels and circles of a mill: the stock in equal passes, the depth in equal levels, the overrun added to the
+/// last level.
 fn circles(
     transition: &Feeding<'_>,
     rounds: Rounds,
@@ -151,7 +153,7 @@ fn circles(
     }
 }
 
-/// The feed in the steps that programs count it in, rounded down; a tap's is bound to its pitch and stays.
+/// The feed in the steps of programs, rounded down; the feed of a tap depends on its pitch and is not rounded.
 fn feed(transition: &Feeding<'_>, shop: &Shop<'_>) -> Result<MillimetresPerMinute, KnowledgeError> {
     let planned = transition.conditions.feed_mm_per_min;
     if transition.operation == Operation::Tap {
@@ -161,7 +163,7 @@ fn feed(transition: &Feeding<'_>, shop: &Shop<'_>) -> Result<MillimetresPerMinut
     Ok(MillimetresPerMinute(libm::floor(planned.0 / step).max(1.0) * step))
 }
 
-/// How high over the entry face a tool goes from point to point.
+/// The height above the entry face at which a tool moves from point to point.
 fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError> {
     let (value, row) = convention(Convention::Withdrawal, shop.knowledge)?;
     let height = Micrometres::from_mm_rounded(value);

@@ -1,14 +1,14 @@
-//! The job: one tree of motions and technology, made from a plan and the same for every control.
+//! The job: motions and technology as one tree, made from a plan and the same for every control.
 //!
-//! A job says where the part stands on the machine, which tool comes when, over which points it goes and with which
-//! cycle. Writers print it in the language of a control, drawings show it, and programs are checked against it.
-//! Heights are those of the part's drawing (Z of its zero), in the set-up at hand.
+//! A job gives the position of the part on the machine, the order of the tools, the points of each tool and the
+//! cycles there. Writers print it in the language of a control, drawings show it, and programs are compared with it.
+//! Heights are Z in the drawing of the part, in the current set-up.
 //!
-//! - `make` from a plan to the tree; `cycle` one transition's cycle, by the rule `machining-cycle`;
-//! - `part_position` where the part stands on the machine; `clearance` what the tools pass over;
-//! - `time` how long the work takes: cutting, rapids and manual work.
+//! - `make` turns a plan into the tree; `cycle` is the cycle of one transition, by the rule `machining-cycle`;
+//! - `part_position` is the position of the part on the machine; `clearance` checks what the tools pass over;
+//! - `time` is the duration of the work: cutting, rapids and manual work.
 //!
-//! Architecture invariant: a job depends on no control and decides nothing that a rule can.
+//! Architecture invariant: a job depends on no control and makes no decision that a rule can make.
 
 mod clearance;
 mod cycle;
@@ -16,7 +16,7 @@ mod make;
 mod part_position;
 mod time;
 
-// The rooms below, under one name each in the whole program.
+// The types of other crates, under one name each in the whole program.
 use technolog_core::{error, machine, motion, note, part, plan, shop, zone};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_tables as tables;
@@ -33,20 +33,20 @@ pub use cycle::{Feeding, convention, cycle};
 pub use make::make;
 pub use time::{Duration, Hands, times};
 
-/// Everything a machine is to do for a part.
+/// Everything that a machine does for a part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Job {
     /// The part's name.
     pub part: String,
     /// The id of the machine.
     pub machine: String,
-    /// Where the axes stand for a tool change, machine coordinates.
+    /// The position of the axes for a tool change, machine coordinates.
     pub change_at: Position,
     /// The set-ups in order; one without work is left out.
     pub setups: Vec<SetUp>,
-    /// The length corrector of every tool, as G43 adds it.
+    /// The offset register of every tool with its length correction, as G43 adds it.
     pub correctors: Vec<(u32, Micrometres)>,
-    /// Findings: that the quill does not reach, that the part does not fit under the tools.
+    /// Findings: the quill does not reach, or the part does not fit under the tools.
     pub findings: Vec<Finding>,
 }
 
@@ -59,35 +59,35 @@ impl Job {
     }
 }
 
-/// The part as it stands on the table once.
+/// One clamping of the part on the table.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SetUp {
     /// From 1.
     pub number: u32,
     /// The face that is up.
     pub face: Face,
-    /// Where the zero of the part's drawing is, machine coordinates, measured with the reference tool. In the second
-    /// set-up the part is turned over about the line through its middle along Y: its X count the other way.
+    /// The zero of the part's drawing, machine coordinates, measured with the reference tool. In the second set-up
+    /// the part is turned over about the line through its middle along Y: its X has the opposite direction.
     pub zero: Position,
-    /// Height of what the part lies on, over the table.
+    /// Height of the support under the part, above the table.
     pub supports: Micrometres,
-    /// From the table to the spindle's nose with the quill up: where the knee is set.
+    /// From the table to the spindle nose with the quill retracted: the setting of the knee.
     pub nose: Micrometres,
-    /// What each tool does, in order.
+    /// The work of each tool, in order.
     pub works: Vec<ToolWork>,
 }
 
 /// One tool from its change to the next.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ToolWork {
-    /// The visit of the plan that it is, or a part of, from 0.
+    /// The index of its visit in the plan, from 0; a work may be a part of the visit.
     #[serde(skip)]
     pub visit: usize,
     /// Its number in the plan.
     pub tool: u32,
     /// Its place in the magazine: what a program calls T.
     pub place: u32,
-    /// The number of its length corrector.
+    /// The number of its offset register.
     pub corrector: u32,
     /// Its designation.
     pub designation: String,
@@ -139,14 +139,14 @@ pub struct Stop {
     pub at: Point,
 }
 
-/// How a tool makes one transition at one point.
+/// The motions of a tool for one transition at one point.
 ///
-/// It comes at rapid to `begin` over the point, works down to `end`, and leaves to `out`.
+/// The tool comes at rapid to `begin` above the point, works down to `end`, and retracts to `out`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cycle {
     /// The transition.
     pub operation: Operation,
-    /// How it goes in and out.
+    /// The manner of infeed and retract.
     pub kind: CycleKind,
     /// The spindle's speed.
     pub speed_rpm: RevsPerMinute,
@@ -156,7 +156,7 @@ pub struct Cycle {
     pub begin: Micrometres,
     /// Z of the tip at the bottom.
     pub end: Micrometres,
-    /// Z at which the tool goes on to the next point.
+    /// Z at which the tool moves on to the next point.
     pub out: Micrometres,
     /// How long it turns at the bottom.
     pub dwell_s: Option<Seconds>,
@@ -165,14 +165,14 @@ pub struct Cycle {
 }
 
 impl Cycle {
-    /// Whether both make the same motions, whatever their purpose.
+    /// Whether both make the same motions, for whatever purpose.
     pub fn same(&self, other: &Self) -> bool {
         let figures = |cycle: &Self| (cycle.speed_rpm, cycle.feed_mm_per_min, cycle.begin, cycle.end, cycle.out);
         self.kind == other.kind && figures(self) == figures(other) && self.dwell_s == other.dwell_s
     }
 }
 
-/// How a tool goes in and out.
+/// The manner of infeed and retract.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "cycle", rename_all = "kebab-case")]
 pub enum CycleKind {
@@ -180,35 +180,35 @@ pub enum CycleKind {
     Drill,
     /// In and out at feed.
     FeedOut,
-    /// In at feed, out at rapid while the spindle stands.
+    /// In at feed, out at rapid with the spindle stopped.
     BoreStop,
-    /// In by steps; after each out of the hole, and back at rapid to `clearance` before the metal.
+    /// In by steps; after each step out of the hole, and back at rapid to `clearance` above the metal.
     Peck {
         /// Depth of a step.
         step: Micrometres,
-        /// Room left at the return.
+        /// Clearance left at the return.
         clearance: Micrometres,
     },
-    /// In by steps; after each back by `retreat`.
+    /// In by steps; after each step back by `retreat`.
     ChipBreak {
         /// Depth of a step.
         step: Micrometres,
-        /// The way back.
+        /// The retract.
         retreat: Micrometres,
     },
-    /// In with the thread's pitch, out with the spindle turning back.
+    /// In with the pitch of the thread, out with the spindle reversed.
     Tap {
         /// The pitch.
         pitch: Micrometres,
     },
-    /// Round along circles about the point, all at the working feed: at each level out to the first circle, once round,
-    /// out to the next, and back to the middle.
+    /// Along circles around the point, all at the working feed: at each level out to the first circle, round, out to
+    /// the next, and back to the middle.
     Circles {
         /// Z of the levels, downwards.
         levels: Vec<Micrometres>,
         /// Radii of the mill's centre, outwards.
         radii: Vec<Micrometres>,
-        /// Which way round: with a clockwise spindle counterclockwise is climb milling.
+        /// The direction: with a clockwise spindle counterclockwise is climb milling.
         sense: Sense,
     },
 }

@@ -1,4 +1,4 @@
-//! From a plan to its job.
+//! Makes the job of a plan.
 
 use std::collections::BTreeMap;
 
@@ -23,7 +23,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     let machine = &shop.machine;
     let mut findings = Vec::new();
     let mut setups = Vec::new();
-    // Which tool is in which place; the first filling is done before the program begins.
+    // The tool in each place; the first loading is done before the program begins.
     let mut magazine: BTreeMap<u32, u32> = plan
         .tools
         .iter()
@@ -68,7 +68,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     })
 }
 
-/// The place of a tool in its filling of the magazine, from 1.
+/// The place of a tool in its loading of the magazine, from 1.
 fn place(tool: &ToolPlan, places: usize) -> u32 {
     let places = u32::try_from(places).unwrap_or(u32::MAX).max(1);
     (tool.number.max(1) - 1) % places + 1
@@ -83,7 +83,7 @@ fn rounds(
     plan: &Plan,
     shop: &Shop<'_>,
 ) -> Result<Vec<ToolWork>, KnowledgeError> {
-    // What is done at one setting of the bar; for every other tool there is one setting.
+    // The work at one setting of the bar; every other tool has one setting.
     let mut settings: BTreeMap<Option<Micrometres>, Vec<(usize, u32)>> = BTreeMap::new();
     for (index, stop) in visit.stops.iter().enumerate() {
         let Some(transition) = transition_of(plan, &stop.hole, stop.transition) else { continue };
@@ -110,7 +110,7 @@ fn rounds(
             cycles: Vec::new(),
             stops: Vec::new(),
         };
-        // Cycles by what they are for: a group's transition is worked out once.
+        // Cycles by group and transition, so that each is computed once.
         let mut known: BTreeMap<(&str, usize), usize> = BTreeMap::new();
         for (index, pass) in stops {
             let stop = &visit.stops[index];
@@ -152,7 +152,7 @@ fn transition_of<'p>(plan: &'p Plan, hole: &str, transition: usize) -> Option<&'
     plan.holes.iter().find(|plan| plan.name == hole)?.transitions.get(transition)
 }
 
-/// What the bar of a boring tool is set to for a pass: the stock is taken in equal passes.
+/// The setting of a boring bar for a pass: the stock is removed in equal passes.
 fn setting(transition: &Transition, pass: u32) -> Option<Micrometres> {
     let stock = transition.diameter_mm - transition.from_diameter_mm;
     let passes = i64::from(transition.passes.max(1));
@@ -160,7 +160,7 @@ fn setting(transition: &Transition, pass: u32) -> Option<Micrometres> {
     transition.operation.is_boring().then_some(diameter)
 }
 
-/// Where a point lies when the part is turned over about the line through its middle along Y.
+/// The position of a point when the part is turned over about the line through its middle along Y.
 fn turned_over(at: Point, part: &Part) -> Point {
     let middle = part.middle().x;
     Point { x: middle + middle - at.x, y: at.y }

@@ -1,4 +1,4 @@
-//! Where the part stands on the machine: the zero of its drawing in machine coordinates.
+//! The position of the part on the machine: the zero of its drawing in machine coordinates.
 
 use crate::error::KnowledgeError;
 use crate::motion::Position;
@@ -21,14 +21,15 @@ pub(super) struct PartPosition {
     pub nose: Micrometres,
 }
 
-/// The zero of a set-up, and what does not fit.
+/// - X and Y: the middle of the blank is over the middle of the table, where the machine has its zero. If points
+///   would then be outside the travel, the blank is shifted so that they are in its middle.
 ///
 /// - X and Y: the middle of the blank lies over the middle of the table, where the machine has its zero; where points
 ///   would then lie outside the travel, the blank is shifted so that they lie in its middle.
-/// - Z: the knee is set as high as the longest tool allows: with the quill up it clears the part by the withdrawal.
-///   The reference of the corrections is that tool, so its tip is what the zero is measured with.
-/// - Under the part there is room for the tools that go through: without a height of the fixture, supports of whole
-///   millimetres are taken, and said.
+/// - Z: the knee is as high as the longest tool allows: with the quill retracted this tool clears the part by the
+///   retract height. It is the reference tool of the corrections, so its tip is used for measuring the zero.
+/// - Under the part there is room for tools that go through: without a height of the fixture, supports of whole
+///   millimetres are assumed, and reported.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -45,7 +46,7 @@ pub(super) fn stand(
     let x = along(-middle.x, points().map(|at: Point| at.x), machine.travel_x);
     let y = along(-middle.y, points().map(|at: Point| at.y), machine.travel_y);
 
-    // The longest of all: corrections count from it, unless the plan has another reference.
+    // The longest tool: corrections refer to it, unless the plan has another reference tool.
     let reference = plan.tools.iter().map(|tool| tool.length_mm - tool.correction_mm).max().unwrap_or_default();
     let longest = plan.tools.iter().map(|tool| tool.correction_mm).max().unwrap_or_default();
     let heights = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out)).max().unwrap_or_default();
@@ -64,7 +65,7 @@ pub(super) fn stand(
     Ok(PartPosition { zero: Position { x, y, z: zero_height + reference - nose }, supports, nose })
 }
 
-/// How high the part stands over the table: the fixture's height, or what the tools that go through need.
+/// The height of the part above the table: that of the fixture, or what through tools need.
 fn supports(
     part: &Part,
     works: &[ToolWork],
@@ -93,7 +94,7 @@ fn supports(
     }
 }
 
-/// The zero of one axis: as it would lie with the blank in the middle, or shifted so far that all points are reached.
+/// The zero of one axis: with the blank in the middle, or shifted so far that all points are reached.
 fn along(zero: Micrometres, points: impl Iterator<Item = Micrometres> + Clone, travel: Micrometres) -> Micrometres {
     let (Some(low), Some(high)) = (points.clone().min(), points.max()) else { return zero };
     let half = travel.half();

@@ -1,7 +1,7 @@
-//! How long a job takes: the motions of its cycles, the paths between them, tool changes and manual work.
+//! The duration of a job: the motions of its cycles, the paths between them, tool changes and manual work.
 //!
-//! Every program written from the job takes this long on the machine: rapids by the slower axis at the machine's rate
-//! (textbook 3.9.1, 3.10.2), feeds along their path, dwells as they say.
+//! Every program written from the job takes this time on the machine: rapids by the slower axis at the machine's rate
+//! (textbook 3.9.1, 3.10.2), feeds along their path, dwells as given.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -39,7 +39,7 @@ impl Hands {
         })
     }
 
-    /// What a pause takes.
+    /// The time of a pause.
     pub const fn pause(&self, pause: Pause) -> Minutes {
         match pause {
             Pause::LoadTool { .. } => self.load_tool,
@@ -49,12 +49,12 @@ impl Hands {
     }
 }
 
-/// The time of one cycle at one point, from the height of the paths between points and back to it.
+/// The time of one cycle at one point, beginning and ending at the height of the paths between points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Duration {
     /// At feed, into the metal and through it.
     pub feed: Minutes,
-    /// At feed, out of the hole: of a reamer.
+    /// At feed, out of the hole, as for a reamer.
     pub feed_out: Minutes,
     /// Waiting at the bottom.
     pub dwell: Minutes,
@@ -90,7 +90,7 @@ impl Cycle {
                 took.feed_out = took.feed;
                 took.rapid = down + rapid.time(self.out - self.begin);
             }
-            // In and out, as machine time is calculated for a tap.
+            // In and out, as in the machine time of a tap.
             CycleKind::Tap { .. } => {
                 took.feed = took.feed + took.feed;
                 took.rapid = down + rapid.time(self.out - self.begin);
@@ -120,7 +120,7 @@ impl Cycle {
     }
 }
 
-/// The depths below the beginning at which a cycle in steps turns back, without the last.
+/// The depths below the beginning where a cycle in steps retracts, without the last.
 fn bottoms(depth: Micrometres, step: Micrometres) -> impl Iterator<Item = Micrometres> {
     let step = step.max(Micrometres::new(1));
     std::iter::successors(Some(step), move |reached| Some(*reached + step)).take_while(move |reached| *reached < depth)
@@ -133,7 +133,7 @@ struct Ways {
 }
 
 impl Ways {
-    /// Along X and Y between two points of a set-up, the tool-change position standing for what is absent.
+    /// Along X and Y between two points of a set-up; an absent point is the tool-change position.
     fn across(&self, from: Option<Point>, to: Option<Point>, setup: &SetUp) -> Minutes {
         let home = Point { x: self.change_at.x - setup.zero.x, y: self.change_at.y - setup.zero.y };
         let (from, to) = (from.unwrap_or(home), to.unwrap_or(home));
@@ -145,7 +145,7 @@ impl Ways {
         self.rapid.time(self.change_at.z - (setup.zero.z + out + correction))
     }
 
-    /// Everything at rapid that is no part of a cycle.
+    /// All rapids that are not part of a cycle.
     fn of(&self, work: &ToolWork, correction: Micrometres, setup: &SetUp) -> Minutes {
         let points = || work.stops.iter().map(|stop| Some(stop.at));
         let from = std::iter::once(None).chain(points());
@@ -158,16 +158,17 @@ impl Ways {
     }
 }
 
-/// The times of a job other than machine time, which the plan has; to be rounded together with it. The rapids of each
-/// visit of the plan, so far only those across the part, become all of them. So do those by the textbook's rule and the
-/// lower bound: no order of the points avoids the rest.
+/// The times of a job without machine time, which the plan has; they are rounded together with it. The rapids of each
+/// visit of the plan, so far only those across the part, become complete. So do those by the textbook's rule and the
+/// lower bound, because no order of the points avoids the rest.
 pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [ToolVisit]) -> Times {
     let ways = Ways { rapid: machine.rapids(), change_at: job.change_at };
-    // A program begins at the machine's zero and goes to the tool-change position first: a part of the first work.
+    // A program begins at the machine's zero and first moves to the tool-change position: that belongs to the first
+    // work.
     let Position { x, y, z } = job.change_at;
     let mut begins = Some(ways.rapid.time(x.abs().max(y.abs())) + ways.rapid.time(z));
     let mut sum = Times::default();
-    // The rapids of each visit, and in how many rounds it is made.
+    // The rapids of each visit, and the number of rounds in which it is made.
     let mut of_visit: Vec<(Minutes, usize)> = vec![Default::default(); visits.len()];
     let mut in_spindle = None;
     for setup in &job.setups {

@@ -1,10 +1,11 @@
-//! NC programs: [`program`] has the languages of controls, written and read back; [`job`] is what they are written from.
+//! NC programs: [`program`] has the languages of controls, with writers and interpreters; [`job`] is the input of the
+//! writers.
 //!
 //! Architecture invariant: nothing is planned here. A job is made from a finished plan.
 
 pub mod program;
 
-// The rooms below, under one name each in the whole program.
+// The types of other crates, under one name each in the whole program.
 use technolog_core::{error, machine, motion, note, part, plan, shop, zone};
 pub use technolog_job as job;
 use technolog_knowledge::{self as knowledge, units};

@@ -1,4 +1,4 @@
-//! What the drawing requires of a cylinder of a hole, and which cylinder a transition works on.
+//! The requirements of the drawing for a cylinder of a hole, and the cylinder of a transition.
 
 use crate::part::{Bottom, Face, Hole, Part, Thread, ToleratedDiameter};
 use crate::plan::{Feature, Transition};
@@ -22,23 +22,23 @@ impl CylinderId {
     }
 }
 
-/// What the drawing requires of a cylinder.
+/// The requirements of the drawing for a cylinder.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Asked<'p> {
     pub diameter: &'p ToleratedDiameter,
     pub roughness: Roughness,
-    /// From the face it is entered from.
+    /// Depth from the face it is entered from.
     pub depth: Micrometres,
     pub through: bool,
     /// Whether its floor or shoulder is flat.
     pub flat: bool,
     pub thread: Option<&'p Thread>,
-    /// What the position of its axis may be off; of steps, which follow the main one, nothing.
+    /// The permitted position error of its axis; none for steps, which follow the main cylinder.
     pub position: Option<Micrometres>,
 }
 
 impl<'p> Asked<'p> {
-    /// What a cylinder of a hole must reach; none if the hole has no such step.
+    /// The requirements for a cylinder of a hole; none if the hole has no such step.
     pub fn of(place: CylinderId, hole: &'p Hole, part: &Part, position: Option<Micrometres>) -> Option<Self> {
         match place {
             CylinderId::Main => Some(Self {

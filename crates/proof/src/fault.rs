@@ -1,4 +1,4 @@
-//! What is wrong in a plan, with the inequality that fails.
+//! The faults of a plan, with the inequality that fails.
 
 use crate::note::{Figure, Note, Severity};
 use crate::plan::Operation;
@@ -6,7 +6,7 @@ use crate::units::{ItGrade, MetresPerMinute, Micrometres, NewtonMetres, Newtons,
 
 pub use crate::tables::rules::Load;
 
-/// What a transition reaches at best and ordinarily, and what is required.
+/// What a transition reaches at best and ordinarily, and the requirement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wanting {
     /// The grade of a diameter.
@@ -17,13 +17,13 @@ pub enum Wanting {
     Position(Micrometres, Micrometres, Micrometres),
 }
 
-/// Something that does not hold.
+/// A condition that does not hold.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum Fault {
-    /// At worst the hole before is as wide as the transition leaves it: it cuts nothing on one side.
+    /// In the worst case the hole before is as wide as after the transition: on one side nothing is cut.
     NoStock { operation: Operation, before: Micrometres, may_be: Micrometres, shift: Micrometres, least: Micrometres },
-    /// It takes more at once than such a tool may: on diameter.
+    /// The stock on diameter is more than such a tool may remove at once.
     TooMuch { operation: Operation, stock: Micrometres, most: Micrometres },
     /// The last transition reaches the required value only at best, or not at all.
     Wanting { operation: Operation, what: Wanting },
@@ -43,22 +43,22 @@ pub enum Fault {
     Floor { operation: Operation, tip: Micrometres, opened: Micrometres },
     /// The drill under a thread is out of the limits of its minor diameter.
     TapHole { diameter: Micrometres, smallest: Micrometres, largest: Micrometres },
-    /// A load takes more of the machine's limit than it may.
+    /// A load takes more than its share of the machine's limit.
     Overload { operation: Operation, load: Load, value: f64, limit: f64, share: f64 },
-    /// The speed is above that of shop practice by more than two good tables differ.
+    /// The speed is above shop practice by more than good tables differ among themselves.
     TooFast { operation: Operation, value: MetresPerMinute, usual: MetresPerMinute, share: f64 },
     /// The torque exceeds the strength of a thin drill.
     Twists { operation: Operation, drill: Micrometres, value: NewtonMetres, limit: NewtonMetres },
     /// The thrust exceeds the buckling load of a long drill.
     Buckles { operation: Operation, drill: Micrometres, flutes: Micrometres, value: Newtons, limit: Newtons },
-    /// A boring bar stands out further than so many of its diameters.
+    /// The overhang of a boring bar is more than so many of its diameters.
     BarSlender { operation: Operation, reach: Micrometres, bar: Micrometres, ratio: f64 },
     /// A boring bar deflects under uneven stock by more than the tolerance of the hole.
     BarSprings { operation: Operation, spring: Micrometres, tolerance: Micrometres },
 }
 
 impl Fault {
-    /// How grave: what is reached at best only is doubtful, everything else spoils the part or the tool.
+    /// What is reached only at best is doubtful; everything else damages the part or the tool.
     pub fn severity(&self) -> Severity {
         match self {
             Self::Wanting { what, .. } if what.at_best() => Severity::Doubtful,
@@ -150,7 +150,7 @@ impl Wanting {
         }
     }
 
-    /// Whether what is ordinarily reached is enough.
+    /// Whether the ordinary value is enough.
     pub(crate) fn holds(self) -> bool {
         match self {
             Self::Grade(_, ordinary, asked) => ordinary <= asked,

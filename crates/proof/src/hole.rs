@@ -15,23 +15,23 @@ use super::cylinder::{Asked, CylinderId};
 use super::reach::{Both, MethodKey, Reach, drift, oversize};
 use super::{Fault, Wanting, loads, tool};
 
-/// A cylinder as far as it is made.
+/// The current state of a cylinder.
 #[derive(Clone, Copy, Debug)]
 struct State {
     made_by: MadeBy,
-    /// The widest it may be.
+    /// Its largest possible diameter.
     largest: Micrometres,
-    /// How far its axis may lie from where the program sends the tools.
+    /// The possible offset of its axis from the programmed position.
     axis: Option<Both<Micrometres>>,
-    /// How far it may run off besides, by its end.
+    /// The further drift of the axis, at its end.
     drift: Micrometres,
-    /// Whether the spindle led its tool, as in boring.
+    /// Whether the spindle guided its tool, as in boring.
     led: bool,
     /// Where its full diameter ends.
     depth: Micrometres,
 }
 
-/// Everything that fails in the transitions of a hole.
+/// All faults in the transitions of a hole.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -84,7 +84,7 @@ impl Walk<'_, '_> {
         }
         let Some(place) = CylinderId::of(transition) else { return Ok(()) };
         let Some(asked) = Asked::of(place, self.hole, self.part, self.position()) else { return Ok(()) };
-        // A step begins as the cylinder that it widens.
+        // A step begins with the state of the cylinder that it widens.
         let before = self.states.get(&place).or_else(|| self.states.get(&CylinderId::Main)).copied();
         self.enters(transition, &asked);
         self.depths(transition, &asked, before);
@@ -122,7 +122,7 @@ impl Walk<'_, '_> {
         Ok(())
     }
 
-    /// What the position of the axis may be off, where the drawing says it as a width.
+    /// The permitted position error of the axis, where the drawing gives it as a width.
     fn position(&self) -> Option<Micrometres> {
         match self.hole.centre_tolerance {
             CentreTolerance::Width(width) => Some(width),
@@ -133,7 +133,7 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// The spot of a centring drill goes away with the hole or is the edge that the drawing has.
+    /// The spot of a centring drill must be removed by the hole, or be the edge of the drawing.
     fn spot(&mut self, transition: &Transition) {
         let hole = self.hole;
         let chamfer = hole.chamfer.map(|chamfer| hole.diameter.nominal + chamfer + chamfer);
@@ -154,7 +154,7 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// Nothing wider than the finished cylinder goes into it.
+    /// No tool wider than the finished cylinder may enter it.
     fn enters(&mut self, transition: &Transition, asked: &Asked<'_>) {
         let limit = match (transition.feature, asked.thread) {
             (Feature::Thread, Some(thread)) => thread.size,
@@ -172,7 +172,7 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// Depths: the drawing's, the floor, what was opened before.
+    /// Checks depths: that of the drawing, the floor, and what was opened before.
     fn depths(&mut self, transition: &Transition, asked: &Asked<'_>, before: Option<State>) {
         let (operation, tip) = (transition.operation, transition.end());
         if !self.hole.through && tip >= self.part.blank.thickness {
@@ -188,10 +188,10 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// The stock at worst: the widest the hole before may be, with its axis off to one side.
+    /// The stock in the worst case: the widest hole before, with its axis offset to one side.
     fn stock(&mut self, transition: &Transition, asked: &Asked<'_>, before: State, reach: Reach, last: bool) {
         let shift = match (reach.own_axis, before.axis) {
-            // The spindle goes to the same point twice.
+            // The spindle returns to the same point.
             (Some(own), Some(_)) if before.led => own.best + own.best,
             (Some(own), Some(axis)) => {
                 let aside = own.best + axis.ordinary + before.drift;
@@ -216,7 +216,7 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// The stock at most: what a reamer or a finishing bar takes at once.
+    /// The largest stock: what a reamer or a finishing bar removes at once.
     fn most(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
         let operation = transition.operation;
         let mm = |name| tool::limit(name, self.shop).map(Micrometres::from_mm_rounded);
@@ -227,7 +227,7 @@ impl Walk<'_, '_> {
                     (Operation::RoughReam, _) => ReamingCase::RoughAfterCoreDrill,
                     (_, MadeBy::Ream) => ReamingCase::FinishAfterRough,
                     (_, MadeBy::Drill) => ReamingCase::OneAfterDrill,
-                    // What the blank leaves is what it is: as much as any rough reamer takes.
+                    // The hole of the blank is given: it may leave as much as any rough reamer removes.
                     (_, MadeBy::BlankHole) => ReamingCase::RoughAfterDrill,
                     _ => ReamingCase::OneAfterCoreDrill,
                 };
@@ -262,7 +262,7 @@ impl Walk<'_, '_> {
             (None, Some(before)) => (before.axis, before.drift, before.led),
             (None, None) => (None, Micrometres::ZERO, false),
         };
-        // A reamer's lead does not widen the hole: what was opened before stays the room of the next tool.
+        // The lead of a reamer does not widen the hole: the depth opened before stays available for the next tool.
         let opened = before.filter(|_| transition.operation.is_reaming()).map(|before| before.depth);
         let depth = opened.unwrap_or(transition.depth_mm).max(transition.depth_mm);
         Ok(State {
@@ -275,7 +275,7 @@ impl Walk<'_, '_> {
         })
     }
 
-    /// A boring bar copies its deflection into the hole: stock varies from hole to hole and around it.
+    /// The deflection of a boring bar goes into the hole, because stock varies from hole to hole and around it.
     fn springs(
         &mut self,
         transition: &Transition,
@@ -292,7 +292,7 @@ impl Walk<'_, '_> {
         Ok(())
     }
 
-    /// Compares what the last transition leaves with the drawing.
+    /// Compares the result of the last transition with the drawing.
     fn finished(
         &mut self,
         transition: &Transition,

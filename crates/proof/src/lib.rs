@@ -1,14 +1,15 @@
-//! The proof of plans: every hole is simulated through its transitions at worst-case sizes and compared with drawing
-//! and machine.
+//! The proof of plans: every hole is simulated through its transitions with worst-case sizes and compared with
+//! drawing and machine.
 //!
-//! It takes the transitions of any finished plan, made here or written by hand, and uses tables by which nothing is
-//! chosen: what a transition reaches in practice, where its axis goes, what share of a machine's limit a load may take.
+//! The input is the transitions of any finished plan, made here or by hand. The proof uses tables that planning does
+//! not use for its choices: what a transition reaches in practice, the offset of its axis, the share of a machine's
+//! limit that a load may take.
 //!
-//! - `hole` walks through the transitions of a hole: sizes, positions and depths at worst;
-//! - `cylinder` what the drawing requires of a surface; `reach` what the tables say of a transition;
-//! - `loads` forces and power with their margin; `tool` what the tool itself bears; `fault` everything that can fail, as types.
+//! - `hole` simulates the transitions of a hole: worst-case sizes, positions and depths;
+//! - `cylinder` the requirements of the drawing for a surface; `reach` the practice tables of a transition;
+//! - `loads` forces and power with their margin; `tool` the strength of the tool; `fault` all faults, as types.
 //!
-//! Architecture invariant: the proof does not use the planner, chooses nothing and corrects nothing.
+//! Architecture invariant: the proof does not use the planner, makes no choices and corrects nothing.
 
 mod cylinder;
 mod fault;
@@ -17,7 +18,7 @@ mod loads;
 mod reach;
 mod tool;
 
-// The rooms below, under one name each in the whole program.
+// The types of other crates, under one name each in the whole program.
 use technolog_core::{error, note, part, plan, practice_speed, shop};
 use technolog_knowledge::units;
 use technolog_tables as tables;
@@ -30,7 +31,7 @@ use crate::note::Finding;
 use crate::plan::Plan;
 use crate::shop::Shop;
 
-/// Everything that fails in a plan, hole by hole.
+/// All faults in a plan, hole by hole.
 ///
 /// # Errors
 /// The knowledge base has no answer.

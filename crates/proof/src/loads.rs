@@ -7,10 +7,10 @@ use crate::tables::rules::{Load, LoadMarginFor};
 
 use super::Fault;
 
-/// A load at its limit counts as within it: limits are converted to feeds and back.
+/// A load at its limit counts as within it, because limits are converted to feeds and back.
 pub(crate) const SLACK: f64 = 1.001;
 
-/// Which loads of a transition exceed their share of the machine's limits.
+/// The loads of a transition that exceed their share of the machine's limits.
 pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fault>, KnowledgeError> {
     let (machine, conditions) = (&shop.machine, &transition.conditions);
     let loads = [

@@ -1,4 +1,4 @@
-//! Practice tables for a transition: what it reaches and where its axis goes.
+//! Practice tables for a transition: its accuracy and the offset of its axis.
 
 use crate::error::KnowledgeError;
 use crate::part::tolerance_width;
@@ -8,20 +8,20 @@ use crate::tables::practice::{DrillDriftFor, DrillOversizeFor, HolePositionReach
 use crate::tables::rules::{MadeBy, WayOfTransitionFor, Worst};
 use crate::units::{ItGrade, Micrometres, Roughness};
 
-/// A figure at best and ordinarily.
+/// The best and the ordinary value of a figure.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Both<T> {
     pub best: T,
     pub ordinary: T,
 }
 
-/// What a transition reaches.
+/// The accuracy of a transition.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     /// The grade of its diameter; none for threads.
     pub it: Option<Both<ItGrade>>,
     pub roughness: Both<Roughness>,
-    /// How far its axis may lie from where the program sends it; none if it follows the hole.
+    /// The offset of its axis from the programmed position; none if it follows the hole.
     pub own_axis: Option<Both<Micrometres>>,
     worst: Worst,
 }
@@ -36,7 +36,7 @@ pub(crate) struct MethodKey {
 }
 
 impl Reach {
-    /// What a transition reaches in a hole of that diameter; none for a spot.
+    /// The accuracy of a transition in a hole of that diameter; none for a spot.
     pub fn of(method: MethodKey, diameter: Micrometres, shop: &Shop<'_>) -> Result<Option<Self>, KnowledgeError> {
         if method.operation == Operation::CentreDrill {
             return Ok(None);
@@ -57,8 +57,8 @@ impl Reach {
         }))
     }
 
-    /// How much wider than its tool a hole of that diameter may be, for the sizes at worst; none if the tables of
-    /// tolerances end.
+    /// How much a hole of that diameter may be wider than its tool in the worst case; none outside the tables of
+    /// tolerances.
     pub fn width(&self, diameter: Micrometres, shop: &Shop<'_>) -> Option<Micrometres> {
         let it = self.it?;
         let grade = match self.worst {
@@ -69,7 +69,7 @@ impl Reach {
     }
 }
 
-/// How far the axis of a drilled hole runs off by its end; none for diameters that the table has not.
+/// The drift of the axis at the end of a drilled hole; none for diameters outside the table.
 pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let Some(asked) = shop.knowledge.ask_within(&DrillDriftFor { diameter })? else { return Ok(Micrometres::ZERO) };
     Ok(asked
@@ -77,10 +77,10 @@ pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) 
         .map_or(Micrometres::ZERO, |row| Micrometres::from_mm_rounded(row.drift * depth.to_mm() / 1000.0)))
 }
 
-/// How much wider than itself a drill cuts in the mean; none for diameters that the table has not.
+/// The mean oversize of a drilled hole; none for diameters outside the table.
 ///
-/// Not the largest figures: they are of badly ground drills and would leave no stock after the handbook's own drills
-/// before reamers, Ø7.8 under Ø8.
+/// The largest figures are not used: they belong to badly ground drills and would leave no stock after the handbook's
+/// own drills before reamers, Ø7.8 under Ø8.
 pub(crate) fn oversize(transition: &Transition, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let question = DrillOversizeFor { diameter: transition.diameter_mm };
     let Some(asked) = shop.knowledge.ask_within(&question)? else { return Ok(Micrometres::ZERO) };

@@ -1,4 +1,4 @@
-//! What a transition requires of its tool: its speed, the strength of a thin drill, the stiffness of a boring bar.
+//! Checks of the tool in a transition: its speed, the strength of a thin drill, the stiffness of a boring bar.
 //!
 //! A tool that is in no catalog, which a plan by hand may name, is not checked.
 
@@ -14,7 +14,7 @@ use crate::units::{Micrometres, NewtonMetres, Newtons};
 use super::Fault;
 use super::loads::SLACK;
 
-/// What of speed and strength does not hold.
+/// The conditions of speed and strength that do not hold.
 pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fault>, KnowledgeError> {
     Ok([too_fast(transition, shop)?, twists(transition, shop)?, buckles(transition, shop)?, slender(transition, shop)?]
         .into_iter()
@@ -22,7 +22,7 @@ pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fau
         .collect())
 }
 
-/// How much, on the diameter, a boring bar deflects when its stock varies; none for other tools.
+/// The deflection of a boring bar, on the diameter, when its stock varies; none for other tools.
 ///
 /// Spring = L³ / (3·E·I) · share · kc1·s^(1-mc) · spread, mm, with I = π·d⁴/64; the bar's reach L and diameter d in mm, E in
 /// MPa, s in mm/rev (tables `proof-limits`, `specific-cutting-force`).
@@ -41,7 +41,7 @@ pub(crate) fn spring(
     let inertia = core::f64::consts::PI * diameter * diameter * diameter * diameter / 64.0;
     let compliance = length * length * length / (3.0 * modulus * inertia);
     let feed = transition.conditions.feed_mm_per_rev.0;
-    // N of radial force to a mm of depth of cut.
+    // Radial force per mm of depth of cut, N.
     let radial = limit(ProofLimit::BarRadialShare, shop)? * force.kc1.0.to_f64() * libm::pow(feed, 1.0 - force.mc);
     Ok(Some(Micrometres::from_mm_rounded(compliance * radial * spread.to_mm())))
 }
@@ -50,7 +50,7 @@ pub(crate) fn limit(name: ProofLimit, shop: &Shop<'_>) -> Result<f64, KnowledgeE
     Ok(shop.knowledge.need(name.name(), |row: &ProofLimits<'_>| row.name.is(name))?.value)
 }
 
-/// Faster than shop practice for such a tool.
+/// Checks that the speed is not above shop practice for such a tool.
 fn too_fast(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
     let Some(table) = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table) else {
         return Ok(None);
@@ -104,7 +104,7 @@ fn buckles(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, Kn
     Ok((value.0 > limit.0 * SLACK).then_some(Fault::Buckles { operation, drill, flutes, value, limit }))
 }
 
-/// A boring bar that stands out further than steel bears.
+/// Checks that the overhang of a boring bar is not too long for steel.
 fn slender(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
     let Some((reach, bar)) = bar(transition, shop)? else { return Ok(None) };
     let ratio = limit(ProofLimit::BarOverhangRatio, shop)?;

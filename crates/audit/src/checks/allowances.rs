@@ -1,7 +1,7 @@
-//! The stock that each finishing transition finds: by section 1.2.1, on diameter.
+//! The stock of each finishing transition, on diameter, by section 1.2.1.
 //!
-//! Backwards from the finished hole, as it is planned: what a row finds is blamed on the row that left it, and that
-//! row is then judged by the diameter that would have done, so that one wrong diameter is reported once.
+//! The check goes backwards from the finished hole, as planning does. A wrong stock is reported at the row that left
+//! it; the next row is then judged by the right diameter, so that one wrong diameter is reported once.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note, Severity};
@@ -47,12 +47,12 @@ fn backwards(
         let Some(diameter) = leaves(graph, *at) else { return Ok(()) };
         left.push(diameter);
     }
-    // Rows out of order the route tells; their stocks are none.
+    // Rows out of order are reported by the route check; they have no stock here.
     if !left.is_sorted() {
         return Ok(());
     }
     let Some(mut after) = left.last().map(|last| finished(context, hole, *last)) else { return Ok(()) };
-    // What the next row permits this one to leave.
+    // The diameters that the next row permits this one to leave.
     let mut window = (after, after);
     for index in (0..rows.len()).rev() {
         let (at, row) = rows[index];
@@ -65,12 +65,12 @@ fn backwards(
         };
         let high = permitted(row, &range);
         let (smallest, largest) = (after - high, after - range.low);
-        // What rough boring finds in the blank, or after a slimmer bar, may be as little as it is.
+        // Rough boring in the blank, or after a thinner bar, may have any small stock.
         let first = row.operation.value == Operation::RoughBore
             && previous.is_none_or(|((_, other), _)| other.operation.value == Operation::RoughBore);
         let too_little = before > largest && !first;
-        // What it finds by the figures as they stand: errors that only a correction of the next row would cause are
-        // not reported.
+        // The stock by the figures as stated: errors that only a correction of the next row would cause are not
+        // reported.
         let stock = left[index] - before;
         let fine = stock <= high && (stock >= range.low || first);
         if fine || !too_little && before >= smallest {
@@ -78,7 +78,7 @@ fn backwards(
             continue;
         }
         let of_row = (at, row);
-        // Its own diameter may be the slip, where another would suit both what it finds and the row after it.
+        // The own diameter of the row may be the slip, if another value would suit both its stock and the next row.
         let own = (window.0.max(before + range.low), window.1.min(before + high));
         if own.0 <= own.1 {
             let right = after.max(own.0).min(own.1);
@@ -87,7 +87,8 @@ fn backwards(
             continue;
         }
         let nearest = if too_little { largest } else { smallest };
-        // Where the row says what it finds, and that would do, it was the figure of the row before that was misprinted.
+        // Where the row states its own diameter before, and that value fits, the figure of the row before was
+        // misprinted.
         let said = row.figures.get(&Q::From).map(|from| Micrometres::from_mm_rounded(from.value));
         let said = said.filter(|said| (smallest..=largest).contains(said));
         if said.is_none() && !too_little && row.operation.value == Operation::RoughBore {
@@ -106,7 +107,7 @@ fn backwards(
     Ok(())
 }
 
-/// The diameter that a row leaves; a slip that a formula explains is judged as it should be.
+/// The diameter that a row leaves; a slip that a formula explains is replaced by the right value.
 fn leaves(graph: &Graph<'_>, at: usize) -> Option<Micrometres> {
     let id = Id::new(Scope::Row(at), Q::Diameter);
     let slip = graph.verdict(id).is_some_and(|verdict| verdict.status != Status::Fine);
@@ -114,7 +115,7 @@ fn leaves(graph: &Graph<'_>, at: usize) -> Option<Micrometres> {
     value.map(Micrometres::from_mm_rounded)
 }
 
-/// What the last row must leave; the check of the route reports where that is not what the drawing requires.
+/// The diameter that the last row must leave; the route check reports where that is not the drawing's.
 fn finished(context: &Context<'_>, hole: &Hole, last: Micrometres) -> Micrometres {
     let reference = context.plan.holes.iter().find(|plan| plan.name == hole.name);
     let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(|route| route.finish_elsewhere);
@@ -122,13 +123,14 @@ fn finished(context: &Context<'_>, hole: &Hole, last: Micrometres) -> Micrometre
     if right || elsewhere || hole.thread.is_some() { last } else { hole.diameter.nominal }
 }
 
-/// The most that a row may find: so much in each of its passes.
+/// The most stock of a row: the limit of one pass times its passes.
 fn permitted(row: &Row, range: &Range<'_>) -> Micrometres {
     let passes = row.figures.get(&Q::Passes).map_or(1, |passes| passes.value.max(1.0) as i64);
     Micrometres::new(range.high.micrometres() * passes)
 }
 
-/// Rough boring takes what it must, in as many passes as the range asks: too few are wrong, none stated is doubtful.
+/// Rough boring removes what it must, in as many passes as the range requires: too few are wrong, none stated is
+/// doubtful.
 fn passes(context: &Context<'_>, (at, row): (usize, &Row), stock: Micrometres, range: &Range<'_>) -> AuditFinding {
     let most = range.high.micrometres().max(1);
     let needed = (stock.micrometres() + most - 1) / most;
@@ -145,8 +147,8 @@ fn passes(context: &Context<'_>, (at, row): (usize, &Row), stock: Micrometres, r
     }
 }
 
-/// What is said at the diameter that is to blame: of `row` itself, or of the row before it. The row finds that stock;
-/// `right` is the nearest diameter that would do.
+/// The finding at the diameter that is wrong: of `row` itself, or of the row before it. `stock` is the stock of the
+/// row; `right` is the nearest diameter that would be right.
 fn finding(
     context: &Context<'_>,
     (at, row): (usize, &Row),
@@ -161,7 +163,7 @@ fn finding(
         .with("stock", stock)
         .with("low", range.low)
         .with("high", high);
-    // The least stock of core drilling is ours, the text gives only the most.
+    // The least stock of core drilling is a convention of the program; the text gives only the most.
     let ours = range.least_is_ours && stock < range.low;
     let severity = if ours { Severity::Doubtful } else { Severity::Wrong };
     let stated = |(_, row): &(usize, &Row)| row.figures.contains_key(&Q::Diameter);

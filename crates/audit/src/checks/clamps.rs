@@ -1,4 +1,4 @@
-//! The clamp: whether its standard and its screw are those of its designation, and whether the screw bears the force.
+//! The clamp: whether standard and screw belong to its designation, and whether the screw bears the force.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note, Severity};
@@ -30,8 +30,8 @@ pub(super) fn check<'a>(
     }
 }
 
-/// The clamping is computed for what needs the largest force: the largest torque, over its distance to the clamp where
-/// plan or drawing say where clamps press (5.2 item 7).
+/// The clamping must be computed for the row that needs the largest force: the largest torque divided by its distance
+/// to the clamp, where plan or drawing give the places of clamps (5.2 item 7).
 fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findings: &mut Vec<AuditFinding>) {
     if context.stated.own {
         return;
@@ -71,8 +71,8 @@ fn finding(severity: Severity, key: &str, note: Note, said: &Text) -> AuditFindi
     AuditFinding::new(severity, Section::Clamping, format!("clamping.{key}"), note).at(&said.place)
 }
 
-/// The clamp of a designation, with what does not belong to it. The catalog has only clamps that the source names, so
-/// that another designation is not wrong: it could not be checked.
+/// The clamp of a designation, with findings on what does not belong to it. The catalog has only clamps that the
+/// source names, so another designation is not wrong: it cannot be checked.
 fn designation<'k>(
     context: &Context<'k>,
     clamping: &Clamping,
@@ -101,7 +101,7 @@ fn designation<'k>(
     Ok(Some(clamp))
 }
 
-/// The screw bears the force on its clamp; a smaller one that would bear it too is no fault.
+/// Checks that the screw bears the force on its clamp; that a smaller one would bear it too is no fault.
 fn screw(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -117,12 +117,13 @@ fn screw(
         return Ok(());
     };
     let each = Id::new(Scope::Clamping, Q::ForcePerClamp);
-    // Where the division over the clamps is not stated, it is what the force and their number make.
+    // Where the force per clamp is not stated, it is the force divided by the number of clamps.
     let whole = Id::new(Scope::Clamping, Q::ClampForce);
     let Some(force) = graph.right(each).or_else(|| graph.right(whole)) else { return Ok(()) };
     let bears = own.force_80.0;
     if bears + 0.5 >= force {
-        // A plan of ours takes the smallest that bears the force and is thick enough, unless the drawing names its screws.
+        // The program's own plan takes the smallest screw that bears the force and is thick enough, unless the
+        // drawing names the screws.
         let wanted = ClampingConstant::LeastScrew;
         let least = context.shop.knowledge.need(wanted.name(), |row: &Constant<'_>| row.name.is(wanted))?.maximum;
         let thick = |screw: &&ClampScrew<'_>| screw.nominal_diameter.to_mm() >= least;

@@ -31,7 +31,7 @@ pub(super) fn check<'a>(
         let Some(tool) = context.stated.tool_of(row) else { continue };
         let Some(cutter) = context.cutter(tool) else { continue };
         let Some(hole) = context.hole(row) else { continue };
-        // The angle of an edge stands in no row; what we chose for it `ours` holds against our plan.
+        // The angle of an edge is in no row; in a plan of the program the check `ours` compares it.
         if row.operation.value.is_of_edge() && context.stated.own {
             continue;
         }
@@ -64,9 +64,9 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// A cutter of another size than its row: the row's diameter may be the slip, and the cutter only follows. Where the
-/// drawing or the rows around say that the diameter is right, the cutter is the slip, and what formulas said of the
-/// diameter is taken back.
+/// A cutter of another size than its row. The diameter of the row may be the slip, and the cutter is right for it.
+/// Where the drawing or the neighbouring rows confirm the diameter, the cutter is the slip, and findings of formulas
+/// about the diameter are withdrawn.
 fn diameter(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -77,7 +77,7 @@ fn diameter(
 ) -> Result<Vec<String>, KnowledgeError> {
     let id = Id::new(Scope::Row(at), Q::Diameter);
     let field = context.field(id);
-    // A diameter that a check found wrong, as that of an opening.
+    // Another check has already found the diameter wrong, such as that of an opening.
     let told = findings.iter().any(|one| {
         one.field == field
             && one.follows_from.is_empty()
@@ -95,8 +95,8 @@ fn diameter(
     Ok(roots.into_iter().map(|root| context.field(root)).collect())
 }
 
-/// Whether something else than its tool says that a row's diameter is right: the drawing, our plan of the same
-/// transition, or what the next row finds.
+/// Whether something other than the tool confirms the diameter of a row: the drawing, the program's plan of the same
+/// transition, or the stock of the next row.
 fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> Result<bool, KnowledgeError> {
     let Some(own) = row.figures.get(&Q::Diameter) else { return Ok(false) };
     let value = Micrometres::from_mm_rounded(own.value);
@@ -115,9 +115,9 @@ fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> Result<bo
     Ok(found || stated(Q::From) == Some(value))
 }
 
-/// What the row asks of its cutter. Of a plan of ours only what stands in the row is asked, and of reach only that of
-/// drills, because it was computed with all that lies above it. How far a tap reaches depends on what its shank passes
-/// through.
+/// What the row requires of its cutter. In a plan of the program only the values in the row count, and reach only for
+/// drills, because it was computed with everything above the cut. The reach of a tap depends on the hole through
+/// which its shank passes.
 fn need<'a>(
     context: &Context<'_>,
     graph: &Graph<'_>,

@@ -1,5 +1,5 @@
-//! How deep the transitions of a hole go where no formula of the route says it: what follows the drill goes as deep as
-//! the hole, centring goes as deep as its spot requires, and nothing cuts through a blind hole.
+//! The depths of transitions for which the route has no formula: after the drill a tool goes as deep as the hole,
+//! centring as deep as its spot requires, and nothing cuts through a blind hole.
 
 use crate::error::KnowledgeError;
 use crate::note::{self, Note, Severity};
@@ -15,7 +15,7 @@ use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::stated::{Row, StatedFigure};
 
-/// A spot is as deep as half of its width: centring drills are of 90° (textbook 1.2.1, l. 272-273).
+/// The depth of a spot is half its width: centring drills have 90° (textbook 1.2.1, l. 272-273).
 const CENTRING_ANGLE: f64 = 90.0;
 
 pub(super) fn check<'a>(
@@ -42,7 +42,7 @@ pub(super) fn check<'a>(
                 .with("end", note::Figure::number(shown(end)))
                 .with("thickness", thickness);
             findings.retain(|finding| finding.field != field());
-            // The tip of a drill alone leaves a small hole.
+            // The tip of a drill would leave only a small hole.
             let whole = figure.value >= thickness.to_mm();
             let finding = say(if whole { Severity::Error } else { Severity::Doubtful }, note);
             findings.push(beside(finding, figure, format!("< {thickness}"), Q::Depth));
@@ -60,9 +60,9 @@ pub(super) fn check<'a>(
             }
             continue;
         }
-        // The cylinders of stepped and conical holes end where the next begins, and a thread has rules of its own.
+        // The cylinders of stepped and conical holes end where the next begins, and threads have rules of their own.
         let plain = hole.steps.is_empty() && hole.thread.is_none() && hole.cone.is_none();
-        // A mill that follows makes the flat bottom, and the drill's point stays above it.
+        // A later mill makes the flat bottom, and the point of the drill stays above it.
         let milled = context.stated.mill_follows(&hole.name, at) && !hole.through;
         let plain = plain && !milled;
         // Before a reamer a blind hole is drilled deeper, for its lead; over a flat floor the reamer ends above it.
@@ -80,7 +80,7 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// Where the tip of a cutter leaves a part whose hole is blind, mm below its face; none if it stays inside.
+/// How far the tip of a cutter comes out below a part with a blind hole, mm; none if it stays inside.
 fn breaks_through(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -90,7 +90,7 @@ fn breaks_through(
     figure: &StatedFigure,
 ) -> Option<f64> {
     let thickness = context.stated.part.blank.thickness;
-    // Where the drawing leaves no room, as for the run-out of a thread, our plan comes out too.
+    // Where the drawing leaves no room, as for the run-out of a thread, the program's plan comes out too.
     let ours = context.plan.holes.iter().find(|plan| plan.name == hole.name);
     let no_room = ours.is_some_and(|plan| plan.transitions.iter().any(|one| one.end() >= thickness));
     if hole.through || row.operation.value == Operation::CentreDrill || no_room {

@@ -1,4 +1,4 @@
-//! Whether designations exist, and belong to the standards, shanks and tables that are stated with them.
+//! Whether designations exist, and agree with the standards, shanks and tables stated for them.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
@@ -47,7 +47,7 @@ pub(super) fn check<'a>(
                 let finding = finding.beside(&shank.value, cutter.head.shank.name());
                 findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
             }
-            // Of equal designations the one of the table that is named was taken; this is none of it.
+            // Of equal designations the one of the stated table is taken; here the found row is not in that table.
             if let Some(table) = tool.table.as_ref().filter(|table| !same_table(&table.value, &row.table.id)) {
                 let note = Note::new("audit-tool-table").with("table", &table.value).with("tool", cutter.designation);
                 let note = note.with("known", &row.table.id);
@@ -114,7 +114,7 @@ fn named<'k, T>(
     findings.push(about(found));
 }
 
-/// Whether a standard is that of the row: of its table, or one that the row's place in the source names.
+/// Whether a standard belongs to the row: to its table, or to the place of the row in the source.
 fn standard(
     of: &ReportedRow<'_>,
     standard: Option<&Text>,
@@ -132,7 +132,7 @@ fn standard(
     let finding =
         |severity, note: Note| AuditFinding::new(severity, of.section, field.clone(), note).at(&standard.place);
     let found = match of.row.table.standard.as_deref() {
-        // Nothing to hold it against.
+        // There is nothing to compare it with.
         None => finding(Severity::Note, Note::new("audit-standard-unchecked").with("standard", &standard.value)),
         Some(right) => match likeness(&standard.value, right) {
             Likeness::Same => return,
@@ -150,7 +150,7 @@ fn standard(
     findings.push(about(found.resting_on([because])));
 }
 
-/// Dimensions that are none of the designation's, and all those of another one: it is the designation that is wrong.
+/// Dimensions that do not belong to the designation but all belong to another one: then the designation is wrong.
 fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<AuditFinding>) {
     let tool = &context.stated.tools[at];
     let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return };
@@ -165,14 +165,14 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<AuditFinding>
             stated.is_none_or(|value| length.is_some_and(|length| (length.to_mm() - value).abs() < 1e-6))
         })
     };
-    // Another tool of the same dimensions may be of another kind: it must do what the rows ask of this one.
+    // Another tool of the same dimensions may be of another kind: it must also suit the rows of this one.
     let does = |cutter: &NamedCutter<'_>| {
         let mut rows = context.stated.rows_of_tool(tool.number);
         rows.all(|(_, row)| cutter.head.operations.contains(&row.operation.value))
     };
     let mut others = context.auditor.cutters.values().filter(|cutter| fits(cutter) && does(cutter));
     let Some(other) = others.next() else { return };
-    // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
+    // A single dimension may itself be the slip; the rows of the tool decide which of the two is meant.
     let of_size =
         |other: &OfOther| matches!(other, OfOther::Operation { .. } | OfOther::Angle { .. } | OfOther::Size { .. });
     let unsuited =

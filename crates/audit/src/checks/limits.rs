@@ -1,4 +1,4 @@
-//! The machine's limits, the correctors.
+//! The limits of the machine, and the offset registers.
 
 use crate::error::KnowledgeError;
 use crate::note::{self, Because, Note, Severity};
@@ -25,7 +25,7 @@ pub(super) fn check<'a>(
     drills(context, findings)
 }
 
-/// Every figure that the machine bounds.
+/// Checks every figure that the machine limits.
 fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     for (at, own) in context.stated.conditions.iter().enumerate() {
@@ -99,7 +99,7 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<()
     Ok(())
 }
 
-/// Two tools of different lengths with one corrector; a tool that alone has another corrector than its own number.
+/// Two tools of different lengths with one offset register; a single tool whose register is not its own number.
 fn correctors(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
     let stated = context.stated.tools.iter().enumerate();
     let own: Vec<(usize, u32, &StatedFigure)> =
@@ -126,8 +126,8 @@ fn correctors(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
     }
 }
 
-/// More tools than places, or a tool with a place that the magazine does not have. A plan of ours numbers what is loaded
-/// by hand on.
+/// More tools than places, or a tool at a place that the magazine lacks. A plan of the program continues the numbers
+/// for tools that are loaded by hand.
 fn magazine(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let (tools, machine) = (&context.stated.tools, &context.shop.machine);
     let places = machine.magazine;
@@ -152,7 +152,8 @@ fn magazine(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(
     Ok(())
 }
 
-/// A drill beyond the machine's largest, where no catalog's drill of the row tells it.
+/// A drill larger than the machine permits, where no catalog has the drill of the row and so no other check reports
+/// it.
 fn drills(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     for (at, row) in context.stated.rows.iter().enumerate().filter(|(_, row)| !row.elsewhere) {

@@ -1,4 +1,5 @@
-//! Forces and torques beside the handbook's formulas at the feed that is taken: a part is clamped against them.
+//! Forces and torques compared with the formulas of the handbook at the feed used, because the clamping depends on
+//! them.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::TableRow;
@@ -21,7 +22,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
-    // The figures of a plan of ours are these formulas.
+    // The figures of a plan of the program come from these formulas.
     if stated.own {
         return Ok(());
     }
@@ -36,7 +37,7 @@ pub(super) fn check<'a>(
         let clamping = clamped.then_some((Id::new(Scope::Clamping, Q::Torque), by.torque, Section::Clamping));
         let figures = [(id(Q::Force), by.force, Section::Conditions), (id(Q::Torque), by.torque, Section::Conditions)];
         for (id, by_formula, section) in figures.into_iter().chain(clamping) {
-            // Of a plan by the formulas the rules of `handbook` judge it.
+            // In a plan by formula the rules of `handbook` judge it.
             if graph.formula(id).is_some_and(|formula| handbook::is_of(formula.rule)) {
                 continue;
             }
@@ -70,7 +71,7 @@ struct Loads {
     because: Because,
 }
 
-/// The loads of our own transition at another feed: they are powers of it, by the row of `torque-and-thrust`.
+/// The loads of the program's transition at another feed: powers of the feed, by the row of `torque-and-thrust`.
 fn at_feed(context: &Context<'_>, reference: &Transition, feed: f64) -> Option<Loads> {
     let own = &reference.conditions;
     let table = context.shop.knowledge.table_of::<TorqueAndThrust<'_>>().ok()?;

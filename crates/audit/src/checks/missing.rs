@@ -1,4 +1,4 @@
-//! What a plan leaves out: listed, one note per section, and never invented.
+//! What a plan leaves out: listed, one note per section, never guessed.
 
 use crate::error::KnowledgeError;
 use crate::note::{Note, Severity};
@@ -14,7 +14,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
-    // A plan of ours leaves out nothing on purpose.
+    // A plan of the program leaves out nothing by mistake.
     if stated.own {
         return Ok(());
     }
@@ -59,7 +59,7 @@ pub(super) fn check<'a>(
     for (at, tool) in stated.tools.iter().enumerate() {
         let mut own = Vec::new();
         own.extend(tool.designation.is_none().then_some("designation"));
-        // A cutter with the machine's own taper has none.
+        // A cutter with the taper of the machine has no holder.
         own.extend((tool.holder.is_none() && !context.whole(at)).then_some("holder"));
         own.extend(figures(Scope::Tool(at), &[Q::Overhang, Q::Assembly, Q::Corrector, Q::Correction]));
         if !own.is_empty() {
@@ -99,7 +99,7 @@ fn whole(key: &'static str) -> MissingKeys {
     MissingKeys { keys: vec![key], ..MissingKeys::default() }
 }
 
-/// As programs read it: `T3: correction`, `2: tool hole`.
+/// In the form that programs read: `T3: correction`, `2: tool hole`.
 fn said(lack: &MissingKeys) -> String {
     let keys = lack.keys.join(" ");
     if lack.of.is_empty() { keys } else { format!("{}: {keys}", lack.of) }

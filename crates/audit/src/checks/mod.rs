@@ -1,4 +1,4 @@
-//! Checks of choices against the tables: one file per kind, one line each in the list.
+//! Checks of choices against the tables: one file per kind, one line each in the list below.
 
 mod allowances;
 mod clamps;
@@ -27,7 +27,7 @@ use super::finding::AuditFinding;
 use super::graph::Graph;
 use super::roots;
 
-/// A kind of check; it adds what it finds.
+/// A kind of check; it adds its findings.
 type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<AuditFinding>) -> Result<(), KnowledgeError>;
 
 /// Every check, in the order of a report.

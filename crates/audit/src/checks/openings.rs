@@ -1,5 +1,5 @@
-//! What stands at the end of a hole: counterbores, countersinks, chamfers. Whether the drawing requires what the rows
-//! cut, at its diameter and depth, and whether the rows cut what it requires.
+//! The openings at the ends of a hole: counterbores, countersinks, chamfers. Checks whether the drawing requires what
+//! the rows cut, with its diameter and depth, and whether the rows cut what the drawing requires.
 
 use crate::error::KnowledgeError;
 use crate::note::{Figure, Note, Severity};
@@ -24,9 +24,9 @@ use super::route::of_hole;
 struct Opening {
     feature: Feature,
     diameter: Micrometres,
-    /// Absent if the drawing does not fix it: of a face.
+    /// Absent if the drawing does not fix it, as for a face.
     depth: Option<Micrometres>,
-    /// Whether the drawing requires it; the lead-in of a thread is ours.
+    /// Whether the drawing requires it; the lead-in of a thread is added by the program.
     asked: bool,
 }
 
@@ -44,7 +44,7 @@ pub(super) fn check<'a>(
         for opening in openings.iter().filter(|opening| opening.asked && ours(context, hole, opening)) {
             made(context, graph, hole, opening, &rows, findings);
         }
-        // What our own plans cut beside the drawing they say themselves.
+        // Plans of the program report themselves what they cut beyond the drawing.
         for (at, row) in rows.iter().filter(|(_, row)| row.operation.value.is_of_edge() && row.step.is_none()) {
             asked_for(context, graph, *at, row, &openings, findings);
         }
@@ -52,7 +52,7 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// What the drawing of a hole has at its entry, and what a thread needs there.
+/// The openings that the drawing has at the entry of a hole, and those that a thread needs there.
 fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, KnowledgeError> {
     let task = bores::task(hole, &context.stated.part, &context.shop)?;
     let stock = context.shop.convention(HoleDefault::FaceStock)?;
@@ -71,7 +71,7 @@ fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, Knowledg
     Ok(counterbore.into_iter().chain(edges).collect())
 }
 
-/// Whether our plan makes an opening: what our plan cannot make either is reported for the part.
+/// Whether the program's plan makes an opening: what that plan cannot make either is reported for the part.
 fn ours(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
     let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { return false };
     let makes = |one: &Transition| {
@@ -82,7 +82,8 @@ fn ours(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
     plan.transitions.iter().any(makes)
 }
 
-/// Whether some row makes an opening that the drawing requires: one of its own, a step drill, or centring as wide.
+/// Whether some row makes an opening that the drawing requires: a row of its own, a step drill, or a centring spot of
+/// that width.
 fn made(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -93,7 +94,7 @@ fn made(
 ) {
     let cuts = |row: &Row| match opening.feature {
         Feature::Counterbore | Feature::Face => matches!(row.operation.value, Operation::Counterbore | Operation::Mill),
-        // Column 9 of A.7 serves countersinks and counterbores alike.
+        // Column 9 of A.7 covers countersinks and counterbores.
         _ => row.operation.value.is_of_edge(),
     };
     let own = |row: &Row| row.step.is_none() && row.feature.is_none_or(|feature| feature == opening.feature);
@@ -111,7 +112,7 @@ fn made(
         let note = Note::new(code).with("feature", Figure::word(opening.feature.name()));
         note.with("diameter", opening.diameter).with("hole", &hole.name)
     };
-    // A spot that was to be as wide, or a row that lacks.
+    // Either the spot is too narrow, or a row is missing.
     let finding = match centring.zip(spot) {
         Some(((at, row), spot)) => {
             let note = note("audit-opening-not-centred").with("spot", Figure::number(shown(spot)));
@@ -135,7 +136,7 @@ fn made(
     findings.push(finding.of_kind(FindingKind::Opening));
 }
 
-/// Whether the drawing requires what a row cuts, and for that diameter and depth.
+/// Checks that the drawing requires what a row cuts, with that diameter and depth.
 fn asked_for(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -150,7 +151,7 @@ fn asked_for(
     let flat = row.operation.value == Operation::Counterbore;
     let like = |opening: &&Opening| {
         row.feature.is_none_or(|feature| feature == opening.feature)
-            // A countersink may be called by the name of column 9 of A.7.
+            // Column 9 of A.7 gives its name to countersinks too.
             && (flat || !matches!(opening.feature, Feature::Counterbore | Feature::Face))
     };
     let stated = row.figures.get(&Q::Diameter);
@@ -173,7 +174,7 @@ fn asked_for(
     }
     if let (Some(figure), Some(depth)) = (row.figures.get(&Q::Depth), opening.depth)
         && graph.formula(id(Q::Depth)).is_none()
-        // A cone's depth is computed: half of the last printed place is rounding.
+        // The depth of a cone is computed: half of the last printed place is rounding.
         && (figure.value - depth.to_mm()).abs() > figure.last_place / 2.0 + 1e-6
     {
         let note = Note::new("audit-opening-depth").with("feature", Figure::word(opening.feature.name()));
@@ -182,7 +183,7 @@ fn asked_for(
     }
 }
 
-/// Conditions that state the diameter of the drawing are right although the row says another.
+/// Conditions that state the diameter of the drawing are right although the row states another.
 pub(super) fn right_by_drawing(
     context: &Context<'_>,
     row: usize,

@@ -1,5 +1,5 @@
-//! A plan that `technolog plan` made and somebody changed: what no formula explains is compared with the plan we make
-//! of the same part. A difference alone is no fault.
+//! A plan that `technolog plan` made and somebody changed: what no formula explains is compared with a new plan of
+//! the same part. A difference alone is no fault.
 
 use serde_json::Value;
 
@@ -13,10 +13,10 @@ use super::super::finding::{AuditFinding, FindingKind, Section, Subject};
 use super::super::graph::Graph;
 use super::super::own::items;
 
-/// What a plan says beside its decisions.
+/// The parts of a plan that are not decisions.
 const OUTSIDE: [&str; 5] = ["because", "alternatives", "findings", "visiting", "part"];
 
-/// The most that two prints of the same figure differ by.
+/// The largest difference between two prints of the same figure.
 const SAME: f64 = 1e-9;
 
 pub(super) fn check<'a>(
@@ -51,7 +51,7 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// The cutter of a transition is that of its tool in the magazine.
+/// Checks that the cutter of a transition is that of its tool in the magazine.
 fn tools_of_transitions(tree: &Node, findings: &mut Vec<AuditFinding>) {
     let tools = items(tree.get("tools"));
     for hole in items(tree.get("holes")) {
@@ -80,7 +80,7 @@ fn tools_of_transitions(tree: &Node, findings: &mut Vec<AuditFinding>) {
     }
 }
 
-/// Whatever else does not fit about a tool whose name was exchanged follows from that.
+/// Other disagreements about a tool whose name was changed are consequences of that change.
 fn follow(context: &Context<'_>, findings: &mut [AuditFinding]) {
     let exchanged: Vec<String> = findings
         .iter()
@@ -161,7 +161,7 @@ impl Known {
     }
 }
 
-/// A value as people read it: what is an id of ours in that field is a word, what the author calls so himself is not.
+/// A value as people read it: an id of the program in that field becomes a word, a name given by the author stays.
 fn value(path: &str, text: &str) -> Figure {
     let own = |of| Figure::Word(Word { of, id: text.to_owned().into() });
     let mut keys = path.split('.').rev().skip_while(|key| key.bytes().all(|letter| letter.is_ascii_digit()));

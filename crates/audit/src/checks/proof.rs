@@ -1,8 +1,8 @@
-//! The proof of plans, on a plan that somebody wrote, as far as it says enough to be carried out.
+//! The proof of plans, applied to a plan by hand as far as its figures are complete enough.
 //!
-//! What rests on figures of practice is doubtful: the author may know a better drill. What is impossible whatever the
-//! tables say, such as a tool wider than the hole, is wrong. What other checks report with the place of the slip is
-//! left to them.
+//! A fault by figures of practice is doubtful: the author may know a better drill. What is impossible by geometry,
+//! such as a tool wider than the hole, is wrong. Faults that other checks report with their place are left to those
+//! checks.
 
 use technolog_proof::Fault;
 
@@ -19,7 +19,7 @@ pub(super) fn check<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
-    // A figure that contradicts another is reported as such; what follows from it proves nothing.
+    // A figure that contradicts another is reported as such; a proof on top of it would mean nothing.
     if context.stated.own || graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine)) {
         return Ok(());
     }
@@ -45,7 +45,7 @@ pub(super) fn check<'a>(
                 | Fault::BreaksThrough { .. }
                 | Fault::Floor { .. } => continue,
             };
-            // What is reached at best is the author's to know.
+            // Whether a limit reached only at best is really reached, the author must know.
             if fault.severity() == Severity::Doubtful {
                 continue;
             }

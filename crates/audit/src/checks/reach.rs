@@ -1,4 +1,4 @@
-//! How far a tool goes below the face it enters, and whether it stands out of its holder so far.
+//! How far a tool goes below the face it enters, and whether its overhang is long enough.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::vocabulary::Shank;
@@ -14,9 +14,9 @@ use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
 
-/// Where tips go, with what the rule `approach` adds to the depth of a hole.
+/// The depths of tips, with the addition of the rule `approach` to the depth of a hole.
 pub(super) struct Tips {
-    /// How far over the part the feed begins.
+    /// How far above the part the feed begins.
     pub approach: Micrometres,
     overrun: Micrometres,
 }
@@ -31,8 +31,8 @@ impl Tips {
         Ok(Self { approach: row.approach, overrun: row.overrun })
     }
 
-    /// How far below its face the tip of a row's tool goes: depth, point and overrun. Where our own plan has the same
-    /// transition, its point and overrun are taken; none if the depth is not known.
+    /// How far below its face the tip of a row's tool goes: depth, point and overrun. Point and overrun are those of
+    /// the same transition in the program's plan, if there is one; none if the depth is not known.
     pub fn of(&self, context: &Context<'_>, at: usize) -> Option<Micrometres> {
         let row = context.stated.rows.get(at).filter(|row| !row.elsewhere)?;
         let hole = context.hole(row)?;
@@ -53,7 +53,7 @@ impl Tips {
                 let cutter = context.stated.tool_of(row).and_then(|tool| context.cutter(tool));
                 let angle = cutter.and_then(|cutter| named::point_angle(cutter));
                 let diameter = figure(Q::Diameter).unwrap_or(hole.diameter.nominal).to_mm();
-                // A point's length: the radius over the tangent of half of its angle.
+                // The length of a point: the radius divided by the tangent of half its angle.
                 angle.map(|angle| diameter / 2.0 / libm::tan(angle.to_radians() / 2.0)).unwrap_or_default()
             }
             _ => 0.0,
@@ -71,7 +71,7 @@ pub(super) fn check<'a>(
     let tips = Tips::read(context)?;
     for (tool, own) in context.stated.tools.iter().enumerate() {
         let rows = context.stated.rows_of_tool(own.number);
-        // The deepest of its holes says it for all.
+        // The deepest hole of the tool decides.
         let deepest = rows.filter_map(|(at, _)| Some((at, tips.of(context, at)?))).max_by_key(|(_, tip)| *tip);
         let Some((at, needed)) = deepest else { continue };
         holder(context, graph, (tool, at), needed, findings);
@@ -80,8 +80,8 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// A cutter that stands out less than it goes down: its holder would hit the part. A shell cutter is followed into the
-/// hole by its arbor.
+/// A cutter whose overhang is less than its depth: its holder would hit the part. The arbor of a shell cutter follows
+/// it into the hole.
 fn holder(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -107,7 +107,7 @@ fn holder(
     finding.subject.tool = Some(own.number);
     finding.stated = own.figures.get(&Q::Overhang).map(|figure| figure.text.clone());
     finding.quantity = Some(Q::Overhang);
-    // Where the overhang itself is a slip, and the right one is long enough, the slip is that.
+    // Where the overhang is a slip and its right value is long enough, only the slip is reported.
     let slip = graph.verdict(id).is_some_and(|verdict| verdict.status != Status::Fine);
     if slip && length(&|id| graph.right(id)).is_some_and(|right| right >= needed) {
         finding.follows_from = vec![field];
@@ -117,7 +117,7 @@ fn holder(
     findings.push(finding.resting_on(context.holder(tool).map(|holder| Because::row(holder.row, Note::new("named")))));
 }
 
-/// The flutes that are stated for a drill that no catalog has; for a known drill `cutters` reports it.
+/// The stated flute length of a drill that no catalog has; for a known drill `cutters` reports it.
 fn flute(context: &Context<'_>, (tool, row): (usize, usize), needed: Micrometres, findings: &mut Vec<AuditFinding>) {
     let operation = context.stated.rows[row].operation.value;
     let drills = matches!(operation, Operation::Drill | Operation::DrillOut);

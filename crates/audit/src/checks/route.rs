@@ -22,7 +22,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
-    // A plan by hand may leave its route out; one of ours without rows has no route for anything.
+    // A plan by hand may leave its route out; a plan of the program without rows has no route for any hole.
     if stated.rows.is_empty() && !stated.own {
         return Ok(());
     }
@@ -30,7 +30,7 @@ pub(super) fn check<'a>(
         let rows: Vec<(usize, &Row)> = stated.rows_of_hole(&hole.name).collect();
         let plan = context.plan.holes.iter().find(|plan| plan.name == hole.name);
         if rows.is_empty() {
-            // A hole that we have no route for is unfinished all the same.
+            // A hole for which the program has no route is unfinished too.
             let known = plan.is_some_and(|plan| !plan.transitions.is_empty());
             let code = if known { "audit-hole-not-made" } else { "audit-hole-not-made-either" };
             let note = Note::new(code).with("hole", &hole.name).with("count", hole.at.len());
@@ -49,7 +49,7 @@ pub(super) fn of_hole(hole: &Hole) -> Subject {
     Subject { holes: vec![hole.name.clone()], ..Subject::default() }
 }
 
-/// The order of section 1.1.2: ranks of one cylinder never fall. What opens edges may stand between.
+/// The order of section 1.1.2: the ranks within one cylinder never fall. Rows that make edges may come between.
 fn order(
     context: &Context<'_>,
     rows: &[(usize, &Row)],
@@ -109,7 +109,7 @@ fn finished(
         before = diameter;
         last = Some((*at, *row, diameter));
     }
-    // A thread's hole is that of its tap; a hole finished elsewhere keeps its stock.
+    // The hole of a thread is that of its tap; a hole finished elsewhere keeps its stock.
     let reference = context.plan.holes.iter().find(|plan| plan.name == hole.name);
     let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(|route| route.finish_elsewhere);
     if hole.thread.is_some() || elsewhere {
@@ -131,13 +131,13 @@ const fn of_row(at: usize) -> Id {
     Id::new(Scope::Row(at), Q::Diameter)
 }
 
-/// The slips that stated figures are or follow from, as fields.
+/// The fields of the slips among stated figures, or of the slips that these follow from.
 fn follows(context: &Context<'_>, graph: &Graph<'_>, figures: &[Option<Id>]) -> Vec<String> {
     let roots = figures.iter().flatten().flat_map(|id| roots::of_figure(graph, *id));
     roots.map(|id| context.field(id)).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-/// More tool changes than tools where each could go round all its holes.
+/// More tool changes than tools, where each tool could visit all its holes at once.
 fn changes(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
     let changes = context.changes();
     let mut tools = changes.clone();
@@ -146,7 +146,7 @@ fn changes(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
     if context.stated.own || changes.len() <= tools.len() {
         return;
     }
-    // By our own plan's order, which puts every tool into the spindle once where the transitions let it.
+    // The least number, by the order of the program's plan: each tool comes once where the transitions permit it.
     let least = context.plan.sequence.len();
     if changes.len() <= least || least == 0 {
         return;

@@ -35,7 +35,7 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// A group of holes with its stated rows and our route.
+/// A group of holes with its stated rows and the program's route.
 struct Group<'c, 'a> {
     context: &'c Context<'a>,
     graph: &'c Graph<'a>,
@@ -43,9 +43,9 @@ struct Group<'c, 'a> {
     route: &'c Route,
     rows: &'c [(usize, &'c Row)],
     first: &'c Row,
-    /// Our transitions.
+    /// The transitions of the program's plan.
     ours: Vec<Operation>,
-    /// What the tables say before anything is tried.
+    /// The answer of the tables, before any scheme is tried.
     asked: TableAnswer<'a>,
 }
 
@@ -64,14 +64,15 @@ impl Group<'_, '_> {
         self.rows.iter().map(|(_, row)| *row).find(|row| row.scheme.is_some()).unwrap_or(self.first)
     }
 
-    /// Whether our route or one it was weighed against is of that scheme; 1 of A.5 is a complex, and no scheme 01.
+    /// Whether the program's route, or a candidate compared with it, has that scheme; 1 of A.5 is a complex, not
+    /// scheme 01.
     fn weighed(&self, scheme: &str) -> bool {
         let is = |own: &str, way: RouteSource| own == scheme || way == RouteSource::Tables && same_scheme(scheme, own);
         is(&self.route.scheme, self.route.way)
             || self.route.alternatives.iter().any(|other| is(&other.scheme, other.way))
     }
 
-    /// Whether the tables' own cell has that scheme.
+    /// Whether the hole's own cell of the tables has that scheme.
     fn printed(&self, scheme: &str) -> bool {
         self.asked.schemes.iter().any(|own| same_scheme(scheme, own))
     }
@@ -88,11 +89,11 @@ impl Group<'_, '_> {
         finding.about(of_hole(self.hole)).resting_on(self.route.because.iter().take(3).cloned())
     }
 
-    /// Every scheme that a row names: whether the tables allow it, and whether it is that of the other rows. Tells
-    /// whether the transitions are still to be judged.
+    /// Checks every scheme that a row names: whether the tables permit it, and whether the other rows name the same.
+    /// Returns whether the transitions must still be judged.
     fn names(&self, findings: &mut Vec<AuditFinding>) -> Result<bool, KnowledgeError> {
         let mut told: Vec<&str> = Vec::new();
-        // The scheme of the group: of those that rows name the first that may be.
+        // The scheme of the group: the first permitted one that rows name.
         let schemes = || self.rows.iter().filter_map(|(_, row)| Some((*row, row.scheme.as_ref()?)));
         let own = schemes().map(|(_, scheme)| &scheme.value).find(|name| self.weighed(name) || self.printed(name));
         let mut judged = true;
@@ -114,14 +115,14 @@ impl Group<'_, '_> {
             } else if !self.printed(name) {
                 let note = Note::new("audit-scheme-unknown").with("stated", name);
                 findings.push(self.say(Severity::Wrong, row, "scheme", note).beside(name, &self.route.scheme));
-                // Of a scheme that may not be the transitions need no second word.
+                // If the scheme is not permitted, its transitions are not judged as well.
                 judged &= own.is_some();
             }
         }
         Ok(judged)
     }
 
-    /// The cell has the scheme, but its hole is centred first: by the text, or only by our reading of it.
+    /// The cell has the scheme, but the hole is centred first: by the text, or only by the program's reading of it.
     fn uncentred(&self, row: &Row, name: &str) -> AuditFinding {
         let by_text = self.asked.centring.source == Some(Source::Seed);
         let severity = if by_text { Severity::Wrong } else { Severity::Doubtful };
@@ -134,7 +135,7 @@ impl Group<'_, '_> {
         finding
     }
 
-    /// Every table that a row names with its scheme.
+    /// Checks every table that a row names with its scheme.
     fn tables(&self, findings: &mut Vec<AuditFinding>) {
         let mut told: Vec<(&str, &str)> = Vec::new();
         for (_, row) in self.rows {
@@ -169,9 +170,10 @@ impl Group<'_, '_> {
         main(&self.stated()) == main(&self.ours)
     }
 
-    /// The transitions beside the routes that were weighed, and beside those that A.7 gives for the scheme.
+    /// Compares the transitions with the candidates of the program, and with those that A.7 gives for the scheme.
     fn transitions(&self, scheme: Option<&Text>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
-        // What edges the rows cut is judged with the edges; here only that the scheme has them so, where ours has not.
+        // Edges are judged in another check; here only whether the scheme has them as the rows do, where the
+        // program's plan differs.
         let merged = self.is_ours();
         if merged && (self.context.stated.own || !self.has_edges_of(scheme)?) {
             return Ok(());
@@ -231,8 +233,8 @@ impl Group<'_, '_> {
         Note::new("audit-route-dominated").with("rank", rank + 2).with("slower", round_to(slower, 2))
     }
 
-    /// The table A.7, where the rows are the transitions it gives for the scheme that they name, or where they name none
-    /// for one that the tables allow. Two drills are one drilling to it.
+    /// The table A.7, where the rows are the transitions that it gives for the scheme they name, or, where they name
+    /// none, for a permitted scheme. Two drills count as one drilling.
     fn word_for_word(
         &self,
         stated: &[Operation],
@@ -259,7 +261,8 @@ impl Group<'_, '_> {
         Ok(None)
     }
 
-    /// Whether the rows cut the edges that A.7 gives for the scheme, and our plan other ones: in the stroke of another tool.
+    /// Whether the rows cut the edges that A.7 gives for the scheme, while the program's plan cuts them with another
+    /// tool.
     fn has_edges_of(&self, scheme: Option<&Text>) -> Result<bool, KnowledgeError> {
         let edges = |list: &[Operation]| list.iter().filter(|one| one.is_of_edge()).count();
         let Some(scheme) = scheme else { return Ok(false) };
@@ -268,7 +271,7 @@ impl Group<'_, '_> {
         Ok(stated != edges(&self.ours) && given.is_some_and(|given| edges(&given) == stated))
     }
 
-    /// A drill that the rule `two-pass-drilling` does not let stand alone.
+    /// A single drill where the rule `two-pass-drilling` requires two.
     fn drill_alone(&self) -> Result<Option<AuditFinding>, KnowledgeError> {
         if self.rows.iter().any(|(_, row)| row.operation.value == Operation::DrillOut) {
             return Ok(None);
@@ -296,12 +299,12 @@ fn full(scheme: &str) -> String {
     }
 }
 
-/// The transitions but those of edges.
+/// The transitions without those of edges.
 fn main(list: &[Operation]) -> Vec<Operation> {
     list.iter().copied().filter(|one| !one.is_of_edge()).collect()
 }
 
-/// With one drilling for two drills after each other.
+/// The transitions with one drilling in place of two in a row.
 fn drilled_once(list: &[Operation]) -> Vec<Operation> {
     let mut once: Vec<Operation> = Vec::new();
     for operation in list {

@@ -1,5 +1,5 @@
-//! What a plan by hand takes from tables, beside the tables: feeds, points and factors of the cards, rapids. How far it may
-//! be off says the rule `audit-by-table`.
+//! The values that a plan by hand takes from tables: feeds, points and factors of the cards, rapids. The rule
+//! `audit-by-table` says how far they may differ.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note};
@@ -18,7 +18,7 @@ pub(super) fn check<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
-    // Of a plan of ours every figure is compared with our own plan.
+    // In a plan of the program every figure is compared with the new plan.
     if context.stated.own {
         return Ok(());
     }
@@ -39,7 +39,7 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// As the rule calls a quantity; none for what it does not judge.
+/// The quantity as the rule names it; none if the rule does not judge it.
 fn kind(context: &Context<'_>, id: Id) -> Option<Tabulated> {
     match id.quantity {
         Q::Feed if operation(context, id) == Some(Operation::CentreDrill) => Some(Tabulated::SpotFeed),
@@ -51,14 +51,14 @@ fn kind(context: &Context<'_>, id: Id) -> Option<Tabulated> {
     }
 }
 
-/// The transition that conditions are of.
+/// The transition of the conditions.
 fn operation(context: &Context<'_>, id: Id) -> Option<Operation> {
     let Scope::Conditions(at) = id.scope else { return None };
     let row = *context.stated.conditions.get(at)?.rows.first()?;
     Some(context.stated.rows.get(row)?.operation.value)
 }
 
-/// The rows that the table's feed rests on.
+/// The rows behind the feed of the table.
 fn rows(context: &Context<'_>, id: Id) -> Vec<Because> {
     let Scope::Conditions(at) = id.scope else { return Vec::new() };
     let first = context.stated.conditions.get(at).and_then(|own| own.rows.first().copied());

@@ -1,4 +1,4 @@
-//! Threaded holes: the drill under the thread, how deep hole and thread go, and where the thread is cut.
+//! Threaded holes: the drill under the thread, the depth of hole and thread, and the machine that cuts the thread.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
@@ -72,7 +72,7 @@ fn tap_drill<'a>(thread: &Thread, context: &Context<'a>) -> Option<(Micrometres,
     coarse.map(|row| (row.diameter, row.row)).or_else(|| fine().map(|row| (row.diameter, row.row)))
 }
 
-/// What stands under the tap: the drill of the table, or a hole within the limits of the thread.
+/// Checks the hole under the tap: by the drill of the table, or within the limits of the thread.
 fn drill(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -81,7 +81,7 @@ fn drill(
     findings: &mut Vec<AuditFinding>,
 ) {
     let Some(figure) = row.figures.get(&Q::Diameter) else { return };
-    // The formulas report where it is not the diameter of its own tool.
+    // The formulas report it where it is not the diameter of its own tool.
     let own = Micrometres::from_mm_rounded(figure.value);
     let found = tap_drill(thread, context);
     let limits = hole.diameter.smallest()..=hole.diameter.largest();
@@ -98,7 +98,7 @@ fn drill(
         AuditFinding::new(Severity::Wrong, Section::Route, field, note).about(context.subject(Scope::Row(at)));
     let finding = finding.resting_on(found.map(|(_, row)| Because::row(row, Note::new("named"))));
     let id = Id::new(Scope::Row(at), Q::Diameter);
-    // Said once: where the tool has the right diameter the misprint is told already.
+    // Reported once: where the tool has the right diameter, the misprint has its finding already.
     if graph.verdict(id).is_none_or(|verdict| verdict.status == super::super::graph::Status::Fine) {
         findings.push(beside(finding, figure, right, Q::Diameter));
         right_by_drawing(context, at, right, findings);

@@ -1,8 +1,8 @@
 //! The machine's working zone: the blank on the table, the holes within its travels, every tool between the part and
 //! the spindle. Motions beyond the travels are reported by the run of the program.
 //!
-//! Only what is impossible whatever the operator sets is an error: the knee may be at any height, and if the plan does
-//! not give the height of the fixture, the least that the tools need under the part is assumed.
+//! Only what is impossible at any setting of the operator is an error: the knee may have any height, and where the
+//! plan does not give the height of the fixture, the least height that the tools need is assumed.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
@@ -24,7 +24,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     table(context, findings)?;
-    // Of these a plan of ours says itself.
+    // A plan of the program reports these itself.
     if !context.stated.own {
         travels(context, findings)?;
     }
@@ -35,7 +35,7 @@ fn about_part(severity: Severity, field: &str, note: Note) -> AuditFinding {
     AuditFinding::new(severity, Section::Route, field.to_owned(), note)
 }
 
-/// A blank that stands out of the table.
+/// A blank that extends beyond the table.
 fn table(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let (blank, machine) = (context.stated.part.blank, &context.shop.machine);
     let (length, width) = (machine.table_length, machine.table_width);
@@ -60,7 +60,7 @@ fn limit(row: RowRef<'_>) -> Because {
     Because::row(row, Note::new("audit-limit"))
 }
 
-/// What planning says of the same part: too heavy for the table, holes wider apart than it travels.
+/// The findings of planning for the same part: too heavy for the table, holes wider apart than its travel.
 fn travels(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let (part, machine) = (&context.stated.part, &context.shop.machine);
     for fault in zone::off_table(part, machine) {
@@ -78,7 +78,7 @@ fn travels(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<()
     Ok(())
 }
 
-/// The spans of the holes with the part turned by a quarter, where both are then within the travels.
+/// The spans of the holes with the part turned by 90°, where both are then within the travels.
 fn turned(context: &Context<'_>) -> Vec<Note> {
     let machine = &context.shop.machine;
     let other = |axis| if axis == Axis::X { Axis::Y } else { Axis::X };
@@ -106,7 +106,7 @@ struct Reach {
     stroke: Stroke,
 }
 
-/// Every tool passes over the part, and comes down to the bottom of its deepest hole.
+/// Every tool must pass above the part and reach the bottom of its deepest hole.
 fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let part = &context.stated.part;
     let tips = Tips::read(context)?;
@@ -142,7 +142,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
     let stated = zone.beyond(&reaches(&|id| graph.written(id)))?;
     let right = zone.beyond(&reaches(&|id| graph.right(id)))?;
     for (tool, mut finding) in stated {
-        // Lengths that are slips themselves, and would do if they were right.
+        // Lengths that are slips, and whose right values fit.
         if !right.iter().any(|(other, _)| *other == tool) {
             let lengths = deepest.iter().map(|(tool, ..)| Id::new(Scope::Tool(*tool), Q::Assembly));
             let off = lengths.filter(|id| graph.written(*id) != graph.right(*id));
@@ -157,7 +157,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
     Ok(())
 }
 
-/// The severity of a tool without room. For plans of our own it is lower: their program reports it again.
+/// The severity for a tool without room; lower for plans of the program, because their program reports it again.
 fn grave(context: &Context<'_>) -> Severity {
     if context.stated.own { Severity::Doubtful } else { Severity::Error }
 }
@@ -165,7 +165,7 @@ fn grave(context: &Context<'_>) -> Severity {
 struct ZoneCheck<'c, 'a> {
     context: &'c Context<'a>,
     approach: Micrometres,
-    /// Height of what the part lies on.
+    /// Height of the support under the part.
     fixture: Micrometres,
 }
 

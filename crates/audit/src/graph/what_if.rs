@@ -1,5 +1,5 @@
-//! What the figures of a plan would be if one of them had another value: by that a misprinted figure is told from those that
-//! were computed from what it should have been.
+//! The figures of a plan, if one of them had another value. This distinguishes a misprinted figure from the figures
+//! computed from its right value.
 
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
@@ -9,7 +9,7 @@ use super::super::stated::StatedFigure;
 use super::{Formula, Graph};
 
 impl<'a> Graph<'a> {
-    /// The same if one figure of the plan had another value.
+    /// As `written`, if one figure of the plan had another value.
     pub(super) fn written_if(&self, id: Id, other: Option<(Id, f64)>) -> Option<f64> {
         if let Some((_, value)) = other.filter(|(one, _)| *one == id) {
             return Some(value);
@@ -29,15 +29,16 @@ impl<'a> Graph<'a> {
         value.or(right)
     }
 
-    /// What the formula of a stated figure makes of the plan as written, if one of its figures had another value.
+    /// The result of the formula of a stated figure from the plan as written, if one of its figures had another
+    /// value.
     pub(crate) fn computed_if(&self, id: Id, other: Option<(Id, f64)>) -> Option<f64> {
         let formula = self.formula(id)?;
         let inputs: Option<Vec<f64>> = formula.inputs.iter().map(|input| self.written_if(*input, other)).collect();
         (formula.compute)(&inputs?).filter(|value| value.is_finite())
     }
 
-    /// Whether a stated figure would fit its formula if one figure of the plan, maybe itself, had another value; none
-    /// if no formula computes it.
+    /// Whether a stated figure would fit its formula if one figure of the plan (perhaps itself) had another value;
+    /// none if it has no formula.
     pub(crate) fn fits_if(&self, id: Id, other: Option<(Id, f64)>) -> Option<bool> {
         let formula = self.formula(id)?;
         let mut figure = self.stated.figure(id)?.clone();
@@ -65,7 +66,7 @@ impl<'a> Graph<'a> {
         }))
     }
 
-    /// The stated figures whose formulas take a figure, directly or through figures that the plan does not state.
+    /// The stated figures whose formulas use a figure, directly or through figures that are not stated.
     pub(crate) fn stated_users(&self, id: Id) -> BTreeSet<Id> {
         let mut found = BTreeSet::new();
         let (mut open, mut seen) = (vec![id], BTreeSet::new());
@@ -82,7 +83,7 @@ impl<'a> Graph<'a> {
         found
     }
 
-    /// The stated figures that the formula of a figure takes, directly or through figures that the plan does not state.
+    /// The stated figures that the formula of a figure uses, directly or through figures that are not stated.
     pub(crate) fn stated_inputs(&self, id: Id) -> BTreeSet<Id> {
         let mut found = BTreeSet::new();
         let (mut open, mut seen) = (vec![id], BTreeSet::new());
@@ -99,7 +100,7 @@ impl<'a> Graph<'a> {
         found
     }
 
-    /// Whether two values of a stated figure are nearer to each other than it may be off.
+    /// Whether two values of a stated figure differ by less than its tolerance.
     pub(crate) fn within_tolerance(&self, id: Id, one: f64, other: f64) -> bool {
         let Some(figure) = self.stated.figure(id) else { return false };
         (one - other).abs() <= self.tolerances.of(id.quantity, figure, other)
@@ -115,8 +116,7 @@ impl<'a> Graph<'a> {
         self.misprinted.get(&misprinted).copied()
     }
 
-    /// Takes what a misprinted figure should have been, and what was computed from that; everything is judged again by
-    /// it.
+    /// Adds the right value of a misprinted figure, and what was computed from it; everything is then judged again.
     pub(crate) fn correct(&mut self, formula: Formula<'a>, computed: Id) {
         self.misprinted.insert(formula.output, computed);
         self.formulas.insert(formula.output, vec![formula]);

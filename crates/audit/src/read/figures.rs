@@ -9,7 +9,7 @@ use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Figures, StatedFigure};
 use crate::audit::tolerance::Range;
 
-/// The most that a figure of a plan can be, in its unit: beyond it no sum is exact.
+/// The largest figure of a plan, in its unit: above it sums are not exact.
 pub(crate) const MOST: f64 = 1e9;
 
 impl Reader<'_> {
@@ -24,14 +24,14 @@ impl Reader<'_> {
         for key in F::KEYS {
             let Some(quantity) = Quantity::of_key(&format!("{prefix}{}", key.name())) else { continue };
             let Some(node) = fields.take_once(*key) else { continue };
-            // The clamping calls its force as the conditions call theirs; both are in one range.
+            // Clamping and conditions both have a force; both are in one range of quantities.
             figures
                 .extend(self.figure(node).and_then(|figure| self.possible(quantity, figure)).map(|it| (quantity, it)));
         }
         figures
     }
 
-    /// A figure that its quantity can have, by the table `audit-tolerance`.
+    /// A figure within the range of its quantity, by the table `audit-tolerance`.
     fn possible(&mut self, quantity: Quantity, figure: StatedFigure) -> Option<StatedFigure> {
         let (name, text) =
             (technolog_note::Figure::word_of("quantity", quantity.key().replace('.', "-")), &figure.text);
@@ -80,7 +80,7 @@ impl Reader<'_> {
     }
 }
 
-/// A number and what its last printed place is worth.
+/// A number and the value of one unit in its last printed place.
 pub(crate) fn number(text: &str) -> Option<(f64, f64)> {
     let digits = text.strip_prefix(['-', '+', '−']).unwrap_or(text);
     let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));

@@ -51,7 +51,7 @@ pub fn read_plan_node(node: &Node, file: &str, knowledge: &Knowledge, files: Fil
     read_tree((Some(node.clone()), Vec::new()), file, "", knowledge, files)
 }
 
-/// The same of a file that may be something else, one of a folder: nothing, where it is readable but no plan.
+/// As [`read_plan_node`], for a file of a folder that may be something else: none where it is readable but no plan.
 ///
 /// # Errors
 /// As for [`read_plan`].
@@ -68,8 +68,8 @@ pub fn read_if_plan(
     read_tree((root, diagnostics), file, text, knowledge, files).map(Some)
 }
 
-/// Whether a file means to be a plan: what `technolog plan` writes, or what has a part of a plan and no holes, which a
-/// part file has. A plan that has forgotten its part is one too.
+/// Whether a file is meant as a plan: written by `technolog plan`, or with a section of a plan and no holes (part
+/// files have holes). A plan without its part is one too.
 fn is_plan(root: &Node) -> bool {
     let NodeKind::Map(entries) = &root.kind else { return false };
     if root.get("holes").is_some() {
@@ -88,7 +88,7 @@ fn read_tree(
     knowledge: &Knowledge,
     files: Files<'_>,
 ) -> Result<Stated, Unreadable> {
-    // Without the table every figure can be; the audit itself says that it is missing.
+    // Without the table every figure is accepted; the audit itself reports that it is missing.
     let tolerances = Tolerances::read(knowledge).unwrap_or_default();
     let mut reader = Reader {
         knowledge,
@@ -125,7 +125,7 @@ struct Reader<'a> {
     problems: Problems,
     texts: Vec<NamedText>,
     file: &'a str,
-    /// The numbers and the tools of rows of the route that have a fault for which they are not among those read.
+    /// Rows of the route that were not read because of a fault: their numbers and their tools.
     unread_rows: Vec<(u32, Option<u32>)>,
 }
 

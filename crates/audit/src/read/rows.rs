@@ -39,7 +39,7 @@ impl Reader<'_> {
         let mut fields = self.problems.map(node)?;
         let own = fields.take(file::Row::row).and_then(|node| self.problems.scalar::<u32>(node));
         let operation = fields.need(file::Row::operation, &mut self.problems).and_then(|node| {
-            // By its name in tables, or as the report calls it: `drill`, `свердління`, `свердлити`.
+            // By its name in tables, or by the Ukrainian name of the report: `drill`, `свердління`, `свердлити`.
             let id =
                 |text: &str| Operation::NAMES.iter().find(|(name, _)| *name == text).map(|(_, operation)| *operation);
             let named = node.text().and_then(|text| id(text).or_else(|| operation_named(text, Lang::UK)));
@@ -79,7 +79,7 @@ impl Reader<'_> {
     /// The group of holes that a field names.
     pub(super) fn hole<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>, part: &Part) -> Option<Text> {
         let mut hole = self.text_of(fields, key)?;
-        // A Cyrillic letter that looks like the Latin one of the part is meant as that.
+        // A Cyrillic letter that looks like the Latin one in the part means that letter.
         let alike: Vec<&str> = part
             .holes
             .iter()
@@ -101,7 +101,7 @@ impl Reader<'_> {
         Some(hole)
     }
 
-    /// `T2`, or `2`; the Cyrillic letter is typed as often.
+    /// `T2`, or `2`; also with the Cyrillic letter, which is typed as often.
     pub(super) fn tool_number(&mut self, node: &Node) -> Option<StatedValue<u32>> {
         let text = self.problems.text(node)?;
         match number_of_tool(text) {
@@ -132,7 +132,7 @@ impl Reader<'_> {
                 let found = rows.iter().position(|row| row.number == number).into_iter().collect();
                 (found, self.unread_rows.iter().any(|(own, _)| *own == number))
             };
-            // What names a row with a fault of its own is not at fault.
+            // A reference to a row with a fault of its own is not reported.
             if found.is_empty() && !unread {
                 let (message, help) = match tool {
                     Some(tool) => (

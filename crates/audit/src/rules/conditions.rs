@@ -84,7 +84,7 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     if !has(id(Q::Torque)) || has(id(Q::CardPower)) {
         graph.add(torque_of_power(Scope::Conditions(at)));
     }
-    // A tap goes back at its feed.
+    // A tap returns at its feed.
     if axial {
         let passes = has(of_row(Q::Passes));
         let mut inputs = vec![id(Q::Travel), id(Q::MinuteFeed)];
@@ -97,7 +97,7 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     Ok(())
 }
 
-/// M = 9750·N/n, of conditions and of the clamping alike; N in kW, n in 1/min, M in N·m.
+/// M = 9750·N/n, for conditions and for the clamping; N in kW, n in 1/min, M in N·m.
 pub(super) fn torque_of_power<'a>(scope: Scope) -> Formula<'a> {
     let id = |quantity| Id::new(scope, quantity);
     let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
@@ -126,8 +126,8 @@ fn depth_of_cut<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, 
     graph.add(formula(&DEPTH, id(Q::DepthOfCut), inputs, &numbers, depth));
 }
 
-/// A figure of the card times its factors, or divided by them. A factor that is only named has the value that other
-/// conditions of the same plan give it.
+/// A figure of the card times its factors, or divided by them. A factor without a value takes its value from other
+/// conditions of the same plan.
 fn by_factors<'a>(
     context: &'a Context<'a>,
     graph: &mut Graph<'a>,
@@ -166,7 +166,7 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let id = |quantity| Id::new(Scope::Conditions(at), quantity);
     let shop = &context.shop;
     let held = conditions.held;
-    // What something else than the cutting speed held back has no step of its own in a plan of ours.
+    // In a plan of the program, a speed limited by something else than the cutting speed has no step of its own here.
     if held && context.stated.own || conditions.rounds {
         return Ok(());
     }
@@ -183,7 +183,7 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     own.because.push(Because::table(shop.knowledge.table_of::<SpindleStep<'_>>()?, Note::new("audit-step-rule")));
     own.judge = Some(Box::new(move |value, values| {
         let computed = *values.first()?;
-        // What holds the spindle back makes it slower, and leaves it a step of the machine.
+        // A limit only lowers the spindle speed, and leaves it at a step of the machine.
         let slower = held && value < computed && context.steps_around(value).is_none();
         if slower { None } else { judge_step(context, value, computed) }
     }));
@@ -212,14 +212,14 @@ fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
     Some((rule.severity, note(if value > computed { "audit-step-fast" } else { "audit-step-slow" })))
 }
 
-/// What the tables give for figures of conditions that no formula computes: card points, factors, feeds, travels, spots.
+/// Table values for the figures of conditions without a formula: card points, factors, feeds, travels, spots.
 pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, KnowledgeError> {
     let corrections = context.shop.knowledge.rows::<CardCorrections<'_>>()?;
     let group = context.shop.material.group;
     let mut known = BTreeMap::new();
     for (at, conditions) in context.stated.conditions.iter().enumerate() {
         let scope = Scope::Conditions(at);
-        // By the formulas a plan may name its factors as it likes.
+        // In a plan by formula the author may choose the names of factors.
         let factors = conditions.factors.iter().filter(|_| context.stated.method == CuttingMethod::Card);
         for (quantity, factors) in factors {
             for (index, factor) in factors.iter().enumerate() {
@@ -254,8 +254,8 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
     Ok(known)
 }
 
-/// What `technolog plan` reads from the tables for the same transition: the last resort for figures that nothing else
-/// computes. A plan of ours must have them; of another plan only what it leaves out is taken.
+/// The values that `technolog plan` takes from the tables for the same transition, used as a last resort. A plan of
+/// the program must have them; in another plan only missing values are taken.
 fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, first: usize) {
     let Some(reference) = context.reference(first) else { return };
     let own = &reference.conditions;
@@ -269,7 +269,7 @@ fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, fir
     if !context.stated.own {
         return;
     }
-    // What the route gives no formula for.
+    // The quantities without a formula in the route.
     for (quantity, value) in [
         (Q::Diameter, reference.diameter_mm.to_mm()),
         (Q::Depth, reference.depth_mm.to_mm()),

@@ -1,4 +1,4 @@
-//! Counts, diameters and depths of the route against the drawing and against each other.
+//! Compares counts, diameters and depths of the route with the drawing and with each other.
 
 use crate::error::KnowledgeError;
 use crate::plan::Operation;
@@ -45,7 +45,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             None => {}
         }
         let plain = hole.steps.is_empty() && hole.thread.is_none() && hole.cone.is_none();
-        // A mill that follows makes the flat bottom, and the drill's point stays above it.
+        // A later mill makes the flat bottom, and the point of the drill stays above it.
         let milled = stated.mill_follows(&hole.name, at) && !hole.through;
         // Before a reamer a blind hole goes deeper, for its lead.
         let deeper = stated.reamer_follows(&hole.name, at) && !hole.through;
@@ -62,7 +62,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 Some(values.iter().sum())
             });
             graph.add(sum);
-            // What is cut at the same conditions is of the same diameter.
+            // All rows of the same conditions have the same diameter.
             for other in conditions.rows.iter().skip(1) {
                 let same_diameter = same(
                     &ONE_DIAMETER,
@@ -73,7 +73,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             }
             let of_row = |quantity| Id::new(Scope::Row(*first), quantity);
             let output = Id::new(scope, Q::Diameter);
-            // n = 1000·V/(π·D) takes the diameter that cuts: of a mill its own.
+            // n = 1000·V/(π·D) takes the cutting diameter: for a mill its own.
             let mill = stated.rows.get(*first).filter(|row| row.operation.value == Operation::Mill);
             if let Some(tool) = mill.and_then(|row| stated.tool_of(row)) {
                 graph.add(same(&MILL_DIAMETER, output, Id::new(Scope::Tool(tool), Q::Diameter)));

@@ -1,6 +1,6 @@
-//! What the handbook's formulas make of the feed, depth of cut, diameter and tool life of a plan by hand: its speed,
-//! force, torque and power, and the tool life that they are given for. How far a stated figure may be off, and how grave
-//! it is beyond, says the rule `audit-formula`.
+//! The formulas of the handbook for a plan by hand: from feed, depth of cut, diameter and tool life to speed, force,
+//! torque and power, and the tool life for which they are given. The rule `audit-formula` says how far a stated
+//! figure may differ and how severe a larger difference is.
 
 use crate::cutting::factors;
 use crate::cutting::handbook::{self, Handbook};
@@ -32,7 +32,7 @@ const POWER: Rule = Rule { id: "handbook-power", formula: "N = M·n/9750" };
 pub(super) const RULES: &[Rule] = &[LIFE, SPEED, FORCE, TORQUE, POWER];
 
 pub(super) fn add_all<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
-    // The figures of a plan of ours are these formulas, and `by-tables` has them all.
+    // In a plan of the program the figures come from these formulas, and `by-tables` checks them all.
     if context.stated.own {
         return Ok(());
     }
@@ -50,7 +50,7 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
         return Ok(());
     }
     let Some(cut) = cut(context, at)? else { return Ok(()) };
-    // Which row holds depends on the feed.
+    // The row that applies depends on the feed.
     let feed = stated.figure(id(stated.conditions[at].feed())).map(|figure| MillimetresPerRev(figure.value));
     let formulas = match feed.filter(|feed| feed.0 > 0.0) {
         Some(feed) => Refusal::split(handbook::formulas(&cut, feed, &context.shop))?.ok().flatten(),
@@ -77,9 +77,10 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     Ok(())
 }
 
-/// Whether the tool life stated is that at the spindle speed stated, not the one that the speed is computed with.
+/// Whether the stated tool life is that at the stated spindle speed, and not the life for which the speed was
+/// computed.
 ///
-/// One of speed and life may be misprinted: the speed is taken as stated and as the law gives it.
+/// Either speed or life may be misprinted: both the stated speed and that of the formula are tried.
 fn is_at_step(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micrometres, life: f64) -> bool {
     let figure = |quantity| context.stated.figure(Id::new(Scope::Conditions(at), quantity));
     let (Some(own), Some(rpm), Some(speed)) = (figure(Q::ToolLife), figure(Q::Rpm), figure(Q::Speed)) else {
@@ -94,21 +95,21 @@ fn is_at_step(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: M
     fits(speed.value) || by_law(context, at, formulas, diameter, life).is_some_and(fits)
 }
 
-/// Whether the speed stated is that for the life of the table, whatever life is stated.
+/// Whether the stated speed is that for the life of the table, whatever life is stated.
 fn is_by_life(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micrometres, life: f64) -> bool {
     let Some(speed) = context.stated.figure(Id::new(Scope::Conditions(at), Q::Speed)) else { return false };
     let by_law = by_law(context, at, formulas, diameter, life);
     by_law.is_some_and(|law| judged(context, Q::Speed, speed.value, law).is_none())
 }
 
-/// The speed of the law for a life, at the feed and depth of cut stated.
+/// The speed by the formula for a life, at the stated feed and depth of cut.
 fn by_law(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micrometres, life: f64) -> Option<f64> {
     let figure = |quantity| context.stated.figure(Id::new(Scope::Conditions(at), quantity));
     let (feed, depth) = (figure(context.stated.conditions[at].feed())?, figure(Q::DepthOfCut)?);
     Some(formulas.speed.at(diameter.to_mm(), depth.value, feed.value, life) * formulas.speed_factor)
 }
 
-/// What is cut under conditions, as far as the formulas ask; none if the cutter is not known.
+/// The cut of the conditions, as far as the formulas need it; none if the cutter is not known.
 fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> {
     let stated = context.stated;
     let conditions = &stated.conditions[at];
@@ -121,12 +122,12 @@ fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> 
     let diameter = figure(Id::new(Scope::Conditions(at), Q::Diameter))
         .or_else(|| figure(Id::new(Scope::Row(first), Q::Diameter)))
         .or_else(|| reference.map(|own| own.diameter_mm));
-    // How deep the hole is says the drawing; a depth that is misprinted changes no speed.
+    // The drawing gives the depth of the hole; a misprinted depth changes no speed.
     let depth = reference
         .map(|own| own.depth_mm - own.start_mm)
         .or_else(|| figure(Id::new(Scope::Row(first), Q::Depth)))
         .unwrap_or(hole.depth);
-    // What is typed may be anything; the tables end long before a metre.
+    // Typed values may be anything; the tables end far below one metre.
     let sensible = |own: &Micrometres| (Micrometres::new(1)..=Micrometres::from_mm(1000)).contains(own);
     let Some(diameter) = diameter.filter(sensible).filter(|_| sensible(&depth)) else { return Ok(None) };
     Ok(Some(Cut {
@@ -191,7 +192,8 @@ fn speed<'a>(
     };
     let own = formula(&SPEED, id(Q::Speed), inputs, &numbers, compute);
     let because = if named.is_empty() { formulas.speed_because.len() } else { 1 };
-    // A speed that public tables have, as we take it where the formula is far from them, is no slip.
+    // Where the formula is far from public tables, the program takes the speed of those tables; that speed is no
+    // slip.
     let reference = conditions.rows.first().and_then(|row| context.reference(*row));
     let practice = reference.filter(|_| named.is_empty()).map(|own| own.conditions.computed_speed_m_per_min.0);
     add(context, graph, own, (compute, practice), formulas.speed_because.iter().take(because))
@@ -207,7 +209,7 @@ fn loads<'a>(
     let conditions = &context.stated.conditions[at];
     let id = |quantity| Id::new(Scope::Conditions(at), quantity);
     let Some((torque, thrust)) = formulas.loads else { return Ok(()) };
-    // A factor of a load may be meant as a divisor, as the cards have it: then nothing can be said.
+    // The author may mean a load factor as a divisor, as the cards do: then nothing can be said.
     let factors = [Q::FactorForce, Q::FactorPower];
     if factors.iter().any(|own| conditions.factors.get(own).is_some_and(|named| !named.is_empty())) {
         return Ok(());
@@ -217,7 +219,8 @@ fn loads<'a>(
     let load =
         move |law: LoadLaw| move |values: &[f64]| Some(law.at(*values.get(2)?, *values.get(1)?, *values.first()?) * kp);
     let because = || formulas.loads_because.iter();
-    // A torque that the specific cutting force has, as we take it where the formula is far below, is no slip.
+    // Where the formula is far too low, the program takes the torque by the specific cutting force; that torque is no
+    // slip.
     let reference = conditions.rows.first().and_then(|row| context.reference(*row));
     let specific = reference.and_then(|own| own.conditions.torque_n_m).map(|torque| torque.0);
     for (rule, quantity, law, also) in [(&FORCE, Q::Force, thrust, None), (&TORQUE, Q::Torque, torque, specific)] {
@@ -234,11 +237,11 @@ fn loads<'a>(
     Ok(())
 }
 
-/// A stated figure that lies no farther from another, as a share of it, is that figure rounded.
+/// A stated figure within this share of another is that figure rounded.
 const AS_ROUNDED: f64 = 0.01;
 
-/// Takes on a formula that is judged by `audit-formula`, with the rows behind it; `compute` is its own, and a value beside
-/// it is as good.
+/// Adds a formula judged by `audit-formula`, with the rows behind it; `compute` gives its value, and another given
+/// value is as good.
 fn add<'a, 'b>(
     context: &'a Context<'a>,
     graph: &mut Graph<'a>,
@@ -258,7 +261,7 @@ fn add<'a, 'b>(
     Ok(())
 }
 
-/// How a stated figure stands to what the handbook gives, by the rule `audit-formula`.
+/// Judges a stated figure against the value of the handbook, by the rule `audit-formula`.
 fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Judged {
     let question = |of_formula| AuditFormulaFor { quantity, of_formula };
     let (share, asked) = context.by_share(value / by_formula, question).ok()?;

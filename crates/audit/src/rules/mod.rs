@@ -1,7 +1,7 @@
-//! The formulas that the figures of a plan obey: one file per family, each rule with its source.
+//! The formulas for the figures of a plan: one file per family, each rule with its source.
 //!
-//! A rule is a constant beside the function that applies it: id, formula, source. It computes one figure from others of
-//! the plan and takes part in the graph; it never looks at what is stated.
+//! A rule is a constant beside the function that applies it: id, formula, source. It computes one figure from others
+//! of the plan as a part of the graph; it never looks at the stated result.
 
 mod clamping;
 mod conditions;
@@ -72,7 +72,7 @@ fn same<'a>(rule: &'static Rule, output: Id, input: Id) -> Formula<'a> {
     formula(rule, output, vec![input], "{0}", |values| values.first().copied())
 }
 
-/// A figure that a row of a table or of the drawing gives.
+/// A figure given by a row of a table or by the drawing.
 fn given<'a>(rule: &'static Rule, output: Id, value: f64, because: impl IntoIterator<Item = Because>) -> Formula<'a> {
     let mut formula = formula(rule, output, Vec::new(), "", move |_| Some(value));
     formula.because.extend(because);
@@ -85,7 +85,7 @@ fn largest<'a>(rule: &'static Rule, output: Id, inputs: Vec<Id>) -> Formula<'a> 
     formula(rule, output, inputs, &numbers, |values| values.iter().copied().reduce(f64::max))
 }
 
-/// `{0}`, `{1}` … of so many inputs, with a sign between.
+/// `{0}`, `{1}` … for `count` inputs, with a sign between.
 fn marks(count: usize, between: &str) -> String {
     (0..count).map(|at| format!("{{{at}}}")).collect::<Vec<_>>().join(between)
 }

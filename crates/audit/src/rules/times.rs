@@ -41,7 +41,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     if stated.own {
         graph.add(given(&RAPID, id(Q::RapidTime), context.plan.time.rapid_min.0, []));
     }
-    // What else a plan counts in: by itself it is no mistake to leave it out.
+    // Further times that a plan may include; leaving them out is no mistake by itself.
     let more =
         [Q::FeedOutTime, Q::DwellTime, Q::HandTime].map(id).into_iter().filter(|id| stated.figure(*id).is_some());
     let inputs: Vec<Id> = [Q::MachineTime, Q::RapidTime, Q::ChangeTime].map(id).into_iter().chain(more).collect();

@@ -26,7 +26,7 @@ const BOOK: Rule = Rule { id: "book-correction", formula: "K = Lет − Lк" };
 
 pub(super) const RULES: &[Rule] = &[DIMENSION, HOLDER, OVERHANG, HOLDER_USED, ASSEMBLY, REFERENCE, PLUS, MINUS, BOOK];
 
-/// The dimensions of a cutter, as far as its catalog has them.
+/// The dimensions of a cutter that its catalog states.
 pub(crate) fn dimensions(row: &CutterRow<'_>) -> [(Q, Option<Micrometres>); 5] {
     [
         (Q::Diameter, row.diameter),
@@ -47,7 +47,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             let because = || [Because::row(cutter.row.row, Note::new("named"))];
             for (quantity, length) in dimensions(&cutter.row) {
                 let Some(length) = length else { continue };
-                // A core drill or a reamer may be ground, a bar set, to the size that the row makes.
+                // A core drill or reamer may be ground, and a bar set, to the size of its row.
                 let set = quantity == Q::Diameter
                     && !matches!(operation, Some(Operation::Drill | Operation::DrillOut | Operation::CentreDrill));
                 if set && stated.own {
@@ -85,7 +85,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         }
         graph.add(same(&HOLDER_USED, id(Q::HolderUsed), id(Q::HolderLength)));
         let (overhang, holder) = (id(Q::Overhang), id(Q::HolderUsed));
-        // A cutter with the machine's own taper stands out whole.
+        // The overhang of a cutter with the taper of the machine is its whole length.
         if context.whole(at) {
             graph.add(same(&ASSEMBLY, id(Q::Assembly), overhang));
         } else {
@@ -99,7 +99,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     Ok(())
 }
 
-/// A size other than the catalog's may stand where the tool is ground down to what its row makes.
+/// Another size than that of the catalog is right where the tool is ground down to the size of its row.
 fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judge<'a> {
     let limit = context.shop.convention(HoleDefault::CutterGrindLimit).unwrap_or_default();
     Box::new(move |value, _| {
@@ -154,7 +154,7 @@ fn corrections<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) {
     } else {
         formula(&PLUS, id(Q::Correction), inputs.clone(), "{0}−{1}", difference)
     };
-    // Where neither plan nor program says G43 or G44, the sign may be that of either.
+    // Where neither plan nor program has G43 or G44, both signs are accepted.
     if context.correction_word(at).is_none() && !stated.own {
         correction.judge = Some(Box::new(move |value, inputs| {
             let plus = difference(inputs)?;

@@ -1,6 +1,6 @@
-//! Arcs in a plane: how far they turn, how long they are, how far they reach.
+//! Arcs in a plane: their angle, their length, and their extent.
 //!
-//! Positions are exact; angles and lengths of arcs begin floating point, by `libm`, so that they are the same on every
+//! Positions are exact. Angles and lengths of arcs are floating point by `libm`, so that they are the same on every
 //! machine.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -22,8 +22,7 @@ pub fn distance(a: Point, b: Point) -> f64 {
     libm::hypot(b[0] - a[0], b[1] - a[1])
 }
 
-/// How far an arc turns from its start to its end, rad, always positive: up to a full turn, which it is when both are
-/// the same point.
+/// The angle of an arc from its start to its end, rad, always positive; a full turn if both are the same point.
 pub fn sweep(from: Point, to: Point, centre: Point, sense: Sense) -> f64 {
     if from == to {
         return TAU;
@@ -33,13 +32,13 @@ pub fn sweep(from: Point, to: Point, centre: Point, sense: Sense) -> f64 {
         Sense::Counterclockwise => angle(to) - angle(from),
         Sense::Clockwise => angle(from) - angle(to),
     };
-    // Into 0..2π.
+    // Reduced to 0..2π.
     if turned < 0.0 { turned + TAU } else { turned }
 }
 
-/// The length of a motion from a position to another, mm; nothing moves in what is no motion.
+/// The length of a motion, mm; zero for anything without motion.
 ///
-/// A straight line by Pythagoras; of an arc and a helix the length of its development.
+/// A straight line by Pythagoras; an arc and a helix by their developed length.
 pub fn length(motion: &Motion, from: Position, to: Position) -> f64 {
     match motion {
         Motion::Arc { plane, sense, centre, turns, .. } => {
@@ -57,8 +56,7 @@ pub fn length(motion: &Motion, from: Position, to: Position) -> f64 {
     }
 }
 
-/// The least and greatest coordinate that a motion reaches along every axis, its start left out but where an arc
-/// comes back over it.
+/// The least and greatest coordinate of a motion along every axis, without its start unless an arc passes it again.
 pub fn reach(motion: &Motion, from: Position, to: Position) -> [(Micrometres, Micrometres); 3] {
     let mut reached = Axis::ALL.map(|axis| (to.get(axis), to.get(axis)));
     let Motion::Arc { plane, sense, centre, turns, .. } = motion else { return reached };
@@ -67,7 +65,7 @@ pub fn reach(motion: &Motion, from: Position, to: Position) -> [(Micrometres, Mi
     let radius = distance(start, middle);
     let swept = sweep(start, end, middle, *sense) + TAU * f64::from(*turns);
     let first = libm::atan2(start[1] - middle[1], start[0] - middle[0]);
-    // The four points where a circle turns back along an axis.
+    // The four quadrant points of a circle.
     for quarter in 0..4_i32 {
         let angle = f64::from(quarter) * FRAC_PI_2;
         let way = match sense {

@@ -1,8 +1,9 @@
-//! The canonical motions: what planning makes, controls print, interpreters emit, drawings, traces and times consume.
+//! The canonical motions: planning makes them, controls print them, interpreters emit them; drawings, traces and
+//! times use them.
 //!
-//! A [`MotionStep`] is one thing the machine does and where its axes stand after it. A consumer of steps is a [`Sink`];
-//! two sinks stand here, [`trace::Trace`] (a text) and [`time::Clock`] (a sum of times). The numbering of steps is the
-//! sink's own affair: the same steps may go to several.
+//! A [`MotionStep`] is one action of the machine and the position of its axes after it. A consumer of steps is a
+//! [`Sink`]; there are two here, [`trace::Trace`] (a text) and [`time::Clock`] (a sum of times). A sink numbers its
+//! steps itself: the same steps may go to several sinks.
 //!
 //! Architecture invariant: a motion depends on no control and on no plan.
 
@@ -68,7 +69,7 @@ pub enum Plane {
 }
 
 impl Plane {
-    /// Its first and second axis and the one across it: always a right-handed three.
+    /// Its first and second axis and the axis perpendicular to it, always right-handed.
     pub const fn axes(self) -> [Axis; 3] {
         match self {
             Self::Xy => [Axis::X, Axis::Y, Axis::Z],
@@ -108,7 +109,7 @@ impl Sense {
     }
 }
 
-/// What the spindle does, seen from the spindle towards the tool.
+/// The rotation of the spindle, seen from the spindle towards the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Turning {
@@ -120,19 +121,19 @@ pub enum Turning {
     Counterclockwise,
 }
 
-/// On which side of its path a tool is kept.
+/// The side of its path on which a tool is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Side {
     /// On the path itself.
     Off,
-    /// To the left, looking the way it goes.
+    /// To the left of the direction of motion.
     Left,
     /// To the right.
     Right,
 }
 
-/// One thing that a machine does.
+/// One action of a machine.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "motion", rename_all = "kebab-case")]
 pub enum Motion {
@@ -151,7 +152,7 @@ pub enum Motion {
         sense: Sense,
         /// Its centre along the plane's first and second axis, machine coordinates.
         centre: [Micrometres; 2],
-        /// Whole turns beside the arc itself; a full circle is an arc with none.
+        /// Whole turns besides the arc itself; a full circle is an arc without any.
         turns: u32,
         /// The feed along the path.
         feed_mm_per_min: MillimetresPerMinute,
@@ -163,9 +164,9 @@ pub enum Motion {
     },
     /// The spindle starts, stops or changes its speed.
     Spindle {
-        /// What it does now.
+        /// The new rotation.
         turning: Turning,
-        /// Its speed; of a stopped spindle the one it would start with.
+        /// Its speed; for a stopped spindle, the speed with which it would start.
         speed_rpm: RevsPerMinute,
     },
     /// The coolant is switched.
@@ -178,32 +179,32 @@ pub enum Motion {
         /// Its number.
         tool: u32,
     },
-    /// A length correction begins, changes or, with 0, ends; the axis moves by steps of its own.
+    /// A length correction begins, changes or, with 0, ends; the axis itself moves in other steps.
     LengthCorrection {
         /// The axis.
         axis: Axis,
-        /// The number of the corrector.
+        /// The number of the offset register.
         corrector: u32,
-        /// What is added to the axis.
+        /// The value added to the axis.
         value: Micrometres,
     },
     /// A radius correction begins, changes or ends.
     RadiusCorrection {
         /// The side.
         side: Side,
-        /// The number of the corrector.
+        /// The number of the offset register.
         corrector: u32,
         /// The distance to the path.
         value: Micrometres,
     },
-    /// A function of the machine that has no motion of its own here.
+    /// A function of the machine without a motion here.
     Auxiliary {
         /// As it is written.
         word: String,
     },
     /// The program stops until the operator starts it again.
     Stop {
-        /// Only where the operator asked for such stops.
+        /// Whether it stops only if the operator has switched such stops on.
         optional: bool,
     },
     /// The program ends.
@@ -226,7 +227,7 @@ pub struct MotionStep {
     /// What is done.
     #[serde(flatten)]
     pub motion: Motion,
-    /// Where the axes stand then, machine coordinates, corrections included.
+    /// The position of the axes after it, machine coordinates, with corrections.
     pub at: Position,
     /// The block that asked for it.
     #[serde(flatten)]

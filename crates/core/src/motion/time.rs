@@ -1,4 +1,4 @@
-//! The time of a program: every step by what the machine needs for it.
+//! The time of a program: the sum of what the machine needs for every step.
 
 use serde::Serialize;
 
@@ -8,9 +8,9 @@ use crate::units::Minutes;
 
 /// The times of the steps so far, min.
 ///
-/// Rapids at the machine's rate by the slower axis, since each axis moves by itself (textbook 3.9.1, 3.10.2); feeds along
-/// their path at their feed; dwells as they say; tool changes by the machine's record. Rapids speed up and slow down where
-/// the machine's record has an acceleration; feeds are counted without.
+/// Rapids at the machine's rate by the slower axis, since each axis moves independently (textbook 3.9.1, 3.10.2);
+/// feeds along their path; dwells as programmed; tool changes by the machine's record. Rapids have an acceleration
+/// where the record has one; feeds have none.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Times {
     /// At feed.
@@ -35,7 +35,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// A clock of a machine that begins with its axes there.
+    /// A clock for a machine whose axes start at that position.
     pub const fn new(machine: &Machine<'_>, at: Position) -> Self {
         let none = Minutes(0.0);
         Self {

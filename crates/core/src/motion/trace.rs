@@ -48,8 +48,8 @@ pub fn line_in(step: &MotionStep, word: &dyn Fn(&'static str) -> &'static str) -
     text
 }
 
-/// Appends the line of a step to a text. A full memory of the control makes thousands of them, so nothing is made
-/// beside that text; writing into a String cannot fail.
+/// Appends the line of a step to a text. A full memory of the control gives thousands of lines, so there are no other
+/// allocations; writing into a String cannot fail.
 fn put(text: &mut String, step: &MotionStep, word: &dyn Fn(&'static str) -> &'static str) {
     let line = step.block.line;
     text.push_str(match line {
@@ -71,7 +71,7 @@ fn put(text: &mut String, step: &MotionStep, word: &dyn Fn(&'static str) -> &'st
     for _ in text.len()..(begin + 6) {
         text.push(' ');
     }
-    // A stop, which names no figures, is told as one phrase: `stop optional`.
+    // A stop has no figures and is one phrase: `stop optional`.
     let width = if matches!(step.motion, Motion::Stop { .. }) { 0 } else { KIND_WIDTH };
     let name = word(name(&step.motion));
     text.push_str(name);

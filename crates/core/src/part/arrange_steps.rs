@@ -1,4 +1,5 @@
-//! The cylinders of a stepped hole put together: which is the main one, and from where the others are entered.
+//! Orders the cylinders of a stepped hole: which one is the main cylinder, and from which face the others are
+//! entered.
 
 use crate::knowledge::diagnostic::Place;
 use crate::units::{Micrometres, Roughness};
@@ -40,7 +41,7 @@ impl Cylinder {
         self.diameter.nominal
     }
 
-    /// The diameter it takes away: under a thread the thread's own.
+    /// The diameter of the removed metal: for a thread its own.
     fn widest(&self) -> Micrometres {
         self.thread.as_ref().map_or(self.nominal(), |thread| thread.size.max(self.nominal()))
     }
@@ -59,8 +60,8 @@ impl Cylinder {
 }
 
 impl Reader<'_> {
-    /// Compares the group's own diameter with the steps: it is the narrowest of them, or the cylinder that goes on
-    /// behind the last, which is then added. Says whether it was.
+    /// Compares the diameter of the group with its steps: it is the narrowest step, or a cylinder that continues
+    /// after the last step and is then added. Returns whether it was added.
     pub(super) fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &Whole<'_>) -> Option<bool> {
         let Some(own) = &whole.own else { return Some(false) };
         let nominal = own.diameter.nominal;
@@ -92,7 +93,7 @@ impl Reader<'_> {
         }
         let last = cylinders.last()?.end;
         let Some(depth) = whole.depth else {
-            // Without a readable blank the depth of a through hole is not known, and that is reported there.
+            // If the blank could not be read, the depth of a through hole is unknown, and that is reported there.
             if !whole.through {
                 let help = note!("part-holes-own-diameter-goes-on");
                 self.problems.missing::<_, ()>(form::Hole::depth, whole.place, help);
@@ -124,7 +125,7 @@ impl Reader<'_> {
         Some(true)
     }
 
-    /// The cylinders narrow towards the main one from each side.
+    /// Checks that the cylinders narrow towards the main one from each side.
     pub(super) fn narrows(&mut self, cylinders: &[Cylinder], through: bool) -> Option<()> {
         let mut sound = Some(());
         for (index, cylinder) in cylinders.iter().enumerate() {
@@ -144,8 +145,8 @@ impl Reader<'_> {
         sound
     }
 
-    /// Makes the narrowest cylinder the main one; those before it are entered from the entry face, those
-    /// behind it from the back.
+    /// Makes the narrowest cylinder the main one; those before it are entered from the entry face, those after it
+    /// from the back.
     pub(super) fn arrange(&mut self, mut cylinders: Vec<Cylinder>, whole: Whole<'_>) -> Option<Cylinders> {
         if let (Some((chamfer, place)), Some(first)) = (whole.chamfer, cylinders.first_mut()) {
             if let Some(own) = first.chamfer.filter(|own| *own != chamfer) {
@@ -175,7 +176,7 @@ impl Reader<'_> {
             diameter: main.diameter,
             thread: main.thread,
             depth,
-            // The innermost end is the hole's bottom, not a shoulder: the hole's default holds.
+            // The innermost end is the bottom of the hole, not a shoulder: the default of the hole applies.
             bottom: main.bottom.or(whole.bottom).unwrap_or_default(),
             roughness: main.roughness,
             chamfer: main.chamfer,

@@ -1,5 +1,5 @@
-//! What must hold between the values of a part: names unique, holes inside the blank, points apart,
-//! clamps on the blank and beside the holes.
+//! Checks between the values of a part: unique names, holes inside the blank, centres apart, clamps on the blank and
+//! beside the holes.
 
 use std::collections::{BTreeMap, BTreeSet};
 use technolog_note::{Note, note};
@@ -10,7 +10,7 @@ use crate::units::Micrometres;
 
 use super::{Blank, Datum, Hole, Point};
 
-/// A stretch of a hole along its axis that has one diameter; depths count from the entry face.
+/// A section of a hole with one diameter; depths are measured from the entry face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct BoreSpan {
     pub diameter: Micrometres,
@@ -19,7 +19,7 @@ pub(super) struct BoreSpan {
 }
 
 impl BoreSpan {
-    /// The end of a hole whose depth could not be read: beyond every blank.
+    /// The end of a hole whose depth could not be read: outside every blank.
     pub const FAR: Micrometres = Micrometres::from_mm(1_000_000_000);
 
     pub const fn new(diameter: Micrometres, from: Micrometres, to: Micrometres) -> Self {
@@ -30,21 +30,21 @@ impl BoreSpan {
 /// The key that says where the holes of a group are.
 pub(super) struct Centres {
     pub place: Place,
-    /// Whether it is a pattern, whose points have no places of their own.
+    /// Whether it is a pattern, whose points have no places in the file.
     pub pattern: bool,
 }
 
-/// A group of holes as far as it could be read, with the places its mistakes are reported at, so that
-/// a slip in one key does not hide a slip in another.
+/// A group of holes with what could be read, and the places where its mistakes are reported, so that a mistake in one
+/// key does not hide one in another.
 pub(super) struct Group {
     pub name: Option<(String, Place)>,
-    /// What a hole of the group cuts out, with its openings and its groove; none if that is not known.
+    /// The sections of a hole of the group, with its openings and its groove; none if they are not known.
     pub spans: Vec<BoreSpan>,
     pub depth: Option<(Micrometres, Place)>,
     pub through: Option<bool>,
     pub at: Option<Centres>,
     pub points: Vec<(Point, Place)>,
-    /// The whole, when nothing of it was missing.
+    /// The whole hole, if nothing was missing.
     pub hole: Option<Hole>,
 }
 
@@ -63,8 +63,8 @@ impl Group {
         self.spans.iter().filter(|span| span.from == Micrometres::ZERO).map(|span| span.diameter).max()
     }
 
-    /// How far apart the centres of a hole of this group and of another must be: where both are at one
-    /// depth, half their diameters together.
+    /// The least distance between a hole of this group and one of another: at each common depth, the sum of the
+    /// radii.
     fn needs(&self, other: &Self) -> Option<Micrometres> {
         let pairs = self.spans.iter().flat_map(|own| other.spans.iter().map(move |theirs| (own, theirs)));
         let beside = pairs.filter(|(own, theirs)| own.from < theirs.to && theirs.from < own.to);
@@ -83,7 +83,7 @@ pub(super) fn names(groups: &[Group], problems: &mut Problems) {
     }
 }
 
-/// Depths against the thickness, every hole inside the blank, no two holes in each other.
+/// Checks depths against the thickness, every hole inside the blank, no two holes in each other.
 pub(super) fn geometry(groups: &[Group], blank: &Blank, datum: &Datum, problems: &mut Problems) {
     for group in groups {
         depth(group, blank, problems);
@@ -92,7 +92,7 @@ pub(super) fn geometry(groups: &[Group], blank: &Blank, datum: &Datum, problems:
     apart(groups, problems);
 }
 
-/// Every clamp presses on the blank, and not on a hole.
+/// Checks that every clamp presses on the blank, and not on a hole.
 pub(super) fn clamps(
     clamps: &[(Point, Place)],
     groups: &[Group],
@@ -116,7 +116,7 @@ pub(super) fn clamps(
     }
 }
 
-/// What is shallower cannot be centred: the spot of a hole is no wider than it is deep.
+/// A hole less deep than this cannot be centred: the spot is not wider than the hole is deep.
 const LEAST_DEPTH: Micrometres = Micrometres::new(100);
 
 fn depth(group: &Group, blank: &Blank, problems: &mut Problems) {
@@ -141,7 +141,7 @@ fn inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) 
         group.points.iter().filter(|(point, _)| reaches_out(*point, diameter.half(), blank, datum)).collect();
     let (name, wide) = (group.label(), diameter);
     if let (Some(at), Some((first, _)), true) = (&group.at, outside.first(), outside.len() > 1) {
-        // All of them: one mistake, in the datum or the blank, not one in each point.
+        // If all points are outside, the mistake is in the datum or the blank, and is reported once.
         if outside.len() == group.points.len() {
             let message =
                 note!("part-inside-blank-at-any-points", name = name, diameter = wide, outside = outside.len());
@@ -149,7 +149,7 @@ fn inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) 
             problems.error_help::<()>("outside-blank", message, &at.place, help);
             return;
         }
-        // One mistake too: a pattern has no points to mend one by one.
+        // Also one mistake: the points of a pattern cannot be corrected one by one.
         if at.pattern {
             let (number, all) = (outside.len(), group.points.len());
             let first = note!("part-first-at", x = first.x, y = first.y);
@@ -171,7 +171,7 @@ fn inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) 
     }
 }
 
-/// Whether a circle reaches beyond the blank.
+/// Whether a circle extends beyond the blank.
 fn reaches_out(point: Point, radius: Micrometres, blank: &Blank, datum: &Datum) -> bool {
     let (right, back) = (datum.left + blank.length, datum.front + blank.width);
     point.x - radius < datum.left
@@ -185,7 +185,7 @@ fn extent(blank: &Blank, datum: &Datum) -> Note {
     note!("part-blank-reaches-from-x-from", left = datum.left, right = right, front = datum.front, back = back)
 }
 
-/// A hole that runs into one before it.
+/// A hole that overlaps an earlier one.
 struct Meeting<'g> {
     point: Point,
     place: &'g Place,
@@ -204,7 +204,7 @@ fn apart(groups: &[Group], problems: &mut Problems) {
             (meetings.iter().all(|meeting| std::ptr::eq(meeting.other, first.other)), std::ptr::eq(first.other, group));
         let every_one = meetings.len() + usize::from(itself) == group.points.len();
         if let (Some(at), true) = (&group.at, meetings.len() > 1 && same_other && every_one) {
-            // Points copied from another group, or a wrong diameter: one mistake, not one in each point.
+            // Points copied from another group, or a wrong diameter, are one mistake, not one for each point.
             let message = if itself {
                 note!("part-holes-run-into-each-other", label = group.label())
             } else {
@@ -250,10 +250,10 @@ type Cell = (i64, i64);
 /// A hole, by its group and its point, in the order of the file.
 type HoleNumber = (usize, usize);
 
-/// The holes of about one width, by squares of that width.
+/// Holes of similar width, by squares of about that width.
 type Squares = BTreeMap<Cell, Vec<HoleNumber>>;
 
-/// The holes that were looked at, those of each width apart: beside one wide hole the squares of small ones stay small.
+/// The holes checked so far, separately for each width: one wide hole does not make the squares of small ones larger.
 struct Cells<'g> {
     groups: &'g [Group],
     of_width: BTreeMap<i64, Squares>,
@@ -264,7 +264,7 @@ impl<'g> Cells<'g> {
         Self { groups, of_width: BTreeMap::new() }
     }
 
-    /// For every hole of a group the first of those before it that it runs into.
+    /// For every hole of a group, the first earlier hole that it overlaps.
     fn meetings(&mut self, index: usize) -> Vec<Meeting<'g>> {
         let groups = self.groups;
         let group = &groups[index];
@@ -274,11 +274,11 @@ impl<'g> Cells<'g> {
         let mut meetings = Vec::new();
         for (number, (point, place)) in group.points.iter().enumerate() {
             let around = self.of_width.iter().flat_map(|(width, squares)| around(squares, *width, *point, widest));
-            // In a square the holes stand in the order of the file, so that its first is its earliest.
+            // In a square the holes are in the order of the file, so its first is the earliest.
             let met = around.filter_map(|holes| {
                 holes.iter().find_map(|&(other, at)| {
                     let (needed, (other_point, _)) = (needed[other]?, &groups[other].points[at]);
-                    // Most holes are far apart along one axis; that costs no root.
+                    // Most holes are far apart along one axis, which needs no square root.
                     let (x, y) = ((point.x - other_point.x).abs(), (point.y - other_point.y).abs());
                     let distance = Some(point.distance(*other_point)).filter(|_| x < needed && y < needed)?;
                     (distance < needed).then_some(((other, at), distance, needed))
@@ -295,7 +295,7 @@ impl<'g> Cells<'g> {
     }
 }
 
-/// The side of the squares for holes of a width: at least the width, and less than twice as much.
+/// The side of the squares for holes of a width: at least the width, and less than twice the width.
 fn square(width: i64) -> i64 {
     let side = u64::try_from(width).unwrap_or_default().max(1).checked_next_power_of_two();
     side.and_then(|side| i64::try_from(side).ok()).unwrap_or(i64::MAX)
@@ -305,9 +305,9 @@ fn cell(point: Point, side: i64) -> Cell {
     (point.x.micrometres().div_euclid(side), point.y.micrometres().div_euclid(side))
 }
 
-/// The squares whose holes one of a width may run into.
+/// The squares with holes that a hole of some width may overlap.
 fn around(squares: &Squares, side: i64, point: Point, width: i64) -> Box<dyn Iterator<Item = &Vec<HoleNumber>> + '_> {
-    // The holes of the squares are no wider than their side.
+    // The holes in the squares are not wider than the side.
     let reach = Micrometres::new(width.saturating_add(side)).half();
     let low = cell(Point { x: point.x - reach, y: point.y - reach }, side);
     let high = cell(Point { x: point.x + reach, y: point.y + reach }, side);
@@ -389,7 +389,7 @@ holes:
 
     #[test]
     fn holes_of_every_width_are_held_against_each_other() {
-        // In whichever order they stand, a small one beside a wide one is found where it is too near by a hair.
+        // In either order, a small hole beside a wide one is found if it is slightly too near.
         for (wide, small) in [("80", "3"), ("64", "4"), ("16", "16"), ("33", "31")] {
             let half = |text: &str| text.parse::<f64>().unwrap() / 2.0;
             let apart = half(wide) + half(small);

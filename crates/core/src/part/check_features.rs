@@ -1,4 +1,4 @@
-//! What must hold between a hole and its openings, its groove and its state in the blank.
+//! Checks between a hole and its openings, its groove and its state in the blank.
 
 use crate::knowledge::diagnostic::Place;
 use crate::units::Micrometres;
@@ -10,17 +10,17 @@ use super::read_features::Features;
 use super::{Blank, Point};
 
 impl Reader<'_> {
-    /// Compares the features with the hole's cylinders, given from the entry face inwards; `too_wide` is the diameter
-    /// from which on a hole of the blank leaves nothing to do.
+    /// Compares the features with the cylinders of the hole, given from the entry face inwards; from the diameter
+    /// `too_wide` on a hole of the blank leaves no work.
     pub(super) fn fit_features(&mut self, features: &Features, cylinders: &[BoreSpan], too_wide: Micrometres) {
         let Some(entry) = cylinders.first() else { return };
         let end = cylinders.last().map_or(entry.to, |last| last.to);
         let mut widest = entry.diameter;
-        // With how deep each is, and whether that is too deep.
+        // Each with its depth, and whether that is too much.
         let mut openings: Vec<(&'static str, Micrometres, Micrometres, bool, &Place)> = Vec::new();
         let mut cone = |name, diameter: Micrometres, angle_millideg, place| {
             let deep = cone_depth(diameter - entry.diameter, angle_millideg);
-            // An angle is rounded on drawings, and a cone of the whole depth must not seem too long for that.
+            // Drawings round angles, and a cone over the whole depth must not seem too long because of that.
             openings.push((name, diameter, deep, deep.ratio(99, 100) > entry.to, place));
         };
         if let Some((it, place)) = &features.cone {
@@ -73,7 +73,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A face may hang over an edge, but one that is wider than the blank is a slip: nothing mills it.
+    /// A face may extend beyond an edge, but one wider than the blank is a mistake: no mill cuts it.
     pub(super) fn face_on_blank(&mut self, features: &Features, blank: Option<&Blank>) {
         let (Some((diameter, place)), Some(blank)) = (&features.face, blank) else { return };
         let corner = Point { x: Micrometres::ZERO, y: Micrometres::ZERO };
@@ -91,7 +91,7 @@ impl Reader<'_> {
     }
 }
 
-/// How deep a cone reaches from its mouth to a diameter narrower by so much.
+/// The depth of a cone from its mouth to a diameter smaller by `narrower`.
 fn cone_depth(narrower: Micrometres, angle_millideg: u32) -> Micrometres {
     let half_angle = (f64::from(angle_millideg) / 2000.0).to_radians();
     Micrometres::from_mm_rounded(narrower.to_mm() / 2.0 / libm::tan(half_angle))

@@ -1,4 +1,4 @@
-//! How far the figures of a part may go: no further than every table that planning asks with them as they stand.
+//! The permitted range of the figures of a part: that of every table that planning queries with them directly.
 
 use crate::knowledge::yaml::Node;
 use crate::knowledge::{Column, Knowledge, Value};
@@ -39,8 +39,8 @@ impl Reader<'_> {
 }
 
 impl Part {
-    /// The first figure that a table which is queried with it does not know, in words, and what to do: of a part that
-    /// was not read by [`super::read_part`].
+    /// The first figure outside a table that is queried with it, in words, and the remedy; for a part that was not
+    /// read by [`super::read_part`].
     pub fn outside_tables(&self, knowledge: &Knowledge) -> Option<(Note, Note)> {
         let of_steps = self.holes.iter().flat_map(|hole| &hole.steps).map(|step| step.roughness);
         let mut all = self.holes.iter().map(|hole| hole.roughness).chain(of_steps);
@@ -53,8 +53,8 @@ impl Part {
     }
 }
 
-/// What is wrong with a roughness. The columns are those that are queried with it; the other tables are queried with
-/// the nearest one that they have.
+/// The fault of a roughness. The columns are those that are queried with it; other tables are queried with the
+/// nearest value that they have.
 fn outside(roughness: Roughness, knowledge: &Knowledge) -> Option<Note> {
     let milling =
         knowledge.tables_of::<MillingFinishFeed>().map(|table| (table, MillingFinishFeedFor::roughness(table)));

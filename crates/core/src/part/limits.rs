@@ -1,5 +1,5 @@
-//! How much a part may have: with all of it a plan takes some seconds, and no part of a workshop has as much.
-//! docs/limits.md has the figures.
+//! The size limits of a part: with all of them a plan takes some seconds, and no workshop part has as much.
+//! docs/limits.md lists them.
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::Node;
@@ -17,7 +17,7 @@ pub const MOST_STEPS: usize = 50;
 /// Clamps.
 pub const MOST_CLAMPS: usize = 100;
 
-/// What a part may have only so many of.
+/// The things whose number is limited.
 #[derive(Clone, Copy)]
 pub(super) enum Counted {
     Points,
@@ -45,7 +45,7 @@ impl Counted {
         }
     }
 
-    /// What is wrong with so many, and what to do.
+    /// The fault of a count above the limit, and the remedy.
     fn refusal(self, count: usize) -> Option<(Note, Note)> {
         let most = self.most();
         let message = match self {
@@ -59,7 +59,7 @@ impl Counted {
 }
 
 impl Reader<'_> {
-    /// Refuses more than a part may have.
+    /// Refuses a count above the limit.
     pub(super) fn no_more(&mut self, what: Counted, count: usize, place: &Place) -> Option<()> {
         match what.refusal(count) {
             Some((message, help)) => self.problems.error_help(what.code(), message, place, help),
@@ -67,7 +67,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The items of a list, as many as a part may have; more are refused at the first of them.
+    /// The items of a list up to the limit; a longer list is refused at its first extra item.
     pub(super) fn bounded<'n>(&mut self, what: Counted, items: &'n [Node]) -> &'n [Node] {
         if let Some(beyond) = items.get(what.most()) {
             let _ = self.no_more(what, items.len(), &beyond.place);
@@ -75,7 +75,8 @@ impl Reader<'_> {
         items.get(..what.most()).unwrap_or(items)
     }
 
-    /// Counts the points of a list or a pattern, before they are made; none if they are too many, which is told once.
+    /// Counts the points of a list or a pattern before they are made; none if they are too many, which is reported
+    /// once.
     pub(super) fn room_for(&mut self, points: usize, node: &Node) -> Option<()> {
         let before = self.counted_points;
         self.counted_points = before.saturating_add(points);
@@ -87,7 +88,8 @@ impl Reader<'_> {
 }
 
 impl Part {
-    /// What it has too many of, in words, and what to do: of a part that was not read by [`super::read_part`].
+    /// The count that is above its limit, in words, and the remedy; for a part that was not read by
+    /// [`super::read_part`].
     pub fn beyond_bounds(&self) -> Option<(Note, Note)> {
         let points = self.holes.iter().map(|hole| hole.at.len()).sum();
         let steps = self.holes.iter().map(|hole| hole.steps.len()).max().unwrap_or_default();
@@ -116,7 +118,7 @@ mod tests {
         format!("  - {{name: A{name}, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, {keys}}}\n")
     }
 
-    /// Points of a list, 10 mm apart, from a row on.
+    /// Points of a list, 10 mm apart, beginning at a row.
     fn list(points: usize, row: usize) -> String {
         let place = |point: usize| format!("[{}, {}]", 10 + 10 * (point % 390), 10 + 10 * (row + point / 390));
         format!("at: [{}]", (0..points).map(place).collect::<Vec<_>>().join(", "))
@@ -147,7 +149,7 @@ mod tests {
         let told = refused(&text(10_001));
         assert!(told.contains("the part has 20001 points, and may have 20000 [too-many-points]; "), "{told}");
         assert!(told.starts_with("p:8:"), "at the pattern: {told}");
-        // Told once, though the pattern behind the list is too many, too.
+        // Reported once, though the pattern after the list is too large as well.
         let told = refused(&text(100_000));
         assert!(told.contains("the part has 100000 points") && told.starts_with("p:7:"), "{told}");
         let mut part = part;

@@ -1,7 +1,7 @@
 //! What is to be made: a plate with holes, its blank and its material.
 //!
-//! [`read_part`] turns the user's YAML into these types and reports every mistake of the file at once,
-//! each with its place and remedy. [`schema`] is the file's form for editors.
+//! [`read_part`] turns the user's YAML into these types and reports all mistakes of the file at once, each with its
+//! place and remedy. [`schema`] is the JSON Schema for editors.
 
 mod arrange_steps;
 mod check;
@@ -181,7 +181,7 @@ pub struct Hole {
     /// A groove inside it, which no axial tool makes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub groove: Option<Groove>,
-    /// What stands in the blank where the hole shall be.
+    /// The state of the hole in the blank.
     #[serde(default)]
     pub state: BlankHole,
     /// Whether a cast or pre-machined hole lies in an outer wall (tables A.8, A.9).
@@ -257,7 +257,7 @@ pub struct Groove {
     pub depth: Micrometres,
 }
 
-/// What stands in the blank where a hole shall be.
+/// The state of a hole in the blank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum BlankHole {
@@ -358,7 +358,8 @@ impl Hole {
             let (least, most) = (self.at.iter().map(coordinate).min()?, self.at.iter().map(coordinate).max()?);
             Some(most - least)
         };
-        // Sorted along the longer side, the search for a nearer point can end early: patterns have thousands.
+        // Sorted along the longer side, the search for a nearer point can stop early: patterns may have thousands of
+        // points.
         let along: fn(&Point) -> Micrometres =
             if extent(|point| point.x) >= extent(|point| point.y) { |point| point.x } else { |point| point.y };
         let mut points = self.at.clone();

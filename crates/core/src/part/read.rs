@@ -34,8 +34,7 @@ pub fn read_part(file: &str, text: &str, knowledge: &Knowledge) -> Result<Part, 
     }
 }
 
-/// Reads a part that stands inside another file, such as a plan. Mistakes go to `problems`; with one of them there may be
-/// no part.
+/// Reads a part inside another file, such as a plan. Mistakes go to `problems`; after a mistake there may be no part.
 pub fn read_part_node(node: &Node, knowledge: &Knowledge, problems: &mut Problems) -> Option<Part> {
     Reader::new(knowledge, problems).part(node)
 }
@@ -210,7 +209,7 @@ impl Reader<'_> {
         Some(Datum { left, front, top: bottom + blank.thickness })
     }
 
-    /// The coordinate of a side seen from a zero named by word, or given as the zero's distance from that side.
+    /// The coordinate of a side in the datum: the zero is given by a word or by its distance from that side.
     fn zero(&mut self, node: &Node, names: [&str; 3], size: Micrometres) -> Option<Micrometres> {
         let text = self.problems.text(node)?;
         match names.iter().position(|name| *name == text) {
@@ -227,7 +226,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The fixture; `placed` takes the points of the clamps with their places.
+    /// Reads the fixture; the points of the clamps are added to `placed` with their places.
     pub(super) fn fixture(&mut self, node: &Node, placed: &mut Vec<(Point, Place)>) -> Option<Fixture> {
         let mut fields = self.problems.map(node)?;
         let height = self.size(&mut fields, file::Fixture::height);
@@ -283,8 +282,8 @@ impl Reader<'_> {
     }
 }
 
-/// The point that `{x: 10,5, y: 3}` means, in brackets; an example where it says no two numbers. A comma of decimals makes
-/// a key without a value of them.
+/// The point meant by `{x: 10,5, y: 3}`, in brackets; an example if there are no two numbers. A decimal comma makes a
+/// key without a value of the decimals.
 fn point_of_mapping(node: &Node) -> String {
     let NodeKind::Map(entries) = &node.kind else { return String::new() };
     let coordinate = |name: &str| {
@@ -368,7 +367,7 @@ holes:
             ("Ø 10 H12", 150, 0, 12, "10 H12"),
             ("10", 220, 0, 13, "10"),
             ("{nominal: 10, upper: 0.15, lower: 0}", 150, 0, 12, "10 +0.15/0"),
-            // Between the grades 11 (0.09) and 12 (0.15) only the finer holds.
+            // Between grade 11 (0.09) and grade 12 (0.15) only the finer is held.
             ("{nominal: 10, upper: 0.149, lower: 0}", 149, 0, 11, "10 +0.149/0"),
             ("{nominal: 10, upper: -0.02, lower: -0.11}", -20, -110, 11, "10 -0.02/-0.11"),
             ("{nominal: 10, upper: 0.05, lower: -0.05}", 50, -50, 11, "10 +0.05/-0.05"),
@@ -407,7 +406,7 @@ holes:
             ("{x: centre, y: centre, z: middle}", -100_000, -50_500, 20_000),
             ("{x: 100, y: 20, z: 40}", -100_000, -20_000, 0),
         ] {
-            // At the zeros there is no hole, so that corners do not matter.
+            // There is no hole at the zeros, so that corners do not matter.
             let text = PART.replace("{}", datum).replace("[[0, 0], [20, 0]]", "[[0, 0]]");
             let (root, _) = parse("part", &text);
             let mut problems = Problems::default();

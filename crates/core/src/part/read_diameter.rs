@@ -1,4 +1,4 @@
-//! What a hole or a step says of its diameter: a size with its tolerance, or a thread.
+//! Reads the diameter of a hole or a step: a size with its tolerance, or a thread.
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::form::{Form, KeyOf};
@@ -11,7 +11,7 @@ use super::file::hole::Limits;
 use super::read::Reader;
 use super::{Thread, ToleratedDiameter, thread};
 
-/// What a group or a step says of its diameter.
+/// The diameter of a group or a step, as read.
 pub(super) struct Sized {
     pub diameter: ToleratedDiameter,
     pub thread: Option<Thread>,
@@ -19,7 +19,7 @@ pub(super) struct Sized {
 }
 
 impl Sized {
-    /// The diameter it takes away: under a thread the thread's own.
+    /// The diameter of the removed metal: for a thread its own.
     pub fn widest(&self) -> Micrometres {
         let nominal = self.diameter.nominal;
         self.thread.as_ref().map_or(nominal, |thread| thread.size.max(nominal))
@@ -27,7 +27,7 @@ impl Sized {
 }
 
 impl Reader<'_> {
-    /// The diameter and the thread of a hole or a step; a thread says its diameter itself.
+    /// The diameter and the thread of a hole or a step; a thread gives the diameter itself.
     pub(super) fn sized<F: Form>(
         &mut self,
         fields: &mut Fields<'_, F>,

@@ -1,4 +1,4 @@
-//! What a hole has beside its cylinders: openings at the entry, a groove, and its state in the blank.
+//! Reads the features of a hole besides its cylinders: openings at the entry, a groove, and its state in the blank.
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::form::KeyOf;
@@ -32,10 +32,11 @@ pub(super) struct Features {
 }
 
 impl Features {
-    /// What they cut out beside the cylinders. A face is no opening: faces may meet, and run off an edge.
+    /// The sections that they remove besides the cylinders. A face is no opening: faces may overlap and extend beyond
+    /// an edge.
     pub fn spans(&self) -> Vec<BoreSpan> {
         let mut spans = Vec::new();
-        // A cone narrows at once: only its mouth counts.
+        // A cone narrows at once, so only its mouth counts.
         let mouths =
             [self.cone.as_ref().map(|(it, _)| it.diameter), self.countersink.as_ref().map(|(it, _)| it.diameter)];
         spans.extend(
@@ -165,7 +166,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `state`, `state_diameter` and `outer_wall`, which hang together.
+    /// Reads `state`, `state_diameter` and `outer_wall`, which depend on each other.
     fn state(&mut self, fields: &mut Fields<'_, form::Hole>, features: &mut Features) {
         type Kind = Option<fn(Micrometres) -> BlankHole>;
         let choices: &[(&str, Kind)] =
@@ -246,7 +247,7 @@ mod tests {
             ("{diameter: 10.6, taper: 0.02}", 1_146),
             ("{diameter: 12, angle: 60.5}", 60_500),
             ("{diameter: 12, taper: 2}", 90_000),
-            // To the bottom exactly.
+            // Exactly to the bottom.
             ("{diameter: 11.5, taper: 0.05}", 2_864),
         ] {
             assert_eq!(read(&format!("cone: {keys}")).unwrap().cone.unwrap().angle_millideg, angle, "{keys}");

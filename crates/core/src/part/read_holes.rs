@@ -36,7 +36,7 @@ impl Reader<'_> {
         let name = name_node.and_then(|node| self.name(node));
         let steps_node = fields.take(form::Hole::steps);
         let steps = steps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
-        // An empty list requires nothing; what is no list was meant to say the diameters.
+        // An empty list requires nothing; a value that is no list was still meant to give the diameters.
         let stepped = steps_node.map_or_else(
             || fields.means(form::Hole::steps),
             |node| !matches!(&node.kind, NodeKind::Seq(items) if items.is_empty()),
@@ -96,7 +96,7 @@ impl Reader<'_> {
             (None, None) => Vec::new(),
         };
         if let Some(diameter) = narrowest {
-            // A hole that is drilled for its thread already is still to be tapped.
+            // A hole that is already drilled for its thread is still tapped.
             let threaded = cylinders.as_ref().is_some_and(|known| known.thread.is_some());
             let too_wide = if threaded { diameter.largest() + Micrometres::new(1) } else { diameter.smallest() };
             self.fit_features(&features, &spans, too_wide);
@@ -172,7 +172,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The centres, from `at` or from `pattern`. The points of a pattern stand at its place.
+    /// The centres, from `at` or from `pattern`. The points of a pattern have its place.
     fn centres(&mut self, fields: &mut Fields<'_, form::Hole>) -> (Option<Centres>, Vec<(Point, Place)>) {
         let pattern = fields.take(form::Hole::pattern);
         let at = match fields.means(form::Hole::pattern) {
@@ -230,7 +230,7 @@ impl Reader<'_> {
             return it.map(|it| CentreTolerance::Grade { it });
         }
         let width = self.positive(node, "centre_tolerance")?;
-        // The columns of the scheme tables end there; such a figure is a slip of the decimal point.
+        // The columns of the scheme tables end there; a larger figure is a misplaced decimal point.
         let tables = self.knowledge.tables_of::<SchemesOfMainHole<'_>>();
         let mut domains = tables.filter_map(SchemesOfMainHoleFor::centre_tolerance).map(Column::allowed);
         if domains.any(|domain| !domain.contains(width.micrometres())) {

@@ -9,13 +9,13 @@ use super::Point;
 use super::file::hole as form;
 use super::read::Reader;
 
-/// Beyond a kilometre a point is off every blank, and the figures need not be exact.
+/// Beyond a kilometre a point is outside every blank, and the figures need not be exact.
 const FARTHEST_UM: f64 = 1e9;
 /// A full turn, millionths of a degree.
 const TURN: i128 = 360_000_000;
 
 impl Reader<'_> {
-    /// The points of a pattern, in its order; none when something of it is wrong.
+    /// The points of a pattern, in its order; none if it has a mistake.
     pub(super) fn pattern(&mut self, node: &Node) -> Vec<Point> {
         let Some(mut fields) = self.problems.map(node) else { return Vec::new() };
         let kinds = [form::Pattern::grid, form::Pattern::line, form::Pattern::circle].map(|kind| fields.take(kind));
@@ -26,7 +26,7 @@ impl Reader<'_> {
             [None, Some(node), None] => self.line(node),
             [None, None, Some(node)] => self.circle(node),
             [None, None, None] => {
-                // A misspelt kind has been named already.
+                // A misspelt kind has been reported already.
                 if self.problems.0.len() == before {
                     let help = note!("part-give-one-grid-line-circle");
                     self.problems.error_help::<()>("bad-value", note!("part-pattern-no-kind"), &node.place, help);
@@ -80,7 +80,7 @@ impl Reader<'_> {
         fields.finish(self.problems);
         let (centre, radius_mm, count, start) = (centre?, diameter?.to_mm() / 2.0, count?, start?);
         self.room_for(count, node)?;
-        // In parts of a turn that divide it evenly, so that opposite points are opposite to the micrometre.
+        // In exact fractions of a turn, so that opposite points are opposite to the micrometre.
         let parts = count as i128;
         let place = |index: usize| Turn::new(start * parts + TURN * index as i128, TURN * parts);
         Some((0..count).map(|index| place(index).place(centre, radius_mm, 0.0)).collect())
@@ -128,8 +128,8 @@ struct Turn {
 }
 
 impl Turn {
-    /// By `part / whole` of a full turn. Quarter turns are exact, and turns a quarter apart agree to the
-    /// last digit, because only the part within a quarter goes through sine and cosine.
+    /// A turn by `part / whole` of a full turn. Quarter turns are exact, and turns that differ by a quarter agree to
+    /// the last digit, because sine and cosine are taken only within a quarter.
     fn new(part: i128, whole: i128) -> Self {
         let quarters = part.rem_euclid(whole) * 4;
         let within = (quarters % whole) as f64 / whole as f64 * std::f64::consts::FRAC_PI_2;
@@ -143,7 +143,7 @@ impl Turn {
         Self { cos, sin }
     }
 
-    /// A point so many millimetres from the origin, turned about it, to the micrometre.
+    /// A point at these distances from the origin, rotated about it, rounded to the micrometre.
     fn place(self, origin: Point, along_mm: f64, across_mm: f64) -> Point {
         let coordinate = |zero: Micrometres, mm: f64| {
             let um = (zero.to_mm() + mm) * 1000.0;

@@ -12,7 +12,7 @@ use super::limits::Counted;
 use super::read::Reader;
 use super::read_diameter::Sized;
 
-/// What the group says beside its steps.
+/// The values of the group besides its steps.
 pub(super) struct Whole<'a> {
     /// Its own diameter or thread, if it gives one.
     pub own: Option<Sized>,
@@ -27,7 +27,7 @@ pub(super) struct Whole<'a> {
     pub place: &'a Place,
 }
 
-/// The help for every slip in the depths of steps.
+/// The help for every mistake in the depths of steps.
 pub(super) fn depth_or_length() -> Note {
     note!("part-depth-counts-from-entry-face-2")
 }
@@ -200,7 +200,7 @@ mod tests {
                 true,
                 vec![(30, entry, 5), (20, entry, 10), (15, back, 18), (25, back, 10)],
             ),
-            // The hole's own diameter, among the steps and behind the last.
+            // The own diameter of the hole, among the steps and after the last.
             (
                 "diameter: 10, through: true, steps: [{diameter: 20, depth: 10}, {diameter: 10}]",
                 10,

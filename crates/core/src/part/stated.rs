@@ -10,9 +10,9 @@ use technolog_note::note;
 use super::file::StatedMaterial;
 use super::read::choice;
 
-/// The hardness that the cutting tables know, HB.
+/// The range of hardness of the cutting tables, HB.
 const STATE_HARDNESS_HB: (f64, f64) = (40.0, 450.0);
-/// The strength that the cutting tables know, MPa.
+/// The range of strength of the cutting tables, MPa.
 const STATE_STRENGTH_MPA: (f64, f64) = (100.0, 2000.0);
 
 /// The node that names the grade: the node itself, or its key `grade`; none where that is missing.
@@ -26,8 +26,8 @@ pub fn grade(node: &Node) -> Option<&Node> {
     }
 }
 
-/// The state that a material is said to be in; within it none where the node only names a grade. Mistakes go to
-/// `problems`, with nothing returned.
+/// The stated state of a material; inside it none where the node names only a grade. Mistakes go to `problems`, and
+/// nothing is returned.
 pub fn state(
     node: &Node,
     grade: Option<&str>,
@@ -64,7 +64,7 @@ pub fn state(
     Some(Some(MaterialState { hardness, strength }))
 }
 
-/// A hardness or a strength within what the cutting tables know.
+/// A hardness or a strength within the range of the cutting tables.
 fn figure(node: &Node, (low, high): (f64, f64), problems: &mut Problems) -> Option<f64> {
     let figure: Decimal = problems.scalar(node)?;
     let value = figure.to_f64();

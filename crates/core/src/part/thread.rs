@@ -1,4 +1,4 @@
-//! Threads as drawings write them, and the hole under each.
+//! Threads as written on drawings, and the hole under each.
 
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::vocabulary::Operation;
@@ -40,9 +40,8 @@ impl ThreadError {
 /// Reads `M8-6H`, `M8`, `M8x1-6H`, or conical `К1/2"`, `K 3/4`; Cyrillic letters that look like the Latin
 /// ones are read as these.
 ///
-/// The coarse pitch and the hole under it are those of the table `tap-drills`. The hole under a fine
-/// pitch P is the nominal diameter less P, as ISO practice has it. Conical threads are those of the table
-/// `conical-threads`.
+/// The coarse pitch and its tapping hole are those of the table `tap-drills`. The tapping hole of a fine pitch P is
+/// the nominal diameter less P, as in ISO practice. Conical threads are those of the table `conical-threads`.
 ///
 /// # Errors
 /// It is no thread, or one that the tables do not hold.
@@ -56,7 +55,7 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadedHole, Th
     }
 }
 
-/// The coarsest roughness that a tap leaves, by table A.3: that of a thread whose drawing gives none.
+/// The coarsest roughness that a tap leaves, by table A.3: it applies to a thread whose drawing gives none.
 pub(super) fn roughness(knowledge: &Knowledge) -> Result<Roughness, Note> {
     let tapped = |row: &ThreadAccuracy<'_>| row.method == Operation::Tap;
     let row = knowledge.need(Operation::Tap.name(), tapped).map_err(|error| Note::from(&error))?;
@@ -96,7 +95,7 @@ fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole,
         }
         Some(pitch) if pitch != coarse => {
             let id = format!("{id}x{pitch}");
-            // Where the table has no such thread its hole is the size less the pitch, by which the table is made.
+            // Where the table lacks the thread, its hole is the size less the pitch, which is the rule of the table.
             let fine = knowledge.find(|row: &FineThread<'_>| row.thread == id).map_err(lacking)?;
             (id, pitch, fine.map_or(size - pitch, |row| row.diameter))
         }
@@ -122,7 +121,7 @@ fn tolerance_field(field: &str) -> Result<(), Note> {
     }
 }
 
-/// The thread of the table whose size is nearest, for a remedy.
+/// The thread of the table with the nearest size, for a remedy.
 fn nearest_size(size: Micrometres, known: &[CoarseThread<'_>]) -> Note {
     let named = |row: &CoarseThread<'_>| {
         let known: Micrometres = row.thread.strip_prefix('M')?.parse().ok()?;
@@ -138,7 +137,7 @@ fn nearest_size(size: Micrometres, known: &[CoarseThread<'_>]) -> Note {
 }
 
 fn conical(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole, ThreadError> {
-    // Inch marks and spaces differ from drawing to drawing; the figures do not.
+    // Inch marks and spaces differ between drawings; the figures do not.
     let figures = |name: &str| -> String {
         name.chars().filter(|letter| letter.is_ascii_digit() || matches!(letter, '/' | '.')).collect()
     };

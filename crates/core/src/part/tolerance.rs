@@ -12,7 +12,7 @@ use crate::tables::holes::{HoleConvention, HoleDefault};
 use crate::tables::standards::ItGradesFor;
 use crate::units::{ItGrade, Micrometres};
 
-/// A diameter and what its tolerance amounts to.
+/// A diameter and its tolerance.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct ToleratedDiameter {
     /// Nominal size, mm.
@@ -21,7 +21,7 @@ pub struct ToleratedDiameter {
     pub upper: Micrometres,
     /// Lower deviation, mm.
     pub lower: Micrometres,
-    /// The grade by which the tables are asked: the stated one, or the coarsest that fits the limits.
+    /// The grade for table queries: the stated one, or the coarsest that fits the limits.
     pub it: ItGrade,
     /// How the drawing writes it.
     pub written: String,
@@ -29,7 +29,7 @@ pub struct ToleratedDiameter {
 
 impl fmt::Display for ToleratedDiameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // The hole under a thread is named by its thread.
+        // The name of the hole under a thread begins with the thread.
         let sign = if self.written.starts_with(|first: char| first.is_ascii_digit()) { "Ø" } else { "" };
         write!(f, "{sign}{}", self.written)
     }
@@ -77,11 +77,11 @@ impl ToleratedDiameter {
         if let Some(what_to_write) = of_drawing(&text, knowledge)? {
             return Err(what_to_write);
         }
-        // At the H, so that a letter typed for a digit before it is seen as such.
+        // Split at the H, so that a letter typed for a digit before it is reported as such.
         let split = text.rfind('H').or_else(|| text.find(char::is_alphabetic)).unwrap_or(text.len());
         let (size, field) = text.split_at(split);
         let nominal: Micrometres = size.trim().parse().map_err(|error| {
-            // What was meant, where only the comma is wrong.
+            // The meant value, where only the comma is wrong.
             let meant = size.trim().replace(',', ".");
             let meant = meant.parse::<Micrometres>().is_ok().then(|| format!("{meant}{field}"));
             note!("part-write-h", error = error, example = meant.unwrap_or_else(|| "10H12".to_owned()))
@@ -96,7 +96,7 @@ impl ToleratedDiameter {
         Self::with_grade(nominal, grade, text, knowledge)
     }
 
-    /// A size without a tolerance, such as a counterbore's: of the grade `free-size-grade`, whatever its size.
+    /// A size without a tolerance, such as that of a counterbore: of the grade `free-size-grade`, for any size.
     ///
     /// # Errors
     /// The size is outside the table `it-grades`.
@@ -128,7 +128,7 @@ impl ToleratedDiameter {
         Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: written.to_owned() })
     }
 
-    /// From limits: the grade is the coarsest whose tolerance the limits still hold.
+    /// From limits: the coarsest grade whose tolerance is within the limits.
     ///
     /// # Errors
     /// The limits are crossed, leave no hole or are tighter than grade 6.
@@ -157,8 +157,8 @@ impl ToleratedDiameter {
     }
 }
 
-/// What to write for a size as drawings write it and files of parts do not: a thread, a unit, deviations, a field in the
-/// middle of the zero line.
+/// What to write instead of a size as drawings have it but part files do not: a thread, a unit, deviations, a field
+/// symmetric about the zero line.
 fn of_drawing(text: &str, knowledge: &Knowledge) -> Result<Option<Note>, Note> {
     let typed = latin(text).replace(',', ".");
     let is_figure = |sign: char| sign.is_ascii_digit();
@@ -179,7 +179,7 @@ fn of_drawing(text: &str, knowledge: &Knowledge) -> Result<Option<Note>, Note> {
     if let Some((nominal, grade)) = typed.to_uppercase().split_once("JS")
         && let (Ok(nominal), Some(it)) = (nominal.trim().parse(), grade.parse().ok().and_then(ItGrade::new))
     {
-        // Of half a micrometre more the hole could be outside its field.
+        // With half a micrometre more the hole could be outside its field.
         let either = tolerance_width(it, nominal, knowledge)?.half();
         return Ok(Some(note!("part-write-deviations", text = text, example = limits(nominal, either))));
     }
@@ -189,12 +189,12 @@ fn of_drawing(text: &str, knowledge: &Knowledge) -> Result<Option<Note>, Note> {
     Ok(no_size.then(|| note!("part-size-before-tolerance", text = text, example = format!("10{typed}"))))
 }
 
-/// A deviation as drawings write it: with its sign, zero without.
+/// A deviation as written on drawings: with its sign, zero without.
 fn signed(deviation: Micrometres) -> String {
     if deviation > Micrometres::ZERO { format!("+{deviation}") } else { deviation.to_string() }
 }
 
-/// A hole must be one that the drills and bars of the catalogs make (table `hole-defaults`).
+/// Checks that the drills and bars of the catalogs make such a hole (table `hole-defaults`).
 fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), Note> {
     let bound = |name| convention(name, knowledge).map(Micrometres::from_mm_rounded);
     let (smallest, largest) = (bound(HoleDefault::SmallestDiameter)?, bound(HoleDefault::LargestDiameter)?);

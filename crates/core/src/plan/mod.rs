@@ -1,7 +1,7 @@
-//! The plan: everything decided about a part, in plain data with units in the field names.
+//! The plan: all decisions about a part, in plain data with units in the field names.
 //!
-//! A plan is a value. It serialises to JSON and YAML and back without loss; reports, programs and
-//! audits are functions of it and decide nothing.
+//! A plan is a value. It serialises to JSON and YAML and back without loss; reports, programs and audits are
+//! functions of it and make no decisions.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -48,7 +48,7 @@ pub enum Limit {
 }
 
 impl Limit {
-    /// Every limit with its name in plans.
+    /// All limits with their names in plans.
     pub const NAMES: [(&'static str, Self); 10] = [
         ("cutting-speed", Self::CuttingSpeed),
         ("practice-speed", Self::PracticeSpeed),
@@ -103,12 +103,12 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Whether something was found wrong: a hole that cannot be made, a limit exceeded.
+    /// Whether something is wrong: a hole that cannot be made, a limit exceeded.
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
     }
 
-    /// Whether something was found wrong with one group of holes.
+    /// Whether something is wrong with one group of holes.
     pub fn has_errors_of(&self, hole: &str) -> bool {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong && finding.hole.as_deref() == Some(hole))
     }

@@ -1,4 +1,4 @@
-//! The route of a group of holes: which way it was found, what it holds, and what it was weighed against.
+//! The route of a group of holes: its source, what it holds, and the candidates it was compared with.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -36,7 +36,7 @@ pub enum Feature {
 }
 
 impl Feature {
-    /// Every feature with its name in plans.
+    /// All features with their names in plans.
     pub const NAMES: [(&'static str, Self); 8] = [
         ("bore", Self::Bore),
         ("step", Self::Step),
@@ -101,7 +101,7 @@ pub struct Route {
 }
 
 impl Route {
-    /// The best of the routes that were not taken and could be carried out.
+    /// The best feasible route among those that were not taken.
     pub fn runner_up(&self) -> Option<&Alternative> {
         self.alternatives.iter().find(|other| other.time_min.is_some())
     }

@@ -7,7 +7,7 @@ use crate::units::{Micrometres, NewtonMetres, RevsPerMinute, Roughness, round_to
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum Uncut {
-    /// A table has no figure for the material, nor for one that is used instead.
+    /// A table has no figure for the material, nor for its replacement.
     NoFigure { table: String, material: String },
     /// A table ends before that depth, in diameters.
     TooDeep { table: String, ratio: f64 },
@@ -26,7 +26,7 @@ pub enum Uncut {
 }
 
 impl Uncut {
-    /// The sentence, of no transition in particular.
+    /// The sentence, without a transition.
     pub fn note(&self) -> Note {
         match self {
             Self::NoFigure { table, material } => {

@@ -1,5 +1,5 @@
-//! Why something cannot be done, as types with their figures: planning decides by these, and only here a sentence is
-//! made of one.
+//! Why something cannot be done, as types with figures: planning decides by the types, and sentences are made only
+//! here.
 //!
 //! - [`Reason`]: why a hole, or a part of it, cannot be made by a route, and why a route is not taken;
 //! - [`Unfit`]: why a cutter or a holder is not suitable; [`Uncut`]: why there are no cutting conditions.
@@ -14,15 +14,15 @@ use crate::note::{Figure, Note, Told};
 use crate::plan::Operation;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
-/// Why a hole, or a part of it, cannot be made by a route, or is not made by it.
+/// Why a hole, or a part of it, cannot be made or is not made by a route.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum Reason {
-    /// A grade of centre distances, and no distance it could be of.
+    /// A grade for centre distances, but there is no distance.
     GradeWithoutDistance { it: ItGrade },
     /// The tables have no tolerance of that grade at that distance.
     GradeOutsideTable { it: ItGrade, distance: Micrometres, why: Note },
-    /// A.8 and A.9 have no scheme, at none of their columns of roughness.
+    /// A.8 and A.9 have no scheme in any column of roughness.
     NoScheme { it: ItGrade, roughness: Roughness, centre: Micrometres, columns: Vec<Roughness> },
     /// A.10 has no scheme for the kind of hole.
     NoAuxiliaryScheme { kind: &'static str, diameter: Micrometres, centre: Micrometres },
@@ -30,15 +30,15 @@ pub enum Reason {
     NoComplexGroup { it: ItGrade, diameter: Micrometres, centre: Micrometres },
     /// A.4 has no complex for it.
     NoComplex { it: ItGrade, diameter: Micrometres, centre: Micrometres },
-    /// The search found no way to the finished cylinder.
+    /// The search found no path to the finished cylinder.
     NoPath { it: ItGrade, roughness: Roughness },
-    /// Of the search itself: nothing leads to a state.
+    /// Inside the search: nothing leads to a state.
     Unreachable { state: String, diameter: Micrometres },
-    /// Of the search itself: another transition is used instead of boring.
+    /// Inside the search: another transition replaces boring.
     BoredByAnother { operation: Operation },
     /// There is no hole to open.
     NoHoleToOpen { operation: Operation },
-    /// The hole is as wide already.
+    /// The hole already has that width.
     OpenedAlready { operation: Operation, diameter: Micrometres, start: Micrometres },
     /// Less stock than a drill or mill needs.
     StockTooSmall {
@@ -48,7 +48,7 @@ pub enum Reason {
         stock: Micrometres,
         least: Micrometres,
     },
-    /// What is there leaves a stock that the transition's allowance does not permit.
+    /// The existing hole leaves a stock that the allowance of the transition does not permit.
     StockOutsideAllowance {
         operation: Operation,
         stock: Micrometres,
@@ -58,19 +58,19 @@ pub enum Reason {
     },
     /// No drill of the diameter; the next below and above it.
     NoDrill { diameter: Micrometres, below: Option<Micrometres>, above: Option<Micrometres> },
-    /// The machine drives no drill so large.
+    /// The machine cannot drive so large a drill.
     NoDrillSoLarge { diameter: Micrometres, limit: Micrometres },
-    /// No drill, at most so large, before a mill or counterbore.
+    /// No drill up to that size before a mill or counterbore.
     NoDrillBefore { operation: Operation, diameter: Micrometres, largest: Micrometres },
-    /// No drill, at most so large, before boring; the smallest hole that a bar enters.
+    /// No drill up to that size before boring; the smallest hole that a bar enters.
     NoDrillBeforeBoring { diameter: Micrometres, largest: Micrometres, smallest: Micrometres },
-    /// No drill between what the next transition's allowance permits.
+    /// No drill within the allowance of the next transition.
     NoDrillInAllowance { operation: Operation, low: Micrometres, high: Micrometres, diameter: Micrometres },
-    /// No counterbore between what the next transition's allowance permits.
+    /// No counterbore within the allowance of the next transition.
     NoCounterboreInAllowance { operation: Operation, low: Micrometres, high: Micrometres, diameter: Micrometres },
     /// No boring bar enters the hole, on the way to a diameter.
     NoBarEnters { hole: Micrometres, diameter: Micrometres },
-    /// No boring bar is so small, and nothing stands in for it.
+    /// No boring bar is so small, and there is no replacement.
     TooSmallToBore { operation: Operation, diameter: Micrometres, smallest: Micrometres },
     /// A transition that routes do not plan.
     NotPlanned { operation: Operation },
@@ -82,27 +82,27 @@ pub enum Reason {
     NoOpening { diameter: Micrometres, start: Micrometres },
     /// No route at all.
     NoRoute,
-    /// The drill's point does not go into a blind hole with a flat floor.
+    /// The point of the drill does not fit into a blind hole with a flat floor.
     TooShallowForFlat { depth: Micrometres, diameter: Micrometres },
-    /// The machine does not mill round enough for the tolerance.
+    /// The circularity of the machine is too coarse for the tolerance.
     MilledNotRound { roundness: Micrometres, most: Micrometres, diameter: Micrometres },
-    /// No drill in the route that a step drill could stand for.
+    /// The route has no drill that a step drill could replace.
     NothingToStep,
     /// No step drill of both diameters.
     NoStepDrill { narrow: Micrometres, wide: Micrometres },
     /// Centring makes the chamfer that a step drill would make.
     ChamferedByCentring,
-    /// No cutter with a holder for a transition: the reason that tells most, where there is one, and how many more there are.
+    /// No cutter with a holder for a transition: the most informative reason, if any, and the number of further ones.
     NoTool { operation: Operation, first: Option<Box<Unfit>>, more: usize },
     /// No conditions for a transition.
     NoConditions { operation: Operation, why: Uncut },
     /// The drills of a size that a route lacks are too short.
     DrillsTooShort { diameter: Micrometres, reach: Micrometres, needed: Micrometres },
-    /// The tables rank it behind the scheme that is taken.
+    /// The tables rank it after the scheme that is taken.
     RankedLater { first: String },
     /// It makes the same as another route.
     SameAs { table: String, scheme: String },
-    /// The proof of plans does not hold for it.
+    /// The proof does not accept it.
     NotProven { why: Note },
     /// The position requires boring, and it does not bore.
     BoringAsked { position: Micrometres },
@@ -111,8 +111,8 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// No cutter with a holder for a transition: one reason stands for all, how many there were is said with it; the first
-    /// that is about the cutter and not about a holder that takes other shanks.
+    /// No cutter with a holder for a transition: one reason stands for all, with their number; the first one that
+    /// concerns the cutter and not only a holder for other shanks.
     pub fn no_tool(operation: Operation, why: Vec<Unfit>) -> Self {
         let more = why.len().saturating_sub(1);
         let telling = why.iter().position(|one| !one.is_of_other_holder()).unwrap_or_default();
@@ -143,7 +143,7 @@ impl Reason {
                 new("grade-outside-table").with("it", it).with("distance", distance).with("why", why)
             }
             Self::NoScheme { it, roughness, centre, columns } => {
-                // Ukrainian numbers have commas of their own.
+                // Ukrainian numbers contain commas themselves.
                 let columns = Figure::List(columns.iter().map(Told::told).collect(), "; ");
                 new("no-scheme")
                     .with("it", it)
@@ -244,7 +244,7 @@ impl Reason {
     }
 }
 
-/// On which sides of a size there is another.
+/// On which sides of a size there is another one.
 const fn sides(below: Option<Micrometres>, above: Option<Micrometres>) -> &'static str {
     match (below, above) {
         (Some(_), Some(_)) => "both",
@@ -254,7 +254,7 @@ const fn sides(below: Option<Micrometres>, above: Option<Micrometres>) -> &'stat
     }
 }
 
-/// The next size that there is, as sentences show it.
+/// The next existing size, as sentences show it.
 fn size(size: Option<Micrometres>) -> String {
     size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"))
 }

@@ -1,4 +1,4 @@
-//! Why a cutter or a holder does not do.
+//! Why a cutter or a holder is not suitable.
 
 use crate::knowledge::units::Decimal;
 use crate::note::{Figure, Note};
@@ -13,15 +13,15 @@ use super::{sides, size};
 pub enum Unfit {
     /// No cutter of the catalogs has the size.
     NoSize(NoSize),
-    /// A cutter of the size does not do.
+    /// A cutter of the size is not suitable.
     Cutter { tool: String, table: String, fault: CutterFault },
-    /// A holder does not do for a cutter.
+    /// A holder is not suitable for a cutter.
     Holder { tool: String, holder: String, fault: HolderFault },
     /// The cutter is made for something else.
     OfOther(OfOther),
 }
 
-/// What sizes there are, where none is the one asked for.
+/// The existing sizes, where none is the required one.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum NoSize {
@@ -33,27 +33,27 @@ pub enum NoSize {
         above: Option<Micrometres>,
         tables: String,
     },
-    /// No mill enters the hole with room around it.
+    /// No mill enters the hole with clearance around it.
     NoMillEnters { hole: Micrometres, clearance: Micrometres },
     /// No tap of the thread.
     NoTap { thread: String, tables: String },
-    /// No cone of that angle (thousandths of a degree) is so wide.
+    /// No cone of that angle (thousandths of a degree) is wide enough.
     NoConeSoWide { angle: u32, diameter: Micrometres, widest: Micrometres, hole: Micrometres, tables: String },
-    /// No cone of that angle (thousandths of a degree); the angles there are.
+    /// No cone of that angle (thousandths of a degree); the existing angles.
     NoConeOfAngle { angle: u32, diameter: Micrometres, angles: Vec<u32>, tables: String },
     /// No step drill of both diameters.
     NoStepDrill { narrow: Micrometres, wide: Micrometres },
 }
 
-/// Why a cutter of the right size does not do.
+/// Why a cutter of the right size is not suitable.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum CutterFault {
-    /// The machine drives no drill so large.
+    /// The machine cannot drive so large a drill.
     DrillTooLarge { diameter: Micrometres, limit: Micrometres },
-    /// The machine drives no end mill so large.
+    /// The machine cannot drive so large an end mill.
     MillTooLarge { diameter: Micrometres, limit: Micrometres },
-    /// The machine takes no tool so wide.
+    /// The machine does not take so wide a tool.
     TooWide { diameter: Micrometres, limit: Micrometres },
     /// It does not pass through the cylinder above.
     DoesNotPass { diameter: Micrometres, within: Micrometres },
@@ -65,7 +65,7 @@ pub enum CutterFault {
     DoesNotReach { reach: Micrometres, needed: Micrometres },
 }
 
-/// Why a holder does not do for a cutter.
+/// Why a holder is not suitable for a cutter.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum HolderFault {
@@ -79,7 +79,7 @@ pub enum HolderFault {
     OtherMorse { own: i64, taken: i64 },
     /// An arbor for another bore.
     OtherBore { own: Micrometres, taken: Micrometres },
-    /// What stands out does not reach the depth.
+    /// The overhang does not reach the depth.
     StandsOutTooLittle { reach: Micrometres, needed: Micrometres },
     /// The arbor is too thick for the hole.
     ArborDoesNotEnter { arbor: Micrometres, hole: Micrometres },
@@ -91,7 +91,7 @@ pub enum HolderFault {
     OtherShank { shank: &'static str },
 }
 
-/// For what else a cutter that somebody named is made.
+/// The other work for which a named cutter is made.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum OfOther {
@@ -110,7 +110,7 @@ pub enum OfOther {
 }
 
 impl Unfit {
-    /// Whether it is only that a holder takes other shanks, which says nothing of the cutter.
+    /// Whether the only reason is that a holder takes other shanks, which says nothing about the cutter.
     pub const fn is_of_other_holder(&self) -> bool {
         let Self::Holder { fault, .. } = self else { return false };
         matches!(
@@ -200,7 +200,7 @@ impl CutterFault {
 }
 
 impl HolderFault {
-    /// The sentence, of no holder in particular.
+    /// The sentence, without a holder.
     pub fn note(&self) -> Note {
         let new = Note::new;
         match self {

@@ -1,14 +1,14 @@
 //! Chooses the routes of all groups together, in the documented order of routes.
 //!
 //! A route that reaches grade, roughness and position is preferred to one that does not, and one that reaches them
-//! ordinarily to one that does only at best; then the total time decides, with the tool changes it adds to those of the
-//! other groups; then the places of the magazine it adds; then the way (tables, complexes, search) and the names, so
-//! that the order is total and does not depend on the order of the file. Cost is time at the machine's rate, so it
-//! never decides alone.
+//! ordinarily to one that reaches them only at best. Then these decide, in turn: the total time, with the tool
+//! changes the route adds; the magazine places it adds; the source of the route (tables, complexes, search) and the
+//! names. So the order is total and does not depend on the order of the file. Cost is time multiplied by the
+//! machine's rate, so it never decides alone.
 //!
-//! Groups are chosen one beside the others until no single move helps; then, tool by tool, every group that
-//! can use the tool takes it, or every group that uses it goes without, and what makes the whole part better
-//! is kept.
+//! First each group takes its best route beside the chosen routes of the others, until no single change helps. Then,
+//! for each tool, every group that can use it takes it, or every group that uses it gives it up; a change that
+//! improves the whole part is kept.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -21,48 +21,49 @@ use crate::units::{Micrometres, Minutes, round_to};
 use super::fit::Fitted;
 use super::options::{Choice, Options, RefusedRoute};
 
-/// The most rounds of improvement. Each must make the whole part better, so the loop ends anyway.
+/// The most rounds of improvement. Each round must improve the whole part, so the loop ends in any case.
 const ROUNDS: usize = 8;
 
-/// A tool as the magazine counts it; the centring drill is one for all holes.
+/// A tool as the magazine counts it; all holes share one centring drill.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum ToolKey {
     CentreDrill,
     Cutter { designation: String, table: String, size: Micrometres, holder: String },
 }
 
-/// Times that differ less are the same as they are printed, min.
+/// Times that differ by less than this are printed as equal, min.
 const SAME: f64 = 5e-4;
 
 /// The ranking of the routes of a group, best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Rank {
-    /// Not from the tables, although they are preferred and have a route.
+    /// The route is not from the tables, although the tables are preferred and have one.
     other_way: bool,
     misses: bool,
-    /// Requirements that it reaches only at best.
+    /// The number of requirements that the route reaches only at best.
     at_best: usize,
-    /// Places count before time while the magazine overflows.
+    /// Magazine places, which count before time while the magazine overflows.
     crowding: usize,
-    /// Millionths of a minute.
+    /// Time, millionths of a minute.
     time: i64,
     new_tools: usize,
-    /// Place by way, table, scheme and transitions.
+    /// Rank by source, table, scheme and transitions.
     name: usize,
 }
 
-/// What the whole part comes to, best first: groups that do not take the tables although they are preferred, groups
-/// without a route or with one that misses something, what is reached only at best, time.
+/// The score of the whole part, compared in this order: groups that do not take the tables although the tables are
+/// preferred; groups without a route or with a route that misses a requirement; requirements reached only at best;
+/// time.
 type Total = (usize, usize, usize, i64);
 
-/// The groups' options with what is chosen of each.
+/// The options of all groups and the route chosen for each group.
 pub(super) struct Chooser<'a, 'k> {
     pub options: Vec<Option<Options>>,
     /// The index of the chosen route of each group.
     pub chosen: Vec<Option<usize>>,
     /// The tools of each route, by number.
     tools: Vec<Vec<Vec<usize>>>,
-    /// The place of each route among the names of its group.
+    /// The rank of each route among the names of its group.
     names: Vec<Vec<usize>>,
     numbers: BTreeMap<ToolKey, usize>,
     /// How many chosen routes use each tool.
@@ -125,8 +126,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
         self.options[group].as_ref()?.choices.get(self.chosen[group]?)
     }
 
-    /// Reconsiders every group, and tool by tool, until nothing improves; then, if the magazine is too small, once more
-    /// with places ranked before time.
+    /// Reconsiders every group, then every tool, until nothing improves. If the magazine is then too small, does so
+    /// once more with magazine places ranked before time.
     pub fn settle(&mut self, order: &[usize]) {
         for _ in 0..ROUNDS {
             let before = self.total();
@@ -181,7 +182,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         }
     }
 
-    /// Changes single groups, each to its best route that does not take a borrowed drill from another.
+    /// Changes single groups: each takes its best route that does not remove a drill that another group borrows.
     fn rounds(&mut self, order: &[usize]) {
         for _ in 0..ROUNDS {
             let mut changed = false;
@@ -228,19 +229,19 @@ impl<'a, 'k> Chooser<'a, 'k> {
         (other, missing, at_best, micro(own + self.change * self.tools_used() as f64))
     }
 
-    /// Whether a drill is in the magazine for another group.
+    /// Whether another group has the drill in the magazine.
     fn lent(&self, drill: Micrometres, group: usize) -> bool {
         let others = (0..self.chosen.len()).filter(|other| *other != group).filter_map(|other| self.choice(other));
         others.flat_map(drills_of).any(|own| own == drill)
     }
 
-    /// Whether a route is what the rule of two-pass drilling gives beside the others.
+    /// Whether a route agrees with the rule of two-pass drilling, given the routes of the other groups.
     fn fits(&self, group: usize, choice: &Choice) -> bool {
         choice.borrowed.is_none_or(|drill| self.lent(drill, group))
             && choice.instead_of.is_none_or(|drill| !self.lent(drill, group))
     }
 
-    /// Whether every chosen route is.
+    /// Whether every chosen route agrees with that rule.
     fn lends(&self) -> bool {
         (0..self.chosen.len()).all(|group| self.choice(group).is_none_or(|choice| self.fits(group, choice)))
     }
@@ -259,7 +260,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         self.chosen[group] = choice;
     }
 
-    /// The routes of a group that fit beside the others, best first.
+    /// The routes of a group that agree with the routes of the others, best first.
     fn ranked(&self, group: usize) -> Vec<usize> {
         let Some(options) = &self.options[group] else { return Vec::new() };
         let mut fitting: Vec<usize> =
@@ -277,7 +278,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         Minutes(choice.own.0 + self.change * self.new_tools(group, index) as f64)
     }
 
-    /// Whether the tables are preferred and have a route for the group that this one is not.
+    /// Whether the tables are preferred and have a route for the group, and this route is not from the tables.
     fn other_way(&self, group: usize, choice: &Choice) -> bool {
         let of_tables = |choice: &Choice| choice.candidate.way == RouteSource::Tables;
         let have = || self.options[group].as_ref().is_some_and(|options| options.choices.iter().any(of_tables));
@@ -297,10 +298,10 @@ impl<'a, 'k> Chooser<'a, 'k> {
         }
     }
 
-    /// The group's time and the routes it was compared with, best first, with why each lost.
+    /// The group's time, and the routes it was compared with, best first, each with the reason why it lost.
     pub fn weighed(&mut self, group: usize) -> Option<Weighed> {
         let chosen = self.chosen[group]?;
-        // Beside the tools of the others.
+        // The time beside the tools of the other groups.
         self.take(group, None);
         let weighed = self.weigh(group, chosen);
         self.take(group, Some(chosen));
@@ -358,12 +359,12 @@ pub(super) struct Weighed {
     pub alternatives: Vec<Alternative>,
 }
 
-/// Whole millionths, so that times are compared exactly.
+/// Time in whole millionths of a minute, so that times are compared exactly.
 fn micro(minutes: f64) -> i64 {
     (minutes * 1e6) as i64
 }
 
-/// The place of each route by way, table, scheme and transitions.
+/// The rank of each route by source, table, scheme and transitions.
 fn by_name(choices: &[Choice]) -> Vec<usize> {
     let key = |index: &usize| {
         let choice = &choices[*index];
@@ -379,7 +380,7 @@ fn by_name(choices: &[Choice]) -> Vec<usize> {
     places
 }
 
-/// The drills a route has in the magazine for others to borrow.
+/// The drills of a route that other groups may borrow from the magazine.
 fn drills_of(choice: &Choice) -> impl Iterator<Item = Micrometres> + '_ {
     let plain = |fitted: &&Fitted| fitted.step.operation == Operation::Drill && fitted.step.also.is_none();
     choice.steps.iter().filter(plain).map(|fitted| fitted.step.diameter)
@@ -401,7 +402,7 @@ fn tool_keys(steps: &[Fitted]) -> BTreeSet<ToolKey> {
         .collect()
 }
 
-/// A difference of times as it is told: to half a second, and small ones so that they are not nought.
+/// A difference of times as it is printed: rounded to half a second, but a small one is never printed as zero.
 fn minutes(more: f64) -> Figure {
     Figure::fixed(more, if more < 0.05 { 3 } else { 2 })
 }

@@ -1,4 +1,4 @@
-//! Gives the steps of one hole their cutters, holders and conditions, or says why that is impossible.
+//! Finds cutter, holder and cutting conditions for each step of one hole, or says why there are none.
 
 mod centring;
 mod one_drill;
@@ -28,10 +28,10 @@ pub(super) use centring::widest_spot;
 use one_drill::{SingleDrill, SingleKey};
 use reach::point_angle;
 
-/// A step with what it is done with.
+/// A step with its tool and cutting conditions.
 #[derive(Clone, Debug)]
 pub(super) struct Fitted {
-    /// Its reasons stand among all those below.
+    /// The step; its reasons are among `because` below.
     pub step: RouteStep,
     /// Absent for centring until the whole part is known.
     pub tool: Option<Rc<FittedTool>>,
@@ -40,15 +40,15 @@ pub(super) struct Fitted {
     pub conditions: Rc<Conditions>,
     /// The time of one pass in one hole.
     pub took: Duration,
-    /// What the cards could not give for them.
+    /// What the card could not give for the conditions.
     pub doubts: Vec<CardDoubt>,
-    /// Whether it is a spot that makes an edge of the hole too.
+    /// Whether the step is a centring spot that also makes an edge of the hole.
     pub makes_edge: bool,
     pub because: Vec<Because>,
 }
 
 impl Fitted {
-    /// As a plan has it, with the number of its tool; the tool of a spot may not be chosen yet.
+    /// The transition as a plan has it, with its tool number; the tool of a centring spot may not be chosen yet.
     pub fn transition(&self, number: u32) -> Transition {
         let mut because = self.because.clone();
         let tool = self.tool.as_deref();
@@ -86,22 +86,23 @@ impl Fitted {
     }
 }
 
-/// A cutter in its holder, in plain data.
+/// A cutter in its holder, as plain data.
 #[derive(Clone, Debug)]
 pub(super) struct FittedTool {
     pub designation: String,
     pub table: String,
     pub diameter: Micrometres,
-    /// The size it is ground or set to; distinguishes two tools of one designation.
+    /// The size the cutter is ground or set to; it distinguishes two tools of one designation.
     pub size: Micrometres,
-    /// The diameter of the catalog, where it is ground down from it.
+    /// The catalog diameter, where the cutter is ground down from it.
     pub ground_from: Option<Micrometres>,
-    /// Its reasons stand among those below.
+    /// The assembly; its reasons are among those below.
     pub assembly: Assembly,
     pub because: Vec<Because>,
 }
 
-/// The cutter, conditions and travel of a step, without its own reasons; shared by the routes that take the step.
+/// The cutter, conditions and travel of a step, without the step's own reasons; shared by all routes that have the
+/// step.
 #[derive(Clone, Debug)]
 pub(super) struct Outfit {
     tool: Rc<FittedTool>,
@@ -112,7 +113,7 @@ pub(super) struct Outfit {
     doubts: Vec<CardDoubt>,
 }
 
-/// What the outfit of a step depends on; the routes of one hole share most of their steps.
+/// The key of an outfit: everything it depends on. The routes of one hole share most of their steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct OutfitKey {
     operation: Operation,
@@ -126,17 +127,17 @@ struct OutfitKey {
     angle: Option<u32>,
     within: Option<Micrometres>,
     elsewhere: bool,
-    /// What the last single pass must leave.
+    /// The grade and roughness that the last single pass must leave.
     leaves: Option<(ItGrade, Roughness)>,
     eased: bool,
 }
 
-/// What every step of a hole shares.
+/// What all steps of a hole have in common.
 pub(super) struct Fitting<'p, 'k> {
     hole: &'p Hole,
     edges: &'p [EdgeCut],
     shop: &'p Shop<'k>,
-    /// Approach and overrun of a blind and of a through cut.
+    /// Approach and overrun of a blind and of a through cut, with their reasons.
     travels: [(Micrometres, Micrometres, Because); 2],
     /// The widest spot a centring drill of the catalogs makes.
     pub(super) widest_spot: Micrometres,
@@ -148,22 +149,23 @@ pub(super) struct Fitting<'p, 'k> {
     clearance: Micrometres,
     floor_clearance: Micrometres,
     grind_limit: Micrometres,
-    /// How many times the lead of a reamer is what its stock asks.
+    /// The lead of a reamer as a multiple of the lead that its stock requires.
     reamer_lead_share: f64,
     /// Lead of a tap, pitches.
     tap_lead: f64,
     known: RefCell<BTreeMap<OutfitKey, Result<Outfit, Reason>>>,
-    /// The conditions of the spots that were asked for.
+    /// The conditions of centring spots computed so far.
     spots: RefCell<BTreeMap<SpotKey, Rc<Conditions>>>,
-    /// The single drills that second ones were compared with; none where there are no conditions for them.
+    /// The single drills compared with two-pass drilling so far; none where there are no conditions for them.
     single_drills: RefCell<BTreeMap<SingleKey, Option<SingleDrill>>>,
 }
 
-/// What the conditions of a spot depend on: its step's place, its diameter and that before it, its passes, and the travel.
+/// The key of a spot's conditions: the place of its step, the diameter after and before it, its passes, and the
+/// travel.
 type SpotKey = (StepLocation, Micrometres, Micrometres, u32, Micrometres);
 
 impl<'p, 'k> Fitting<'p, 'k> {
-    /// Approach, overrun, surface and reamer lead by their rules.
+    /// Takes approach, overrun, surface and reamer lead from their rules.
     pub fn new(
         hole: &'p Hole,
         edges: &'p [EdgeCut],
@@ -202,13 +204,13 @@ impl<'p, 'k> Fitting<'p, 'k> {
         })
     }
 
-    /// Fits every step of a hole in their order; the first that cannot be fitted says why.
+    /// Fits the steps of a hole in their order; the first step that cannot be fitted gives the reason.
     pub fn fit(&self, steps: Vec<RouteStep>, finish_elsewhere: bool) -> Tried<Vec<Fitted>> {
         let drill = steps.iter().find(|step| step.operation == Operation::Drill).map(|step| step.diameter);
         let mut fitted = Vec::with_capacity(steps.len());
         let mut left = steps.into_iter();
         while let Some(step) = left.next() {
-            // What follows on the same cylinder.
+            // The next step on the same cylinder.
             let own = (cylinder(&step), step.place.step);
             let follows = left.as_slice().iter().find(|next| (cylinder(next), next.place.step) == own);
             let follows = follows.map(|step| step.operation);
@@ -262,7 +264,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(Fitted { step, tool, travel, approach, conditions, took, doubts, makes_edge: false, because })
     }
 
-    /// The time of one pass in one hole, by the cycle that a program makes of it.
+    /// The time of one pass in one hole, in the canned cycle that a program uses for it.
     fn took(
         &self,
         step: &RouteStep,
@@ -285,7 +287,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(cycle.duration(self.shop.machine.rapids()))
     }
 
-    /// The conventions that the lengths of a step rest on.
+    /// The conventions on which the lengths of a step rest.
     fn conventions(&self, step: &RouteStep) -> Result<Vec<Because>, KnowledgeError> {
         let mut because = Vec::new();
         let mut cite = |name, note: Note| -> Result<(), KnowledgeError> {
@@ -311,11 +313,11 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     fn new_outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
-        // Another machine has other limits, which are unknown here.
+        // The limits of another machine are not known.
         let other = step.elsewhere.then(|| self.shop.without_limits());
         let shop = other.as_ref().unwrap_or(self.shop);
         let (travel, reach) = self.travel(step);
-        // The reach of a tap on that machine is unknown too.
+        // The reach of a tap on another machine is not known either.
         let reach = if step.elsewhere { Micrometres::ZERO } else { reach };
         if step.operation == Operation::Mill {
             self.round_enough(step)?;
@@ -344,7 +346,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             None => tooling::find_tool(&need, shop)?,
         };
         let (cutter, mut assembly) = found.map_err(|why| Refusal::Not(Reason::no_tool(step.operation, why)))?;
-        // A step drill goes on until its wide part is as deep as the opening.
+        // A step drill continues until its wide part is as deep as the opening.
         let travel = match (step.also, cutter.row.step_length) {
             (Some(_), Some(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
             _ => travel,
@@ -384,7 +386,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(Outfit { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), took, doubts })
     }
 
-    /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.
+    /// Checks that the circularity error of the machine leaves enough of the tolerance for a milled cylinder.
     fn round_enough(&self, step: &RouteStep) -> Tried<()> {
         let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
         let tolerance = match step.place.step {
@@ -442,13 +444,13 @@ pub fn way(
     Ok((fitting.travel(step).0, fitting.travels(step.place.through).0))
 }
 
-/// The grade and surface that a step must leave: by a last single pass; passes before it, and stock for another machine, need
-/// no finish feed.
+/// The grade and surface that a step must leave with a last single pass; earlier passes, and stock for another
+/// machine, need no finishing feed.
 fn left_by(step: &RouteStep, last: bool) -> Option<(ItGrade, Roughness)> {
     step.asks.filter(|_| last && step.passes == 1)
 }
 
-/// The cylinder a step works on: a thread is that of its hole.
+/// The cylinder that a step works on; a thread belongs to the cylinder of its hole.
 fn cylinder(step: &RouteStep) -> Feature {
     match step.place.feature {
         Feature::Thread if step.place.step.is_none() => Feature::Bore,
@@ -457,8 +459,8 @@ fn cylinder(step: &RouteStep) -> Feature {
     }
 }
 
-/// Whether the tool is the same whatever diameter it leaves: a mill goes round, a cone is cut as wide as the
-/// tool is driven in.
+/// Whether the tool does not depend on the diameter it leaves: a mill moves round, a cone is cut as wide as the tool
+/// goes deep.
 const fn fixed_size(operation: Operation) -> bool {
     matches!(
         operation,
@@ -466,7 +468,8 @@ const fn fixed_size(operation: Operation) -> bool {
     )
 }
 
-/// Whether a drill before this transition is fed at half (table `feed-factor`): accurate finishing or tapping.
+/// Whether a drill before this transition has half the feed (table `feed-factor`): before accurate finishing or
+/// tapping.
 const fn eases(next: Operation) -> bool {
     next.is_reaming() || matches!(next, Operation::Tap)
 }

@@ -1,4 +1,4 @@
-//! The tools of the whole part: one centre drill, numbers in the order of work, length corrections.
+//! The tools of the whole part: one centring drill, tool numbers in the order of work, length corrections.
 
 use std::rc::Rc;
 
@@ -13,8 +13,8 @@ use crate::units::{Micrometres, round_to};
 use super::HoleDraft;
 use super::fit::{Fitted, FittedTool, Fitting, widest_spot};
 
-/// Chooses the centring tool for all holes it serves: the smallest drill of A.14 that makes every
-/// chamfer, or is wider than every first drill.
+/// Chooses one centring tool for all holes that need one: the smallest drill of A.14 that makes every chamfer, or is
+/// wider than every first drill.
 pub(super) fn choose_centre_drill(
     part: &Part,
     drafts: &mut [HoleDraft],
@@ -32,7 +32,7 @@ pub(super) fn choose_centre_drill(
         let first = draft.steps.iter().find(|one| one.step.operation == Operation::Drill).map(|one| one.step.diameter);
         let note = |code: &'static str, diameter| Note::new(code).with("needed", diameter);
         let (own, note) = match first {
-            // Wider than the first drill, so that the drill starts on the cone and not on its rim.
+            // The tool is wider than the first drill, so that the drill starts on the cone and not on its rim.
             Some(drill) if !centre.makes_edge && drill < widest => {
                 (drill + Micrometres::new(1), note("centre-drill-for-all-over", drill))
             }
@@ -66,7 +66,7 @@ pub(super) fn choose_centre_drill(
         };
         match &fitted {
             Ok(tool) => {
-                // What a spot allows depends on the tool that makes it.
+                // The permitted spot depends on the tool that makes it.
                 let fitting = Fitting::new(hole, &[], part, shop)?;
                 match Refusal::split(fitting.spotting(&centre.step, centre.travel, tool.diameter))? {
                     Ok(conditions) => centre.conditions = conditions.into(),
@@ -84,7 +84,7 @@ pub(super) fn choose_centre_drill(
     Ok(())
 }
 
-/// Two uses are of one tool when cutter, setting and holder agree.
+/// Whether two steps use one tool: the same cutter, setting and holder.
 fn same(a: &FittedTool, b: &FittedTool) -> bool {
     a.designation == b.designation && a.table == b.table && a.size == b.size && a.assembly.holder == b.assembly.holder
 }
@@ -105,7 +105,7 @@ pub(super) fn number_tools(
         }
     }
     rank(&mut tools, &drafts);
-    // What is used from the back face only comes after everything of the first set-up.
+    // Tools used only from the back face come after all tools of the first set-up.
     let of_back = |tool: &FittedTool| {
         let entry = drafts.iter().flat_map(|draft| &draft.steps).filter(|one| one.step.place.face == Face::Entry);
         !entry.filter_map(|one| one.tool.as_ref()).any(|known| same(known, tool))
@@ -114,7 +114,7 @@ pub(super) fn number_tools(
     let tools: Vec<Rc<FittedTool>> = tools.into_iter().map(|(_, tool)| tool).collect();
     let places = shop.machine.magazine.max(1);
     if tools.len() > places {
-        // What is used last is loaded by hand, when the tools before it are done with.
+        // Tools beyond the magazine are loaded by hand: the last ones, when the tools before them have finished.
         let by_hand = tools.len() - places;
         let note = Note::new("magazine-reloaded")
             .with("tools", tools.len())
@@ -162,9 +162,9 @@ pub(super) fn number_tools(
     (holes, plans)
 }
 
-/// A tool's rank is the longest chain of tools before it in any hole.
+/// The rank of a tool is the length of the longest chain of tools before it in any hole.
 fn rank(tools: &mut [(usize, Rc<FittedTool>)], drafts: &[HoleDraft]) {
-    // Every pass can lengthen a chain by one; a chain longer than the tools would be a circle.
+    // Each pass can lengthen a chain by one; a chain longer than the number of tools would be a circle.
     for _ in 0..tools.len() {
         for draft in drafts {
             let mut least = 0;
@@ -183,7 +183,7 @@ fn rank(tools: &mut [(usize, Rc<FittedTool>)], drafts: &[HoleDraft]) {
 fn transition(fitted: &Fitted, tools: &[Rc<FittedTool>]) -> Option<Transition> {
     let tool = fitted.tool.as_ref()?;
     let number = tools.iter().zip(1..).find(|(known, _)| same(known, tool)).map(|(_, number)| number);
-    // What is done on another machine has no place here.
+    // Work on another machine has no place in this magazine.
     let number = if fitted.step.elsewhere { 0 } else { number? };
     Some(fitted.transition(number))
 }

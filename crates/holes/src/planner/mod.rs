@@ -1,12 +1,12 @@
-//! The planner: the one place where a later stage's refusal makes an earlier one try the next alternative.
+//! The planner: the only room where the refusal of a later stage makes an earlier stage try the next alternative.
 //!
-//! Holes are planned from the smallest up, because a drill of a smaller hole may be the first drill of a
-//! larger one. For each hole the candidates of the three ways ([`crate::route`]) are turned into steps with
-//! tools and conditions, or refused with a reason (`options`); the routes of all holes are chosen together,
-//! so that they share their tools (`choose`). Then the tools of the whole part are put together (`magazine`).
+//! Holes are planned from the smallest up, because the drill of a smaller hole may be the first drill of a larger
+//! one. For each hole, the candidates of the three sources ([`crate::route`]) are turned into steps with tools and
+//! conditions, or refused with a reason (`options`). The routes of all holes are then chosen together, so that they
+//! share tools (`choose`). At last the tools of the whole part are collected (`magazine`).
 //!
-//! - `options`: the routes of a group; `ways`: how they are found, tried and filed;
-//! - `whole`: a whole hole by one candidate; `step_drill`: hole and opening by one drill;
+//! - `options`: the routes of a group; `sources`: how routes are found, tried and filed;
+//! - `whole`: the steps of a whole hole for one candidate; `step_drill`: hole and opening by one drill;
 //! - `fit`: cutter, holder and conditions of each step, with `fit/centring` and `fit/reach`.
 
 mod choose;
@@ -33,7 +33,7 @@ pub use fit::way;
 use fit::{Fitted, Fitting};
 use options::{Choice, Options};
 
-/// The plan of a group under construction: its route and fitted steps, where one was accepted.
+/// The draft of a group's plan: its route and fitted steps, if a route was accepted.
 struct HoleDraft {
     route: Option<Route>,
     steps: Vec<Fitted>,
@@ -42,13 +42,14 @@ struct HoleDraft {
 /// Plans a part.
 ///
 /// # Errors
-/// The knowledge base lacks something planning asks of it. A hole that cannot be made is a finding of
-/// the plan, not an error.
+/// The knowledge base lacks a rule or row that planning needs. A hole that cannot be made is a finding of the plan,
+/// not an error.
 pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result<Plan, KnowledgeError> {
     plan_by(part, method, Preference::Best, knowledge)
 }
 
-/// Plans a part by the schemes of the tables, wherever they can be carried out, and tells what the best plan would save.
+/// Plans a part by the schemes of the tables, wherever they can be carried out, and reports what the best plan would
+/// save.
 ///
 /// # Errors
 /// As for [`plan`].
@@ -65,7 +66,7 @@ pub fn plan_by_tables(part: &Part, method: CuttingMethod, knowledge: &Knowledge)
     Ok(own)
 }
 
-/// Plans a part by that preference alone.
+/// Plans a part by one preference, without comparison with the other.
 ///
 /// # Errors
 /// As for [`plan`].
@@ -128,7 +129,7 @@ pub fn plan_by(
         findings,
     };
     sequence::timed(&mut plan, &shop)?;
-    // The finished plan is proven, however it was chosen.
+    // Every plan is checked by the proof, however it was chosen.
     plan.findings.extend(technolog_proof::prove(&plan, &shop)?);
     unconfirmed(&mut plan);
     Finding::in_order(&mut plan.findings);
@@ -250,7 +251,7 @@ fn route(choice: &Choice, options: &Options, weighed: Weighed) -> Route {
     }
 }
 
-/// The tool-change position against the safe distance from a clamp's screw (textbook 1.11).
+/// Checks the tool-change position against the safe distance from the screw of a clamp (textbook 1.11).
 fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Option<Finding> {
     let start = sequence::tool_change_point(part, &shop.machine);
     let nearest = start.to_nearest(&clamping.clamps)?;
@@ -262,7 +263,7 @@ fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Option<Find
     })
 }
 
-/// Every row the plan rests on that is not fully trusted, once each.
+/// Adds a note for every row under the plan that is not fully trusted, once each.
 fn unconfirmed(plan: &mut Plan) {
     let mut found: Vec<Finding> = Vec::new();
     let mut look = |because: &[Because], hole: Option<&str>| {

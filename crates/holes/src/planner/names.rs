@@ -1,4 +1,4 @@
-//! Names of groups that no reader of a plan can tell from each other.
+//! Names of groups that a reader of the plan cannot tell apart.
 
 use std::collections::BTreeMap;
 
@@ -6,8 +6,8 @@ use crate::knowledge::alike::latin;
 use crate::note::{Finding, Note, Severity};
 use crate::part::Part;
 
-/// Groups whose names differ only in letters that look the same in both alphabets: almost certainly a typing mistake;
-/// even if not, the plan cannot be read.
+/// Groups whose names differ only in letters that look the same in both alphabets. It is almost certainly a typing
+/// mistake; if not, the plan still cannot be read.
 pub(super) fn alike(part: &Part) -> impl Iterator<Item = Finding> {
     let mut names: BTreeMap<String, usize> = BTreeMap::new();
     for hole in &part.holes {

@@ -1,4 +1,4 @@
-//! Every route a group of holes may take, each with its tools, conditions and time; [`super::sources`] finds them.
+//! All routes that a group of holes may take, each with tools, conditions and time; [`super::sources`] finds them.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -31,31 +31,31 @@ pub(super) struct Choice {
     pub steps: Vec<Fitted>,
     /// The requirements of grade, roughness and position that it misses.
     pub misses: Vec<Note>,
-    /// What the proof of plans says that it reaches only at best.
+    /// What the proof says that the route reaches only at best.
     pub at_best: Vec<Note>,
-    /// Cutting and rapids of all holes of the group, without tool changes.
+    /// Time of cutting and rapids in all holes of the group, without tool changes.
     pub own: Minutes,
-    /// A drill that another group must have, for which this route drills in two passes.
+    /// A drill of another group, because of which this route drills in two passes.
     pub borrowed: Option<Micrometres>,
-    /// The drill without which it is drilled in one pass: with it the rule gives the route in two.
+    /// The drill without which this route drills in one pass; with it the rule requires two passes.
     pub instead_of: Option<Micrometres>,
 }
 
 impl Choice {
-    /// Whether it holds grade, roughness and position.
+    /// Whether the route holds grade, roughness and position.
     pub fn meets(&self) -> bool {
         self.misses.is_empty()
     }
 }
 
-/// A route that cannot be carried out, or is barred by a rule, and why.
+/// A route that cannot be carried out or is excluded by a rule, with the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RefusedRoute {
     pub way: RouteSource,
     pub table: String,
-    /// Empty where a way has no scheme at all.
+    /// The scheme; empty where a source has none at all.
     pub scheme: String,
-    /// What it would make, if known.
+    /// The transitions, if known.
     pub operations: Vec<AlternativeStep>,
     /// Whether it would hold grade, roughness and position.
     pub meets: bool,
@@ -63,7 +63,7 @@ pub(super) struct RefusedRoute {
 }
 
 impl RefusedRoute {
-    /// As a plan shows it.
+    /// The route as a plan shows it.
     pub fn told(&self) -> Alternative {
         Alternative {
             way: self.way,
@@ -81,26 +81,26 @@ impl RefusedRoute {
 /// The routes of a group.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Options {
-    /// What can be carried out.
+    /// The routes that can be carried out.
     pub choices: Vec<Choice>,
-    /// Those that cannot, or are barred by a rule, with the reason.
+    /// The routes that cannot be carried out or are excluded by a rule, each with the reason.
     pub refused: Vec<RefusedRoute>,
     /// The tolerance on centre distances the tables were queried with.
     pub centre_tolerance: Micrometres,
-    /// The row of A.6, or that it has none.
+    /// The row of A.6, or the reason that there is none.
     pub stages: Option<Because>,
     /// Whether the position requires boring and no boring tool can be used.
     pub not_bored: bool,
-    /// What no axial tool makes, and openings that no tool can make.
+    /// What no axial tool can make, and openings for which there is no tool.
     pub impossible: Vec<Note>,
-    /// What the drawing requires but probably does not mean.
+    /// Requirements of the drawing that are probably a mistake.
     pub doubtful: Vec<Note>,
-    /// What cannot be done, although the drawing does not require it.
+    /// What cannot be done, where the drawing does not require it.
     pub remarks: Vec<Note>,
 }
 
 impl Options {
-    /// The transitions of a choice with their diameters, as plans show them.
+    /// The transitions of a choice with their diameters, as a plan shows them.
     pub fn operations(choice: &Choice) -> Vec<AlternativeStep> {
         let made = |fitted: &Fitted| AlternativeStep {
             operation: fitted.step.operation,
@@ -114,7 +114,7 @@ impl Options {
 /// Every route of a group of holes.
 ///
 /// # Errors
-/// The knowledge base has no answer. What makes the whole group impossible is a refusal.
+/// The knowledge base has no answer. What makes the whole group impossible is a refusal, not an error.
 pub(super) fn options(
     hole: &Hole,
     part: &Part,
@@ -128,7 +128,7 @@ pub(super) fn options(
     let reached = |size: &&DrillSize| size.reach >= fitting.drill_reach(&main.place, size.diameter);
     let drills: Vec<Micrometres> = all_drills.iter().filter(reached).map(|size| size.diameter).collect();
     let written = accuracy::centre_tolerance(hole, shop).map_err(Refusal::Not)?;
-    // The tables speak of machined faces: an unmachined one must be queried for as a tighter hole.
+    // The tables assume machined faces: for an unmachined face they are queried with a tighter tolerance.
     let rough_face = accuracy::rough_face(main, part, shop)?;
     let loss = rough_face.as_ref().map_or(0.0, |(loss, _)| *loss);
     let centre_tolerance = Micrometres::from_mm_rounded(written.to_mm() / (1.0 + loss));
@@ -172,7 +172,8 @@ pub(super) fn options(
     let asked = if kind.is_some() { auxiliary::diameter(&finder.question) } else { main.diameter.nominal };
     let (stages, stages_end_elsewhere) = scheme::stages(&finder.question, stage_name, asked, shop)?;
     if stages_end_elsewhere {
-        // A.6 by the position of the axis: A.8 and A.9 know such a hole by their column of the tightest centres.
+        // A.6 asks for the position of the axis; A.8 and A.9 have such holes in the column of the tightest centre
+        // distance.
         finder.question.centre_tolerance = finder.question.centre_tolerance.min(position);
     }
     let mut options = Options {
@@ -190,7 +191,8 @@ pub(super) fn options(
     }
     finder.every_way(kind, &mut options)?;
     if options.choices.is_empty() && main.flat {
-        // Where no mill levels the floor the hole is planned with the drill's cone, and the plan says why.
+        // Where no mill can make the floor flat, the hole is planned with the cone of the drill, and the plan says
+        // why.
         let why = options.refused.iter().map(|other| &other.why).find(|why| why.is_of_milled_floor()).map(Reason::note);
         finder.level_floor = false;
         let refused = std::mem::take(&mut options.refused);
@@ -217,9 +219,9 @@ pub(super) fn options(
 }
 
 impl Finder<'_, '_> {
-    /// Section 1.2 on boring (rule `boring-for-position`): where the position requires it, routes of complexes and
-    /// search that do not bore are barred; where it does not, those that bore; in both cases only while another route
-    /// can be carried out.
+    /// Section 1.2 on boring (rule `boring-for-position`). Where the position requires boring, routes of complexes
+    /// and of the search without boring are excluded; where it does not, those with boring. Both hold only while
+    /// another route can be carried out.
     fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         let asked = self.boring_asked()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
@@ -242,7 +244,7 @@ impl Finder<'_, '_> {
         Ok(())
     }
 
-    /// Whether the position requires boring if a bar entered.
+    /// Whether the position would require boring, if a boring bar could enter.
     fn close(&self) -> Result<bool, KnowledgeError> {
         self.asks_for_boring(true)
     }
@@ -259,7 +261,7 @@ impl Finder<'_, '_> {
     }
 }
 
-/// The largest drill of a size that a route lacked and the catalogs have, but too short.
+/// The largest drill of a size that a route lacked and that the catalogs have only too short.
 fn too_short(refused: &[RefusedRoute], all: &[DrillSize], reaching: &[Micrometres]) -> Option<DrillSize> {
     let lacked = refused.iter().find_map(|other| match other.why {
         Reason::NoDrillInAllowance { low, high, .. } => Some(low..=high),

@@ -16,12 +16,12 @@ use super::options::{Choice, Options, RefusedRoute};
 use super::whole::Finder;
 
 impl Finder<'_, '_> {
-    /// The kind of auxiliary hole by which A.10 knows it; a finer main cylinder is a main hole of A.8 or A.9.
+    /// The kind of auxiliary hole in A.10; none where the main cylinder is finer and so a main hole of A.8 or A.9.
     pub fn auxiliary_kind(&self) -> Option<AuxiliaryKind> {
         AuxiliaryKind::of(self.hole, &self.task.main, self.drilled)
     }
 
-    /// The three sources; routes finished on another machine are not compared with the others.
+    /// Tries all three sources; routes finished on another machine are not compared with the others.
     pub fn every_way(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         if let Some(candidate) = self.tapped_at_once()? {
             self.weigh(&candidate, options)?;
@@ -32,14 +32,15 @@ impl Finder<'_, '_> {
             return Ok(());
         }
         self.complexes(options)?;
-        // How a hole in solid metal is made for a thread A.10 says, down to where it bores; nothing reaches beyond.
+        // A.10 says how a hole in solid metal is made for a thread, up to the sizes where it bores; nothing exceeds
+        // those.
         if self.task.main.thread.is_some() && self.task.main.before.is_solid() {
             return Ok(());
         }
         self.search(options)
     }
 
-    /// Tapping alone, where the blank's hole is that for the thread already.
+    /// Tapping alone, where the hole of the blank already has the size for the thread.
     fn tapped_at_once(&self) -> Result<Option<Candidate>, KnowledgeError> {
         let main = &self.task.main;
         let (Some(thread), Some(start)) = (&main.thread, self.sizes.start) else { return Ok(None) };
@@ -59,7 +60,7 @@ impl Finder<'_, '_> {
         }))
     }
 
-    /// The first scheme of the tables that can be carried out; what the tables rank behind it is not compared with it.
+    /// The first scheme of the tables that can be carried out; the lower-ranked schemes are not compared with it.
     fn tables(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         let mut found = None;
         if let Some(kind) = kind {
@@ -125,9 +126,9 @@ impl Finder<'_, '_> {
         Ok(())
     }
 
-    /// Tries a candidate, files it under what can be done or what cannot, and says whether it can.
+    /// Tries a candidate and files it as feasible or refused; returns whether it is feasible.
     fn weigh(&self, candidate: &Candidate, options: &mut Options) -> Result<bool, KnowledgeError> {
-        // With a cutter for each opening, and with a step drill for hole and opening at once.
+        // One route with a cutter for each opening, one with a step drill for hole and opening at once.
         let plain = Refusal::split(self.carried_out(candidate, false))?;
         let joined =
             if self.may_join(candidate) { Refusal::split(self.carried_out(candidate, true))?.ok() } else { None };
@@ -145,7 +146,7 @@ impl Finder<'_, '_> {
             done = true;
             let borrowed = choice.borrowed;
             self.file(choice, options);
-            // Without the borrowed drill the rule drills in one pass.
+            // Without the borrowed drill the rule requires one pass.
             if let Some(drill) = borrowed
                 && let Ok(steps) = Refusal::split(self.carried_out_alone(candidate))?
                 && let Some(alone) = self.proven(candidate, steps, options)?
@@ -156,7 +157,7 @@ impl Finder<'_, '_> {
         Ok(done)
     }
 
-    /// The route of a candidate, if the proof of plans holds for it; else it is refused with the first reason.
+    /// The route of a candidate, if the proof accepts it; otherwise it is refused with the first reason.
     fn proven(
         &self,
         candidate: &Candidate,
@@ -167,7 +168,7 @@ impl Finder<'_, '_> {
         let faults = technolog_proof::prove_hole(self.hole, &transitions, self.part, self.shop)?;
         let (at_best, mut wrong): (Vec<_>, Vec<_>) =
             faults.iter().partition(|fault| fault.severity() == Severity::Doubtful);
-        // If the user prefers the tables, their scheme is taken and what it does not reach is reported.
+        // If the user prefers the tables, their scheme is taken, and what it does not reach is reported.
         if self.preference == Preference::Tables && candidate.way == RouteSource::Tables {
             wrong.retain(|fault| !matches!(fault, Fault::Wanting { .. }));
         }
@@ -182,7 +183,7 @@ impl Finder<'_, '_> {
         Ok(Some(Choice { at_best, ..self.choice(candidate, steps) }))
     }
 
-    /// Files a route under what can be done, unless it is there already.
+    /// Files a route as feasible, unless the same route is there already.
     fn file(&self, choice: Choice, options: &mut Options) {
         let twin = options.choices.iter().find(|known| same(known, &choice));
         let Some(twin) = twin else {
@@ -213,8 +214,8 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// What of the drawing a route does not hold: grade, roughness and position must be promised by the table
-    /// it is from, or reached by its chain; what is finished on another machine is held there.
+    /// The requirements of the drawing that a route does not hold. Grade, roughness and position must be promised by
+    /// the table of the route or reached by its chain; what is finished on another machine is held there.
     fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Vec<Note> {
         let main = &self.task.main;
         if candidate.finish_elsewhere || candidate.transitions == [Operation::Tap] {
@@ -226,7 +227,7 @@ impl Finder<'_, '_> {
         let Some(reached) = last.and_then(|step| step.achieved) else { return vec![Note::new("misses-unknown")] };
         let mut misses = Vec::new();
         if main.thread.is_none() {
-            // What the table promises is for the proof to judge; here it is enough.
+            // The proof judges the promise of a table; here the promise is enough.
             let promised = candidate.promise.map(|promise| promise.it);
             if promised.is_none_or(|it| it > main.diameter.it) && reached.it.is_none_or(|it| it > main.diameter.it) {
                 let it = reached.it.map_or_else(|| "-".to_owned(), |it| it.to_string());
@@ -253,7 +254,7 @@ impl Finder<'_, '_> {
     }
 }
 
-/// Whether two routes are one: the same cutters leave the same diameters.
+/// Whether two routes are the same: the same cutters leave the same diameters.
 fn same(a: &Choice, b: &Choice) -> bool {
     let shown = |choice: &Choice| -> Vec<(Operation, Micrometres, Micrometres, Option<String>)> {
         let steps = choice.steps.iter();
@@ -271,7 +272,7 @@ pub(super) fn refused(candidate: &Candidate, why: Reason) -> RefusedRoute {
     RefusedRoute { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
 }
 
-/// A source without any candidate.
+/// The refusal of a source that has no candidate.
 pub(super) fn none(way: RouteSource, table: &str, why: Reason) -> RefusedRoute {
     RefusedRoute { way, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
 }

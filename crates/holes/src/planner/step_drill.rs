@@ -1,4 +1,4 @@
-//! One step drill for a hole and its opening at once, where it may.
+//! One step drill for a hole and its opening, where that is permitted.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::part::Face;
@@ -11,8 +11,8 @@ use crate::units::Micrometres;
 use super::whole::Finder;
 
 impl Finder<'_, '_> {
-    /// Whether a step drill may make the hole and its opening at once: a through hole that is only drilled,
-    /// with one flat opening that drilling holds, or with a chamfer.
+    /// Whether a step drill may make the hole and its opening at once: for a through hole that is only drilled, with
+    /// one flat opening whose grade drilling holds, or with a chamfer.
     pub fn may_join(&self, candidate: &Candidate) -> bool {
         let cuts = |operation: &&Operation| !matches!(operation, Operation::CentreDrill | Operation::Tap);
         let chamfered =
@@ -29,7 +29,8 @@ impl Finder<'_, '_> {
         (bore.place.face == Face::Entry && bore.flat && drilled).then_some(bore)
     }
 
-    /// Lets the drill make the opening too; which one, or why no step drill does.
+    /// Makes the drill a step drill that makes the opening too; returns the steps with it, or why there is no such
+    /// drill.
     pub fn join(&self, steps: &mut [RouteStep], centring_makes_edge: bool) -> Tried<Option<Feature>> {
         let Some(drill) = steps.iter_mut().find(|step| step.operation == Operation::Drill) else {
             return Err(Refusal::Not(Reason::NothingToStep));

@@ -1,5 +1,5 @@
-//! A whole hole by one candidate: its main cylinder, what opens it wider, its edges and its floor, in the order
-//! of section 1.1.2, each step with its tool and conditions.
+//! All steps of a hole for one candidate: main cylinder, wider cylinders, edges and floor, in the order of section
+//! 1.1.2, each step with its tool and conditions.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -21,10 +21,10 @@ use crate::units::{ItGrade, Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
 
-/// The steps that open a wider cylinder, or why nothing does.
+/// The steps that open a wider cylinder, or why there are none.
 type Opened = Result<Vec<RouteStep>, Reason>;
 
-/// What the routes of one group are found with.
+/// What is needed to find the routes of one group.
 pub(super) struct Finder<'a, 'k> {
     pub hole: &'a Hole,
     pub part: &'a Part,
@@ -35,23 +35,23 @@ pub(super) struct Finder<'a, 'k> {
     pub sizes: Sizes<'a>,
     pub position: accuracy::Position,
     pub shop: &'a Shop<'k>,
-    /// The best way to open each wider cylinder from a diameter.
+    /// The best steps to open each wider cylinder from a diameter, found so far.
     pub opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
     pub hops: Minutes,
-    /// What the operator's hands take.
+    /// The times of the operator's manual work.
     pub hands: Hands,
-    /// The step that cuts each edge, or why none does.
+    /// The step that cuts each edge, or why there is none.
     pub edges: Vec<Result<RouteStep, Reason>>,
-    /// The finest grade that drilling holds, by A.1.
+    /// The finest grade that drilling holds, by table A.1.
     pub drilled: ItGrade,
-    /// Whether a flat floor is made, where one is asked; not where no mill can.
+    /// Whether a required flat floor is made; no where no mill can make it.
     pub level_floor: bool,
     /// The edge that centring makes.
     pub centred_edge: Option<bores::EdgeCut>,
 }
 
 impl Finder<'_, '_> {
-    /// Time of steps for all holes of the group, each step with a tool change of its own.
+    /// Time of steps in all holes of the group; each step has a tool change of its own.
     pub fn cost(&self, steps: &[RouteStep]) -> Tried<Minutes> {
         let mut minutes = 0.0;
         for step in steps {
@@ -65,7 +65,8 @@ impl Finder<'_, '_> {
         Ok(Minutes(minutes))
     }
 
-    /// What a step takes in all holes of the group, in and out and with its bar set between the passes, min.
+    /// Time of a step in all holes of the group, with approach and retract, and with the setting of the bar between
+    /// passes, min.
     pub fn time(&self, fitted: &Fitted) -> f64 {
         self.time_of(&fitted.step, fitted.took)
     }
@@ -79,18 +80,19 @@ impl Finder<'_, '_> {
         took.total().0 * passes * self.hole.at.len() as f64 + set
     }
 
-    /// The steps of the whole hole by a candidate: as the rules prefer, else with one drill, else bored.
+    /// The steps of the whole hole for a candidate: as the rules prefer, otherwise with one drill, otherwise with
+    /// boring in place of milling.
     pub fn carried_out(&self, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         self.by_any(candidate, joined, &[(false, false), (true, false), (false, true), (true, true)])
     }
 
-    /// The same with one drill only.
+    /// As `carried_out`, but with one drill only.
     pub fn carried_out_alone(&self, candidate: &Candidate) -> Tried<Vec<Fitted>> {
         self.by_any(candidate, false, &[(true, false), (true, true)])
     }
 
-    /// By the first attempt that succeeds, each with whether to drill in one pass, and to bore what would be
-    /// milled.
+    /// The steps by the first attempt that succeeds. An attempt says whether to drill in one pass and whether to bore
+    /// what would be milled.
     fn by_any(&self, candidate: &Candidate, joined: bool, attempts: &[(bool, bool)]) -> Tried<Vec<Fitted>> {
         let mut first_why = None;
         for &(single_drill, bore_large) in attempts {
@@ -110,7 +112,7 @@ impl Finder<'_, '_> {
                     }
                     return Ok(fitted);
                 }
-                // The first reason is reported: the other attempts only try to avoid it.
+                // The first reason is reported: the later attempts only try to avoid it.
                 Err(why) => {
                     first_why.get_or_insert(why);
                 }
@@ -150,7 +152,7 @@ impl Finder<'_, '_> {
             match step {
                 _ if also == Some(edge.feature) => {}
                 Ok(step) => steps.push(step.clone()),
-                // What centring makes in other routes is not made in this one.
+                // An edge that centring makes in other routes is not made in this one.
                 Err(why) if Some(*edge) == self.centred_edge => return Err(Refusal::Not(why.clone())),
                 Err(_) => {}
             }
@@ -160,8 +162,8 @@ impl Finder<'_, '_> {
         self.fitting.fit(steps, candidate.finish_elsewhere)
     }
 
-    /// What is done to a cylinder after wider ones above it were opened begins below them; what finishes the
-    /// main cylinder ends where those of the back face begin.
+    /// Work on a cylinder after wider ones above it were opened begins below those; the finishing of the main
+    /// cylinder ends where the cylinders of the back face begin.
     fn within_its_cylinder(&self, steps: &mut [RouteStep]) {
         let back = self.task.wider.iter().filter(|bore| bore.place.face == Face::Back);
         let main_end = back.map(|bore| self.task.main.place.depth - bore.place.depth).min();
@@ -201,7 +203,7 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// A flat floor: drills and core drills stop where their points touch it, and an end mill goes round on it.
+    /// A flat floor: drills and core drills stop where their points touch it, and an end mill then levels it.
     fn flat_floor(&self, steps: &mut Vec<RouteStep>) -> Tried<()> {
         if !self.task.main.flat {
             return Ok(());
@@ -229,7 +231,7 @@ impl Finder<'_, '_> {
         Ok(())
     }
 
-    /// The quickest way to open a wider cylinder from a diameter.
+    /// The quickest steps that open a wider cylinder from a diameter.
     fn open(&self, index: usize, bore: &Bore, start: Micrometres) -> Tried<Vec<RouteStep>> {
         if let Some(known) = self.opened.borrow().get(&(index, start)) {
             return known.clone().map_err(Refusal::Not);
@@ -273,7 +275,7 @@ impl Finder<'_, '_> {
                 match Refusal::split(made)? {
                     Ok((minutes, mut steps)) => {
                         let bores = !asked && steps.iter().any(|step| step.operation.is_boring());
-                        // What the tables finish on another machine is left for it, as in the main cylinder.
+                        // Here too, what the tables finish on another machine is left for that machine.
                         let here = !candidate.finish_elsewhere;
                         let better =
                             |least: (bool, bool, Minutes)| (here, bores, minutes.0) < (least.0, least.1, least.2.0);
@@ -285,7 +287,7 @@ impl Finder<'_, '_> {
                         }
                         break;
                     }
-                    // The search comes last, and its reason says what no way could do.
+                    // The search is the last source, so its reason is the one to report.
                     Err(found) => why = Some(found),
                 }
             }
@@ -295,8 +297,8 @@ impl Finder<'_, '_> {
     }
 }
 
-/// The step that cuts each edge of a hole, or why none does; a face that no counterbore of the catalogs cuts
-/// is milled round.
+/// The step that cuts each edge of a hole, or why there is none; a face for which the catalogs have no counterbore is
+/// milled.
 pub(super) fn edges(
     task: &Task,
     fitting: &Fitting<'_, '_>,
@@ -319,7 +321,8 @@ pub(super) fn edges(
     Ok(steps)
 }
 
-/// Over a flat shoulder a drill stops where the rim of its point touches it; what is left is cut flat after it.
+/// Over a flat shoulder a drill stops where the rim of its point touches the shoulder; the rest is cut flat by the
+/// next step.
 fn cone_above_shoulder(steps: &mut [RouteStep], bore: &Bore, start: Micrometres, fitting: &Fitting<'_, '_>) {
     if !bore.flat {
         return;
@@ -330,7 +333,7 @@ fn cone_above_shoulder(steps: &mut [RouteStep], bore: &Bore, start: Micrometres,
     }
 }
 
-/// Whether a transition is only there for the surface of its cylinder: beyond it there is nothing to do.
+/// Whether a transition only improves the surface of its cylinder, so that it need not go beyond the cylinder.
 fn finishes(operation: Operation) -> bool {
     operation.is_reaming()
         || matches!(
@@ -339,7 +342,7 @@ fn finishes(operation: Operation) -> bool {
         )
 }
 
-/// The diameter the main cylinder has when the openings are made: after its roughing.
+/// The diameter of the main cylinder when the openings are made: that after its roughing.
 fn roughed(steps: &[RouteStep]) -> Micrometres {
     let rough = |step: &&RouteStep| {
         matches!(
@@ -351,13 +354,13 @@ fn roughed(steps: &[RouteStep]) -> Micrometres {
     last.or_else(|| steps.iter().map(|step| step.diameter).min()).unwrap_or_default()
 }
 
-/// The smallest hole a boring bar of the catalogs enters.
+/// The smallest hole that a boring bar of the catalogs can enter.
 pub(super) fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let bars = shop.shelf.cutters_for(Operation::RoughBore)?;
     Ok(bars.iter().filter_map(|bar| bar.diameter_min).min().unwrap_or_default())
 }
 
-/// Rapids from hole to hole of one group, by one tool: for weighing routes, not the path itself.
+/// Time of the rapids between the holes of one group for one tool: for comparing routes, not the path itself.
 pub(super) fn hops(hole: &Hole, shop: &Shop<'_>) -> Minutes {
     let mut points = hole.at.clone();
     points.sort_unstable();

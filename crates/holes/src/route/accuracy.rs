@@ -1,4 +1,5 @@
-//! What accuracy a transition leaves after another, by the rule `next-transition` and the tables it names.
+//! The accuracy that a transition leaves after another one, by the rule `next-transition` and the tables that it
+//! names.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
@@ -18,7 +19,7 @@ use technolog_note::note;
 use super::bores::{Before, Bore};
 use super::{Promise, Remark, RouteStep};
 
-/// The state a cylinder is in before anything is done to it, as the rule `next-transition` names it.
+/// The state of a cylinder before any transition, as the rule `next-transition` names it.
 pub(super) fn start(bore: &Bore) -> HoleState {
     match bore.before {
         Before::Own => HoleState::OwnCylinder,
@@ -37,8 +38,8 @@ pub(super) fn after<'k>(
     shop.knowledge.ask(&NextTransitionFor { after: state, diameter })
 }
 
-/// The accuracy that a row of `next-transition` refers to, with the row that has it; absent if its transition only
-/// prepares.
+/// The accuracy that a row of `next-transition` refers to, with the row that states it; absent if the transition only
+/// prepares the next.
 pub(super) fn of_row<'k>(
     row: &NextTransition<'_>,
     shop: &Shop<'k>,
@@ -59,7 +60,7 @@ pub(super) fn of_row<'k>(
     Ok(Some((it, Roughness::from_ra(ra), found)))
 }
 
-/// The same, told.
+/// As `of_row`, with the reason as a plan shows it.
 fn told_of_row(
     row: &NextTransition<'_>,
     shop: &Shop<'_>,
@@ -73,8 +74,8 @@ fn told_of_row(
     Ok(Some((it, roughness, because)))
 }
 
-/// Writes into every step what it achieves: by the chain of `next-transition`, the last one by the promise
-/// of the table the route was found in; and the position of the axis.
+/// Writes the accuracy that each step achieves: by the chain of `next-transition`, for the last step by the promise
+/// of the table of the route; and the position of the axis.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -94,14 +95,14 @@ pub fn write(
         centred |= step.operation == Operation::CentreDrill;
         guided |= guides(step.operation);
         let mut reached = None;
-        // The second drill of two-pass drilling is one drilling to the tables.
+        // In the tables, the second drill of two-pass drilling is an ordinary drilling.
         let operation = if step.operation == Operation::DrillOut && bore.before.is_solid() {
             state = HoleState::Centred;
             Operation::Drill
         } else {
             step.operation
         };
-        // A centring spot has no diameter yet: the rule is queried with the cylinder's.
+        // A centring spot has no diameter yet: the rule is queried with the diameter of the cylinder.
         let asked = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
         let next = if state == HoleState::Finished { Vec::new() } else { after(state, asked, shop)?.winners()? };
         if let Some(row) = next.iter().find(|row| row.operation == operation) {
@@ -114,12 +115,12 @@ pub fn write(
         }
         if reached.is_none() {
             reached = match before {
-                // A wider bar after a slimmer one leaves what the slimmer one did.
+                // A thicker bar after a thinner one leaves the same accuracy as the thinner one.
                 Some((same, it, roughness)) if same == operation => {
                     let note = Note::new("reaches-again").with("it", it).with("roughness", roughness);
                     Some((it, roughness, Because::table(shop.knowledge.table_of::<NextTransition<'_>>()?, note)))
                 }
-                // What prepares the next transition makes nothing worse than the transitions before it left.
+                // A transition that prepares the next one does not make worse what the transitions before it left.
                 Some((_, it, roughness)) => by_itself(operation, shop)?.map(|(own, rough, because)| {
                     let (it, roughness) = (it.min(own), roughness.min(rough));
                     let note = Note::new("reaches-no-worse").with("it", it).with("roughness", roughness);
@@ -147,7 +148,7 @@ pub fn write(
                 let note = Note::new("promised").with("it", promise.it).with("own", own);
                 step.because.push(Because::table(shop.knowledge.table_of::<HoleAccuracy<'_>>()?, note));
             }
-            // What a table promises for the asking is no more than its transitions reach.
+            // A promised value that is asked for is no finer than what the transitions reach.
             it = it.or(Some(promise.it));
             roughness = roughness.or(promise.roughness);
         }
@@ -158,8 +159,8 @@ pub fn write(
     Ok(())
 }
 
-/// What a transition that only prepares the next one leaves: the coarse end of what section 1.2.1 says of it by itself;
-/// absent if it says nothing.
+/// What a transition that only prepares the next one leaves: the coarse end of the range in section 1.2.1; absent if
+/// the section gives none.
 fn by_itself(operation: Operation, shop: &Shop<'_>) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
     let says = |row: &TransitionAccuracy<'_>| row.prepares.as_ref().is_some_and(|own| own.contains(&operation));
     let Some(row) = shop.knowledge.find(says)? else { return Ok(None) };
@@ -176,7 +177,7 @@ fn tapped(shop: &Shop<'_>) -> Result<(Roughness, Because), KnowledgeError> {
     Ok((roughness, Because::row(row.row, Note::new("reaches-thread").with("roughness", roughness))))
 }
 
-/// Whether a tool of this operation makes its own axis and does not follow the hole before it.
+/// Whether the tool of this operation sets its own axis and does not follow the hole before it.
 pub(super) const fn guides(operation: Operation) -> bool {
     operation.is_boring() || matches!(operation, Operation::Mill)
 }
@@ -189,7 +190,7 @@ pub fn drilled(shop: &Shop<'_>) -> Result<ItGrade, KnowledgeError> {
     finest(&drilling(shop)?)
 }
 
-/// What drilling leaves: row 1 of A.1.
+/// The accuracy that drilling leaves: row 1 of A.1.
 pub(super) fn drilling<'k>(shop: &Shop<'k>) -> Result<HoleAccuracy<'k>, KnowledgeError> {
     shop.knowledge.need("drilling", |row: &HoleAccuracy<'_>| row.no == 1)
 }
@@ -198,7 +199,7 @@ fn finest(row: &HoleAccuracy<'_>) -> Result<ItGrade, KnowledgeError> {
     row.it_finest.ok_or_else(|| KnowledgeError::lacks(&row.row.table.id, note!("order-row-has-no-grade", no = row.no)))
 }
 
-/// What the position of an axis is worth, by the table `position-accuracy` and the machine.
+/// The position accuracy of an axis, by the table `position-accuracy` and the machine.
 #[derive(Clone, Copy, Debug)]
 pub struct Position {
     centred: Micrometres,
@@ -208,7 +209,7 @@ pub struct Position {
 }
 
 impl Position {
-    /// By the table, worse by its loss where the drill enters an unmachined face.
+    /// By the table, and worse by a loss where the drill enters an unmachined face.
     ///
     /// # Errors
     /// The knowledge lacks a row.
@@ -229,7 +230,7 @@ impl Position {
         })
     }
 
-    /// Of a cylinder that is opened along the axis of another.
+    /// The position of a cylinder that is opened along the axis of another.
     #[must_use]
     pub fn following(self) -> Self {
         Self { drilled: false, ..self }
@@ -240,13 +241,14 @@ impl Position {
             (true, ..) => Some(self.bored),
             (false, true, true) => Some(self.centred),
             (false, true, false) => Some(self.not_centred),
-            // A tool that follows a hole of the blank keeps its axis, which the drawing of the blank knows.
+            // A tool that follows a hole of the blank keeps the axis of that hole; its position is in the drawing of
+            // the blank.
             (false, false, _) => None,
         }
     }
 }
 
-/// The largest share of position accuracy that an unmachined face costs (rule `rough-face`).
+/// The largest share of position accuracy that is lost at an unmachined face (rule `rough-face`).
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -265,10 +267,11 @@ fn position_accuracy<'k>(way: DrillingWay, shop: &Shop<'k>) -> Result<PositionAc
     shop.knowledge.need(way.name(), |row: &PositionAccuracy<'_>| row.name == way)
 }
 
-/// The width of the tolerance on centre distances; a grade is taken at the group's smallest distance.
+/// The width of the tolerance on centre distances; where it is a grade, it is taken at the smallest distance in the
+/// group.
 ///
 /// # Errors
-/// The grade has no distance, or stands at one outside the table.
+/// The grade has no distance, or the distance is outside the table.
 pub fn centre_tolerance(hole: &Hole, shop: &Shop<'_>) -> Result<Micrometres, Reason> {
     match hole.centre_tolerance {
         CentreTolerance::Width(width) => Ok(width),

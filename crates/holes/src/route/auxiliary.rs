@@ -13,7 +13,7 @@ use super::Candidate;
 use super::bores::Bore;
 use super::scheme::{SchemeQuestion, with_transitions};
 
-/// What A.10 is queried for.
+/// The kinds of hole by which A.10 is queried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AuxiliaryKind {
     /// A thread.
@@ -27,8 +27,8 @@ pub enum AuxiliaryKind {
 }
 
 impl AuxiliaryKind {
-    /// What A.10 is queried for a hole; none for plain and stepped holes, of holes finer than what drilling leaves
-    /// (`drilled`), and where metal is no longer solid: A.10 begins in solid metal.
+    /// The kind of hole by which A.10 is queried. None for plain and stepped holes, for holes finer than what
+    /// drilling leaves (`drilled`), and where the metal is not solid, because A.10 begins in solid metal.
     pub fn of(hole: &Hole, main: &Bore, drilled: ItGrade) -> Option<Self> {
         if main.thread.is_some() {
             return main.before.is_solid().then_some(Self::Thread);
@@ -66,12 +66,12 @@ impl AuxiliaryKind {
     }
 }
 
-/// The diameter A.10 and A.6 are queried with: of a thread its own, of the others that of the hole.
+/// The diameter by which A.10 and A.6 are queried: of a thread its own, otherwise that of the hole.
 pub fn diameter(question: &SchemeQuestion<'_>) -> Micrometres {
     question.bore.thread.as_ref().map_or(question.bore.diameter.nominal, |thread| thread.size)
 }
 
-/// The question to A.10.
+/// The query to A.10.
 pub fn asked(question: &SchemeQuestion<'_>, kind: AuxiliaryKind) -> SchemesOfAuxiliaryHoleFor {
     SchemesOfAuxiliaryHoleFor {
         hole: kind.name(question),
@@ -80,8 +80,8 @@ pub fn asked(question: &SchemeQuestion<'_>, kind: AuxiliaryKind) -> SchemesOfAux
     }
 }
 
-/// The schemes A.10 gives, in its order; a scheme marked with a star only where no drill has the hole's
-/// diameter. Counterboring and chamfering are planned with the hole's openings and left out here.
+/// The schemes of A.10 in its order; a scheme marked with a star only where no drill has the diameter of the hole.
+/// Counterboring and chamfering are left out here: they are planned with the openings of the hole.
 ///
 /// # Errors
 /// The knowledge base has no answer, or A.10 has no scheme.
@@ -108,7 +108,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, kind: AuxiliaryKind, shop: &Sho
             scheme: scheme.to_owned(),
             transitions: Vec::new(),
             finish_elsewhere: false,
-            // A.10 promises nothing of the hole under a thread.
+            // A.10 promises nothing for the hole under a thread.
             promise: (kind != AuxiliaryKind::Thread).then_some(super::Promise {
                 it: question.bore.diameter.it,
                 roughness: None,

@@ -1,7 +1,7 @@
-//! A hole taken apart: the main cylinder, and the openings at its ends.
+//! Divides a hole into its main cylinder and the openings at its ends.
 //!
-//! Every complex hole is a row of cylinders on one axis (textbook 1.1.1, figure 1.1). The narrowest is the
-//! main one: it is made from the blank's metal; the wider ones are opened from what it leaves.
+//! Every complex hole is a row of cylinders on one axis (textbook 1.1.1, figure 1.1). The narrowest is the main
+//! cylinder: it is made in the metal of the blank. The wider ones are opened after it.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
@@ -15,28 +15,28 @@ use technolog_note::note;
 
 use super::StepLocation;
 
-/// A hole as planning takes it on.
+/// A hole as the planner sees it.
 #[derive(Clone, Debug)]
 pub struct Task {
     /// The narrowest cylinder.
     pub main: Bore,
-    /// The wider ones, each opened from the one it surrounds: the entry face's from the narrowest outwards,
-    /// then those of the back face.
+    /// The wider cylinders, each opened from the one inside it: first those of the entry face, from the narrowest
+    /// outwards, then those of the back face.
     pub wider: Vec<Bore>,
-    /// Chamfers, countersinks and faces, by where they are.
+    /// Chamfers, countersinks and faces, with their places.
     pub edges: Vec<EdgeCut>,
-    /// What no axial tool makes.
+    /// What no axial tool can make.
     pub impossible: Vec<Note>,
-    /// What the drawing requires but probably does not mean.
+    /// Requirements of the drawing that are probably a mistake.
     pub doubtful: Vec<Note>,
 }
 
 /// A cylinder of a hole.
 #[derive(Clone, Debug)]
 pub struct Bore {
-    /// Where it is.
+    /// Its place in the hole.
     pub place: StepLocation,
-    /// Its diameter with tolerance; under a thread the hole that is tapped.
+    /// Its diameter with tolerance; under a thread, that of the tapping hole.
     pub diameter: ToleratedDiameter,
     /// Roughness limit.
     pub roughness: Roughness,
@@ -46,14 +46,14 @@ pub struct Bore {
     pub flat: bool,
     /// Its thread.
     pub thread: Option<Thread>,
-    /// Where the thread ends, below the face: a blind hole is drilled deeper than that.
+    /// The depth of the full thread below the face: a blind hole is drilled deeper than that.
     pub thread_depth: Micrometres,
 }
 
 /// What is there before a cylinder is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Before {
-    /// What the blank has.
+    /// The hole of the blank, if any.
     Blank(BlankHole),
     /// The narrower cylinder of the same hole.
     Own,
@@ -70,7 +70,7 @@ impl Before {
         self == Self::Blank(BlankHole::Solid)
     }
 
-    /// The same as tables name it.
+    /// The same state as tables name it.
     pub fn state(self) -> BlankState {
         if self.is_solid() { BlankState::Solid } else { BlankState::WithHole }
     }
@@ -85,11 +85,11 @@ pub struct EdgeCut {
     pub face: Face,
     /// How far below the face its widest circle lies.
     pub start: Micrometres,
-    /// The cylinder above it, through which the cutter enters; absent at the face.
+    /// The cylinder above the edge, through which the cutter enters; absent at the face.
     pub within: Option<Micrometres>,
-    /// Whether the drawing requires it; a thread's own chamfer is ours.
+    /// Whether the drawing requires it; the chamfer of a thread is added by the planner.
     pub asked: bool,
-    /// The cylinder it is cut at, before its finishing.
+    /// The diameter of the cylinder it is cut at, before finishing.
     pub around: Micrometres,
     /// Its widest diameter.
     pub diameter: Micrometres,
@@ -98,7 +98,7 @@ pub struct EdgeCut {
 }
 
 impl EdgeCut {
-    /// Depth of the cone: (D - d)/2 / tan(φ/2); a face is as deep as its stock.
+    /// Depth of the cone: (D - d)/2 / tan(φ/2); the depth of a face is its stock.
     pub fn depth(&self, face_stock: Micrometres) -> Micrometres {
         if self.feature == Feature::Face {
             return face_stock;
@@ -111,13 +111,13 @@ impl EdgeCut {
 /// A right angle: chamfers are 45° to the axis.
 const RIGHT: u32 = 90_000;
 
-/// Takes a hole apart.
+/// Divides a hole into cylinders and edges.
 ///
 /// # Errors
 /// The knowledge lacks a convention.
 pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, KnowledgeError> {
     let thickness = part.blank.thickness;
-    // A tap's first teeth cut no full thread: a blind hole is drilled deeper by that.
+    // The first teeth of a tap cut no full thread: a blind hole is drilled deeper by their length.
     let runout = match hole.thread.as_ref().filter(|_| !hole.through) {
         Some(thread) => {
             Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share(HoleDefault::ThreadRunoutPitches)?)
@@ -151,7 +151,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             hole.steps.iter().enumerate().filter(|(_, step)| step.face == face).collect();
         own.sort_by_key(|(_, step)| step.diameter.nominal);
         for (position, (index, step)) in own.iter().copied().enumerate() {
-            // Its edge lies at the floor of the cylinder around it, or at the face.
+            // The edge lies at the floor of the cylinder around it, or at the face.
             let edge_at = own.get(position + 1).map(|(_, around)| (around.depth, around.diameter.nominal));
             wider.push(Bore {
                 place: StepLocation {
@@ -198,7 +198,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             thread_depth: counterbore.depth,
         });
     }
-    // What stands at the entry edge: the widest cylinder there.
+    // The widest cylinder at the entry edge.
     let outermost = wider
         .iter()
         .filter(|bore| bore.place.face == Face::Entry)
@@ -229,7 +229,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             angle_millideg: cone.angle_millideg,
         });
     }
-    // The main cylinder's own edge lies at the floor of the narrowest cylinder around it, or at the face.
+    // The edge of the main cylinder lies at the floor of the narrowest cylinder around it, or at the face.
     let above = wider
         .iter()
         .filter(|bore| bore.place.face == Face::Entry)
@@ -237,7 +237,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
         .map(|bore| (bore.place.depth, bore.diameter.nominal));
     let main_edge = |chamfer: Micrometres| chamfer_edge(Face::Entry, above, hole.diameter.nominal, chamfer);
     match (hole.chamfer, hole.countersink) {
-        // Over a counterbore the chamfer of a hole without steps is that of the entry.
+        // With a counterbore, the chamfer of a hole without steps is at the entry.
         (Some(chamfer), None) if hole.counterbore.is_some() && hole.steps.is_empty() => {
             edges.push(chamfer_edge(Face::Entry, None, outermost, chamfer));
         }
@@ -271,7 +271,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
                 .with("depth", groove.depth),
         );
     }
-    // A cylinder entered from the back ends where the blank ends.
+    // A cylinder entered from the back begins where the blank ends.
     for bore in wider.iter().filter(|bore| bore.place.face == Face::Back && bore.place.depth >= thickness) {
         impossible.push(Note::new("step-too-deep").with("depth", bore.place.depth).with("limit", thickness));
     }
@@ -311,12 +311,12 @@ fn chamfer_edge(
 fn thread_chamfer(thread: Option<&Thread>, shop: &Shop<'_>) -> Result<Option<Micrometres>, KnowledgeError> {
     let Some(thread) = thread else { return Ok(None) };
     let pitches = shop.share(HoleDefault::ThreadChamferPitches)?;
-    // Over the thread's own diameter, so that the tap's first teeth begin outside it: the hole is narrower by a pitch.
+    // Wider than the thread, so that the first teeth of the tap begin outside it: the hole is narrower by a pitch.
     Ok(Some(Micrometres::from_mm_rounded(thread.pitch.to_mm() * pitches).max(thread.pitch.half())))
 }
 
 impl Bore {
-    /// Grade and roughness its own surface must have: under a thread what drilling leaves, as A.10 drills it.
+    /// The grade and roughness required of its own surface: under a thread what drilling leaves, as A.10 drills it.
     ///
     /// # Errors
     /// A.1 lacks its first row.

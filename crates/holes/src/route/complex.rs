@@ -1,4 +1,4 @@
-//! The second way to a route: the complexes of transitions of tables A.4 and A.5.
+//! The second source of routes: the complexes of transitions of tables A.4 and A.5.
 
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Figure, Note};
@@ -11,7 +11,7 @@ use crate::units::Micrometres;
 use super::Candidate;
 use super::scheme::{SchemeQuestion, centre_first};
 
-/// What the hole opens into at its entry.
+/// The openings at the entry of the hole.
 #[derive(Clone, Copy, Debug)]
 pub struct Openings {
     /// A counterbore.
@@ -20,7 +20,7 @@ pub struct Openings {
     pub countersunk: bool,
 }
 
-/// The kind of hole that A.4 files a cylinder under, and the diameter it is queried with.
+/// The kind of hole of a cylinder in A.4, and the diameter by which A.4 is queried.
 fn kind(question: &SchemeQuestion<'_>, openings: Openings) -> Option<(ComplexGroup, Micrometres)> {
     let bore = question.bore;
     let diameter = bore.diameter.nominal;
@@ -30,16 +30,16 @@ fn kind(question: &SchemeQuestion<'_>, openings: Openings) -> Option<(ComplexGro
         (None, 12..) if openings.counterbored => Some((ComplexGroup::Counterbored, diameter)),
         (None, 12..) if openings.countersunk => Some((ComplexGroup::Countersunk, diameter)),
         (None, 12..) => Some((ComplexGroup::Smooth, diameter)),
-        // Group 5 of A.4 are the holes of grade 7 to 9; 10 and 11 stand in no group.
+        // Group 5 of A.4 holds grades 7 to 9; grades 10 and 11 are in no group.
         (None, 7..=9) => Some((ComplexGroup::Precise, diameter)),
         _ => None,
     }
 }
 
-/// The complexes that A.4 gives a cylinder in solid metal, in its order.
+/// The complexes of A.4 for a cylinder in solid metal, in its order.
 ///
-/// A complex's chamfering and counterboring are those of the hole's own openings and planned with them; centring is
-/// added where section 1.2.1 requires it.
+/// The chamfering and counterboring of a complex are planned with the openings of the hole; centring is added where
+/// section 1.2.1 requires it.
 ///
 /// # Errors
 /// The knowledge base has no answer, or A.4 has no complex for it.
@@ -75,7 +75,8 @@ pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop
             scheme,
             transitions,
             finish_elsewhere: false,
-            // A.4 promises the grades of its groups: 7 to 9 for the precise ones; surface is the chain's.
+            // A.4 promises the grades of its groups: 7 to 9 for the precise holes. The roughness is that of the
+            // chain.
             promise: (kind != ComplexGroup::Threaded).then_some(super::Promise {
                 it: question.bore.diameter.it,
                 roughness: None,

@@ -1,6 +1,6 @@
-//! Intermediate diameters: backwards from the finished cylinder, by the allowances of section 1.2.1 and,
-//! inside them, by the handbook's step diameters. Each kind of transition says what it begins from: drills here, rough boring
-//! and milling in `boring`, what removes an allowance in `finishing`; `two_passes` splits the drilling.
+//! Intermediate diameters, computed backwards from the finished cylinder by the allowances of section 1.2.1 and,
+//! within them, by the step diameters of the handbook. Drills are here, rough boring and milling in `boring`,
+//! transitions that remove an allowance in `finishing`; `two_passes` splits the drilling.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Note};
@@ -25,28 +25,27 @@ use allowance::allowance;
 pub use allowance::{Range, range};
 use two_passes::two_passes;
 
-/// What a route is turned into steps with.
+/// What is needed to turn a route into steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Sizes<'a> {
-    /// Every drill that reaches, ascending.
+    /// All drills that reach deep enough, ascending.
     pub drills: &'a [Micrometres],
-    /// Drills that are in the magazine anyway, for other holes.
+    /// Drills that other holes have in the magazine.
     pub in_magazine: &'a [Micrometres],
-    /// The smallest hole a boring bar of the catalogs enters.
+    /// The smallest hole that a boring bar of the catalogs can enter.
     pub smallest_bore: Micrometres,
     /// The diameter the cylinder is opened from; absent in solid metal.
     pub start: Option<Micrometres>,
-    /// Whether to drill in one pass although a first drill is at hand.
+    /// Whether to drill in one pass although a first drill is available.
     pub single_drill: bool,
-    /// Whether to bore although the rule `mill-or-bore` would mill.
+    /// Whether to bore although the rule `mill-or-bore` prefers milling.
     pub bore_large: bool,
 }
 
-/// The steps of a candidate for a cylinder, first to last; centring takes its spot later, when the drill
-/// is known.
+/// The steps of a candidate for a cylinder, first to last; centring gets its spot later, when the drill is known.
 ///
 /// # Errors
-/// The knowledge base has no answer. That no diameters work is a refusal that says why.
+/// The knowledge base has no answer. Where no diameters fit, the refusal says why.
 pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<RouteStep>> {
     let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
     let mut steps: Vec<RouteStep> = Vec::new();
@@ -78,7 +77,7 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
     if let (Some((_, first)), Some(last)) = (elsewhere.first(), steps.last())
         && *first - last.diameter > slack.unwrap_or_default() + (*first - after_here)
     {
-        // More than the first of them may find: that machine bores the rest away before it.
+        // The first transition on the other machine may find more stock: that machine bores the rest away first.
         let question = Backwards {
             operation: Operation::RoughBore,
             after: after_here,
@@ -98,18 +97,18 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
     Ok(steps)
 }
 
-/// What a route ends at on this machine.
+/// Where a route ends on this machine.
 struct Finished {
-    /// The diameter, with the most stock for another machine where one finishes the hole.
+    /// The diameter; with the most stock, where another machine finishes the hole.
     after: Micrometres,
-    /// How much wider it may be left for that machine; absent if none finishes it.
+    /// How much wider the hole may be left for that machine; absent if none finishes it.
     slack: Option<Micrometres>,
     because: Option<Because>,
-    /// The transitions there, each with the diameter it leaves.
+    /// The transitions on that machine, each with the diameter it leaves.
     elsewhere: Vec<(Operation, Micrometres)>,
 }
 
-/// The transitions with the first opening milled where the rule `mill-or-bore` says so.
+/// The transitions, with milling for the first opening where the rule `mill-or-bore` requires it.
 fn milled(
     transitions: &[Operation],
     bore: &Bore,
@@ -134,8 +133,8 @@ fn milled(
     Ok((transitions, Some(Because::answer(&answer.answer, note))))
 }
 
-/// The diameter the route ends at: the cylinder's, or smaller by the stock for a finish on another machine
-/// (rule `stock-for-elsewhere`), with the transitions that take it there; of a thread its own.
+/// The diameter where the route ends: that of the cylinder, or less by the stock for finishing on another machine
+/// (rule `stock-for-elsewhere`), with the transitions of that machine; for a thread its own diameter.
 fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finished, KnowledgeError> {
     let here = |after| Finished { after, slack: None, because: None, elsewhere: Vec::new() };
     if let (Some(thread), Some(Operation::Tap)) = (&bore.thread, candidate.transitions.last()) {
@@ -158,14 +157,14 @@ fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finis
     Ok(Finished { after, slack: Some(slack), because: Some(Because::row(rule.row, note)), elsewhere })
 }
 
-/// One transition, seen from what it must leave.
+/// One transition, seen backwards from the diameter that it must leave.
 #[derive(Clone, Copy)]
 pub(super) struct Backwards<'a, 'k> {
     /// The transition.
     pub operation: Operation,
     /// The diameter it leaves.
     pub after: Micrometres,
-    /// The transition before it; absent at the beginning.
+    /// The transition before it; absent for the first one.
     pub previous: Option<Operation>,
     pub bore: &'a Bore,
     pub sizes: &'a Sizes<'a>,
@@ -173,8 +172,8 @@ pub(super) struct Backwards<'a, 'k> {
 }
 
 impl Backwards<'_, '_> {
-    /// The steps that make the transition, first to last: one, or several where rough boring needs slimmer
-    /// bars first. The first one's `from` is what the transition before must leave.
+    /// The steps of the transition, first to last: one, or several where rough boring needs thinner bars first.
+    /// `from` of the first step is what the transition before must leave.
     pub fn steps(self) -> Tried<Vec<RouteStep>> {
         let (operation, replaced) = self.stand_in()?;
         let this = Self { operation, ..self };
@@ -234,7 +233,7 @@ impl Backwards<'_, '_> {
         matches!(self.previous, Some(Operation::Drill | Operation::DrillOut))
     }
 
-    /// The largest drill that leaves a mill or counterbore something to cut.
+    /// The largest drill that leaves some stock for a mill or counterbore.
     fn drill_to_open(self) -> Tried<Micrometres> {
         let largest = self.after - self.shop.convention(HoleDefault::MillClearance)?;
         let start = self.sizes.start.unwrap_or_default();
@@ -243,7 +242,7 @@ impl Backwards<'_, '_> {
         drill.ok_or(Refusal::Not(Reason::NoDrillBefore { operation, diameter, largest }))
     }
 
-    /// What stands in where no boring bar enters, by the rule `too-small-to-bore`.
+    /// The replacement for boring where no boring bar enters, by the rule `too-small-to-bore`.
     fn stand_in(self) -> Tried<(Operation, Option<Because>)> {
         let (operation, after) = (self.operation, self.after);
         if !operation.is_boring() {
@@ -268,8 +267,8 @@ impl Backwards<'_, '_> {
         Ok((instead, Some(Because::row(rule.row, note))))
     }
 
-    /// The drill that ends a route: of the hole's size, or the one that leaves the most stock for a finish elsewhere that
-    /// may be left, else the largest below.
+    /// The drill that ends a route: of the size of the hole; or the one that leaves the most permitted stock for
+    /// finishing elsewhere; otherwise the largest below.
     pub fn last_drill(self, slack: Option<Micrometres>) -> Tried<RouteStep> {
         let drills = self.sizes.drills;
         let found = match slack {
@@ -284,7 +283,7 @@ impl Backwards<'_, '_> {
         Ok(RouteStep::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
     }
 
-    /// A drill of exactly the size the next transition requires; under a thread one within the tolerance.
+    /// A drill of exactly the size that the next transition requires; under a thread, one within the tolerance.
     fn drill(self) -> Tried<RouteStep> {
         let mut found = self.sizes.drills.iter().copied().find(|drill| *drill == self.after);
         if found.is_none() && self.bore.thread.is_some() && self.after == self.bore.diameter.target() {
@@ -309,7 +308,7 @@ impl Backwards<'_, '_> {
         let thread = self.bore.thread.as_ref();
         let thread = thread.ok_or(Refusal::Not(Reason::NoThreadToTap))?;
         let step = self.step(self.bore.diameter.target());
-        // A conical tap goes to its main plane, however deep the hole.
+        // A conical tap goes to its main plane, whatever the depth of the hole.
         let length = match thread.kind {
             ThreadKind::Conical => {
                 let row = self.shop.knowledge.find(|row: &ConicalThread<'_>| row.thread == thread.id)?;
@@ -324,7 +323,7 @@ impl Backwards<'_, '_> {
     }
 }
 
-/// The drill that can make a cylinder itself: of its nominal diameter, or within its tolerance.
+/// The drill that can make a cylinder alone: of its nominal diameter, or within its tolerance.
 pub fn final_drill(diameter: &ToleratedDiameter, drills: &[Micrometres]) -> Option<Micrometres> {
     let target = diameter.target();
     let permitted = |drill: &Micrometres| (diameter.smallest()..=diameter.largest()).contains(drill);

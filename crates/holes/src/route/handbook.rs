@@ -1,4 +1,4 @@
-//! The handbook's step diameters (facts 4.2), as far as section 1.2.1 lets them stand.
+//! The step diameters of the handbook (facts 4.2), where section 1.2.1 permits them.
 
 use crate::error::KnowledgeError;
 use crate::plan::Operation;
@@ -8,11 +8,12 @@ use crate::units::Micrometres;
 
 use super::bores::Bore;
 
-/// The coarsest grade whose cylinders go through the handbook's diameters: H8 and H9 take them without the
-/// rough reamer (facts 4.2).
+/// The coarsest grade that goes through the handbook's diameters: H8 and H9 use them without the rough reamer (facts
+/// 4.2).
 const COARSEST: u8 = 9;
 
-/// The handbook's row for a precise cylinder in solid metal; none for others and for sizes it lacks.
+/// The row of the handbook for a precise cylinder in solid metal; none for other cylinders and for sizes that it
+/// lacks.
 pub(super) fn row<'k>(bore: &Bore, shop: &Shop<'k>) -> Result<Option<StepDiameters<'k>>, KnowledgeError> {
     if !bore.before.is_solid() || bore.diameter.it.number() > COARSEST || bore.thread.is_some() {
         return Ok(None);
@@ -20,8 +21,8 @@ pub(super) fn row<'k>(bore: &Bore, shop: &Shop<'k>) -> Result<Option<StepDiamete
     Ok(shop.knowledge.find(|row: &StepDiameters<'_>| row.diameter == bore.diameter.nominal)?)
 }
 
-/// The diameter the handbook has before a transition: the rough reamer's before the finish reamer that
-/// follows one, the core drill's or bore's before the first reamer, the last drill's before those.
+/// The handbook's diameter before a transition: before a finish reamer after a rough one, that of the rough reamer;
+/// before the first reamer, that of the core drill or boring; before those, that of the last drill.
 pub(super) fn before(
     row: &StepDiameters<'_>,
     operation: Operation,

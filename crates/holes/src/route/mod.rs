@@ -1,10 +1,9 @@
 //! From a hole to its ordered transitions and their intermediate diameters.
 //!
-//! [`bores::task`] takes a hole apart into the cylinders and openings it is made of. Three ways lead to
-//! candidates for its main cylinder: the scheme tables ([`scheme`], [`auxiliary`]), the complexes
-//! ([`complex`]) and the [`search`] over its states. [`diameters::steps`] turns a candidate into steps,
-//! backwards from the finished diameter, or says by which inequality it cannot; [`openings`] does the
-//! rest of the hole, and [`order`] puts all of it in the order of section 1.1.2.
+//! [`bores::task`] divides a hole into cylinders and edges. Three sources give candidates for its main cylinder: the
+//! scheme tables ([`scheme`], [`auxiliary`]), the complexes ([`complex`]) and the [`search`] over its states.
+//! [`diameters::steps`] turns a candidate into steps, backwards from the finished diameter, or says which inequality
+//! fails. [`openings`] plans the rest of the hole, and [`order`] sorts all steps by section 1.1.2.
 
 pub mod accuracy;
 pub mod auxiliary;
@@ -23,20 +22,21 @@ use crate::part::{Face, ToleratedDiameter};
 use crate::plan::{Achieved, Feature, Operation, RouteSource};
 use crate::units::{ItGrade, Micrometres, Roughness};
 
-/// A route the main cylinder of a hole may take.
+/// A route that the main cylinder of a hole may take.
 #[derive(Clone, Debug)]
 pub struct Candidate {
-    /// Which way it was found.
+    /// The source it was found in.
     pub way: RouteSource,
     /// `A.8`, `A.9`, `A.10`, `A.5` or the search's rule.
     pub table: String,
-    /// The scheme of A.7 as the plan names it, `07`, `04 + centre`; the complex; the search's transitions.
+    /// The scheme of A.7 as the plan names it, such as `07` or `04 + centre`; the name of the complex; the
+    /// transitions of the search.
     pub scheme: String,
     /// Its transitions in order.
     pub transitions: Vec<Operation>,
     /// Whether the tables finish the hole on another machine.
     pub finish_elsewhere: bool,
-    /// What the table it was found in says that it holds; absent if the chain itself must say it.
+    /// The accuracy that its table promises; absent if only the chain of transitions says it.
     pub promise: Option<Promise>,
     /// The rows it rests on.
     pub because: Vec<Because>,
@@ -56,7 +56,7 @@ pub struct Promise {
 /// Where a step works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct StepLocation {
-    /// What of the hole it makes.
+    /// The feature of the hole that it makes.
     pub feature: Feature,
     /// The number of the step of a stepped hole, from 1.
     pub step: Option<usize>,
@@ -89,30 +89,30 @@ pub struct RouteStep {
     pub pitch: Option<Micrometres>,
     /// Full angle of a cone, thousandths of a degree.
     pub angle_millideg: Option<u32>,
-    /// The cylinder above it that its cutter must pass; absent if there is none.
+    /// The cylinder above, through which its cutter must pass; absent if there is none.
     pub within: Option<Micrometres>,
-    /// What a step drill makes with the same stroke.
+    /// The diameter that a step drill makes in the same stroke.
     pub also: Option<Micrometres>,
     /// Whether it is done on another machine.
     pub elsewhere: bool,
-    /// Whether its drill is in the magazine for another hole, and only therefore used here.
+    /// Whether its drill is used here only because another hole has it in the magazine.
     pub borrowed: bool,
-    /// Grade and roughness asked of its cylinder; absent for edges and while a search tries it.
+    /// Grade and roughness required of its cylinder; absent for edges and while a search tries it.
     pub asks: Option<(ItGrade, Roughness)>,
-    /// What it leaves, by the tables.
+    /// The accuracy it leaves, by the tables.
     pub achieved: Option<Achieved>,
-    /// What a reader of the plan must know of it.
+    /// Remarks for the reader of the plan.
     pub remarks: Vec<Remark>,
     /// Why.
     pub because: Vec<Because>,
 }
 
-/// What a reader of the plan must know of a step.
+/// A remark on a step for the reader of the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Remark {
     /// A step of the hole, of that diameter, is finished on another machine.
     FinishedElsewhere(ToleratedDiameter),
-    /// Over a flat floor a reamer ends so far above it as its lead is long.
+    /// Over a flat floor a reamer ends above it by the length of its lead.
     ReamedShort(Micrometres),
     /// A table promises a finer grade than the chain of transitions reaches.
     Promised {
@@ -124,7 +124,7 @@ pub enum Remark {
 }
 
 impl RouteStep {
-    /// A step with nothing but its operation and diameters.
+    /// A step with only its operation and diameters.
     pub fn plain(operation: Operation, place: StepLocation, diameter: Micrometres, from: Micrometres) -> Self {
         Self {
             operation,

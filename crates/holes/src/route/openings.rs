@@ -15,11 +15,11 @@ use super::scheme::{self, SchemeQuestion};
 use super::search::{self, Cost, cuts_shoulder};
 use super::{Candidate, RouteStep, StepLocation};
 
-/// The candidates of a wider cylinder: for a step of the drawing those of the tables for a hole that is
-/// there already, and those of the search; a shoulder that must be flat takes only those that leave one.
+/// The candidates for a wider cylinder: for a step of the drawing, those of the tables for an existing hole, and
+/// those of the search. For a flat shoulder only those that leave one.
 ///
 /// # Errors
-/// The knowledge base has no answer, or nothing opens it.
+/// The knowledge base has no answer, or nothing opens the cylinder.
 pub fn candidates(
     bore: &Bore,
     question: &SchemeQuestion<'_>,
@@ -37,7 +37,7 @@ pub fn candidates(
     }
     match Refusal::split(search::candidates(bore, sizes, cost, shop))? {
         Ok(routes) => found.extend(routes),
-        // The search has tried everything; its reason tells more than that a table has no cell.
+        // The reason of the search says more than that a table has no cell.
         Err(why) => failed = Some(why),
     }
     found.retain(|candidate| !bore.flat || cuts_shoulder(&candidate.transitions));
@@ -59,7 +59,7 @@ pub fn candidates(
     Ok(found)
 }
 
-/// The sizes of the catalogs' counterbores for about that diameter.
+/// The catalog sizes of counterbores near that diameter.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -72,7 +72,7 @@ pub(super) fn counterbores(diameter: Micrometres, shop: &Shop<'_>) -> Result<Vec
     Ok(sizes)
 }
 
-/// No cutter leaves this shoulder flat: the nearest counterbores of the catalogs.
+/// No cutter leaves this shoulder flat; the nearest counterbores of the catalogs are named.
 fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Reason, KnowledgeError> {
     let diameter = bore.diameter.nominal;
     let sizes = counterbores(diameter, shop)?;
@@ -89,7 +89,7 @@ fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Reason, KnowledgeErro
 pub fn edge(edge: &EdgeCut, around: Micrometres, shop: &Shop<'_>) -> Tried<RouteStep> {
     let stock = shop.convention(HoleDefault::FaceStock)?;
     let depth = EdgeCut { around, ..*edge }.depth(stock);
-    // Depths of the drawing are below the machined face: the stock of the face lies above it.
+    // Depths of the drawing are measured from the machined face; the stock of the face lies above it.
     let above = if edge.feature == Feature::Face { depth } else { Micrometres::ZERO };
     let start = edge.start - above;
     let place = StepLocation {

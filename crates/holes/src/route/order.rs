@@ -7,21 +7,21 @@ use crate::tables::rules::TransitionOrderFor;
 
 use super::RouteStep;
 
-/// Puts the steps of a hole in order: the entry face first, then the back face; on each by the rank of the
-/// rule; within a rank the narrower cylinder first, as they are given.
+/// Sorts the steps of a hole: the entry face first, then the back face; on each face by the rank of the rule; within
+/// a rank in the given order, the narrower cylinder first.
 ///
 /// # Errors
 /// The knowledge base has no answer.
 pub fn sort(steps: &mut Vec<RouteStep>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let mut ranked = Vec::with_capacity(steps.len());
-    // Within one cylinder its chain is already in order, and a later rank must not be overtaken by an earlier
-    // one of the same chain: rough boring after core drilling stays after it.
+    // The chain of one cylinder is already in order, and a step must not move before an earlier step of its chain:
+    // rough boring after core drilling stays after it.
     let mut least: Vec<(Feature, Option<usize>, i64)> = Vec::new();
     for step in steps.drain(..) {
         let face = step.place.feature == Feature::Face;
         let question = TransitionOrderFor { operation: step.operation, face };
         let mut rank = shop.knowledge.ask(&question)?.need(step.operation.name())?.rank;
-        // A thread is cut into its own cylinder.
+        // A thread belongs to the cylinder it is cut in.
         let feature = match (step.place.feature, step.place.step) {
             (Feature::Thread, None) => Feature::Bore,
             (Feature::Thread, Some(_)) => Feature::Step,

@@ -1,4 +1,4 @@
-//! Which schemes the tables A.6, A.8 and A.9 give a cylinder, best first.
+//! The schemes of the tables A.6, A.8 and A.9 for a cylinder, best first.
 
 use std::rc::Rc;
 
@@ -21,14 +21,14 @@ use crate::units::{Decimal, ItGrade, Micrometres, Roughness, round_to};
 use super::bores::Bore;
 use super::{Candidate, Promise};
 
-/// What the tables are queried for.
+/// The arguments of a table query.
 #[derive(Clone, Copy, Debug)]
 pub struct SchemeQuestion<'a> {
     /// The cylinder.
     pub bore: &'a Bore,
-    /// The tolerance on centre distances that the tables are queried with.
+    /// The tolerance on centre distances for the query.
     pub centre_tolerance: Micrometres,
-    /// The same as the drawing has it: an unmachined face makes the tables be asked with a tighter one.
+    /// The tolerance of the drawing: for an unmachined face the query uses a tighter one.
     pub drawn_tolerance: Micrometres,
     /// Permitted position of the axis, Δ0 of A.6.
     pub position: Micrometres,
@@ -49,7 +49,7 @@ struct Cell<'k> {
     finish_elsewhere: bool,
 }
 
-/// The reason for a table query, kept as data: most never become a sentence.
+/// The reason for a table query, kept as data because most of them are never printed.
 struct TableAsked<'k> {
     answer: TypedAnswer<'k, TableForHole<'k>>,
     table: &'k str,
@@ -76,8 +76,8 @@ impl Cell<'_> {
     }
 }
 
-/// Every scheme the tables A.8 and A.9 allow, best first: the own cell, then finer roughness of the same
-/// grade, then finer grades (rule `empty-cell`).
+/// All schemes that the tables A.8 and A.9 permit, best first: those of its own cell, then of finer roughness in the
+/// same grade, then of finer grades (rule `empty-cell`).
 ///
 /// # Errors
 /// The knowledge base has no answer, or the tables give no scheme.
@@ -88,7 +88,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
     let mut finer = Vec::new();
     for grade in (6..bore.diameter.it.number()).rev().filter_map(ItGrade::new) {
         for cell in cells(grade, question, knowledge)?.filled {
-            // A finer grade that this machine only prepares does not hold the coarser one.
+            // A finer cell that this machine only prepares does not hold the coarser grade.
             if cell.finish_elsewhere && !own.filled.iter().any(|own| own.finish_elsewhere) {
                 continue;
             }
@@ -144,7 +144,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
     Ok(schemes)
 }
 
-/// The stages of A.6, and whether they end on another machine.
+/// The stages of A.6, and whether the last one is on another machine.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -169,7 +169,7 @@ pub fn stages(
     })
 }
 
-/// The filled cell of A.8 or A.9 of a cylinder's own grade and roughness; none if it is empty.
+/// The filled cell of A.8 or A.9 for the own grade and roughness of a cylinder; none if it is empty.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -206,7 +206,7 @@ fn cells<'k>(
     };
     let asked_centre = match choice.centre_column {
         CentreColumn::Own => centre_tolerance,
-        // The upper end of the named column stands for the column.
+        // The upper limit of a named column stands for the column.
         CentreColumn::UpTo03 => Micrometres::new(300),
     };
     let columns = SchemesOfMainHoleFor::roughness(table).map(Column::roughness_points).unwrap_or_default();
@@ -258,7 +258,7 @@ fn in_order(
     Ok(schemes.into_iter().map(|scheme| (scheme, Some(Because::answer(&answer.answer, note.clone())))).collect())
 }
 
-/// A candidate with its scheme's transitions and the centring that section 1.2.1 requires.
+/// A candidate with the transitions of its scheme and the centring that section 1.2.1 requires.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -308,7 +308,7 @@ fn needed<'s, 'k>(scheme: &str, shop: &'s Shop<'k>) -> Result<&'s Scheme<'k>, Kn
     }
 }
 
-/// The scheme with centring that stands for one without, where there is one.
+/// The scheme with centring that replaces one without, where there is one.
 ///
 /// # Errors
 /// There is no such table.

@@ -1,11 +1,10 @@
-//! The third way to a route: a search over hole states.
+//! The third source of routes: a search over the states of a hole.
 //!
-//! A node is a state: what the last tool left and the diameter it left. An edge is a transition with its
-//! steps and its time. The graph is built backwards from the finished cylinder, because the allowances of
-//! section 1.2.1 say what diameter a transition needs before it; which transitions may follow which, and
-//! what accuracy a chain reaches, are rows of the rule `next-transition`, which name rows of A.1, A.2 and
-//! section 1.2.1. Every simple path from the blank to the finished cylinder is a route; they are returned
-//! by their time.
+//! A node is a state: the last tool and the diameter it left. An edge is a transition with its steps and its time.
+//! The graph is built backwards from the finished cylinder, because the allowances of section 1.2.1 give the diameter
+//! before each transition. The rows of the rule `next-transition` say which transition may follow which, and name the
+//! rows of A.1, A.2 and section 1.2.1 with the accuracy that a chain reaches. Every simple path from the blank to the
+//! finished cylinder is a route; routes are returned in order of time.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -28,9 +27,9 @@ use super::bores::{Before, Bore};
 use super::diameters::{Backwards, Sizes};
 use super::{Candidate, RouteStep, accuracy};
 
-/// The most routes that are passed on: the fastest by the edges' own times.
+/// The most routes that are returned: the fastest by the times of their edges.
 const MOST: usize = 8;
-/// The most transitions of a route: centring and the five of A.7's longest scheme, and one to spare.
+/// The most transitions of a route: centring, the five of the longest scheme of A.7, and one more.
 const LONGEST: usize = 7;
 
 /// A state of the cylinder.
@@ -52,14 +51,14 @@ struct Edge {
 /// Time, transitions and rows of a path.
 type Found = (f64, Vec<Operation>, Vec<usize>);
 
-/// What an edge costs: the time of its steps, or why they cannot be done.
+/// The cost of an edge: the time of its steps, or why they cannot be done.
 pub type Cost<'a> = dyn Fn(&[RouteStep]) -> Tried<Minutes> + 'a;
 
 /// The routes of the search, fastest first.
 ///
 /// # Errors
-/// The knowledge base has no answer, or no path leads to the finished cylinder; the refusal names the transition
-/// nearest to the end that failed.
+/// The knowledge base has no answer, or no path leads to the finished cylinder; the refusal then names the failed
+/// transition nearest to the end.
 pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let mut graph = Graph::new(bore, sizes, cost, shop)?;
     let goal = graph.goal()?;
@@ -94,7 +93,7 @@ pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'
                 })
                 .collect();
         }
-        // A shoulder that must be flat keeps the others out before the quickest are picked.
+        // Where the shoulder must be flat, other routes are removed before the quickest are chosen.
         let flat = bore.flat && bore.before == Before::Own;
         routes.extend(open.into_iter().filter(|(_, operations, _)| !flat || cuts_shoulder(operations)));
     }
@@ -107,7 +106,7 @@ pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'
     routes.into_iter().map(|(_, operations, rows)| candidate(operations, &rows, shop)).collect()
 }
 
-/// The reason nearest to the end of the route that speaks of a tool or a stock, not of the search itself.
+/// The reason nearest to the end of the route that concerns a tool or a stock, not the search itself.
 fn telling(failed: Vec<Reason>, bore: &Bore) -> Reason {
     let own = |why: &Reason| {
         matches!(why, Reason::Unreachable { .. } | Reason::BoredByAnother { .. } | Reason::NoHoleToOpen { .. })
@@ -116,8 +115,8 @@ fn telling(failed: Vec<Reason>, bore: &Bore) -> Reason {
     failed.into_iter().find(|why| !own(why)).unwrap_or_else(no_path)
 }
 
-/// Whether transitions leave a flat shoulder: what comes first is cut flat over its whole width, by a
-/// counterbore or a mill where a drill went before, else also by boring.
+/// Whether transitions leave a flat shoulder: after a drill a counterbore or a mill cuts it flat over its full width;
+/// without a drill boring does it too.
 pub(super) fn cuts_shoulder(transitions: &[Operation]) -> bool {
     match transitions {
         [Operation::DrillOut | Operation::Drill, next, ..] => {
@@ -133,7 +132,7 @@ pub const fn leaves_flat(operation: Operation) -> bool {
     operation.is_boring() || matches!(operation, Operation::Mill | Operation::Counterbore)
 }
 
-/// A route as a candidate: named by the scheme of A.7 it is, where it is one.
+/// A route as a candidate, with the name of the scheme of A.7 that it equals, if any.
 fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tried<Candidate> {
     let rule = shop.knowledge.table_of::<NextTransition<'_>>()?;
     let names: Vec<&str> = transitions.iter().map(|operation| operation.name()).collect();
@@ -143,7 +142,7 @@ fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tr
         None => (rule.id.clone(), names.join(" + ")),
     };
     let mut because = vec![Because::table(rule, Note::new("searched").with("transitions", Figure::operations(names)))];
-    // Each transition is that of its row.
+    // Each transition belongs to its row.
     let steps = rows.iter().filter_map(|index| rule.row(*index)).zip(&transitions);
     because.extend(steps.map(|(row, operation)| {
         Because::row(row, Note::new("searched-step").with("operation", Figure::operation(operation.name())))
@@ -226,15 +225,15 @@ impl<'a, 'k> Graph<'a, 'k> {
         let operation = row.operation;
         for at in 0..self.states_before.len() {
             let (state, previous) = self.states_before[at];
-            // Solid metal is drilled without centring only where the rule lets it.
+            // Solid metal is drilled without centring only where the rule permits it.
             if state == HoleState::Solid && operation == Operation::Drill && self.centre {
                 continue;
             }
-            // A state that no transition leaves is a beginning, and ours is one of them.
+            // A state that no transition leaves is a beginning; only the state of this cylinder is used.
             if previous.is_none() && state != accuracy::start(self.bore) {
                 continue;
             }
-            // A centring spot has no diameter of its own: the rule is queried with the cylinder's.
+            // A centring spot has no diameter of its own: the rule is queried with that of the cylinder.
             let asked = if after > Micrometres::ZERO { after } else { self.bore.diameter.nominal };
             if !self.follows(state, asked)?.contains(&row.row.index) {
                 continue;
@@ -247,7 +246,7 @@ impl<'a, 'k> Graph<'a, 'k> {
                 question.steps()
             };
             let made = steps.and_then(|steps| {
-                // What a stand-in does is another transition's edge.
+                // A replaced transition belongs to the edge of its replacement.
                 if steps.iter().any(|step| step.operation != operation) {
                     return Err(Refusal::Not(Reason::BoredByAnother { operation }));
                 }
@@ -267,7 +266,8 @@ impl<'a, 'k> Graph<'a, 'k> {
         Ok(())
     }
 
-    /// The rows of the rule whose transitions may follow a state; every transition into a node asks it again.
+    /// The rows of the rule whose transitions may follow a state; kept, because every transition into a node asks for
+    /// them.
     fn follows(&mut self, state: HoleState, diameter: Micrometres) -> Result<&[usize], KnowledgeError> {
         match self.answers.entry((state, diameter)) {
             Entry::Occupied(known) => Ok(known.into_mut()),

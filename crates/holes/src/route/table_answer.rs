@@ -30,14 +30,14 @@ pub struct TableAnswer<'k> {
 /// Asks the tables for the schemes of a hole's main cylinder.
 ///
 /// # Errors
-/// The knowledge base has no answer; that the drawing's tolerance cannot be read is an answer without a row.
+/// The knowledge base has no answer. A tolerance of the drawing that cannot be read gives an answer without a row.
 pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<TableAnswer<'k>, KnowledgeError> {
     let task = bores::task(hole, part, shop)?;
     let main = &task.main;
     let (centred, centring) = scheme::centre_first(main, shop)?;
     let nothing = TableAnswer { row: None, schemes: Vec::new(), centred, centring };
     let Ok(written) = accuracy::centre_tolerance(hole, shop) else { return Ok(nothing) };
-    // As the planner asks: an unmachined face as a tighter tolerance, and by A.6 the position of the axis.
+    // As in the planner: an unmachined face means a tighter tolerance, and A.6 asks for the position of the axis.
     let loss = accuracy::rough_face(main, part, shop)?.map_or(0.0, |(loss, _)| loss);
     let position = part.position_tolerance.unwrap_or(written);
     let mut question = SchemeQuestion {
@@ -84,7 +84,7 @@ pub fn transitions(scheme: &str, shop: &Shop<'_>) -> Result<Option<Vec<Operation
     }))
 }
 
-/// A scheme with the centring in front: its twin of the table `centred-twin`, else `04 + centre`.
+/// A scheme with centring first: its twin in the table `centred-twin`, otherwise `04 + centre`.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -96,7 +96,7 @@ pub fn centred(scheme: &str, shop: &Shop<'_>) -> Result<String, KnowledgeError> 
     Ok(twin.map_or_else(|| format!("{scheme} + centre"), |twin| twin.centred.to_owned()))
 }
 
-/// The row of the rule `two-pass-drilling` that requires two drills where one stands alone; none if one will do.
+/// The row of the rule `two-pass-drilling` that requires two drills in place of one; none if one is enough.
 ///
 /// # Errors
 /// The knowledge base has no answer.

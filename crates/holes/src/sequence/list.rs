@@ -11,11 +11,11 @@ use crate::note::Note;
 use crate::part::Point;
 use crate::units::Micrometres;
 
-/// The most points of a list: for so many a path and its bound take a second.
+/// The most points of a list: a path and a bound for so many take a second.
 pub const MOST_POINTS: usize = 20_000;
-/// The largest coordinate, mm: sums over all points stay exact.
+/// The largest coordinate, mm; sums over all points stay exact.
 const LARGEST: f64 = 1.0e7;
-/// Problems shown of one file; the next ones are mostly like them.
+/// The number of faults shown for one file; further ones are mostly alike.
 const SHOWN: usize = 20;
 
 /// The form of a list.
@@ -34,18 +34,18 @@ pub struct List {
     pub form: Form,
     /// The points.
     pub points: Vec<Point>,
-    /// What each is called in the list: its number, from 1, or its number in the TSPLIB file.
+    /// The name of each point in the list: its number, from 1, or its number in the TSPLIB file.
     pub names: Vec<u64>,
 }
 
-/// A fault in a list of points. `report::sentence` and `report::remedy` have the words.
+/// A fault in a list of points; the words are in the catalogue of `words`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ListFault {
-    /// The code, which is that of the note too.
+    /// The code, the same as that of the note.
     pub code: &'static str,
     /// What is wrong, with its figures.
     pub note: Note,
-    /// Where; absent if it concerns the whole file.
+    /// The place; absent if the fault concerns the whole file.
     pub place: Option<Place>,
 }
 
@@ -87,8 +87,8 @@ fn keyword(text: &str) -> bool {
         .any(|word| first.trim().strip_prefix(word).is_some_and(|rest| rest.trim_start().starts_with(':')))
 }
 
-/// The cells of a line, without the quotes around them. A semicolon or a tab outside quotes separates cells, and only
-/// where there is none a comma does: so decimal commas can stand in the cells.
+/// The cells of a line, without their quotes. A semicolon or a tab outside quotes separates cells; a comma does so
+/// only where there is neither. So cells may contain decimal commas.
 fn cells(line: &str) -> Vec<&str> {
     let mut quoted = false;
     let outside: Vec<(usize, char)> = line
@@ -146,7 +146,7 @@ impl Reader {
         }
     }
 
-    /// A slip in a line, `(number, word, line)`.
+    /// A fault in a line, `(number, word, line)`.
     fn wrong(
         &mut self,
         code: &'static str,
@@ -162,7 +162,7 @@ impl Reader {
         let quoted = ("word", word.to_owned());
         match value(word) {
             Some(value) if value.is_finite() && value.abs() <= LARGEST => Some(Micrometres::from_mm_rounded(value)),
-            // A word such as `inf` is no figure, though it can be parsed as one.
+            // A word such as `inf` is not accepted as a number, though it can be parsed.
             Some(_) if word.contains(|sign: char| sign.is_ascii_digit()) => {
                 self.wrong("coordinate-too-large", &[quoted, ("most", LARGEST.to_string())], (number, word, line));
                 None
@@ -182,7 +182,7 @@ impl Reader {
                 continue;
             }
             let cells = cells(line);
-            // The head: words, and no number among them.
+            // The head line: words, without any number.
             let head = cells.iter().all(|cell| !cell.is_empty() && value(cell).is_none());
             if std::mem::take(&mut first) && head && cells.len() == 2 {
                 continue;

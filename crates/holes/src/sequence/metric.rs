@@ -1,7 +1,7 @@
 //! The distance between points: straight-line length, or the time of the machine's rapids.
 //!
-//! Every cost is a whole number, so that no path is preferred for the last digit of a floating-point sum:
-//! micrometres of the way, or, where axes have to speed up, microseconds of the time.
+//! Every cost is a whole number, so that the last digit of a floating-point sum never decides between paths:
+//! micrometres of distance or, where axes have an acceleration, microseconds of time.
 
 use crate::machine::Rapid;
 use crate::part::Point;
@@ -23,7 +23,7 @@ pub(super) fn between(rapid: Rapid, from: Point, to: Point) -> Minutes {
     rapid.time(slower_axis(from, to))
 }
 
-/// The way of the axis that goes farther: both have the same rate, so it arrives last.
+/// The travel of the axis that goes farther: both axes have the same rate, so it arrives last.
 fn slower_axis(from: Point, to: Point) -> Micrometres {
     (from.x - to.x).abs().max((from.y - to.y).abs())
 }
@@ -46,12 +46,12 @@ impl Metric {
         }
     }
 
-    /// The time that a cost means, min; none for a mere distance.
+    /// The time of a cost, min; none for a plain distance.
     pub fn minutes(&self, cost: i64) -> Option<Minutes> {
         match self {
             Self::Euclid | Self::EuclidWhole => None,
             Self::Rapid(rapid) if rapid.acceleration.is_some() => Some(Minutes(cost as f64 / MICROSECONDS)),
-            // A sum of ways at one rate.
+            // A sum of distances at one rate.
             Self::Rapid(rapid) => Some(Minutes(cost as f64 / 1000.0 / rapid.rate.0)),
         }
     }

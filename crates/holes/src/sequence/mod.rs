@@ -1,10 +1,10 @@
 //! The order of tools and the path of each over its points.
 //!
-//! Tools change in the order in which the first hole needs them (the parallel method of textbook 1.3.1: each tool goes
-//! round all its points, then the next is taken); what that section says of each group is told beside it
-//! ([`mod@visiting`]). The path leads from the tool-change position and back, in the machine's own metric ([`metric`]):
-//! the shortest for few points, a short one for many ([`tour`]), with the book's rule, to the nearest point not yet
-//! visited, counted for comparison, and a bound below which there is none ([`bound`]).
+//! Tools change in the order in which the first hole needs them. This is the parallel method of textbook 1.3.1: each
+//! tool visits all its points, then the next tool is taken. [`mod@visiting`] compares it with the method that the
+//! section recommends for each group. The path leads from the tool-change position and back, in the metric of the
+//! machine ([`metric`]): the shortest for few points, a short one for many ([`tour`]). The book's rule, to the
+//! nearest point not yet visited, is computed for comparison, and [`bound`] gives a lower bound.
 
 pub mod bound;
 pub mod list;
@@ -27,17 +27,17 @@ use crate::units::{Micrometres, Minutes};
 use metric::Metric;
 use tour::{Effort, Path, Space};
 
-/// Visits of every tool, in order; their rapids are those across the part, until [`timed`] adds the rest.
+/// The visits of all tools, in order. Their rapids are those across the part; [`timed`] adds the rest.
 ///
-/// A tool is taken when every hole that needs it has come to it. Where two holes need two tools in opposite
-/// orders, the lower number is taken first and comes back later for the other hole. The paths are looked for with
-/// that effort, or, without one, as quickly as planning wants.
+/// A tool is taken when every hole that needs it is ready for it. Where two holes need two tools in opposite orders,
+/// the lower number is taken first and comes back later for the other hole. Paths are searched with the given effort,
+/// or without one as quickly as planning requires.
 pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: Option<Effort>) -> Vec<ToolVisit> {
     let mut visits = Vec::new();
     let mut paths =
         Paths { home: tool_change_point(part, machine), rapid: machine.rapids(), effort, known: Vec::new() };
     for (setup, face) in [(1, Face::Entry), (2, Face::Back)] {
-        // What is still to be done to each group, last first.
+        // The steps that remain in each group, last first.
         let mut to_do: Vec<Vec<usize>> = holes
             .iter()
             .map(|plan| {
@@ -46,7 +46,7 @@ pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: 
             })
             .collect();
         while let Some(tool) = next_tool(holes, &to_do) {
-            // The points of the tool in the order of the drawing, each with all that is done there.
+            // The points of the tool in the order of the drawing, each with all its work.
             let mut places: Vec<Vec<Stop>> = Vec::new();
             for ((plan, hole), to_do) in holes.iter().zip(&part.holes).zip(&mut to_do) {
                 let mut own = Vec::new();
@@ -65,8 +65,8 @@ pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: 
     visits
 }
 
-/// Writes into a plan where its time goes, what the programs of its job take on the machine, and what keeps them from being
-/// carried out on it.
+/// Writes into a plan how its time is spent, what the programs of its job need on the machine, and what prevents them
+/// from running on it.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -74,7 +74,7 @@ pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let job = job::make(plan, shop)?;
     let hands = job::Hands::read(shop.knowledge)?;
     let mut time = job::times(&job, &shop.machine, &hands, &mut plan.sequence);
-    // Machine time is that of the conditions, as it stands beside each transition: programs round feeds down a little.
+    // Machine time follows the conditions, as beside each transition; programs round feeds down a little.
     let of_hole = |hole: &HolePlan| -> f64 {
         let here = hole.transitions.iter().filter(|step| !step.elsewhere);
         here.map(|step| step.conditions.machine_time_min.0 * hole.count as f64).sum()
@@ -87,7 +87,7 @@ pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     Ok(())
 }
 
-/// The lowest tool that some group needs next.
+/// The lowest tool number that some group needs next.
 fn next_tool(holes: &[HolePlan], to_do: &[Vec<usize>]) -> Option<u32> {
     holes.iter().zip(to_do).filter_map(|(plan, to_do)| tool_of(plan, *to_do.last()?)).min()
 }
@@ -96,7 +96,7 @@ fn tool_of(plan: &HolePlan, transition: usize) -> Option<u32> {
     plan.transitions.get(transition).map(|step| step.tool.number)
 }
 
-/// The paths from the tool-change position and back; tools often go over the same points.
+/// The paths from the tool-change position and back, kept because tools often visit the same points.
 struct Paths {
     home: Point,
     rapid: Rapid,
@@ -117,8 +117,8 @@ impl Paths {
     }
 }
 
-/// A tool's way over its places, from the tool-change position and back; what is done at one place stays
-/// together, in the order of its transitions.
+/// The path of a tool over its points, from the tool-change position and back; the work at one point stays together,
+/// in the order of its transitions.
 fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, paths: &mut Paths) -> ToolVisit {
     let at = places.iter().filter_map(|stops| stops.first()).map(|stop| stop.at);
     let points: Vec<Point> = std::iter::once(paths.home).chain(at).collect();
@@ -133,8 +133,8 @@ fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, paths: &mut Paths) -
     ToolVisit { tool, setup, stops, rapid_min, nearest_rapid_min, bound_min, path_mm }
 }
 
-/// The bound of a visit of a plan: what its rapids take at least, min. Its own time where it is proven. Absent if a bar
-/// is set by hand between its rounds over the points.
+/// The lower bound of a visit of a plan: the least time of its rapids, min. Equal to its own time where the path is
+/// proven the shortest. Absent if a bar is set by hand between its rounds over the points.
 pub fn visit_bound(visit: &ToolVisit, plan: &Plan, machine: &Machine<'_>) -> Option<Minutes> {
     let transition = |stop: &Stop| {
         let hole = plan.holes.iter().find(|hole| hole.name == stop.hole)?;
@@ -155,7 +155,7 @@ pub fn visit_bound(visit: &ToolVisit, plan: &Plan, machine: &Machine<'_>) -> Opt
     let space = Space::closed(&points, metric);
     let order: Vec<usize> = (0..points.len()).collect();
     let cost = space.length(&order);
-    // The withdrawals are the same in every order: only the path between the points can be saved.
+    // The retracts are the same in every order: only the path between the points can be shorter.
     let saved =
         metric.minutes(cost - bound::lower_bound(&space, cost, bound::rounds(space.nodes()))).unwrap_or_default();
     // Rounded down, so that it stays a bound.

@@ -1,22 +1,22 @@
-//! Where the points are: boxes, each halved into two, so that what is near is found without looking at everything.
+//! A spatial index of points: boxes, each divided into two, so that near points are found without looking at all.
 
 use std::ops::Range;
 
 use crate::part::Point;
 use crate::units::Micrometres;
 
-/// The most points of a box that is not halved.
+/// The most points of a box that is not divided.
 const LEAF: usize = 6;
 
 /// The points in boxes. Box 0 holds all of them; the halves of box `k` are boxes `2k + 1` and `2k + 2`.
 pub(super) struct PointBoxes<'p> {
     points: &'p [Point],
-    /// The points box by box: those of a box stand together.
+    /// The points, box by box: those of one box are adjacent.
     order: Vec<u32>,
     bounds: Vec<Bounds>,
 }
 
-/// The corners of a box, and the first of its points in the list: of many points in one place few are looked at.
+/// The corners of a box, and the number of its first point in the list, which saves looking at many equal points.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
     pub(super) low: Point,
@@ -25,7 +25,7 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    /// The place within that is nearest to a point.
+    /// The place within the box that is nearest to a point.
     #[inline]
     pub(super) fn nearest(&self, point: Point) -> Point {
         let Self { low, high, .. } = self;
@@ -33,15 +33,15 @@ impl Bounds {
     }
 }
 
-/// What is looked for.
+/// A query over the index.
 pub(super) trait Quest {
-    /// What the best point of a box may cost; none if none of them is wanted.
+    /// The least possible cost of a point in a box; none if no point of it is wanted.
     fn least(&self, number: usize, bounds: &Bounds) -> Option<i64>;
-    /// A point that is looked at.
+    /// Looks at one point.
     fn meet(&mut self, point: usize);
 }
 
-/// A box by its number, with where its points stand.
+/// A box by its number, with the range of its points.
 #[derive(Clone)]
 struct BoxOfPoints {
     number: usize,
@@ -70,7 +70,7 @@ impl<'p> PointBoxes<'p> {
         BoxOfPoints { number: 0, range: 0..self.order.len() }
     }
 
-    /// Finds the corners of a box, and halves it across its longer side.
+    /// Finds the corners of a box, and divides it across its longer side.
     fn halve(&mut self, part: &BoxOfPoints) {
         let at = |&index: &u32| self.points[index as usize];
         let own = &mut self.order[part.range.clone()];
@@ -91,7 +91,7 @@ impl<'p> PointBoxes<'p> {
         }
     }
 
-    /// The numbers of the boxes that hold each point, the largest first.
+    /// The numbers of the boxes that hold each point, the largest box first.
     pub(super) fn boxes(&self) -> Vec<Vec<u32>> {
         let mut boxes = vec![Vec::new(); self.points.len()];
         self.boxes_in(&self.all(), &mut boxes);
@@ -103,7 +103,7 @@ impl<'p> PointBoxes<'p> {
         part.halves().iter().flatten().for_each(|half| self.boxes_in(half, boxes));
     }
 
-    /// Looks at what a quest may want, first where it may be cheaper.
+    /// Visits the points that a query may want, the cheaper boxes first.
     pub(super) fn seek(&self, quest: &mut impl Quest) {
         self.seek_in(&self.all(), quest);
     }

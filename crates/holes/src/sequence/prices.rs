@@ -1,13 +1,14 @@
-//! Prices of nodes: what each edge of a node pays, so that a shortest tree comes near to a tour.
+//! Prices of nodes, added to each edge of a node, so that a shortest tree comes near to a tour.
 //!
-//! A tour is a tree over all nodes but one, with two edges more at that one, and two edges at every node. Drop the last
-//! condition, and the shortest such 1-tree is found at once; give every node a price that each of its edges pays, and
-//! take the prices back twice, and no tour changes its length, but the tree gets longer where a node had too few or too
-//! many edges (Held and Karp, 1970, 1971). Under good prices the tree is nearly a tour: it says what no tour can be
-//! shorter than ([`super::bound`]), and which edges a short tour is likely to have (`tour/candidates.rs`).
+//! A tour is a tree over all nodes but one, with two more edges at that one, and it has two edges at every node.
+//! Without the last condition, the shortest such 1-tree is found directly. Give every node a price that is added to
+//! each of its edges, and subtract twice the sum of the prices: no tour changes its length, but the tree gets longer
+//! where a node had too few or too many edges (Held and Karp, 1970, 1971). Under good prices the tree is nearly a
+//! tour: its length is a lower bound for every tour ([`super::bound`]), and its edges are likely edges of a short
+//! tour (`tour/candidates.rs`).
 //!
-//! All figures are whole numbers. The node beside the tree is the first point, or the one without place that closes an
-//! open path: the tree is always one over points.
+//! All figures are whole numbers. The node outside the tree is the first point, or the node without position that
+//! closes an open path: the tree is always over points.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -16,35 +17,35 @@ use super::places::PointBoxes;
 use super::spanning::shortest_tree;
 use super::tour::{Space, near_edges};
 
-/// The first step of the prices, in edges of mean length: holes in circles are far apart between the circles, and
-/// a price must get there; in fewer rounds than these it cannot, and steps are as much smaller.
+/// The first step of the prices, in edges of mean length. Circles of holes are far apart, and a price must cover that
+/// distance; with fewer rounds than this the steps are proportionally smaller.
 const FIRST_STEP: f64 = 10.0;
 const ENOUGH: usize = 120;
-/// The last steps are so much smaller, besides their going to nothing.
+/// The factor by which the last steps are smaller, besides their decrease to zero.
 const SHRINK: f64 = 1.0 / 1000.0;
-/// The part of the last direction that is kept: nodes that are now one and now the other settle, and those of a
-/// circle go together.
+/// The share of the last direction that is kept: nodes that alternate settle, and the nodes of one circle move
+/// together.
 const KEPT: f64 = 0.9;
 
-/// Among so many rounds, one looks at all pairs.
+/// One round in so many looks at all pairs.
 const ALL_PAIRS: usize = 100;
 
-/// The edges that most trees are made of: those between near nodes, and those of trees over all pairs.
+/// The edges from which most trees are built: those between near nodes, and those of trees over all pairs.
 pub(super) type Edges = Vec<Vec<(i64, u32)>>;
 
 /// Prices of the nodes of a space, and the trees under them.
 pub(super) struct Prices<'s> {
     space: &'s Space<'s>,
     places: PointBoxes<'s>,
-    /// What each edge of a node pays.
+    /// The price of each node.
     pub(super) of: Vec<i64>,
-    /// Of each node the others with the cost of going there; none for the node beside the tree.
+    /// For each node, the other nodes with the cost of the edge; none for the node outside the tree.
     pub(super) edges: Edges,
     /// Edges of each node in the last tree.
     degrees: Vec<i64>,
-    /// Where the prices are going.
+    /// The direction in which the prices change.
     direction: Vec<f64>,
-    /// The cheapest edge of each node into the tree, and from where; nothing is cheaper for a node of the tree.
+    /// The cheapest edge from each node into the tree, and its other end; [`INSIDE`] for a node of the tree.
     cheapest: Vec<i64>,
     towards: Vec<u32>,
     waiting: BinaryHeap<Reverse<(i64, u32)>>,
@@ -54,7 +55,7 @@ pub(super) struct Prices<'s> {
 const INSIDE: i64 = i64::MIN;
 
 impl<'s> Prices<'s> {
-    /// No prices yet, for three nodes or more.
+    /// Zero prices, for three nodes or more.
     pub(super) fn new(space: &'s Space<'s>) -> Self {
         let count = space.nodes();
         let mut prices = Self {
@@ -85,15 +86,17 @@ impl<'s> Prices<'s> {
         }
     }
 
-    /// What an edge costs with the prices of its nodes.
+    /// The cost of an edge with the prices of its nodes.
     pub(super) fn priced(&self, cost: i64, from: usize, to: usize) -> i64 {
         cost + self.of[from] + self.of[to]
     }
 
-    /// Looks for good prices in so many rounds, up to a bound as long as a known path; gives the best bound it met.
+    /// Improves the prices in so many rounds, until the bound equals the cost of a known path; returns the best
+    /// bound.
     ///
-    /// Most rounds look for the tree among the known edges, which is quick and says where prices should go. Now and then
-    /// a tree over all pairs finds edges that these lack, and is a bound; what seemed better before then counts no more.
+    /// Most rounds build the tree from the known edges, which is quick and shows how to change the prices. Sometimes
+    /// a tree over all pairs finds edges that are not among them, and gives a bound; the best prices so far are then
+    /// forgotten.
     pub(super) fn ascend(&mut self, path: i64, rounds: usize) -> i64 {
         let mut bound = self.tree_over_all();
         let mut at_bound = self.of.clone();
@@ -128,7 +131,8 @@ impl<'s> Prices<'s> {
         bound
     }
 
-    /// The cost of the shortest 1-tree over all pairs less twice the prices: a lower bound. Its edges join the others.
+    /// The cost of the shortest 1-tree over all pairs less twice the prices: a lower bound. Its edges are added to
+    /// the known ones.
     pub(super) fn tree_over_all(&mut self) -> i64 {
         self.degrees.fill(0);
         let mut total = 0;
@@ -141,7 +145,7 @@ impl<'s> Prices<'s> {
         total + self.beside_tree() - 2 * self.of.iter().sum::<i64>()
     }
 
-    /// The same among the known edges (Prim): never less, and so no bound.
+    /// The same over the known edges only (Prim). It is never less, and so no bound.
     fn tree_among_edges(&mut self) -> i64 {
         self.degrees.fill(0);
         self.cheapest.fill(i64::MAX);
@@ -162,7 +166,7 @@ impl<'s> Prices<'s> {
                 }
             }
             while let Some(Reverse((cost, node))) = self.waiting.pop() {
-                // A node waits again when it becomes cheaper.
+                // A node is queued again when it becomes cheaper.
                 if self.cheapest[node as usize] == cost {
                     newest = node as usize;
                     self.cheapest[newest] = INSIDE;
@@ -176,7 +180,7 @@ impl<'s> Prices<'s> {
         total + self.beside_tree() - 2 * self.of.iter().sum::<i64>()
     }
 
-    /// Adds the two cheapest edges of the node beside the tree; gives what they cost.
+    /// Adds the two cheapest edges of the node outside the tree; returns their cost.
     fn beside_tree(&mut self) -> i64 {
         let beside = self.space.beside();
         let two = self.cheapest_beside(2);
@@ -187,7 +191,7 @@ impl<'s> Prices<'s> {
         two.iter().map(|&(cost, _)| cost).sum()
     }
 
-    /// The so many cheapest edges of the node beside the tree, over all nodes, with their priced costs.
+    /// The cheapest edges of the node outside the tree, over all nodes, with their priced costs; `most` of them.
     pub(super) fn cheapest_beside(&self, most: usize) -> Vec<(i64, u32)> {
         let beside = self.space.beside();
         let mut least: Vec<(i64, u32)> = Vec::with_capacity(most + 1);

@@ -1,8 +1,8 @@
-//! The shortest tree over all pairs of points, found without looking at all pairs (Borůvka, 1926).
+//! The shortest tree over all pairs of points, without looking at all pairs (Borůvka, 1926).
 //!
-//! In every round each tree of the forest takes its cheapest edge to another one. A point looks for its own in boxes of
-//! points: a box is passed over where the nearest of its places at the least price of its points costs too much already,
-//! or where all its points are of the own tree. Edges are ordered by cost and ends, so that no two are equal.
+//! In every round each tree of the forest takes its cheapest edge to another tree. A point searches for its edge in
+//! boxes of points. A box is skipped where its nearest place with the least price of its points already costs too
+//! much, or where all its points are of the same tree. Edges are ordered by cost and ends, so that no two are equal.
 
 use super::metric::Metric;
 use super::places::{Bounds, PointBoxes, Quest};
@@ -12,13 +12,13 @@ use crate::part::Point;
 /// An edge, by its cost and the lower and the higher of its nodes.
 type Edge = (i64, u32, u32);
 
-/// Dearer than any edge.
+/// More than any edge.
 const NONE: Edge = (i64::MAX, u32::MAX, u32::MAX);
-/// In place of a tree: points of several.
+/// The mark of a box with points of several trees.
 const MIXED: u32 = u32::MAX;
 
-/// The edges of a shortest tree over all points but the one beside it, under prices that each edge of a node pays. Some
-/// edges that are known, of each node to others, save looking far.
+/// The edges of a shortest tree over all points but the one outside it, under prices that are added to each edge of a
+/// node. Some known edges of each node shorten the search.
 pub(super) fn shortest_tree(
     space: &Space<'_>,
     places: &PointBoxes<'_>,
@@ -34,7 +34,8 @@ pub(super) fn shortest_tree(
         own.iter().for_each(|&number| least[number as usize] = least[number as usize].min(prices[node]));
     }
     let mut trees: Vec<u32> = (0..points.len() as u32).collect();
-    // What each point found last, itself or for its tree: as trees only grow, nothing cheaper is left for it.
+    // The last edge found by each point, for itself or for its tree: as trees only grow, no cheaper edge remains for
+    // it.
     let mut found = vec![(i64::MIN, 0, 0); points.len()];
     let mut edges = Vec::with_capacity(points.len());
     loop {
@@ -46,7 +47,7 @@ pub(super) fn shortest_tree(
             }
         }
         let mut cheapest = vec![NONE; points.len()];
-        // First what is still true costs nothing to know, and saves most of the other searches.
+        // Edges found earlier and still valid cost nothing, and save most of the searches.
         let still = |edge: Edge| edge.0 != i64::MIN && edge != NONE && trees[edge.1 as usize] != trees[edge.2 as usize];
         for node in (0..points.len()).filter(inside).filter(|&node| still(found[node])) {
             let own = &mut cheapest[trees[node] as usize];
@@ -100,7 +101,7 @@ fn edge(cost: i64, prices: &[i64], from: usize, to: usize) -> Edge {
     (cost + prices[from] + prices[to], from.min(to) as u32, from.max(to) as u32)
 }
 
-/// The tree of a node while trees are joined; those on the way are led to it.
+/// The tree of a node while trees are joined; the nodes on the way to the root are linked to it directly.
 fn root(trees: &mut [u32], mut node: u32) -> u32 {
     while trees[node as usize] != node {
         trees[node as usize] = trees[trees[node as usize] as usize];
@@ -109,7 +110,7 @@ fn root(trees: &mut [u32], mut node: u32) -> u32 {
     node
 }
 
-/// The quest for the cheapest edge from a node to another tree.
+/// The query for the cheapest edge from a node to another tree.
 struct Outside<'s> {
     points: &'s [Point],
     metric: Metric,
@@ -117,7 +118,7 @@ struct Outside<'s> {
     beside: usize,
     node: usize,
     trees: &'s [u32],
-    /// The tree of all points of a box, or [`MIXED`]; none where nothing in it counts.
+    /// The tree of all points of a box, or [`MIXED`]; none where the box has no point that counts.
     of_boxes: &'s [Option<u32>],
     /// The least price in each box.
     least: &'s [i64],
@@ -131,7 +132,7 @@ impl Quest for Outside<'_> {
         }
         let at = self.points[self.node];
         let cost = self.metric.cost(at, bounds.nearest(at)) + self.least[number] + self.prices[self.node];
-        // Dearer is every edge to a later point of the box.
+        // Every edge to a later point of the box costs more.
         let (low, high) = (self.node.min(bounds.first as usize) as u32, self.node.max(bounds.first as usize) as u32);
         ((cost, low, high) < self.best).then_some(cost)
     }

@@ -13,14 +13,14 @@ use super::metric::{self, Metric};
 use super::tool_change_point;
 use super::tour::{self, Space};
 
-/// Time of the parallel method, `Tпар = m(τ+θ)`: each of `m` tools is changed once, τ, and goes round all holes
-/// once, θ (textbook 1.3.1).
+/// Time of the parallel method, `Tпар = m(τ+θ)`: each of `m` tools is changed once, τ, and visits all holes once, θ
+/// (textbook 1.3.1).
 pub fn parallel(tools: usize, change: Minutes, round: Minutes) -> Minutes {
     Minutes(tools as f64 * (change.0 + round.0))
 }
 
-/// Time of the sequential method, `Tпосл = nmτ+θ`: each of `m` tools is changed at each of `n` holes, and the
-/// holes are gone round once (textbook 1.3.1). It holds for a machine that changes tools wherever it stands.
+/// Time of the sequential method, `Tпосл = nmτ+θ`: each of `m` tools is changed at each of `n` holes, and the holes
+/// are visited once (textbook 1.3.1). It holds for a machine that changes tools at any position.
 pub fn sequential(holes: usize, tools: usize, change: Minutes, round: Minutes) -> Minutes {
     Minutes(holes as f64 * tools as f64 * change.0 + round.0)
 }
@@ -32,24 +32,24 @@ pub fn ratio(holes: usize, tools: usize, change: Minutes, round: Minutes) -> f64
     m * (1.0 + k) / (n * m + k)
 }
 
-/// The quickest mixture of both methods: the first tools in parallel, so many last ones at each hole in turn; with
-/// its time, or none where two tools leave nothing to mix. `round` is what one tool takes in parallel and `changed`
-/// what it takes changed at every hole, each with its tool changes and the way to them.
+/// The quickest mixture of both methods: the first tools in parallel, the last ones at each hole in turn. Returns
+/// their number and the time, or none where two tools leave nothing to mix. `round` is the time of one tool in
+/// parallel, `changed` that of one tool changed at every hole, each with its tool changes and the travel to them.
 ///
-/// One tool alone «at each hole in turn» goes round as in parallel, so at least two are. Which of the tools they are
-/// makes no difference: all go to the same holes.
+/// One tool «at each hole in turn» visits the holes as in parallel, so at least two tools are. It makes no difference
+/// which tools: all visit the same holes.
 pub fn mixture(tools: usize, round: Minutes, changed: Minutes) -> Option<(usize, Minutes)> {
     let time = |last: usize| (tools - last) as f64 * round.0 + last as f64 * changed.0;
     (2..tools).map(|last| (last, Minutes(time(last)))).min_by(|one, other| one.1.0.total_cmp(&other.1.0))
 }
 
-/// Which method the book's rule gives to each group with more than one tool, with the times of both; and a
-/// finding where this machine cannot keep the rule.
+/// The method that the book's rule gives each group with more than one tool, with the times of both methods; and a
+/// finding where this machine cannot follow the rule.
 ///
-/// The machine's true times count the table's way to the change position, which every change needs: for the parallel
-/// method it is in the round already; for the sequential one it is gone from and to each hole for each tool, instead of
-/// the round. As a round is never longer than going to each of its holes and back on its own, the sequential method
-/// never saves time on such a machine, and no mixture of both does.
+/// The true times of the machine include the travel of the table to the change position, which every change needs. In
+/// the parallel method the round includes it; in the sequential method it is added from and to each hole for each
+/// tool, in place of the round. A round is never longer than separate travels to each of its holes and back, so on
+/// such a machine neither the sequential method nor a mixture saves time.
 ///
 /// # Errors
 /// The knowledge base lacks the rule.
@@ -68,7 +68,7 @@ pub fn visiting(
     Ok(all)
 }
 
-/// That the machine cannot visit a group as the rule says; none if it can.
+/// A finding that the machine cannot visit a group as the rule says; none if it can.
 pub fn not_kept(own: &Visiting, machine: &Machine<'_>) -> Option<Finding> {
     if own.method == VisitingMethod::Parallel || own.finishing_tools < 2 || own.holes < 2 {
         return None;
@@ -104,7 +104,7 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
     let metric = Metric::Rapid(rapid);
     let path = tour::quick_path(&Space::closed(&points, metric));
     let round = metric.minutes(path.cost).unwrap_or_default();
-    // The book's round does not lead to the change position: a tool is taken wherever the table stands.
+    // The round of the book does not include the change position: the tool is changed wherever the table stands.
     let change = machine.tool_change;
     let k_t = ratio(hole.at.len(), tools, change, round);
     let each: f64 = hole.at.iter().map(|&at| change.0 + 2.0 * metric::between(rapid, home, at).0).sum();
@@ -117,7 +117,7 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
         .with("it", it)
         .with("centre", route.centre_tolerance_mm)
         .with("ratio", round_to(k_t, 3));
-    // With one finishing tool «one after the other at each hole» is what going round with it does anyway.
+    // With one finishing tool, «one after the other at each hole» is the same as its own round.
     let concerned = if method == VisitingMethod::Sequential { tools } else { finishing };
     Ok(Some(Visiting {
         hole: plan.name.clone(),
@@ -138,8 +138,8 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
     }))
 }
 
-/// Whether a transition is one of the last, which the rule would do without moving the part: none of the first
-/// ones that the text lists (centring, drilling, countersinking, core drilling).
+/// Whether a transition is a finishing one, for which the rule would not move the part: none of the first ones that
+/// the text lists (centring, drilling, countersinking, core drilling).
 const fn is_finishing(operation: Operation) -> bool {
     operation.is_boring() || operation.is_reaming() || matches!(operation, Operation::Tap | Operation::Mill)
 }
@@ -174,7 +174,7 @@ mod tests {
         assert_eq!((tools, time.rounded(3)), (2, Minutes(4.15)), "0.95 + 2 · 1.6");
         let (tools, time) = mixture(5, round, changed).unwrap();
         assert_eq!((tools, time.rounded(3)), (2, Minutes(6.05)), "3 · 0.95 + 2 · 1.6");
-        // Were a change at a hole cheap, as many tools as can be would change there: 0.95 + 4 · 0.3.
+        // If a change at a hole were cheap, as many tools as possible would change there: 0.95 + 4 · 0.3.
         let (tools, time) = mixture(5, round, Minutes(0.3)).unwrap();
         assert_eq!((tools, time.rounded(3)), (4, Minutes(2.15)));
     }

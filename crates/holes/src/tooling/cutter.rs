@@ -1,6 +1,6 @@
-//! Finding a cutter: the tables in the order of the rule `tool-tables`, the first row that fits, and
-//! for every row of the right size that does not, the inequality that fails. Which rows are of the right size stands in
-//! [`super::sizes`], what else rules one out in [`super::reach`].
+//! Finds a cutter: the tables in the order of the rule `tool-tables`, the first row that fits, and for every other
+//! row of the right size the inequality that fails. [`super::sizes`] says which rows have the right size,
+//! [`super::reach`] what else excludes a row.
 
 use std::rc::Rc;
 use technolog_note::note;
@@ -24,22 +24,22 @@ use super::sizes::{fitting, nothing_of_size};
 pub struct Cutter<'s, 'k> {
     /// Its row.
     pub row: &'s CutterRow<'k>,
-    /// What its table says of all its cutters.
+    /// The head of its table.
     pub head: &'k ToolHead,
     /// The designation that fits the hole (through or blind, lead angle).
     pub designation: &'k str,
     /// Its own diameter; for a boring bar the diameter it is set to.
     pub diameter: Micrometres,
-    /// By what it was chosen.
+    /// The rule or request by which it was chosen.
     pub by: By<'k>,
     /// The cutters that were rejected before it.
     pub over: Vec<Note>,
 }
 
-/// Why a cutter was chosen, as data: most cutters are considered and not taken, so sentences are made last.
+/// Why a cutter was chosen, as data: most cutters are considered and not taken, so the text is made last.
 #[derive(Clone, Debug)]
 pub enum By<'k> {
-    /// The order of the tables for a transition; `ground`: the size its row has, where it is ground down from that.
+    /// By the order of the tables for a transition.
     Order {
         /// The rule that names the tables.
         rule: Rc<ToolTables<'k>>,
@@ -64,7 +64,7 @@ pub enum By<'k> {
 }
 
 impl Cutter<'_, '_> {
-    /// How it was chosen.
+    /// The reason for the choice.
     pub fn because(&self) -> Because {
         let because = match &self.by {
             By::Order { ground: Some(own), size, .. } => Because {
@@ -80,7 +80,7 @@ impl Cutter<'_, '_> {
         because.over(self.over.clone())
     }
 
-    /// Why its table is asked in this order.
+    /// The reason for the order of the tables.
     pub fn order(&self) -> Because {
         match &self.by {
             By::Order { rule, operation, .. } => Because::row(rule.row, ordered("tool-tables", rule, *operation)),
@@ -119,19 +119,19 @@ pub struct CutterNeed<'a> {
     pub thread: Option<&'a str>,
     /// Full angle of a cone, thousandths of a degree.
     pub angle_millideg: Option<u32>,
-    /// The wider cylinder through which it reaches its place; absent at a face.
+    /// The wider cylinder through which the cutter enters; absent at a face.
     pub within: Option<Micrometres>,
-    /// Where its cut begins below the face, and how wide the hole is above that: a shank that passes there
-    /// need not be counted.
+    /// The depth where its cut begins below the face, and the diameter of the hole above that: a shank that passes
+    /// there need not be counted.
     pub below: Option<(Micrometres, Micrometres)>,
-    /// Room between an end mill and the hole it goes round in.
+    /// Clearance between an end mill and the hole in which it moves round.
     pub clearance: Micrometres,
     /// By how much a reamer or core drill of the catalog may be ground down.
     pub grind_limit: Micrometres,
 }
 
 impl CutterNeed<'_> {
-    /// A cutter of that diameter and any reach, with nothing else asked of it.
+    /// A cutter of that diameter and any reach, without further requirements.
     pub fn plain(operation: Operation, diameter: Micrometres) -> Self {
         Self {
             operation,
@@ -151,11 +151,11 @@ impl CutterNeed<'_> {
     }
 }
 
-/// The tables that a rule names, with what each says of all its cutters.
+/// The tables that a rule names, with the head of each.
 pub(super) type Tables<'s, 'k> = Vec<(&'k ToolHead, &'s [CutterRow<'k>])>;
 
-/// Every cutter that fits, in the order of the tables of the rule `tool-tables`, and why others of the
-/// right size do not.
+/// All cutters that fit, in the order of the tables of the rule `tool-tables`, and why others of the right size do
+/// not.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -170,7 +170,7 @@ pub(super) fn cutters<'s, 'k>(
         let cutters = shop.shelf.cutters_of(id)?;
         tables.push((cutters.head, cutters.rows()?));
     }
-    // Only where no catalog has the size itself is a larger cutter ground down to it.
+    // A larger cutter is ground down only where no catalog has the size itself.
     let ground = is_grindable(need.operation) && tables.iter().all(|(_, rows)| fitting(rows, need, false).is_empty());
     let (mut cutters, mut rejected) = (Vec::new(), Vec::new());
     for (head, rows) in &tables {

@@ -1,4 +1,4 @@
-//! Holders: which one takes a shank, how far the cutter stands out, how long the assembly is.
+//! Holders: the one for a shank, the overhang of the cutter, and the length of the assembly.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::table::ToolHead;
@@ -28,15 +28,15 @@ pub struct Assembly {
     pub holder: String,
     /// The holder's table.
     pub holder_table: String,
-    /// Length of the holder, from the spindle's face.
+    /// Length of the holder from the spindle face.
     pub holder_length: Micrometres,
-    /// How far the cutter stands out of the holder.
+    /// Overhang: how far the cutter projects from the holder.
     pub overhang: Micrometres,
-    /// From the spindle's face to the tip.
+    /// From the spindle face to the tip.
     pub length: Micrometres,
-    /// From the spindle to the tip: the 7:24 shank, the holder, the cutter.
+    /// The links from the spindle to the tip: the 7:24 shank, the holder, the cutter.
     pub links: Vec<Link>,
-    /// Mass of holder and cutter, kg, where the holder's is known; the cutter is taken as a steel bar.
+    /// Mass of holder and cutter, kg, where that of the holder is known; the cutter counts as a steel bar.
     pub mass_kg: Option<f64>,
     /// Why.
     pub because: Vec<Because>,
@@ -106,7 +106,8 @@ pub fn assemble<'k>(
 
 /// A cutter in its holder, as data without sentences.
 pub(super) struct MountedCutter<'s, 'k> {
-    /// The holder, and those before it that do not take the cutter; none where the cutter has the machine's taper.
+    /// The holder, and the holders before it that do not take the cutter; none where the cutter has the taper of the
+    /// machine.
     holder: Option<(&'s HolderRow<'k>, Vec<(&'k str, HolderFault)>)>,
     pub overhang: Overhang<'k>,
     /// From the spindle's face to the tip.
@@ -115,7 +116,7 @@ pub(super) struct MountedCutter<'s, 'k> {
     mass_kg: Option<f64>,
 }
 
-/// The holders among which one is looked for; none where the cutter has the machine's taper.
+/// The holders to choose from; none where the cutter has the taper of the machine.
 pub(super) fn holders<'s, 'k>(
     head: &ToolHead,
     operation: Operation,
@@ -130,7 +131,7 @@ pub(super) fn holders<'s, 'k>(
     shop.shelf.holders_of(table)
 }
 
-/// Looks for the first of the holders that takes a cutter, as [`assemble`] does.
+/// The first of the holders that takes a cutter, as in [`assemble`].
 pub(super) fn hold<'s, 'k>(
     cutter: &Cutter<'_, 'k>,
     need: &CutterNeed<'_>,
@@ -165,7 +166,7 @@ pub(super) fn family<'k>(
     operation: Operation,
     knowledge: &'k Knowledge,
 ) -> Result<HolderForShank<'k>, KnowledgeError> {
-    // End mills with a Morse shank are drawn in by a thread, drills are driven by a tang.
+    // End mills with a Morse shank are held by a drawbar thread, drills are driven by a tang.
     let mills = head.operations.contains(&Operation::Mill);
     let drawbar = head.shank == Shank::Morse && mills;
     let question = HolderForShankFor { shank: head.shank, drawbar, tap: operation == Operation::Tap };
@@ -193,7 +194,8 @@ fn within_limits<'s, 'k>(
     Ok(held)
 }
 
-/// Mass of a steel bar as thick and long as the cutter, kg: above the cutter's own, which has flutes.
+/// Mass of a steel bar with the diameter and length of the cutter, kg: more than the real mass, because of the
+/// flutes.
 fn bar_mass(cutter: &Cutter<'_, '_>) -> f64 {
     // Density of steel, kg/mm3.
     const STEEL: f64 = 7.85e-6;
@@ -230,7 +232,7 @@ pub(super) fn refuse(row: &HolderRow<'_>, cutter: &Cutter<'_, '_>, machine: &Mac
     }
 }
 
-/// Whether what stands out of the spindle is too short for the hole, or too thick to enter it.
+/// Whether the part outside the spindle is too short for the hole, or too thick to enter it.
 fn too_short(
     row: &HolderRow<'_>,
     cutter: &Cutter<'_, '_>,
@@ -238,7 +240,7 @@ fn too_short(
     need: &CutterNeed<'_>,
 ) -> Option<HolderFault> {
     let shell = cutter.head.shank == Shank::Shell;
-    // A shell cutter is followed into the hole by its arbor; any other cutter must reach by itself.
+    // The arbor of a shell cutter follows it into the hole; any other cutter must reach by itself.
     let reach = if shell { row.length + overhang } else { overhang };
     if reach < need.reach {
         return Some(HolderFault::StandsOutTooLittle { reach, needed: need.reach });
@@ -247,16 +249,16 @@ fn too_short(
     thick.map(|arbor| HolderFault::ArborDoesNotEnter { arbor, hole: need.diameter })
 }
 
-/// Whether a cutter may stand out a little more or less: a cylindrical shank is clamped as deep as one likes, but that of a
-/// tap by a rule of its own.
+/// Whether the overhang of a cutter may vary a little: a cylindrical shank may be clamped at any depth, but a tap has
+/// a rule of its own.
 pub(super) fn is_ranged(shank: Shank, operation: Operation) -> bool {
     shank == Shank::Cylindrical && operation != Operation::Tap
 }
 
-/// How far the cutter stands out.
+/// The overhang of the cutter.
 ///
-/// With a cylindrical shank L − seat + 2…3 mm (textbook 5.2 item 5); with a Morse shank the length
-/// outside the taper; a shell cutter sits on its arbor; a tool with the machine's taper stands out whole.
+/// With a cylindrical shank L − seat + 2…3 mm (textbook 5.2 item 5); with a Morse shank the length outside the taper;
+/// of a shell cutter its own length on the arbor; of a tool with the taper of the machine its whole length.
 pub(super) fn overhang<'k>(
     cutter: &Cutter<'_, 'k>,
     need: &CutterNeed<'_>,
@@ -292,7 +294,7 @@ pub(super) fn overhang<'k>(
     }
 }
 
-/// How far a cutter stands out, by which row.
+/// The overhang of a cutter, and the row that gives it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Overhang<'k> {
     /// From the holder's face to the tip; of a shell cutter its own length.
@@ -325,7 +327,7 @@ impl Overhang<'_> {
     }
 }
 
-/// What a cutter with a cylindrical shank stands out beyond its flutes: least and most, mm.
+/// The least and the most overhang of a cylindrical shank beyond the flutes, mm.
 pub(super) fn overhang_addition<'s, 'k>(shop: &'s Shop<'k>) -> Result<&'s Clamping<'k>, KnowledgeError> {
     let wanted = ClampingConstant::OverhangAddition;
     let found = shop.shelf.clamping()?.iter().find(|row| row.name.is(wanted));

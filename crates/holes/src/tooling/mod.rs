@@ -1,8 +1,8 @@
-//! Cutters and holders from the catalogs, and whether they reach.
+//! Cutters and holders from the catalogs, and whether they reach deep enough.
 //!
-//! - `cutter`: what is required of a cutter, and every one that fits, in the order of the tables;
-//! - `sizes`: which rows are of the right size; `reach`: why one of them cannot be used;
-//! - `holder`: the holder for its shank; [`named`]: a cutter that a plan names.
+//! - `cutter`: what is required of a cutter, and all that fit, in the order of the tables;
+//! - `sizes`: which rows have the right size; `reach`: why one of them cannot be used;
+//! - `holder`: the holder for a shank; [`named`]: a cutter that a plan names.
 
 mod cutter;
 mod holder;
@@ -20,10 +20,11 @@ pub use cutter::{Cutter, CutterNeed};
 pub use holder::Assembly;
 pub use sizes::{DrillSize, drill_sizes};
 
-/// The first cutter that fits together with a holder that takes it within the machine's overhang.
+/// The first cutter that fits, with a holder that takes it within the overhang of the machine.
 ///
 /// # Errors
-/// The knowledge base has no answer. That nothing fits is not an error: the inner `Err` says why each did not.
+/// The knowledge base has no answer. That nothing fits is not an error: the inner `Err` gives the reason for each
+/// cutter.
 pub fn find_tool<'s, 'k>(
     need: &CutterNeed<'_>,
     shop: &'s Shop<'k>,
@@ -32,8 +33,8 @@ pub fn find_tool<'s, 'k>(
     first_that_fits(cutters, rejected, need, shop)
 }
 
-/// The step drill that makes a hole and its wider opening with one stroke: of both diameters, its narrow
-/// part long enough to pass through, its wide part of the form that the opening asks.
+/// The step drill that makes a hole and its wider opening in one stroke: with both diameters, a narrow part long
+/// enough for the hole, and a wide part of the required form.
 ///
 /// # Errors
 /// As for [`find_tool`].

@@ -19,7 +19,7 @@ use super::holder;
 use super::reach::refuse;
 use super::sizes::size_fits;
 
-/// A cutter of a catalog with what its table says of all of them.
+/// A cutter of a catalog with the head of its table.
 #[derive(Clone, Debug)]
 pub struct NamedCutter<'k> {
     /// Its row.
@@ -30,16 +30,16 @@ pub struct NamedCutter<'k> {
     pub designation: &'k str,
 }
 
-/// Every designation of the cutters' catalogs.
+/// All designations in the catalogs of cutters.
 ///
 /// # Errors
-/// A row is not what its contract says; never of tables that were checked.
+/// A row breaks its contract; this does not happen to checked tables.
 pub fn cutter_names(knowledge: &Knowledge) -> Result<Vec<NamedCutter<'_>>, TableError> {
     let mut names = Vec::new();
     for table in knowledge.tables_of_cutters() {
         let Some(head) = &table.tool else { continue };
         let rows: Vec<CutterRow<'_>> = table.rows().collect::<Result<_, _>>()?;
-        // One kind of designation after the other, as the columns of the table are read.
+        // One column of designations after the other, in the order of the table.
         for kind in 0..rows.iter().map(|row| row.designations().count()).max().unwrap_or_default() {
             let named = rows.iter().filter_map(|row| Some((row, row.designations().nth(kind)?)));
             names.extend(named.map(|(row, designation)| NamedCutter { row: row.clone(), head, designation }));
@@ -69,7 +69,7 @@ pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machi
     refuse(&cutter.row, need, machine)
 }
 
-/// Which size of a cutter, by which its kind is chosen, is not the required one.
+/// Which size that identifies the kind of a cutter differs from the required one.
 fn of_other_size(row: &CutterRow<'_>, need: &CutterNeed<'_>) -> OfOther {
     let operation = need.operation;
     if operation.is_boring()
@@ -92,7 +92,7 @@ fn of_other_size(row: &CutterRow<'_>, need: &CutterNeed<'_>) -> OfOther {
     OfOther::Size { own: row.diameter, needed: need.diameter }
 }
 
-/// Whether a designation is the other design of a cutter that is made for through and for blind holes.
+/// Whether a designation is the other design of a cutter that exists for through and for blind holes.
 pub fn of_other_bottom(cutter: &NamedCutter<'_>, through: bool) -> Option<Note> {
     let (for_through, for_blind) = (cutter.row.designation_through?, cutter.row.designation_blind?);
     let (right, stated) = if through { (for_through, for_blind) } else { (for_blind, for_through) };
@@ -100,8 +100,8 @@ pub fn of_other_bottom(cutter: &NamedCutter<'_>, through: bool) -> Option<Note> 
     (cutter.designation == stated && right != stated).then(|| Note::new(code).with("known", right))
 }
 
-/// The row of the rule `holder-for-shank` by which a cutter requires another family of holders than this one's; none if
-/// it is of that family.
+/// The row of the rule `holder-for-shank` by which a cutter requires another family of holders than that of this
+/// holder; none if the family is right.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -118,7 +118,7 @@ pub fn other_family<'k>(
 
 /// Why a holder does not take a cutter; none if it does.
 pub fn not_taken(holder: &HolderRow<'_>, cutter: &NamedCutter<'_>, machine: &Machine<'_>) -> Option<HolderFault> {
-    // What a family of holders is chosen by stands in its rows.
+    // The rows of a family of holders state the values by which it is chosen.
     let takes = match cutter.head.shank {
         Shank::Cylindrical => holder.clamp_min.is_some() || holder.thread_min.is_some(),
         Shank::Morse => holder.morse.is_some(),
@@ -131,7 +131,7 @@ pub fn not_taken(holder: &HolderRow<'_>, cutter: &NamedCutter<'_>, machine: &Mac
     holder::refuse(holder, &as_cutter(cutter), machine)
 }
 
-/// How far a cutter may stand out by the rule of section 5.2 item 5: least, most, and why.
+/// The permitted overhang of a cutter by section 5.2 item 5: least, most, and the reason.
 ///
 /// # Errors
 /// The knowledge base has no answer.

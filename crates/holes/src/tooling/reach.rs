@@ -1,4 +1,4 @@
-//! Why a row of the right size cannot be used: the machine, the hole that it enters, how deep it goes.
+//! Why a row of the right size cannot be used: limits of the machine, the hole it enters, its depth.
 
 use crate::knowledge::units::Micrometres;
 use crate::machine::Machine;
@@ -47,7 +47,7 @@ fn fault(row: &CutterRow<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> O
         return None;
     }
     let reach = reach_of(row)?;
-    // A reamer's teeth are shorter than the hole; it is its neck that must reach.
+    // The teeth of a reamer are shorter than the hole; its neck must reach.
     let reach = if need.operation.is_reaming() { reach_of_reamer(row).unwrap_or(reach) } else { reach };
     let passes = |around: Micrometres| row.shank_diameter.is_some_and(|shank| shank < around);
     let needed = match need.below {
@@ -57,7 +57,7 @@ fn fault(row: &CutterRow<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> O
     (reach < needed).then_some(CutterFault::DoesNotReach { reach, needed })
 }
 
-/// How deep a reamer goes: to the end of its neck, which is all that stands out of the holder.
+/// How deep a reamer goes: to the end of its neck, which is its whole overhang.
 fn reach_of_reamer(row: &CutterRow<'_>) -> Option<Micrometres> {
     if row.projection.is_some() {
         return row.projection;
@@ -71,8 +71,8 @@ fn reach_of_reamer(row: &CutterRow<'_>) -> Option<Micrometres> {
     })
 }
 
-/// How deep a cutter goes by its own table: what is stated first of reach, flute, projection and cutting length. A tap whose shank is
-/// thinner than the hole under its thread follows it in, as far as it stands out of its chuck.
+/// How deep a cutter goes by its own table: the first stated value of reach, flute, projection and cutting length. A
+/// tap with a shank thinner than its tapping hole goes in as far as it projects from its chuck.
 pub(super) fn reach_of(row: &CutterRow<'_>) -> Option<Micrometres> {
     if let (Some(pitch), Some(diameter), Some(shank)) = (row.pitch, row.diameter, row.shank_diameter)
         && shank < diameter - pitch

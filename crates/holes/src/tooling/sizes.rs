@@ -1,4 +1,4 @@
-//! Which rows of a table are of the size that is required, and what sizes there are where none is.
+//! Which rows of a table have the required size, and the existing sizes where none has.
 
 use std::cmp::Reverse;
 use std::rc::Rc;
@@ -15,8 +15,8 @@ use super::cutter::{By, Cutter, CutterNeed, Tables, designation, is_grindable};
 use super::holder::{hold, holders};
 use super::reach::{reach_of, refuse};
 
-/// Rows of the right size, in the order in which they are tried: mills from the largest, cones and what is ground from the
-/// smallest, the others as their table has them.
+/// Rows of the right size, in the order of trial: mills from the largest, cones and ground cutters from the smallest,
+/// others in the order of the table.
 pub(super) fn fitting<'s, 'k>(
     rows: &'s [CutterRow<'k>],
     need: &CutterNeed<'_>,
@@ -32,9 +32,9 @@ pub(super) fn fitting<'s, 'k>(
     found
 }
 
-/// Whether a row is of the right size: for centring any wider one; for boring the bar's range; for milling what
-/// enters; for a cone its angle and any wider one; for tapping the thread; for the others the size itself, or with `ground`
-/// a larger one that may be ground down to it.
+/// Whether a row has the right size. Centring: any wider one; boring: within the range of the bar; milling: what
+/// enters; cone: its angle and any wider one; tapping: the thread; others: the size itself, or with `ground` a larger
+/// one that may be ground down.
 fn is_of_size(row: &CutterRow<'_>, need: &CutterNeed<'_>, ground: bool) -> bool {
     let own = row.diameter.unwrap_or_default();
     match need.operation {
@@ -58,12 +58,12 @@ fn is_of_size(row: &CutterRow<'_>, need: &CutterNeed<'_>, ground: bool) -> bool 
     }
 }
 
-/// Whether a row is of a size that does what is asked, ground down to it if need be.
+/// Whether a row has a usable size, ground down if necessary.
 pub(super) fn size_fits(row: &CutterRow<'_>, need: &CutterNeed<'_>) -> bool {
     is_of_size(row, need, false) || (is_grindable(need.operation) && is_of_size(row, need, true))
 }
 
-/// No row has that size: says so, with the nearest sizes below and above.
+/// The refusal that no row has the size, with the nearest sizes below and above.
 pub(super) fn nothing_of_size(need: &CutterNeed<'_>, rule: &ToolTables<'_>, tables: &Tables<'_, '_>) -> NoSize {
     let named = rule.tables.join(", ");
     let rows = || tables.iter().flat_map(|(_, rows)| rows.iter());
@@ -76,14 +76,14 @@ pub(super) fn nothing_of_size(need: &CutterNeed<'_>, rule: &ToolTables<'_>, tabl
     if let Some(thread) = need.thread.filter(|_| need.operation == Operation::Tap) {
         return NoSize::NoTap { thread: thread.to_owned(), tables: named };
     }
-    // A cutter's diameter, a boring bar's range.
+    // The diameter of a cutter, or the range of a boring bar.
     let sizes = || rows().flat_map(|row| [row.diameter, row.diameter_min, row.diameter_max]).flatten();
     let below = sizes().filter(|size| *size < need.nominal).max();
     let above = sizes().filter(|size| *size > need.nominal).min();
     NoSize::NoCutter { operation: need.operation, diameter: need.nominal, below, above, tables: named }
 }
 
-/// No cutter has that angle, or none of that angle is wide enough: what there is.
+/// The refusal that no cutter has the angle, or that none with the angle is wide enough; names what there is.
 fn no_cone<'s, 'k: 's>(
     need: &CutterNeed<'_>,
     angle: u32,
@@ -112,7 +112,7 @@ pub struct DrillSize {
     pub reach: Micrometres,
 }
 
-/// Every drill size that this machine can hold, ascending: found once, asked for every hole.
+/// All drill sizes that this machine can hold, ascending: computed once and used for every hole.
 ///
 /// # Errors
 /// The knowledge base has no answer.

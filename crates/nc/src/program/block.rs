@@ -1,5 +1,5 @@
-//! A block as writers make it: its words in the order that ГОСТ 20999 recommends (textbook l. 1220, 1415), the cycle with
-//! its parameters last (3.12.1).
+//! A block as writers make it: its words in the order that ГОСТ 20999 recommends (textbook l. 1220, 1415), the cycle
+//! with its parameters last (3.12.1).
 
 use std::fmt::Display;
 
@@ -14,7 +14,7 @@ pub(crate) struct Block {
     cycle: String,
 }
 
-/// G, then ways, centres, feed, speed, tool, correctors, M, and the call of a subprogram.
+/// G, then travels, centres, feed, speed, tool, offset registers, M, and the call of a subprogram.
 const ORDER: [&str; 13] = ["G", "X", "Y", "Z", "I", "J", "K", "F", "S", "T", "DH", "M", "LP"];
 
 impl Block {
@@ -47,7 +47,7 @@ impl Block {
         self.word(letter, value)
     }
 
-    /// L and P: a subprogram, so many times. Its number keeps its leading zero.
+    /// L and P: a subprogram and the number of its repeats. Its number keeps its leading zero.
     #[must_use]
     pub(crate) fn calls(self, number: u32, times: usize) -> Self {
         let block = if times > 1 { self.word('L', times) } else { self };
@@ -61,7 +61,7 @@ impl Block {
         self
     }
 
-    /// With the words of another block in their places.
+    /// This block with the words of another one in their places.
     #[must_use]
     pub(crate) fn with(self, other: &Self) -> Self {
         other.words.iter().fold(self, |block, (_, word)| {

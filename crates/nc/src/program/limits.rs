@@ -7,18 +7,19 @@ use crate::motion::{Axis, Position};
 use crate::note::Note;
 use crate::units::Micrometres;
 
-/// Whose zero an axis counts from when nobody has set it: the function of that system. Its positions are right among
-/// themselves and unknown on the machine.
+/// The function of the coordinate system of an axis, if its zero is not set. Positions in it are consistent, but
+/// unknown on the machine.
 pub(super) type Floating = Option<u8>;
 
-/// How far the axes of each system without a zero have gone, least and greatest.
+/// The range of the axes in each system without a zero, least and greatest.
 pub(super) type Spans = BTreeMap<(u8, usize), (Micrometres, Micrometres)>;
 
-/// How far each axis goes in a motion, least and greatest.
+/// The range of each axis in a motion, least and greatest.
 pub(super) type Reached = [(Micrometres, Micrometres); 3];
 
-/// What of a motion leaves the travels. Where the zero of an axis is set, its place on the machine is known: X and Y have
-/// their zero in the middle, Z at the upper end (textbook, l. 4719-4728). Where it is not, what it needs of travel is.
+/// The part of a motion outside the travels. If the zero of an axis is set, its machine position is known: X and Y
+/// have their zero in the middle, Z at the upper end (textbook, l. 4719-4728). Otherwise the required length of
+/// travel is.
 pub(super) fn beyond_travel(
     machine: &Machine<'_>,
     reached: Reached,
@@ -58,7 +59,7 @@ pub(super) fn beyond_travel(
     notes
 }
 
-/// The systems without a zero that a run has used, each with its axes: what the note `zero-not-set` says of them.
+/// The systems without a zero that a run has used, each with its axes, for the note `zero-not-set`.
 pub(super) fn without_zero(spans: &Spans) -> Vec<(String, String)> {
     let systems: BTreeSet<u8> = spans.keys().map(|(system, _)| *system).collect();
     let axes = |system: u8| -> Vec<String> {
@@ -68,7 +69,7 @@ pub(super) fn without_zero(spans: &Spans) -> Vec<(String, String)> {
     systems.into_iter().map(|system| (format!("G{system}"), axes(system).join(", "))).collect()
 }
 
-/// Where an axis can go, machine coordinates.
+/// The range of an axis, machine coordinates.
 fn travel(machine: &Machine<'_>, axis: Axis) -> (Micrometres, Micrometres) {
     match axis {
         Axis::X => (-machine.travel_x.half(), machine.travel_x.half()),

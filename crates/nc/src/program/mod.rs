@@ -1,10 +1,9 @@
-//! Programs of controls, written and read back. There are two rooms: [`control_2c42_65`], and [`iso`] for LinuxCNC and
-//! Fanuc, which differ in their tables. [`Language`] is one of them; [`proof`] compares what a program does with a
-//! job.
+//! Programs of controls: writers and interpreters. There are two rooms for milling machines, [`control_2c42_65`], and
+//! [`iso`] for LinuxCNC and Fanuc, which differ in their tables; [`Language`] is one of them. [`proof`] compares the
+//! motions of a program with a job.
 //!
-//! An interpreter reads the text of a program and turns it into steps of [`crate::motion`]. A writer does the opposite.
-//! What an interpreter has to say about a program are [`Fault`]s: data, without a language. What the operator sets
-//! before a run stands in [`setting`].
+//! An interpreter turns the text of a program into steps of [`crate::motion`]; a writer does the opposite. An
+//! interpreter reports [`Fault`]s: data, independent of language. [`setting`] is what the operator sets before a run.
 
 mod block;
 pub mod control_2c42_65;
@@ -75,7 +74,8 @@ impl Language {
         }
     }
 
-    /// Checks a program: its text, then its run. The steps of the run go to the sink; what is wrong comes back, by place.
+    /// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are
+    /// returned, sorted by place.
     pub fn check<S: Sink>(&self, text: &str, machine: &Machine<'_>, setting: &Setting, sink: &mut S) -> Vec<Fault> {
         match self {
             Self::Control2c42(control) => control_2c42_65::check(text, control, machine, setting, sink),
@@ -84,7 +84,7 @@ impl Language {
     }
 }
 
-/// Whether a program was run. One with an error in its text is not, so holes that it does not make are no findings.
+/// Whether a program was run. A program with an error in its text is not, so missing holes are no findings then.
 pub fn is_run(faults: &[Fault], steps: &[MotionStep]) -> bool {
     !steps.is_empty() || !faults.iter().any(Fault::is_error)
 }
@@ -100,7 +100,7 @@ pub struct TextSpan {
     pub width: u32,
 }
 
-/// A call of a subprogram, on the way to a block.
+/// A call of a subprogram that led to a block.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Call {
     /// The block that calls.
@@ -121,7 +121,7 @@ pub fn path(calls: &[Call], block: BlockRef) -> String {
     path + &name(block)
 }
 
-/// Something about a program that its reader must know.
+/// A fault or remark about a program.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Fault {
     /// The stable id of the rule that is broken; the note has it too.
@@ -133,13 +133,13 @@ pub struct Fault {
     pub rule: &'static str,
     /// The number of the block, where it has one.
     pub block: Option<u32>,
-    /// The calls through which the run first came there, the outermost first; empty in the main program.
+    /// The calls through which the run first reached it, the outermost first; empty in the main program.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub calls: Vec<Call>,
     /// Where it stands.
     #[serde(flatten)]
     pub span: TextSpan,
-    /// What it is about, where that distinguishes it from others of its code.
+    /// Its subject, where that distinguishes it from others of the same code.
     #[serde(skip)]
     pub subject: Option<Subject>,
     /// What is wrong.
@@ -157,7 +157,7 @@ pub enum Subject {
 }
 
 impl Fault {
-    /// The path to its block, where it is known: the calls that lead there, then the number.
+    /// The path to its block, if known: the calls that lead there, then the number.
     pub fn path(&self) -> Option<String> {
         let block = BlockRef { line: self.span.line, number: self.block };
         (self.block.is_some() || !self.calls.is_empty()).then(|| path(&self.calls, block))
@@ -168,7 +168,7 @@ impl Fault {
         self.severity == Severity::Error
     }
 
-    /// A breach of a rule of a list. A code that is not listed gives an error without a section; tests exclude that.
+    /// A fault by a list of rules. A code that is not listed gives an error without a section; tests exclude that.
     fn of(rules: &[Rule], code: &'static str, span: TextSpan, block: Option<u32>) -> Self {
         let rule = rules.iter().find(|(known, ..)| *known == code);
         let (severity, rule) = rule.map_or((Severity::Error, ""), |(_, severity, section)| (*severity, *section));
@@ -190,7 +190,7 @@ impl Fault {
     }
 }
 
-/// A rule that programs are checked against: its code, how grave a breach is, and the section that says so.
+/// A rule for programs: its code, its severity, and the section that gives it.
 type Rule = (&'static str, Severity, &'static str);
 
 /// The figures of a row of a control's record, of which there must be some, in that unit; the first and all.

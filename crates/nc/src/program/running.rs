@@ -1,5 +1,5 @@
-//! The state that every interpreter run keeps, whatever the control: the sink of its steps, what was reported already,
-//! and the remaining budget.
+//! The state that every interpreter keeps, whatever the control: the sink of its steps, the reported faults, and the
+//! remaining budget.
 
 use std::collections::BTreeSet;
 
@@ -7,20 +7,20 @@ use super::limits::{Spans, without_zero};
 use super::{Call, Fault, TextSpan};
 use crate::motion::{MotionStep, Sink};
 
-/// The most blocks and steps that a check runs: repeats of repeats would never end.
+/// The most blocks and steps of a check: nested repeats might never end.
 pub(super) const BUDGET: usize = 500_000;
 
-/// A breach of a rule of one control: its code, where, the number of the block.
+/// Makes a fault for a broken rule of one control: its code, its place, the number of the block.
 type Breach = fn(&'static str, TextSpan, Option<u32>) -> Fault;
 
-/// Where execution goes after a block.
+/// Where execution continues after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum BlockOutcome {
     /// To the next block.
     On,
     /// Back to where it was called.
     Back,
-    /// To the end of the run: the end of the main program, or nothing more to run.
+    /// To the end of the run: the end of the main program, or no more blocks.
     Out,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Running<'a, S> {
     faults: Vec<Fault>,
     /// The calls that led to the block that runs.
     pub calls: Vec<Call>,
-    /// How far axes without a zero have gone.
+    /// The range of axes without a zero.
     pub spans: Spans,
     budget: usize,
     /// How many blocks and steps may still be carried out.
@@ -57,7 +57,7 @@ impl<'a, S: Sink> Running<'a, S> {
         true
     }
 
-    /// Runs a block; one with an error makes no steps. `made` is what its steps cost of the budget.
+    /// Executes a block; a block with an error makes no steps. `made` is the cost of its steps in the budget.
     pub fn carry_out(&mut self, steps: &[MotionStep], faults: Vec<Fault>, made: usize) {
         if !faults.iter().any(Fault::is_error) {
             for step in steps {
@@ -70,7 +70,7 @@ impl<'a, S: Sink> Running<'a, S> {
         }
     }
 
-    /// A step that no block makes.
+    /// A step that belongs to no block.
     pub fn take(&mut self, step: &MotionStep) {
         self.sink.take(step);
     }
@@ -90,7 +90,7 @@ impl<'a, S: Sink> Running<'a, S> {
         deep
     }
 
-    /// Once for each word and rule, with the calls that led there.
+    /// Reports a fault once for each word and rule, with the calls that led there.
     pub fn tell(&mut self, mut fault: Fault) {
         if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
             fault.calls.clone_from(&self.calls);

@@ -1,5 +1,6 @@
-//! What the operator sets before a program runs: zeros, correctors, switches (textbook section 4). The file of a setting
-//! is YAML and tells every mistake with its place. All controls share it; what a control has of it are [`Limits`].
+//! The operator's setting before a program runs: zeros, offset registers, switches (textbook section 4). The file of
+//! a setting is YAML; its faults are reported with their places. All controls share it; [`Limits`] says what a
+//! control has of it.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -11,18 +12,18 @@ use crate::knowledge::yaml::{Node, Problems, parse};
 use crate::motion::{Axis, Position};
 use crate::units::Micrometres;
 
-/// What of a setting a control has.
+/// The parts of a setting that a control has.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Limits {
-    /// The highest number of a corrector.
+    /// The highest number of an offset register.
     pub correctors: i64,
     /// Settings of the feed switch, per cent.
     pub feed_overrides: Vec<i64>,
     /// Settings of the spindle switch, per cent.
     pub speed_overrides: Vec<i64>,
-    /// Whether it seeks the machine zero by a program, mirrors axes, and has the shifts СМ1 and СМ2: 2С42-65 alone.
+    /// Whether it searches the machine zero by a program, mirrors axes, and has the shifts СМ1 and СМ2: only 2С42-65.
     pub panel_2c42_65: bool,
-    /// Whether the clearances of deep drilling are parameters of it: Fanuc alone.
+    /// Whether the clearances of deep drilling are parameters: only Fanuc.
     pub pecks: bool,
 }
 
@@ -31,7 +32,7 @@ pub struct Limits {
 pub struct Setting {
     /// Where the axes stand, machine coordinates, mm.
     pub start: Position,
-    /// Whether the axes have been at the machine zero since power-on.
+    /// Whether the axes have been homed since power-on.
     pub homed: bool,
     /// The zeros of G54…G59, machine coordinates; an axis left out is not set.
     pub zeros: [[Option<Micrometres>; 3]; 6],
@@ -41,7 +42,7 @@ pub struct Setting {
     pub correctors: BTreeMap<u32, Micrometres>,
     /// Axes that are mirrored (4.2.4.4).
     pub mirror: [bool; 3],
-    /// Whether blocks and parts of blocks behind `/` are left out (4.2.4.3).
+    /// Whether blocks and parts of blocks after `/` are skipped (4.2.4.3).
     pub skip: bool,
     /// Whether M01 stops (4.2.4.2).
     pub optional_stop: bool,
@@ -52,9 +53,9 @@ pub struct Setting {
     /// The fixed point of G29 and G31 (2С42-65) and of G30 (the others), machine coordinates: a constant of the machine
     /// that no source gives.
     pub fixed_point: Option<Position>,
-    /// How far before the metal the rapid of G83 ends, where that is a parameter of the control.
+    /// The distance above the metal where the rapid of G83 ends, where that is a parameter of the control.
     pub g83_clearance: Option<Micrometres>,
-    /// How far G73 draws back, where that is a parameter of the control.
+    /// The retract of G73, where that is a parameter of the control.
     pub g73_retract: Option<Micrometres>,
 }
 
@@ -79,7 +80,7 @@ impl Default for Setting {
 }
 
 impl Setting {
-    /// What the operator sets for a job: the zeros of its set-ups in G54, G55, and the correctors.
+    /// The setting for a job: the zeros of its set-ups in G54, G55, and the offset registers.
     pub fn of_job(job: &Job) -> Self {
         let mut setting = Self::default();
         for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
@@ -89,7 +90,7 @@ impl Setting {
         setting
     }
 
-    /// The file of a setting, as [`read_setting`] reads it: what differs from the power-on state.
+    /// The file of a setting, as [`read_setting`] reads it: the differences from the power-on state.
     pub fn to_yaml(&self) -> String {
         let mut text = String::from("zeros:\n");
         // Writing to a text cannot fail.

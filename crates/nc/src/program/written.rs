@@ -8,12 +8,12 @@ use crate::shop::Shop;
 use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 
-/// What of the machine and of the conventions a program needs.
+/// What a program needs from the machine and the conventions.
 #[derive(Clone, Copy, Debug)]
 pub struct Form {
-    /// The least step of the axes: coordinates stand on its grid.
+    /// The least step of the axes: coordinates are multiples of it.
     pub resolution: Micrometres,
-    /// What block numbers grow by.
+    /// The increment of block numbers.
     pub number_step: u32,
 }
 
@@ -27,12 +27,12 @@ impl Form {
         Ok(Self { resolution: shop.machine.resolution, number_step: step as u32 })
     }
 
-    /// A length on the machine's grid, the nearest.
+    /// A length rounded to the machine's grid.
     pub fn grid(self, value: Micrometres) -> Micrometres {
         value.on_grid(self.resolution)
     }
 
-    /// A point on the machine's grid.
+    /// A point rounded to the machine's grid.
     pub fn point(self, at: Point) -> Point {
         Point { x: self.grid(at.x), y: self.grid(at.y) }
     }
@@ -104,7 +104,7 @@ pub enum LineRole {
     Cycle,
     /// To a further point.
     Point,
-    /// Away to the tool change.
+    /// The retract to the tool change.
     Withdrawal,
     /// The end of a program or subprogram.
     End,

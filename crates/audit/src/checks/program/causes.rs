@@ -1,5 +1,5 @@
-//! One fault of a program is seen by several checks: which finding is the cause and which are its consequences stands in
-//! the table `audit-program-causes`.
+//! Several checks may see the same fault of a program. The table `audit-program-causes` says which finding is the
+//! cause and which are its consequences.
 
 use std::collections::BTreeMap;
 use technolog_note::note;
@@ -12,7 +12,7 @@ use crate::tables::audit::ProgramCauses;
 
 use super::super::super::finding::AuditFinding;
 
-/// A finding about a program with what its cause is found by.
+/// A finding about a program, with the facts by which its cause is found.
 #[derive(Debug)]
 pub(super) struct Seen {
     pub finding: AuditFinding,
@@ -20,26 +20,26 @@ pub(super) struct Seen {
     /// The tool in the spindle, where it is known.
     tool: Option<u32>,
     figures: BTreeMap<Name, DeviationFigure>,
-    /// The function that a fault is about.
+    /// The function that the fault concerns.
     function: Option<String>,
-    /// Whether the control does not run the program as it is written.
+    /// Whether the control stops at this fault.
     broken: bool,
 }
 
-/// Who found it, and what.
+/// Which check found it, and what.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Who<'t> {
-    /// The operator's setting is not the plan's.
+    /// The operator's setting differs from the plan.
     Setting,
-    /// The program does otherwise than the plan says.
+    /// The program differs from the plan.
     Proof(Code),
-    /// The control breaks off, or wonders.
+    /// An error or a warning of the control.
     Control(&'t str),
-    /// Any error of the control that carries the program out.
+    /// Any error of the control that runs the program.
     AnyError,
 }
 
-/// The code of a setting that is not the plan's.
+/// The code of a setting that differs from the plan.
 pub(super) const SETTING: &str = "audit-setting-correction";
 
 impl<'t> Who<'t> {
@@ -53,7 +53,7 @@ impl<'t> Who<'t> {
     }
 }
 
-/// In what a cause and its consequence agree.
+/// The facts in which a cause and its consequence agree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Alike {
     Code,
@@ -70,19 +70,19 @@ enum SharedFact<'s> {
 }
 
 impl Seen {
-    /// A setting of a tool that is not the plan's.
+    /// A setting of a tool that differs from the plan.
     pub fn of_setting(finding: AuditFinding, tool: u32) -> Self {
         let figures = BTreeMap::new();
         Self { finding, who: Who::Setting, tool: Some(tool), figures, function: None, broken: false }
     }
 
-    /// A deviation of the program, with the tool that it is of.
+    /// A deviation of the program, with its tool.
     pub fn of_deviation(finding: AuditFinding, tool: Option<u32>, said: proof::ProgramFinding) -> Self {
         let (who, figures) = (Who::Proof(said.code), said.figures);
         Self { finding, who, tool, figures, function: None, broken: false }
     }
 
-    /// A fault of the control, with the tool that was in the spindle.
+    /// A fault found by the control, with the tool in the spindle.
     pub fn of_fault(finding: AuditFinding, tool: Option<u32>, fault: &Fault) -> Self {
         let (mut figures, mut function) = (BTreeMap::new(), None);
         match &fault.subject {
@@ -114,7 +114,7 @@ impl Seen {
 struct Rule<'k> {
     cause: Who<'k>,
     consequence: Who<'k>,
-    /// Of the cause, and of the consequence.
+    /// Each pair: the fact of the cause, and that of the consequence.
     alike: Vec<(Alike, Alike)>,
 }
 
@@ -135,7 +135,7 @@ impl<'k> Rule<'k> {
         Ok(Self { cause: Who::named(row.cause), consequence: Who::named(row.consequence), alike })
     }
 
-    /// Whether two findings agree: what one of them does not say agrees with anything.
+    /// Whether two findings agree; a fact that one of them lacks agrees with anything.
     fn agree(&self, cause: &Seen, consequence: &Seen) -> bool {
         self.alike.iter().all(|(of_cause, of_consequence)| {
             let two = cause.says(*of_cause).zip(consequence.says(*of_consequence));
@@ -144,7 +144,7 @@ impl<'k> Rule<'k> {
     }
 }
 
-/// The findings, each consequence with the place of its cause. What follows from the plan already stays so.
+/// The findings, each consequence with the place of its cause. A consequence of a slip in the plan stays one.
 ///
 /// # Errors
 /// The table cannot be read.
@@ -152,7 +152,7 @@ pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Aud
     let rows = knowledge.rows::<ProgramCauses<'_>>()?;
     let rules: Vec<Rule<'_>> = rows.iter().map(Rule::of).collect::<Result<_, _>>()?;
     let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rules)).collect();
-    // What a cause follows from, or else the cause itself.
+    // The fields that the cause follows from, or else the cause itself.
     let fields: Vec<Vec<String>> = seen
         .iter()
         .map(|Seen { finding, .. }| match finding.follows_from.is_empty() {
@@ -171,7 +171,7 @@ pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Aud
     Ok(found)
 }
 
-/// What a finding follows from: the first that a row of the table names.
+/// The cause of a finding: the first that a row of the table names.
 fn cause(at: usize, seen: &[Seen], rules: &[Rule<'_>]) -> Option<usize> {
     let own = seen.get(at)?;
     for rule in rules.iter().filter(|rule| own.is(rule.consequence)) {
@@ -189,7 +189,7 @@ fn cause(at: usize, seen: &[Seen], rules: &[Rule<'_>]) -> Option<usize> {
 /// The first cause of a consequence.
 fn root(at: usize, causes: &[Option<usize>]) -> Option<usize> {
     let mut root = causes.get(at).copied().flatten()?;
-    // Two that were each the other's cause would go round for ever.
+    // Two findings that name each other as cause would make an endless loop.
     for _ in 0..causes.len() {
         match causes.get(root).copied().flatten().filter(|next| *next != at) {
             Some(next) => root = next,

@@ -1,4 +1,4 @@
-//! How grave a deviation of a program from its plan is, and its place.
+//! The severity and the place of a deviation of a program from its plan.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use super::super::super::quantity::{Id, Quantity as Q, Scope};
 use super::causes::{SETTING, Seen};
 use super::{field, holds};
 
-/// Correctors whose setting is not what the plan says.
+/// Offset registers whose setting differs from the plan.
 pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, setting: &Setting, seen: &mut Vec<Seen>) {
     let Some((file, text)) = context.stated.program.as_ref().and_then(|program| program.setting.as_ref()) else {
         return;
@@ -44,7 +44,7 @@ pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, set
             finding = finding.at(place);
         }
         finding = finding.beside(set, holds(context, tool));
-        // What the plan has wrong itself says nothing against the setting.
+        // A correction that is wrong in the plan itself says nothing against the setting.
         let wrong = graph.verdict(id(Q::Correction)).filter(|verdict| !matches!(verdict.status, Status::Fine));
         finding.follows_from.extend(wrong.map(|verdict| context.field(verdict.id)));
         seen.push(Seen::of_setting(finding, tool.number));
@@ -113,7 +113,7 @@ pub(super) fn deviation(
     Ok(())
 }
 
-/// The row of the plan that a deviation is about.
+/// The row of the plan that a deviation concerns.
 fn row(context: &Context<'_>, hole: Option<&str>, operation: Option<Operation>) -> Option<usize> {
     let (hole, operation) = hole.zip(operation)?;
     let mut rows = context.stated.rows_of_hole(hole);

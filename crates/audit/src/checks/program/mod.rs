@@ -1,7 +1,7 @@
-//! The program of a plan: whether the control takes it, and whether it does what the plan says.
+//! The program of a plan: whether the control accepts it, and whether it does what the plan says.
 //!
-//! - `held` makes the stated plan one of ours, row by row;
-//! - `judged` says how grave a deviation of the program is, and where it is;
+//! - `stated_plan` turns the stated plan into a plan of the program, row by row;
+//! - `judged` gives the severity and place of a deviation of the program from its plan;
 //! - `causes` merges findings of several checks that have one cause.
 
 mod causes;
@@ -47,7 +47,7 @@ pub(super) fn check<'a>(
     let language = context.auditor.language(&program.control)?;
     let file: Arc<str> = Arc::from(program.file.value.as_str());
     let setting = match &program.setting {
-        // It was read once already, when the plan was.
+        // It was read once already, together with the plan.
         Some((name, text)) => language.setting(name, text).unwrap_or_default(),
         None => Setting::default(),
     };
@@ -65,7 +65,7 @@ pub(super) fn check<'a>(
         (Ok(plan), Some(job)) if is_run(&run.faults, &run.steps) => {
             judged::setting(context, graph, &plan, &setting, &mut seen);
             let told = proven(context, &plan, &job, &set, &run)?;
-            // What the program does as the plan should be follows from what is wrong with the plan.
+            // Where the program agrees with the corrected plan, a deviation follows from the slips of the plan.
             let slips = graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine));
             let by_right = if slips && !told.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
             for said in told {
@@ -74,7 +74,7 @@ pub(super) fn check<'a>(
             }
         }
         (Err(why), _) => findings.push(missing(why)),
-        // Of a program that is not run nothing is known: that it makes no hole follows from its mistakes.
+        // Nothing is known of a program that is not run: that it makes no hole follows from its mistakes.
         (Ok(plan), Some(_)) => {
             judged::setting(context, graph, &plan, &setting, &mut seen);
             let note = Note::new("audit-program-not-run");
@@ -87,7 +87,7 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// What the operator has set: what the setting leaves out is as the plan has it.
+/// The operator's setting; what it leaves out is as the plan states it.
 fn set(context: &Context<'_>, mut setting: Setting, plan: Option<(&Plan, &job::Job)>) -> Setting {
     let Some((plan, job)) = plan else { return setting };
     for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
@@ -101,13 +101,13 @@ fn set(context: &Context<'_>, mut setting: Setting, plan: Option<(&Plan, &job::J
     setting
 }
 
-/// What the corrector of a tool holds: what is added, with the other sign where it is subtracted.
+/// The value in the offset register of a tool: the correction, with the other sign where it is subtracted.
 fn holds(context: &Context<'_>, tool: &crate::plan::ToolPlan) -> Micrometres {
     let subtracts = context.stated.tool_at(tool.number).is_some_and(|at| context.subtracts(at));
     if subtracts { -tool.correction_mm } else { tool.correction_mm }
 }
 
-/// Everything in which a program differs from a plan.
+/// All differences between a program and a plan.
 fn proven(
     context: &Context<'_>,
     plan: &Plan,
@@ -120,12 +120,12 @@ fn proven(
     };
     let zeros: Vec<Position> = setting.zeros.iter().take(job.setups.len()).map(zero).collect();
     let tolerated = Tolerated::read(&plan.part, context.shop.knowledge)?;
-    // Correctors are the plan's where it says anything of them, else whatever the operator has.
+    // Offset registers are those of the plan where it states any, otherwise those of the operator.
     let says = |quantity| context.stated.tools.iter().any(|tool| tool.figures.contains_key(&quantity));
     let own_correctors = !says(Q::Corrector) && !says(Q::Correction);
     let asked = ProofInput { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
     let mut told = prove(&run.steps, &asked).findings;
-    // Of coolant a plan as stated says nothing.
+    // A plan as stated says nothing of coolant.
     told.retain(|said| {
         !matches!(
             said.code,
@@ -135,14 +135,14 @@ fn proven(
     Ok(told)
 }
 
-/// What tells two deviations apart, whatever the plan needs.
+/// The key by which two deviations are distinguished, whatever the plan says.
 type Key = (Code, Option<crate::motion::BlockRef>, Option<String>, Option<Operation>);
 
 fn key(said: &proof::ProgramFinding) -> Key {
     (said.code, said.block, said.hole().map(str::to_owned), said.operation())
 }
 
-/// In what the program differs from the plan as it should be.
+/// The differences between the program and the corrected plan.
 fn right(
     context: &Context<'_>,
     graph: &Graph<'_>,
@@ -151,14 +151,14 @@ fn right(
     run: &SimulatedProgram,
 ) -> Result<Option<BTreeSet<Key>>, KnowledgeError> {
     let Ok(mut plan) = unordered(context, graph, setting, Reading::Right)? else { return Ok(None) };
-    // Other figures, but the same rows and tools: nothing to look for a path over the points once more.
+    // Only figures differ, not rows and tools, so the path over the points need not be searched again.
     plan.sequence.clone_from(&as_stated.sequence);
     let job = job::make(&plan, &context.shop)?;
     let set = set(context, setting.clone(), Some((&plan, &job)));
     Ok(Some(proven(context, &plan, &job, &set, run)?.iter().map(key).collect()))
 }
 
-/// A fault that the control finds, with the tool that was in the spindle.
+/// A fault that the control found, with the tool in the spindle.
 fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> Seen {
     let place = Place { file: file.clone(), line: fault.span.line, column: fault.span.column, width: fault.span.width };
     let field = fault.path().map_or_else(|| "program".to_owned(), |path| format!("program.{path}"));
@@ -169,13 +169,13 @@ fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> Seen {
         Motion::ToolChange { tool } => Some((step.block.line, tool)),
         _ => None,
     });
-    // What stands behind the end of the main program is of no tool in particular.
+    // What is written after the end of the main program belongs to no tool.
     let own = ends.is_none_or(|end| main <= end);
     let tool = changes.find(|(line, _)| own && *line <= main).map(|(_, tool)| tool);
     Seen::of_fault(finding, tool, fault)
 }
 
-/// The way to a block of a program in the plan: `program.N1`.
+/// The path to a block of a program in the plan: `program.N1`.
 fn field(block: Option<crate::motion::BlockRef>) -> String {
     block.map_or_else(|| "program".to_owned(), |block| format!("program.{}", path(&[], block)))
 }

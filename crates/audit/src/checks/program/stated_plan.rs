@@ -1,5 +1,5 @@
-//! The stated plan in our own form, so that a program can be compared with it: the stated rows, tools and conditions,
-//! completed from our own plan only where they say nothing.
+//! The stated plan in the form of a plan of the program, so that a program can be compared with it: the stated rows,
+//! tools and conditions, completed from the program's own plan only where nothing is stated.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::Place;
@@ -38,7 +38,7 @@ pub(super) struct NotComparable {
 
 type Comparable<T> = Result<T, NotComparable>;
 
-/// The stated plan in our own form, or why that is impossible.
+/// The stated plan in the form of a plan of the program, or why there is none.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -56,7 +56,7 @@ pub(super) fn held(
     Ok(Ok(plan))
 }
 
-/// The same without the order over the points.
+/// As above, but without the order over the points.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -86,7 +86,7 @@ pub(super) fn unordered(
         time: ours.time,
         findings: ours.findings.clone(),
     };
-    // In the order of the part: `sequence` goes through both together.
+    // In the order of the part, because `sequence` goes through both together.
     for hole in &stated.part.holes {
         let mut transitions: Vec<Transition> = Vec::new();
         for (at, row) in stated.rows_of_hole(&hole.name) {
@@ -119,7 +119,7 @@ struct Making<'c, 'a, 'g> {
 }
 
 impl Making<'_, '_, '_> {
-    /// A figure as the plan has it. A slip of the comma is no other value: the author meant the right one.
+    /// A figure as the plan has it. A misplaced decimal point does not count: the author meant the right value.
     fn figure(&self, id: Id) -> Option<f64> {
         let stated = self.context.stated.figure(id)?.value;
         let Some(verdict) = self.graph.verdict(id) else { return Some(stated) };
@@ -162,7 +162,7 @@ impl Making<'_, '_, '_> {
             return Ok(Err(lacks(row, "audit-program-row-diameter")));
         };
         let from = self.length(at, Q::From).or(ours.map(|ours| ours.from_diameter_mm)).or(bored).unwrap_or_default();
-        // The cone of a centring drill is of 90°: as deep as half of what it is wide.
+        // The cone of a centring drill has 90°: its depth is half its width.
         let spot = ours.is_none_or(|ours| ours.diameter_mm != diameter) && operation == Operation::CentreDrill;
         let depth = self.length(at, Q::Depth).or(spot.then(|| diameter.half())).or(ours.map(|ours| ours.depth_mm));
         let depth = depth.or((row.of_main_cylinder() && !operation.is_of_edge()).then_some(hole.depth));
@@ -189,7 +189,7 @@ impl Making<'_, '_, '_> {
         Ok(self.conditions(at, ours.is_some(), made).ok_or_else(|| lacks(row, "audit-program-row-conditions")))
     }
 
-    /// The transition of our plan that a row means: of the same operation and place, in their turn.
+    /// The transition of the program's plan that a row means: of the same operation and place, in order.
     fn ours(&self, hole: &Hole, at: usize) -> Option<&Transition> {
         let stated = self.context.stated;
         let row = stated.rows.get(at)?;
@@ -204,7 +204,7 @@ impl Making<'_, '_, '_> {
         plan.transitions.iter().filter(|one| alike(one.operation, Some(one.feature), one.step)).nth(turn)
     }
 
-    /// Travel and approach of a transition that leaves a diameter from another at a depth, and is not ours in all of them.
+    /// Travel and approach of a transition that differs from the program's in a diameter or depth.
     fn way(
         &self,
         hole: &Hole,
@@ -229,14 +229,14 @@ impl Making<'_, '_, '_> {
         let bores = row.of_main_cylinder() && !row.operation.value.is_of_edge();
         let mut through = hole.through && bores && row.operation.value != Operation::CentreDrill;
         if let Some(ours) = ours {
-            // Whether ours runs out at the other end says whether this one may.
+            // An existing transition shows whether this one may run out at the other end.
             let sizes = [ours.diameter_mm, ours.from_diameter_mm, ours.depth_mm];
             through = way(true, sizes)?.0 == ours.travel_mm;
         }
         way(through, [diameter, from, depth])
     }
 
-    /// The circles of a mill: ours with the diameters that are stated.
+    /// The circles of a mill: those of the program's plan with the stated diameters.
     fn rounds(&self, row: &Row, ours: Option<&Transition>, from: Micrometres) -> Option<Rounds> {
         let ours = ours.and_then(|ours| ours.conditions.rounds);
         let tool = self.context.stated.tool_of(row);
@@ -254,7 +254,7 @@ impl Making<'_, '_, '_> {
         })
     }
 
-    /// The transition with the speed and feed of its row; none if neither the plan nor ours has them.
+    /// The transition with the speed and feed of its row; none if neither plan has them.
     fn conditions(&self, at: usize, ours: bool, mut made: Transition) -> Option<Transition> {
         let figure = |quantity: fn(&super::super::super::stated::Conditions) -> Q| {
             let conditions = self.context.stated.conditions_of(at)?;
@@ -271,7 +271,7 @@ impl Making<'_, '_, '_> {
         Some(made)
     }
 
-    /// A tool as the plan has it; what it leaves out of a correction is what the operator has set.
+    /// A tool as the plan has it; a missing correction is the operator's setting.
     fn tool(&self, number: u32, row: &Row) -> ToolPlan {
         let places = u32::try_from(self.context.shop.machine.magazine).unwrap_or(u32::MAX).max(1);
         let mut tool = ToolPlan {
@@ -307,7 +307,7 @@ impl Making<'_, '_, '_> {
         tool.length_mm = length(Q::Assembly).unwrap_or_default();
         let held = length(Q::Correction).or_else(|| self.setting.correctors.get(&tool.corrector).copied());
         let held = held.unwrap_or_default();
-        // A plan has what the corrector holds; what it adds has the other sign where it is subtracted (3.11.3).
+        // A plan states the value in the register; the correction has the other sign where it is subtracted (3.11.3).
         tool.correction_mm = if self.context.subtracts(at) { -held } else { held };
         tool
     }
@@ -317,7 +317,7 @@ impl Making<'_, '_, '_> {
     }
 }
 
-/// A transition that our plan does not have: only what its row says is known.
+/// A transition that the program's plan does not have: only the figures of its row are known.
 fn blank(row: &Row) -> Transition {
     Transition {
         operation: row.operation.value,

@@ -1,4 +1,4 @@
-//! Centring: how wide its spot is, by the rule `centre-spot`, and which edge it makes.
+//! Centring: the diameter of its spot, by the rule `centre-spot`, and the edge that it makes.
 
 use std::rc::Rc;
 use technolog_note::note;
@@ -21,11 +21,11 @@ use super::{Fitted, Fitting};
 const CENTRING_ANGLE: u32 = 90_000;
 
 impl<'k> Fitting<'_, 'k> {
-    /// The edge at the entry that centring makes with its spot, by the rule `centre-spot`: a chamfer or a
-    /// countersink of 90° around the main cylinder, where a centring drill of the catalogs is wide enough.
+    /// The edge at the entry that the centring spot makes, by the rule `centre-spot`: a chamfer or a countersink of
+    /// 90° around the main cylinder, where the catalogs have a centring drill wide enough.
     pub fn edge_by_centring(&self) -> Result<Option<EdgeCut>, KnowledgeError> {
         let around = self.hole.diameter.nominal;
-        // A face that is cut after it would take the spot away.
+        // A face that is cut later would remove the spot.
         if self.edges.iter().any(|edge| edge.feature == Feature::Face) {
             return Ok(None);
         }
@@ -52,7 +52,8 @@ impl<'k> Fitting<'_, 'k> {
         let (rule, spot, note) = match edge {
             Some(edge) => (self.spot_rule(true)?, edge.diameter, Note::new("spot-by-chamfer")),
             None => {
-                // Where no centring drill is wide enough for the chamfer, the spot is that of a hole without one.
+                // Where no centring drill is wide enough for the chamfer, the spot is that of a hole without a
+                // chamfer.
                 let rule = match self.spot_rule(self.hole.chamfer.is_some())? {
                     rule if rule.spot == Spot::Chamfer => self.spot_rule(false)?,
                     rule => rule,
@@ -60,7 +61,7 @@ impl<'k> Fitting<'_, 'k> {
                 let share =
                     rule.share.ok_or_else(|| KnowledgeError::lacks(&rule.row.table.id, note!("order-share-drill")))?;
                 let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
-                // A spot of 90° is half as deep as wide: in a thin plate it stays within half of the hole.
+                // The depth of a 90° spot is half its width: in a thin plate it stays within half of the hole.
                 let most = self.hole.depth;
                 if spot > most {
                     (rule, most, Note::new("spot-by-depth").with("share", share))
@@ -74,7 +75,7 @@ impl<'k> Fitting<'_, 'k> {
         let travel = self.travels(false).0 + depth;
         let place = StepLocation { depth, through: false, ..step.place };
         let mut step = RouteStep { diameter: spot, nominal: spot, place, ..step };
-        // Until the tool is chosen for the whole part it is the widest of the catalogs.
+        // Until the tool is chosen for the whole part, the widest of the catalogs stands for it.
         let key = (step.place, step.diameter, step.from, step.passes, travel);
         let known = self.spots.borrow().get(&key).cloned();
         let conditions = match known {
@@ -92,7 +93,7 @@ impl<'k> Fitting<'_, 'k> {
         Ok(Fitted { step, tool: None, travel, approach, conditions, took, doubts, makes_edge, because })
     }
 
-    /// The conditions of centring with a drill of that diameter.
+    /// The conditions of centring with a drill of the diameter `tool`.
     pub fn spotting(&self, step: &RouteStep, travel: Micrometres, tool: Micrometres) -> Tried<Conditions> {
         let cut = Cut { tool_diameter: Some(tool), ..self.cut(step, None, ToolMaterial::HighSpeedSteel, travel) };
         cutting::conditions(&cut, self.shop)

@@ -1,4 +1,5 @@
-//! Two drills compared with one: what the second one costs in time and saves in thrust.
+//! Compares two-pass drilling with a single drill: the time that the second drill costs, and the thrust that it
+//! saves.
 
 use crate::cutting;
 use crate::error::KnowledgeError;
@@ -18,7 +19,8 @@ pub(super) struct SingleDrill {
     thrust: Option<Newtons>,
 }
 
-/// What it depends on: the step's place, its diameters, its passes, the grade that is required, and what follows.
+/// The key of a single drill: the place of the step, its diameters, its passes, the required grade, and the next
+/// transition.
 pub(super) type SingleKey = (StepLocation, Micrometres, Option<Micrometres>, u32, Option<ItGrade>, Option<Operation>);
 
 impl Fitting<'_, '_> {

@@ -1,4 +1,4 @@
-//! How far the tools of a hole go: approach and overrun, points, leads, and what of it goes beyond the hole.
+//! How deep the tools of a hole go: approach and overrun, points, leads, and what lies beyond the hole.
 
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
@@ -15,7 +15,7 @@ impl Fitting<'_, '_> {
         &self.travels[usize::from(through)]
     }
 
-    /// How deep a drill of that diameter must reach in a cylinder: depth, point and overrun.
+    /// How deep a drill of that diameter must reach in a cylinder: depth, point and overrun together.
     pub fn drill_reach(&self, place: &StepLocation, diameter: Micrometres) -> Micrometres {
         place.depth + cone(diameter, self.drill_point) + self.travels(place.through).1
     }
@@ -25,7 +25,8 @@ impl Fitting<'_, '_> {
         cone(diameter, self.drill_point)
     }
 
-    /// Where a step of the main cylinder begins below wider ones, and the diameter of the narrowest of those.
+    /// The depth at which a step of the main cylinder begins below wider cylinders, and the diameter of the narrowest
+    /// of those.
     pub(super) fn step_above(&self, step: &RouteStep) -> Option<(Micrometres, Micrometres)> {
         let main = step.place.step.is_none() && step.place.start > Micrometres::ZERO;
         let wider = self.hole.steps.iter().filter(|step| step.face == Face::Entry).map(|step| step.diameter.nominal);
@@ -45,7 +46,7 @@ impl Fitting<'_, '_> {
         self.hole.counterbore.map(|counterbore| counterbore.depth).or(step.map(|step| step.depth))
     }
 
-    /// How far a tool's point goes beyond the full diameter.
+    /// How far the point of a tool extends beyond its full diameter.
     pub fn lead(&self, step: &RouteStep) -> Micrometres {
         match step.operation {
             Operation::Drill | Operation::DrillOut => cone(step.diameter, self.drill_point),
@@ -57,7 +58,8 @@ impl Fitting<'_, '_> {
         }
     }
 
-    /// The lead of a reamer that takes this stock on diameter: as long as its angle makes it on one side, and a little more.
+    /// The lead of a reamer that removes this stock on diameter: the length that its angle gives for the stock on one
+    /// side, and a little more.
     fn reamer_lead(&self, stock: Micrometres) -> Micrometres {
         let angle: f64 = match self.lead {
             Lead::Deg5 => 5.0,
@@ -67,8 +69,8 @@ impl Fitting<'_, '_> {
         Micrometres::from_mm_rounded(self.reamer_lead_share * one_side / libm::tan(angle.to_radians()))
     }
 
-    /// Room below a blind hole's depth for the leads of its reamers: what is made before them goes so much deeper. Over a
-    /// flat floor there is none: the reamers end above it.
+    /// Makes room below a blind hole for the leads of its reamers: the steps before them go deeper by that length.
+    /// Over a flat floor there is no room: the reamers end above it.
     pub fn room_for_leads(&self, steps: &mut [RouteStep], flat: bool) {
         let reams = |step: &RouteStep| step.operation.is_reaming() && !step.place.through && !step.elsewhere;
         let Some(first) = steps.iter().position(reams) else { return };
@@ -93,8 +95,8 @@ impl Fitting<'_, '_> {
         (*approach + reach - step.place.start, reach)
     }
 
-    /// What the tools do beyond the hole: a drill's point through a blind hole's floor, a spot deeper than
-    /// the hole.
+    /// What the tools cut beyond the hole: the point of a drill in the floor of a blind hole, a spot deeper than the
+    /// hole.
     pub fn beyond(&self, fitted: &[Fitted], thickness: Micrometres) -> Vec<Note> {
         let mut notes = Vec::new();
         for one in fitted {
@@ -115,8 +117,8 @@ impl Fitting<'_, '_> {
     }
 }
 
-/// The sharpest point among the tables of an operation's cutters, degrees: the longest cone, so that every
-/// one of them clears the hole. 180, a flat end, where no table names an angle.
+/// The sharpest point angle in the tables of an operation's cutters, degrees. It gives the longest cone, so every
+/// cutter of them clears the hole. 180, a flat end, where no table states an angle.
 pub(super) fn point_angle(knowledge: &Knowledge, operation: Operation) -> f64 {
     knowledge
         .tables_of_cutters()

@@ -1,4 +1,4 @@
-//! The range of the allowance a transition removes, on diameter, and where in it to aim.
+//! The range of the allowance that a transition removes, on diameter, and the value to aim at.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
@@ -16,16 +16,16 @@ use technolog_note::note;
 pub struct Range<'k> {
     /// The least.
     pub low: Micrometres,
-    /// The most, of one pass.
+    /// The most, in one pass.
     pub high: Micrometres,
     /// The row of the table `allowances`.
     pub row: RowRef<'k>,
-    /// Whether the least is a convention of ours: of core drilling the text gives only the most.
+    /// Whether the least is a convention of the program: for core drilling the text gives only the most.
     pub least_is_ours: bool,
 }
 
-/// The range of a transition after another in a hole of that nominal diameter; none for those that neither section
-/// 1.2.1 nor practice gives a stock.
+/// The range of a transition after another one in a hole of that nominal diameter; none where neither section 1.2.1
+/// nor practice gives a stock.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -41,7 +41,8 @@ pub fn range<'k>(
     }
     let Allowance { mut low, mut high, row, least_is_ours, .. } =
         allowance(operation, nominal, nominal, previous, shop)?;
-    // Section 1.2.1 says of finish reaming what it finds after any transition: who goes by the book is not wrong.
+    // For finish reaming, section 1.2.1 gives a stock after any transition: a route that follows the book is not
+    // wrong.
     if operation == Operation::FinishReam {
         let book = allowance(operation, nominal, nominal, Some(Operation::RoughReam), shop)?;
         (low, high) = (low.min(book.low), high.max(book.high));
@@ -55,14 +56,14 @@ pub(super) struct Allowance<'k> {
     pub high: Micrometres,
     pub aim: Micrometres,
     pub row: RowRef<'k>,
-    /// Whether the least is a convention of ours.
+    /// Whether the least is a convention of the program.
     pub least_is_ours: bool,
-    /// Where the aim is from another row than the range.
+    /// The row of the aim, where it is not the row of the range.
     pub stock: Option<Because>,
 }
 
-/// The allowance of a transition that leaves `after`, by the rule `allowance-before`, section 1.2.1 and what reamers find
-/// in practice.
+/// The allowance of a transition that leaves `after`, by the rule `allowance-before`, section 1.2.1 and the usual
+/// stock of reamers.
 pub(super) fn allowance<'k>(
     operation: Operation,
     after: Micrometres,
@@ -93,11 +94,11 @@ pub(super) fn allowance<'k>(
     let found = shop.knowledge.need(name, |row: &Row<'_>| row.name == name)?;
     let row = found.row;
     if let Some(share) = found.share {
-        // A share of the diameter is the most; inside it the handbook's stock, measured from the finished hole.
+        // The most is a share of the diameter; within it the handbook's stock, measured from the finished hole.
         let high = Micrometres::from_mm_rounded(nominal.to_mm() * share);
         let answer = shop.knowledge.ask(&DrillBeforeCoreDrillFor { diameter: nominal })?;
         let stock = answer.need("this diameter")?.stock;
-        // A slim core drill may have no more than the eighth that it is given.
+        // The least must not exceed the most: a core drill of small diameter may take no more than its eighth.
         let low = shop.convention(HoleDefault::LeastStockCoreDrill)?.min(high);
         let aim = (after - (nominal - stock)).max(low).min(high);
         let note = Note::new("core-drill-stock").with("stock", stock).with("nominal", nominal);
@@ -116,7 +117,7 @@ pub(super) fn allowance<'k>(
     Ok(Allowance { low: least, high: most, aim, row, least_is_ours: false, stock })
 }
 
-/// An allowance is either a share of the diameter or a range; this one is neither.
+/// The row has neither a share nor a range, and an allowance must be one of them.
 pub(super) fn lacks(row: &Row<'_>, what: &str) -> KnowledgeError {
     KnowledgeError::lacks(&row.row.table.id, note!("order-has-neither-share-nor", row = row.name, what = what))
 }

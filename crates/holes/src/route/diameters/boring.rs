@@ -1,4 +1,4 @@
-//! What rough boring and milling open a cylinder from.
+//! The diameter before rough boring and milling.
 
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
@@ -10,10 +10,10 @@ use super::super::RouteStep;
 use super::{Backwards, allowance};
 
 impl Backwards<'_, '_> {
-    /// Rough boring. After a drill it opens from the largest one that leaves at least the smallest
-    /// allowance; at the beginning from what is there; after another roughing it takes one allowance. Where
-    /// the bar for the final size does not enter, slimmer bars open the way, one step each; each step is as
-    /// many equal passes as the largest allowance asks.
+    /// Rough boring. After a drill it begins at the largest drill that leaves the smallest allowance or more; as the
+    /// first transition, at the existing hole; after another roughing it takes one allowance. Where the bar for the
+    /// final size cannot enter, thinner bars widen the hole first, one step each. Each step has as many equal passes
+    /// as the largest allowance requires.
     pub(super) fn rough_bore(self) -> Tried<Vec<RouteStep>> {
         let Self { after, previous, bore, sizes, shop, .. } = self;
         let allowance = allowance(Operation::RoughBore, after, bore.diameter.nominal, previous, shop)?;
@@ -54,8 +54,8 @@ impl Backwards<'_, '_> {
         Ok(chain)
     }
 
-    /// Milling by contour: after a drill from the largest one that leaves the mill something to cut; at the
-    /// beginning from what is there.
+    /// Milling of the contour: after a drill, from the largest one that leaves the mill some stock; as the first
+    /// transition, from the existing hole.
     pub(super) fn mill(self) -> Tried<RouteStep> {
         let from = if self.after_drill() { self.drill_to_open()? } else { self.start()? };
         Ok(self.step(from))

@@ -12,8 +12,8 @@ use super::super::{RouteStep, accuracy, handbook, openings};
 use super::{Backwards, allowance};
 
 impl Backwards<'_, '_> {
-    /// A transition that removes an allowance: the diameter before it is the handbook's where the range of
-    /// section 1.2.1 permits it, else the aim of the range; the drill nearest to that where a drill makes it.
+    /// A transition that removes an allowance. The diameter before it is that of the handbook where the range of
+    /// section 1.2.1 permits it, otherwise the aim of the range; where a drill makes it, the nearest drill.
     pub(super) fn finishing(self) -> Tried<RouteStep> {
         let Self { operation, after, previous, bore, sizes, shop } = self;
         let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
@@ -21,7 +21,7 @@ impl Backwards<'_, '_> {
         let handbook_row = handbook::row(bore, shop)?;
         let advised = handbook_row.as_ref().and_then(|row| handbook::before(row, operation, previous));
         let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
-        // What a rough transition may leave at worst must still be narrower than this one leaves it.
+        // At the coarse limit, the rough transition must still leave a narrower hole than this transition.
         let drilled = accuracy::drilled(shop)?;
         let leaves_stock =
             |size: Micrometres| tolerance_width(drilled, size, shop.knowledge).is_ok_and(|width| size + width < after);
@@ -57,7 +57,8 @@ impl Backwards<'_, '_> {
         } else if advised == Some(aim) {
             aim
         } else {
-            // To the setting step, but never out of the range; a rough cylinder so much narrower that it leaves stock.
+            // Rounded to the setting step, but within the range; a rough cylinder is so much narrower that it leaves
+            // stock.
             let step = shop.convention(HoleDefault::SettingStep)?.micrometres().max(1);
             let set = Micrometres::new((aim.micrometres() + step / 2).div_euclid(step) * step);
             let set = set.max(smallest).min(largest);
@@ -79,7 +80,7 @@ impl Backwards<'_, '_> {
             let note = Note::new(code).with("advised", advised).with("taken", before);
             because.push(Because::row(row.row, note.with("low", smallest).with("high", largest)));
         }
-        // Reamers and core drills of the catalog are ground to the size before the last one.
+        // Reamers and core drills of the catalog are ground down to a size for every step but the last.
         let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
         let nominal = if fixed { bore.diameter.nominal } else { after };
         if fixed && after != nominal {

@@ -43,18 +43,18 @@ pub(super) fn two_passes(
         steps[index].because.push(Because::answer(&answer.answer, note("one-pass")));
         return Ok(());
     }
-    // Above 30 mm with nothing at hand: the smallest drill of the range cuts with the least thrust.
+    // Above 30 mm without a drill at hand: the smallest drill of the range gives the least thrust.
     let first = at_hand.or_else(|| sizes.drills.iter().copied().find(|drill| (low..=high).contains(drill)));
     let Some(first) = first else { return Ok(()) };
     let why = Because::answer(&answer.answer, note("two-passes").with("first", first));
     let note = note("first-drill").with("first", first).with("share-min", share_min).with("share-max", share_max);
     split(steps, index, first, Because::row(share.row, note), why);
-    // Below the limit above which two drills are the rule, the first is there for another hole only.
+    // Below the limit above which two drills are the rule, the first drill is in the magazine only for another hole.
     steps[index].borrowed = at_hand.is_some() && diameter <= share.above_diameter;
     Ok(())
 }
 
-/// Puts a first drill before the drill at `index`, which then opens what the first left.
+/// Inserts a first drill before the drill at `index`, which then widens the hole of the first.
 fn split(steps: &mut Vec<RouteStep>, index: usize, first: Micrometres, of_first: Because, of_second: Because) {
     let second = &mut steps[index];
     second.operation = Operation::DrillOut;

@@ -1,18 +1,19 @@
-//! The few edges of every node that a short tour is most likely to have: where the search looks for better ones.
+//! The few edges of every node that are most likely in a short tour; the search tries only these.
 //!
-//! How likely, its lack says: how much longer the shortest tree under good prices gets when it must have the edge
-//! (Helsgaun, 2000). Edges of the tree lack nothing; of the others each lacks what it costs more than the dearest edge
-//! on the way through the tree that it would stand for. Near is not always likely: between two rows of holes a longer edge
-//! may be needed, and inside a row the second-nearest never is.
+//! The measure is how much longer the shortest tree under good prices becomes if it must contain the edge (Helsgaun,
+//! 2000). For edges of the tree it is zero; for any other edge it is the difference to the dearest edge on the path
+//! through the tree that it would replace. Near is not always likely: between two rows of holes a longer edge may be
+//! needed, and within a row the second-nearest never is.
 
 use super::super::prices::Prices;
 use super::Space;
 
-/// Edges of each node.
+/// The number of edges of each node.
 const MOST: usize = 6;
-/// Of the node without place, where a path may begin: all near its best ends are tried.
+/// For the node without position, where a path may begin: all nodes near its best ends are tried.
 const OF_NO_PLACE: usize = 12;
-/// The nodes that the search for good prices may join to trees, in all its rounds, and the bounds of their number.
+/// The most nodes that the search for good prices may join to trees, over all rounds, and the limits of the number of
+/// rounds.
 const JOINED: usize = 500_000;
 const ROUNDS: (usize, usize) = (20, 500);
 
@@ -23,7 +24,7 @@ pub(super) struct Candidates {
 }
 
 impl Candidates {
-    /// Of every node of a space of three or more.
+    /// The candidates of a space with three nodes or more.
     pub(super) fn of(space: &Space<'_>) -> Self {
         let count = space.nodes();
         let mut prices = Prices::new(space);
@@ -54,7 +55,7 @@ impl Candidates {
         all
     }
 
-    /// The likely edges of a node: where they lead, with their cost; the likeliest first.
+    /// The likely edges of a node, with their other ends and costs; the likeliest first.
     #[inline]
     pub(super) fn of_node(&self, node: u32) -> &[(i64, u32)] {
         let node = node as usize;
@@ -62,10 +63,10 @@ impl Candidates {
     }
 }
 
-/// A shortest tree as the history of its making (Kruskal): the smaller of two trees that an edge joins hangs below the
-/// larger, so no way up is long, and edges on it get dearer.
+/// A shortest tree, kept as the history of its building (Kruskal): the smaller of two trees that an edge joins hangs
+/// below the larger one. So every path to the root is short, and its edges get dearer.
 struct Tree {
-    /// What each node hangs below, and by an edge of which cost.
+    /// The parent of each node, and the cost of the edge to it.
     above: Vec<(u32, i64)>,
 }
 
@@ -98,14 +99,14 @@ impl Tree {
         node
     }
 
-    /// The cost of the dearest edge on the way between two nodes.
+    /// The cost of the dearest edge on the path between two nodes.
     fn dearest(&self, mut one: u32, mut other: u32) -> i64 {
         let mut dearest = i64::MIN;
         while one != other {
             let lower = if self.above[one as usize].1 <= self.above[other as usize].1 { &mut one } else { &mut other };
             let (above, cost) = self.above[*lower as usize];
             if above == *lower {
-                // The node beside the tree alone.
+                // Only the node outside the tree.
                 return cost;
             }
             dearest = cost;

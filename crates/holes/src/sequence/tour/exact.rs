@@ -5,20 +5,20 @@ use super::Space;
 /// The most points beside the first one for which the shortest tour is found exactly.
 pub const EXACT_POINTS: usize = 12;
 
-/// What no way costs, nor a few of them one after the other.
+/// The cost of a missing path; several of them can be added without overflow.
 const NONE: i64 = i64::MAX / 64;
 
 /// The shortest closed tour over all nodes of a small space, from node 0.
 ///
-/// `best[set][last]` is the cost of the shortest way from node 0 over the nodes of the set to its node `last`;
-/// among equals the first in the list is kept.
+/// `best[set][last]` is the cost of the shortest path from node 0 over the nodes of the set to its node `last`; among
+/// equals the first in the list is kept.
 pub(super) fn tour(space: &Space<'_>) -> Vec<usize> {
     let count = space.nodes().saturating_sub(1);
     if count == 0 {
         return (0..space.nodes()).collect();
     }
     let sets = 1_usize << count;
-    // Of so many columns each, whatever the count: a row is then gone through without counting.
+    // Each row has a fixed number of columns, whatever the count, so the loop over it is quick.
     let mut best = vec![[NONE; EXACT_POINTS]; sets];
     let mut costs = [[NONE; EXACT_POINTS]; EXACT_POINTS];
     for (last, costs) in costs.iter_mut().enumerate().take(count) {
@@ -30,14 +30,14 @@ pub(super) fn tour(space: &Space<'_>) -> Vec<usize> {
     for set in 1..sets {
         for last in nodes_of(set) {
             let before = set & !(1 << last);
-            // To a node outside the set there is no way: it is looked at with the others, and is never the least.
+            // There is no path to a node outside the set: it is compared with the others and is never the least.
             if before != 0 {
                 let ways = best[before].iter().zip(&costs[last]).map(|(so_far, cost)| so_far + cost);
                 best[set][last] = ways.fold(NONE, i64::min);
             }
         }
     }
-    // Back along the costs: the node before is the first from which the cost is right.
+    // Back along the costs: the node before is the first one with the right cost.
     let mut set = sets - 1;
     let mut last = (0..count).min_by_key(|&last| (best[set][last] + space.cost(0, last + 1), last));
     let mut tour = vec![0];

@@ -1,18 +1,19 @@
-//! A tour that is improved where it is touched: exchanges of two or three edges, chained (Lin and Kernighan,
-//! 1973), over lists of likely edges, from a queue of the nodes whose surroundings changed.
+//! Local improvement of a tour: exchanges of two or three edges, chained (Lin and Kernighan, 1973), over lists of
+//! likely edges. A queue holds the nodes whose neighbours changed.
 //!
-//! The tour is an array of nodes with the place of each. Exchanges are weighed on the places alone; the array is
-//! changed only by the one that is taken, by reversing stretches of it, the shorter of a stretch and its
-//! complement, and every reversal is logged, so that a try is undone exactly.
+//! The tour is an array of nodes with the index of each. Exchanges are evaluated on the indices only. The array
+//! changes only for the exchange that is taken, by reversing stretches of it (the shorter of a stretch and its
+//! complement). Every reversal is logged, so that an attempt is undone exactly.
 
 use super::Space;
 use super::candidates::Candidates;
 
-/// Exchanges in a chain.
+/// The most exchanges in a chain.
 const CHAIN: usize = 3;
-/// Likely edges looked at for the first edge that an exchange adds, and for the second: fewer at the end of a chain.
+/// The number of likely edges tried for the first and for the second edge that an exchange adds: fewer at the end of
+/// a chain.
 const BREADTH: [[usize; 2]; CHAIN] = [[6, 6], [6, 6], [2, 2]];
-/// Edges that a chain has added: two with each exchange.
+/// The most edges that a chain adds: two with each exchange.
 const ADDED: usize = 2 * CHAIN;
 
 /// The tour under improvement.
@@ -23,9 +24,9 @@ pub(super) struct Tour<'s> {
     place: Vec<u32>,
     /// Whether the array is read backwards.
     backwards: bool,
-    /// Whether the tour is looked at the other way round for the time being.
+    /// Whether the tour is temporarily read in the other direction.
     mirror: bool,
-    /// What was reversed since the last [`Tour::accept`]: a stretch by its ends, as they stood before without
+    /// The reversals since the last [`Tour::accept`]: the ends of each stretch, as they were before it and without
     /// the mirror.
     log: Vec<(u32, u32)>,
     queue: Vec<u32>,
@@ -46,7 +47,7 @@ enum Reconnection {
     BothReversed,
 }
 
-/// An exchange, and what the removed edges cost more than the added ones while the tour is open between its
+/// An exchange, and by how much the removed edges cost more than the added ones while the tour is open between its
 /// last node and the base.
 #[derive(Clone, Copy, Debug)]
 struct Exchange {
@@ -91,7 +92,7 @@ impl<'s> Tour<'s> {
         &self.order
     }
 
-    /// The node at that place of the array, counted round it.
+    /// The node at that index of the array, modulo its length.
     pub(super) fn at(&self, place: usize) -> u32 {
         self.order[place % self.order.len()]
     }
@@ -123,7 +124,7 @@ impl<'s> Tour<'s> {
         self.beside(node, self.backwards == self.mirror)
     }
 
-    /// Whether a node lies on the way from one node on to another.
+    /// Whether a node lies on the path from one node forward to another.
     #[inline]
     fn between(&self, from: u32, node: u32, to: u32) -> bool {
         let (from, to) = if self.backwards == self.mirror { (from, to) } else { (to, from) };
@@ -145,7 +146,7 @@ impl<'s> Tour<'s> {
         let inside = if high >= low { high - low + 1 } else { high + count - low + 1 };
         let mut swaps = inside / 2;
         if inside * 2 > count {
-            // The rest is shorter: turn that, and read the array the other way.
+            // The complement is shorter: reverse that, and read the array backwards.
             (low, high) = ((high + 1) % count, (low + count - 1) % count);
             swaps = (count - inside) / 2;
             self.backwards = !self.backwards;
@@ -161,7 +162,7 @@ impl<'s> Tour<'s> {
         }
     }
 
-    /// Takes back everything logged beyond that many reversals.
+    /// Undoes the reversals logged after the first `kept`.
     fn undo_to(&mut self, kept: usize) {
         while self.log.len() > kept {
             if let Some((from, to)) = self.log.pop() {
@@ -170,7 +171,7 @@ impl<'s> Tour<'s> {
         }
     }
 
-    /// Takes back everything since the last [`Tour::accept`].
+    /// Undoes everything since the last [`Tour::accept`].
     pub(super) fn undo(&mut self) {
         self.undo_to(0);
     }
@@ -180,14 +181,14 @@ impl<'s> Tour<'s> {
         self.log.clear();
     }
 
-    /// Marks a node as worth looking at.
+    /// Puts a node into the queue.
     pub(super) fn touch(&mut self, node: u32) {
         if !std::mem::replace(&mut self.queued[node as usize], true) {
             self.queue.push(node);
         }
     }
 
-    /// Improves around every touched node until nothing near gets better; gives what was saved.
+    /// Improves around every queued node until nothing near it gets better; returns the saving.
     pub(super) fn improve(&mut self) -> i64 {
         let mut saved = 0;
         let mut head = 0;
@@ -218,8 +219,8 @@ impl<'s> Tour<'s> {
         gain
     }
 
-    /// A chain of exchanges that begins by removing the edge from a node to its next; gives what it saved, or
-    /// leaves the tour as it was.
+    /// A chain of exchanges that begins by removing the edge from a node to the next; returns the saving, or leaves
+    /// the tour unchanged.
     fn chain(&mut self, base: u32) -> Option<i64> {
         let kept = self.log.len();
         let mut end = self.next(base);
@@ -256,11 +257,11 @@ impl<'s> Tour<'s> {
         None
     }
 
-    /// The best exchange that begins at `end`, next after `base`, with so much to spend: the first that pays when
-    /// the tour is closed after it, with what it saves, or else the one that leaves the most.
+    /// The best exchange that begins at `end`, next after `base`, with the gain `open` so far: the first one that
+    /// pays when the tour is closed after it, with its saving; otherwise the one that leaves the largest gain.
     #[inline]
     fn exchange(&self, base: u32, end: u32, open: i64, taken: &[(u32, u32)]) -> Option<(Exchange, i64)> {
-        // An edge that the chain added is not removed again: so the chain ends.
+        // An edge that the chain added is not removed again, so the chain ends.
         let own = |from: u32, to: u32| taken.iter().any(|&(a, b)| (a, b) == (from, to) || (b, a) == (from, to));
         let breadth = BREADTH[taken.len() / 2];
         let mut best: Option<Exchange> = None;
@@ -335,7 +336,7 @@ impl<'s> Tour<'s> {
         best.map(|found| (found, 0))
     }
 
-    /// Reconnects the tour; afterwards the last node of the exchange is the next after the base.
+    /// Reconnects the tour; afterwards the last node of the exchange is next after the base.
     fn carry_out(&mut self, end: u32, exchange: &Exchange) {
         let &Exchange { kind, a, b, c, d, .. } = exchange;
         match kind {

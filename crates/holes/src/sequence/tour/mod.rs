@@ -1,9 +1,9 @@
 //! The shortest path over points: exact for few points, approximate for many.
 //!
-//! A path is a closed tour over the nodes of a [`Space`]. A tool's way begins and ends at the tool-change
-//! position, which is node 0; a path with two free ends is closed by a node that is as near to everything as
-//! can be. Nothing asks the clock: the work is counted in tries, and the numbers that choose where to try come
-//! from a fixed seed, so the same points and tries always give the same path.
+//! A path is a closed tour over the nodes of a [`Space`]. The path of a tool begins and ends at the tool-change
+//! position, which is node 0. A path with two free ends is closed by a node at distance zero from all others. The
+//! clock is not used: work is counted in tries, and random numbers come from a fixed seed, so the same points and
+//! tries always give the same path.
 
 mod candidates;
 mod exact;
@@ -19,15 +19,15 @@ use super::places::{Bounds, PointBoxes, Quest};
 
 pub use exact::EXACT_POINTS;
 
-/// How hard to look: tries for each point of the path, once it is too long to be solved exactly.
+/// The effort of a search: tries for each point of the path, where it is too long to be solved exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort(pub u32);
 
-/// Tries of a visit of a plan: one for each point, within these, so that a part of a thousand holes is planned
-/// while one waits.
+/// The least and the most tries for a visit of a plan, with one try for each point, so that a part of a thousand
+/// holes is planned without a noticeable wait.
 const PLAN_TRIES: (u64, u64) = (40, 300);
 
-/// Paths of fewer points get as many tries as one of so many: they cost next to nothing.
+/// Shorter paths get as many tries as a path of so many points, because they take almost no time.
 const FEW: usize = 50;
 
 impl Effort {
@@ -37,19 +37,18 @@ impl Effort {
     }
 }
 
-/// The tries unless another number is given: what half a second allows, as making ready takes longer the more points
-/// there are.
+/// The usual number of tries: about half a second; preparation takes longer for more points.
 pub fn usual_tries(points: usize) -> u64 {
     const MOST: u64 = 10_000;
     MOST.saturating_sub(points as u64).max(200)
 }
 
-/// Points and what it costs to go between them.
+/// Points and the costs of moving between them.
 #[derive(Clone, Debug)]
 pub struct Space<'p> {
     points: &'p [Point],
     metric: Metric,
-    /// Whether a node without place closes the path: its two ends are then free.
+    /// Whether a node without position closes the path; its two ends are then free.
     free_ends: bool,
 }
 
@@ -64,7 +63,7 @@ impl<'p> Space<'p> {
         Self { points, metric, free_ends: true }
     }
 
-    /// The number of nodes: the points, and the one that closes an open path.
+    /// The number of nodes: the points, and the node that closes an open path.
     pub const fn nodes(&self) -> usize {
         self.points.len() + self.free_ends as usize
     }
@@ -74,12 +73,12 @@ impl<'p> Space<'p> {
         self.points
     }
 
-    /// The node that stands beside every tree over the others ([`super::prices`]).
+    /// The node outside every tree over the others ([`super::prices`]).
     pub(super) const fn beside(&self) -> usize {
         if self.free_ends { self.points.len() } else { 0 }
     }
 
-    /// The cost between two nodes: micrometres, or microseconds where rapids speed up.
+    /// The cost between two nodes: micrometres, or microseconds where rapids have an acceleration.
     #[inline]
     pub fn cost(&self, from: usize, to: usize) -> i64 {
         match (self.points.get(from), self.points.get(to)) {
@@ -94,14 +93,14 @@ impl<'p> Space<'p> {
         self.metric
     }
 
-    /// The cost of going round the nodes in that order and back to the first.
+    /// The cost of a tour through the nodes in that order and back to the first.
     pub fn round(&self, order: &[usize]) -> i64 {
         let back = order.last().zip(order.first()).map_or(0, |(&last, &first)| self.cost(last, first));
         order.windows(2).map(|pair| self.cost(pair[0], pair[1])).sum::<i64>() + back
     }
 
-    /// The cost of going over the points in that order: back to the first of a closed tour, to the last of an
-    /// open path.
+    /// The cost of a path over the points in that order: back to the first for a closed tour, to the last for an open
+    /// path.
     pub fn length(&self, order: &[usize]) -> i64 {
         if self.free_ends { order.windows(2).map(|pair| self.cost(pair[0], pair[1])).sum() } else { self.round(order) }
     }
@@ -116,26 +115,26 @@ pub struct Path {
     pub cost: i64,
     /// Whether no path is shorter, by proof.
     pub optimal: bool,
-    /// The tries that it took.
+    /// The number of tries made.
     pub tries: u64,
 }
 
-/// The shortest path found with that effort, proven the shortest up to [`EXACT_POINTS`] points beside the one
-/// where a tour begins.
+/// The shortest path found with that effort; up to [`EXACT_POINTS`] points besides the start of a tour it is proven
+/// the shortest.
 pub fn path(space: &Space<'_>, effort: Effort) -> Path {
     let most = effort.tries(space.points.len());
     path_while(space, &mut |tries| tries < most)
 }
 
-/// The shortest path found while the asker says to go on, who is told how many tries were made before each: so a clock
-/// may end the search, and as many tries give the same path again.
+/// The shortest path found while `go_on` returns true. `go_on` gets the number of tries made so far, so a clock may
+/// end the search, and the same number of tries gives the same path again.
 pub fn path_while(space: &Space<'_>, go_on: &mut dyn FnMut(u64) -> bool) -> Path {
     let optimal = space.nodes() <= EXACT_POINTS + 1;
     let (tour, tries) = if optimal {
         (exact::tour(space), 0)
     } else {
         let mut book: Vec<u32> = nearest_rule(space).order.iter().map(|&node| node as u32).collect();
-        // The node without place at its end.
+        // The node without position is the last one.
         book.extend(book.len() as u32..space.nodes() as u32);
         search::tour(space, book, go_on)
     };
@@ -143,25 +142,25 @@ pub fn path_while(space: &Space<'_>, go_on: &mut dyn FnMut(u64) -> bool) -> Path
     Path { cost: space.length(&order), order, optimal, tries }
 }
 
-/// The path of a visit of a plan: quickly found, along rows where these cost no more.
+/// The path of a visit of a plan: found quickly, and along rows where these cost no more.
 pub(super) fn plan_path(space: &Space<'_>) -> Path {
     let most = (space.nodes() as u64).clamp(PLAN_TRIES.0, PLAN_TRIES.1);
     rows::at_no_cost(space, path_while(space, &mut |tries| tries < most))
 }
 
-/// A path found at once, where its length alone is asked for.
+/// A path found at once, where only its length is needed.
 pub(super) fn quick_path(space: &Space<'_>) -> Path {
     path_while(space, &mut |_| false)
 }
 
-/// Names every edge from a point to one of its near points, some twice.
+/// Calls `edge` for every edge from a point to one of its near points, for some edges twice.
 pub(super) fn near_edges(space: &Space<'_>, mut edge: impl FnMut(usize, usize)) {
     for (point, near) in neighbours::near_points(space).iter().enumerate() {
         near.iter().for_each(|&(_, other)| edge(point, other as usize));
     }
 }
 
-/// The book's own rule (textbook Appendix Г): from each point to the nearest not yet visited, in straight
+/// The rule of the book (textbook Appendix Г): from each point to the nearest one not yet visited, by straight
 /// distance; among equals the first of the list. It begins at point 0.
 pub fn nearest_rule(space: &Space<'_>) -> Path {
     let places = PointBoxes::of(space.points);
@@ -182,11 +181,11 @@ pub fn nearest_rule(space: &Space<'_>) -> Path {
     Path { cost: space.length(&order), order, optimal: false, tries: 0 }
 }
 
-/// The quest for the nearest point that was not visited, with the distance.
+/// The query for the nearest point not yet visited, with its distance.
 struct Nearest<'s> {
     points: &'s [Point],
     here: usize,
-    /// How many points of each box were not visited.
+    /// The number of points in each box not yet visited.
     left: &'s [u32],
     visited: &'s [bool],
     found: Option<(i64, usize)>,
@@ -208,8 +207,8 @@ impl Quest for Nearest<'_> {
     }
 }
 
-/// The tour cut open where it begins: at point 0, or at the node without place, which is left out. Of the two
-/// directions the one whose second point comes first in the list.
+/// The tour opened at its beginning: at point 0, or at the node without position, which is left out. Of the two
+/// directions, the one whose second point is earlier in the list.
 fn from_the_start(space: &Space<'_>, mut tour: Vec<usize>) -> Vec<usize> {
     let first = space.beside();
     if let Some(at) = tour.iter().position(|&node| node == first) {

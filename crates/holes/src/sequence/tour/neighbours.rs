@@ -1,12 +1,12 @@
-//! The near points of every point: nearly all edges of short trees and tours are between such.
+//! The near points of every point: nearly all edges of short trees and tours join near points.
 
 use super::super::places::{Bounds, PointBoxes, Quest};
 use super::Space;
 use crate::part::Point;
 
-/// The nearest of each.
+/// The number of nearest points.
 const NEAREST: usize = 6;
-/// And the nearest of each quarter around it, so that holes on a circle also see those of the next circle.
+/// The number of nearest points in each quadrant, so that holes on a circle also have neighbours on the next circle.
 const OF_QUARTER: usize = 2;
 /// The longest list.
 const MOST: usize = 12;
@@ -17,7 +17,7 @@ pub(super) fn near_points(space: &Space<'_>) -> Vec<Vec<(i64, u32)>> {
     (0..space.points.len()).map(|point| near(space, &places, point)).collect()
 }
 
-/// The nearest of a point, and those of its quarters.
+/// The nearest points of a point, and those of its quadrants.
 fn near(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec<(i64, u32)> {
     let [a, b, c, d] = [const { Shortest::new(OF_QUARTER) }; 4];
     let at = space.points[node];
@@ -31,7 +31,7 @@ fn near(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec<(i64, u3
     near
 }
 
-/// The quest for what is near a point, in all directions and in each quarter.
+/// The query for near points, in all directions and in each quadrant.
 struct Around<'s> {
     space: &'s Space<'s>,
     node: usize,
@@ -41,7 +41,7 @@ struct Around<'s> {
 }
 
 impl Around<'_> {
-    /// Every direction belongs to one quarter, an axis to the quarter it begins.
+    /// Every direction belongs to one quadrant, an axis to the quadrant that it begins.
     fn quarter(&self, point: Point) -> usize {
         match ((point.x - self.at.x).micrometres(), (point.y - self.at.y).micrometres()) {
             (1.., 0..) => 0,
@@ -55,7 +55,7 @@ impl Around<'_> {
 impl Quest for Around<'_> {
     fn least(&self, _: usize, bounds: &Bounds) -> Option<i64> {
         let cost = self.space.metric.cost(self.at, bounds.nearest(self.at));
-        // A box lies within one quarter where its corners do; in several its best may be of any.
+        // A box lies within one quadrant if its corners do; otherwise its best point may be in any of them.
         let Bounds { low, high, first } = *bounds;
         let corners = [low, high, Point { x: low.x, y: high.y }, Point { x: high.x, y: low.y }];
         let of_quarter = |corner: Point| self.quarters[self.quarter(corner)].worst();
@@ -74,7 +74,7 @@ impl Quest for Around<'_> {
     }
 }
 
-/// The few cheapest of many, cheapest first, of equals those first in the list of points.
+/// The few cheapest of many, cheapest first; among equals, the first in the list of points.
 struct Shortest {
     most: usize,
     held: usize,
@@ -86,7 +86,7 @@ impl Shortest {
         Self { most, held: 0, list: [(i64::MAX, u32::MAX); NEAREST] }
     }
 
-    /// What costs more has no place.
+    /// The limit: what costs more is not kept.
     const fn worst(&self) -> (i64, u32) {
         self.list[self.most - 1]
     }

@@ -1,13 +1,13 @@
-//! Tours along rows: from end to end and back along the next, as a technologist would go over a grid.
+//! Tours along rows: along one row and back along the next, as a technologist would visit a grid.
 //!
-//! Where each axis moves by itself an oblique step to the next row costs no more than a straight one, so a grid has very
-//! many shortest tours, and the search finds any of them. One along rows is as short, easier to follow, and its program
-//! repeats its steps.
+//! Where both axes move at once, an oblique step to the next row costs no more than a straight one, so a grid has
+//! very many shortest tours, and the search finds any of them. A tour along rows is as short and easier to follow,
+//! and its program repeats its steps.
 
 use super::{Metric, Path, Space};
 use crate::part::Point;
 
-/// The best tour along rows or columns where it costs no more than the tour that was found.
+/// The best tour along rows or columns, if it costs no more than the tour that was found.
 pub(super) fn at_no_cost(space: &Space<'_>, found: Path) -> Path {
     if space.free_ends || space.points.len() < 4 {
         return found;
@@ -24,8 +24,8 @@ pub(super) fn at_no_cost(space: &Space<'_>, found: Path) -> Path {
     Path { cost: best.0, order: super::from_the_start(space, best.2), optimal: found.optimal, tries: found.tries }
 }
 
-/// Cycles over all points but the first, which is where a tour begins: along rows and along columns, to and fro, all
-/// points or all but the first of every row, over which the tour returns.
+/// Cycles over all points but the first, where the tour begins: along rows and along columns, to and fro; over all
+/// points, or without the first of every row, which are visited on the way back.
 fn tours(points: &[Point]) -> Vec<Vec<usize>> {
     let mut tours = Vec::new();
     let swapped = |point: Point| Point { x: point.y, y: point.x };
@@ -44,14 +44,15 @@ fn tours(points: &[Point]) -> Vec<Vec<usize>> {
     tours
 }
 
-/// The points by rows of equal Y, each along X; none where there are hardly two in a row.
+/// The points by rows of equal Y, each along X; none where most rows have a single point.
 fn rows(mut indices: Vec<usize>, at: impl Fn(usize) -> Point) -> Option<Vec<Vec<usize>>> {
     indices.sort_by_key(|&index| (at(index).y, at(index).x, index));
     let rows: Vec<Vec<usize>> = indices.chunk_by(|&a, &b| at(a).y == at(b).y).map(<[usize]>::to_vec).collect();
     (rows.len() * 2 <= indices.len()).then_some(rows)
 }
 
-/// Along the first row, back along the second, and so on; the first `kept` of every row on the way home.
+/// Along the first row, back along the second, and so on; the first `kept` points of every row are left for the way
+/// back.
 fn to_and_fro(rows: &[Vec<usize>], kept: usize) -> Vec<usize> {
     let mut tour = Vec::new();
     for (number, row) in rows.iter().enumerate() {
@@ -62,7 +63,7 @@ fn to_and_fro(rows: &[Vec<usize>], kept: usize) -> Vec<usize> {
     tour
 }
 
-/// A cycle over the other points, entered from point 0 where that costs least.
+/// A cycle over the other points, entered from point 0 where the cost is least.
 fn from_home(space: &Space<'_>, cycle: &[usize]) -> Vec<usize> {
     let longer = |at: usize| {
         let (from, to) = (cycle[at], cycle[(at + 1) % cycle.len()]);

@@ -1,10 +1,11 @@
-//! Many points: the book's tour, improved, then kicked and improved again as long as one may.
+//! The search for many points: the tour by the book's rule, improved, then repeatedly disturbed (kicked) and improved
+//! again.
 //!
-//! A kick turns the order of three neighbouring stretches round (the double bridge of Martin, Otto and Felten, 1991),
-//! so that only their ends have to be looked at again. What it costs depends on the stretches alone, not on the length
-//! of the tour. A kick that does not pay is undone, or sometimes followed by a few more beside it and undone with them
-//! if these do not pay either. Where nothing pays for long the search begins again, and the best tour is remembered.
-//! Nothing looks ahead to the end, so a search of so many tries is the beginning of every longer one.
+//! A kick changes the order of three neighbouring stretches (the double bridge of Martin, Otto and Felten, 1991), so
+//! that only their ends must be examined again. Its cost depends on the stretches only, not on the length of the
+//! tour. A kick without gain is undone; sometimes it is followed by a few more near it, which are undone together if
+//! they do not pay either. After many tries without gain the search begins again, and the best tour is kept. No
+//! decision depends on the number of tries, so a search is the beginning of every longer one.
 
 use super::Space;
 use super::candidates::Candidates;
@@ -12,21 +13,21 @@ use super::local::Tour;
 
 /// The longest of the stretches that a kick exchanges.
 const STRETCH: usize = 50;
-/// One kick of so many is followed by others where it does not pay, so many at most, within so many places, while all of
-/// them cost no more than so many edges of mean length.
+/// One kick in so many is followed by others if it has no gain: at most so many, within so many places, while
+/// together they cost no more than so many edges of mean length.
 const ONE_OF: usize = 5;
 const FOLLOWED: usize = 4;
 const BESIDE: usize = 100;
 const LOSS: i64 = 3;
-/// After so many tries for each node in which nothing paid, the search begins again: other kicks lead elsewhere.
+/// After so many tries for each node without gain, the search begins again, because other kicks lead to other tours.
 const PATIENCE: u64 = 2;
 /// The fewest nodes whose tour can be kicked.
 const FEWEST: usize = 8;
-/// Where the random numbers begin: any number but zero does.
+/// The seed of the random numbers: any number but zero.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// A short closed tour over all nodes, from one that is known, and the tries that it took; before each it is asked, with
-/// the number of those that were made, whether to go on.
+/// A short closed tour over all nodes, from a known one, and the number of tries made. `go_on` gets that number
+/// before each try and says whether to continue.
 pub(super) fn tour(space: &Space<'_>, known: Vec<u32>, go_on: &mut dyn FnMut(u64) -> bool) -> (Vec<usize>, u64) {
     let candidates = Candidates::of(space);
     let mut tour = Tour::new(space, &candidates, known);
@@ -41,7 +42,7 @@ pub(super) fn tour(space: &Space<'_>, known: Vec<u32>, go_on: &mut dyn FnMut(u64
     let loss = LOSS * begun / space.nodes().max(1) as i64;
     let mut random = Random(SEED);
     let (mut tries, mut at, mut cost, mut paid) = (0, 0, begun, 0);
-    // Kicks that do not pay so far: how many may still follow, and what they cost together.
+    // Kicks without gain so far: how many may still follow, and their total cost.
     let (mut left, mut over) = (0, 0);
     while space.nodes() >= FEWEST && go_on(tries) {
         tries += 1;
@@ -70,7 +71,7 @@ pub(super) fn tour(space: &Space<'_>, known: Vec<u32>, go_on: &mut dyn FnMut(u64
             over = 0;
         }
     }
-    // What has not paid yet.
+    // The kicks that have not paid.
     tour.undo();
     best.keep(cost, &tour);
     (numbers(&best.order), tries)
@@ -95,14 +96,14 @@ fn numbers(order: &[u32]) -> Vec<usize> {
     order.iter().map(|&node| node as usize).collect()
 }
 
-/// Turns the order of three stretches round that follow each other from a place of the tour on, none of them reversed;
-/// gives by how much the tour grew.
+/// Reverses the order of three stretches that follow each other from a place of the tour, without reversing the
+/// stretches; returns by how much the tour grew.
 ///
 /// All four edges change, and no chain of exchanges leads straight back. (Two stretches would change three edges
-/// only, which the improvement undoes at once.)
+/// only, and the improvement would undo that at once.)
 fn kick(tour: &mut Tour<'_>, space: &Space<'_>, mut at: usize, random: &mut Random) -> i64 {
     let longest = STRETCH.min((space.nodes() - 2) / 3);
-    // The ends of the stretches, between the node before them and the node after, as the array has them.
+    // The ends of the stretches, from the node before them to the node after them, in the order of the array.
     let mut ends = [0; 8];
     for pair in ends.chunks_exact_mut(2) {
         pair.copy_from_slice(&[tour.at(at), tour.at(at + 1)]);
@@ -125,7 +126,7 @@ fn kick(tour: &mut Tour<'_>, space: &Space<'_>, mut at: usize, random: &mut Rand
     added - removed
 }
 
-/// The same numbers in every run: xorshift64*, whose high bits are even enough here.
+/// Pseudo-random numbers, the same in every run: xorshift64*. Its high bits are uniform enough here.
 struct Random(u64);
 
 impl Random {

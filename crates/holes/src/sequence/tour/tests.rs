@@ -99,7 +99,7 @@ fn keeps_the_bounds(points: &[Point]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Once found by the law above: two pairs of points in one place.
+/// Found once by the property test above: two pairs of equal points.
 #[test]
 fn points_in_one_place_keep_the_bounds() {
     let halves = [
@@ -126,7 +126,7 @@ fn points_in_one_place_keep_the_bounds() {
     keeps_the_bounds(&points).unwrap();
 }
 
-/// Nothing is looked at each with each: else this takes minutes.
+/// No loop over all pairs: that would take minutes.
 #[test]
 fn very_many_points_in_one_place_are_no_trouble() {
     let points = vec![Point { x: Micrometres::from_mm(1), y: Micrometres::from_mm(2) }; 5_000];
@@ -142,7 +142,7 @@ fn a_tour_begins_with_the_first_point_and_goes_the_way_of_the_list() {
     assert_eq!(path(&Space::open(&square, Metric::Euclid), Effort(1)).order, [0, 1, 2, 3]);
 }
 
-/// Where a point lies from another one: to the right and up, up and to the left, and so on round.
+/// The quadrant of a point as seen from another one, counted from the right and up.
 fn quarter(from: Point, to: Point) -> usize {
     match ((to.x - from.x).micrometres(), (to.y - from.y).micrometres()) {
         (1.., 0..) => 0,

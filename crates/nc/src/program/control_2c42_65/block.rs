@@ -1,14 +1,14 @@
-//! One block, in three steps, which have their numbers here and in `run.rs`:
+//! One block, in three steps, with the same numbers here and in `run.rs`:
 //!
 //! 1. The words are read, each in its group (`words.rs`).
 //! 2. Everything is checked: the steps are made, and every broken rule is reported (here, `moves.rs`, `cycles.rs`,
 //!    `travel.rs`).
-//! 3. Only when nothing is wrong the steps go out (`run.rs`). The state is that behind the block in either case: so the
-//!    run goes on as if it had arrived, and nothing has to be taken back.
+//! 3. Only without errors the steps are output (`run.rs`). The state after the block is kept in both cases, so the
+//!    run continues as if the block had been executed, and nothing is undone.
 //!
-//! The order of a block, whatever the order of its words (3.5): modal functions and F, S, T, D, H; functions of the start
-//! of a block, M06 among them; G92; length and radius correction; the motion and the cycle, L times; the dwell; functions
-//! of the end of a block; the call of a subprogram.
+//! The order within a block, whatever the order of its words (3.5): modal functions and F, S, T, D, H; functions of
+//! the start of a block, M06 among them; G92; length and radius correction; the motion and the cycle, L times; the
+//! dwell; functions of the end of a block; the call of a subprogram.
 
 use super::control::{Action, Control};
 use super::cycles::Holes;
@@ -22,7 +22,7 @@ use crate::program::limits::{Spans, speed_off_steps};
 use crate::program::{Call, Fault, Setting, Subject, TextSpan};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
-/// Step 2 in progress: the steps of one block so far, and the state it leaves.
+/// Step 2 in progress: the steps of one block so far, and the state after them.
 pub(super) struct Maker<'a> {
     pub control: &'a Control,
     pub machine: &'a Machine<'a>,
@@ -31,16 +31,16 @@ pub(super) struct Maker<'a> {
     pub steps: Vec<MotionStep>,
     pub faults: Vec<Fault>,
     pub block: BlockRef,
-    /// The whole block, for faults of no single word.
+    /// The whole block, for faults that belong to no single word.
     pub span: TextSpan,
     pub spans: &'a mut Spans,
-    /// What cycles have drilled so far.
+    /// The holes that cycles have drilled so far.
     pub holes: &'a mut Holes,
     /// The calls that led to the block.
     pub calls: &'a [Call],
-    /// Steps made so far, those that the radius correction holds back among them.
+    /// The number of steps so far, including those that the radius correction delays.
     pub made: usize,
-    /// Steps that may be made.
+    /// The most steps that may be made.
     pub budget: usize,
 }
 
@@ -61,25 +61,25 @@ impl Maker<'_> {
         self.tell(code, span, &[]);
     }
 
-    /// Tells a breach of a rule with its figures.
+    /// Reports a broken rule with its figures.
     pub(super) fn tell(&mut self, code: &'static str, span: TextSpan, figures: &[(&'static str, Figure)]) {
         let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.tell_note(code, span, note);
     }
 
-    /// Tells a breach of a rule with its note.
+    /// Reports a broken rule with its note.
     pub(super) fn tell_note(&mut self, code: &'static str, span: TextSpan, note: Note) {
         self.tell_fault(Fault { note, ..fault(code, span, self.block.number) });
     }
 
-    /// Tells a fault: once, however often the block repeats itself.
+    /// Reports a fault, once however often the block is repeated.
     fn tell_fault(&mut self, fault: Fault) {
         if !self.faults.iter().any(|told| told.code == fault.code && told.span == fault.span) {
             self.faults.push(fault);
         }
     }
 
-    /// Whether the block may not be carried out.
+    /// Whether the block has an error, so that it is not carried out.
     pub(super) fn broken(&self) -> bool {
         self.faults.iter().any(Fault::is_error)
     }
@@ -100,7 +100,7 @@ impl Maker<'_> {
             let before = self.made;
             self.motion(words);
             self.cycle(words);
-            // What makes nothing once makes nothing 65535 times.
+            // A pass without motion would be the same 65535 times.
             if self.broken() || self.made > self.budget || self.made == before {
                 break;
             }
@@ -109,7 +109,7 @@ impl Maker<'_> {
         self.end_functions(words)
     }
 
-    /// Group by group the function given last; group 00 holds for this block only.
+    /// Takes the last function of each group; one of group 00 acts in this block only.
     fn take_modes(&mut self, words: &BlockWords) {
         for (group, function) in words.g.iter().enumerate().filter(|(group, _)| *group != ONE_SHOT) {
             if let Some(function) = function {
@@ -168,7 +168,7 @@ impl Maker<'_> {
         }
     }
 
-    /// The spindle from now on, its speed by S and the operator's switch (3.13.1).
+    /// The spindle from this block on, its speed by S and the operator's switch (3.13.1).
     pub(super) fn spindle(&mut self, turning: Turning) {
         self.state.turning = turning;
         let speed = self.state.speed as f64 * self.setting.speed_override as f64 / 100.0;
@@ -216,7 +216,7 @@ impl Maker<'_> {
             Action::CoolantOn => self.push(Motion::Coolant { on: true }),
             Action::CoolantOff => self.push(Motion::Coolant { on: false }),
             Action::Stop => {
-                // The operator may set the tool otherwise, as a boring bar, for the same holes.
+                // For the same holes the operator may change the setting of the tool, such as a boring bar.
                 self.holes.clear();
                 self.push(Motion::Stop { optional: false });
             }
@@ -227,7 +227,7 @@ impl Maker<'_> {
         }
     }
 
-    /// M06: the tool of T comes into the spindle, which stands still meanwhile.
+    /// M06: the tool of T is put into the spindle, which stops for that time.
     fn tool_change(&mut self, function: Function, words: &BlockWords) {
         if self.state.wanted == 0 {
             self.fault("no-tool", words.get('T').map_or(function.span, |tool| tool.span));
@@ -250,7 +250,7 @@ impl Maker<'_> {
         self.push(Motion::ToolChange { tool: self.state.tool });
     }
 
-    /// G92: the words are where the tool is in the new system; axes left out keep their zero (3.10.8.1).
+    /// G92: the words are the position of the tool in the new system; axes left out keep their zero (3.10.8.1).
     fn set_system(&mut self, words: &BlockWords) {
         for axis in Axis::ALL {
             match words.axis(axis) {
@@ -269,7 +269,7 @@ impl Maker<'_> {
         }
     }
 
-    /// The value of a corrector; a number nobody has filled holds 0, as the control's memory does.
+    /// The value of an offset register; a register that nobody has set holds 0, as in the memory of the control.
     pub(super) fn corrector(&mut self, number: u32, span: TextSpan) -> Micrometres {
         if number == 0 {
             return Micrometres::ZERO;
@@ -283,8 +283,9 @@ impl Maker<'_> {
         }
     }
 
-    /// G43, G44, G49 and H (3.11.3): the value is added to the end point or taken from it; H00 is none. The axis is that
-    /// of the plane when the correction comes in. Where the block does not move that axis it goes there at rapid.
+    /// G43, G44, G49 and H (3.11.3): the value is added to the end point or subtracted from it; H00 is no correction.
+    /// The axis is that of the plane when the correction begins. If the block does not move that axis, the axis moves
+    /// by the correction at rapid.
     fn length_correction(&mut self, words: &BlockWords) {
         let given = words.g[LENGTH].map(|function| function.span).or(words.get('H').map(|word| word.span));
         let Some(span) = given else { return };
@@ -305,7 +306,7 @@ impl Maker<'_> {
         if same {
             return;
         }
-        // Of the old axis first, where it is another one.
+        // The old axis first, if it is another one.
         let axes = if old.0 == axis { vec![axis] } else { vec![old.0, axis] };
         for moved in axes {
             let from = self.state.corrected(self.state.base);
@@ -335,7 +336,7 @@ impl Maker<'_> {
         let plane = self.control.plane(self.state.groups[PLANE]).plane;
         let value = if active { self.corrector(self.state.radius_corrector, span) } else { Micrometres::ZERO };
         let [a, b, _] = plane.axes();
-        // A mirrored path has its other side there.
+        // On a mirrored path the other side is meant.
         let mirrored = self.state.sign(a, self.setting) * self.state.sign(b, self.setting);
         let side = if function == 41 { mirrored } else { -mirrored };
         let offset = value.to_mm() * side as f64;
@@ -353,7 +354,7 @@ impl Maker<'_> {
         }
     }
 
-    /// G04 E: a wait of E tenths of a second behind the motion of the block (3.10.6).
+    /// G04 E: a wait of E tenths of a second after the motion of the block (3.10.6).
     fn dwell(&mut self, words: &BlockWords) {
         let Some(pause) = words.g[ONE_SHOT].filter(|function| function.code == 4) else { return };
         match words.get('E') {
@@ -364,7 +365,7 @@ impl Maker<'_> {
         }
     }
 
-    /// A wait in the control's steps of time.
+    /// A wait, in the time steps of the control.
     pub(super) fn wait(&mut self, steps: i64) {
         let seconds = crate::units::Decimal::from_f64_rounded(steps as f64 * self.control.dwell_step_s).to_f64();
         self.push(Motion::Dwell { seconds });

@@ -1,5 +1,5 @@
-//! What can be checked in a program without running it: programs and their numbers, and what a block may hold. Every
-//! block is looked at, also those that no call ever reaches.
+//! Checks of a program without running it: programs and their numbers, and the words a block may have. Every block is
+//! checked, also those that no call reaches.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -16,12 +16,12 @@ use crate::program::{Fault, Subject, TextSpan};
 pub(super) struct Programs {
     /// The blocks of each, by its number.
     pub numbered: BTreeMap<u8, Range<usize>>,
-    /// The blocks of the one that runs.
+    /// The blocks of the main program.
     pub main: Range<usize>,
 }
 
-/// Finds the programs. The main one is the first that ends with M02 or M30 (3.6); blocks before the first number are a
-/// program without one.
+/// Finds the programs. The main program is the first that ends with M02 or M30 (3.6); blocks before the first number
+/// are a program without number.
 pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fault>) -> Programs {
     let mut starts: Vec<usize> = (0..blocks.len()).filter(|&index| blocks[index].program.is_some()).collect();
     if starts.first() != Some(&0) && !blocks.is_empty() {
@@ -62,9 +62,9 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
     programs
 }
 
-/// Reports missing block numbers of a program that otherwise counts in equal steps: a block may have been lost there.
+/// Reports missing block numbers in a program with otherwise equal steps: a block may have been lost there.
 fn gaps(blocks: &[Block], faults: &mut Vec<Fault>) {
-    // The number that could not be read is the one that is missing.
+    // The number that could not be read is the missing one.
     if blocks.iter().any(|block| block.headless) {
         return;
     }
@@ -75,7 +75,7 @@ fn gaps(blocks: &[Block], faults: &mut Vec<Fault>) {
         *steps.entry(step_of(pair)).or_default() += 1;
     }
     let Some((&step, &often)) = steps.iter().max_by_key(|(_, often)| **often) else { return };
-    // Nine in ten, and of more than a handful: otherwise the numbers follow no rule that could be broken.
+    // Nine in ten steps are equal, and there are more than a few: otherwise the numbers follow no rule.
     if step == 0 || often < 10 || often * 10 < (numbered.len() - 1) * 9 {
         return;
     }
@@ -95,14 +95,14 @@ fn gaps(blocks: &[Block], faults: &mut Vec<Fault>) {
     }
 }
 
-/// The M functions of a block that are no parameters of a cycle.
+/// The M functions of a block, without parameters of a cycle.
 fn functions(block: &Block) -> impl Iterator<Item = &Word> {
     block.words.iter().filter(|word| word.address == 'M' && !word.in_cycle)
 }
 
 /// Checks every block against the rules on what may be combined.
 pub(super) fn blocks(blocks: &[Block], programs: &Programs, control: &Control, faults: &mut Vec<Fault>) {
-    // A number of a program that could not be read may be the one that is called.
+    // A program number that could not be read may be the called one.
     let headless = blocks.iter().any(|block| block.headless);
     for block in blocks {
         let before = faults.len();
@@ -117,7 +117,7 @@ pub(super) fn blocks(blocks: &[Block], programs: &Programs, control: &Control, f
 }
 
 fn words(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
-    // A bit for every letter, those behind a cycle apart.
+    // A bit for every letter; separate bits for letters after a cycle.
     let mut seen = [0_u32; 2];
     let cycle = block.words.iter().find(|word| word.address == 'G' && control.cycles.has(word.code()));
     for word in &block.words {
@@ -206,7 +206,7 @@ fn groups(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
         let name = format!("G{:02}", function.code());
         faults.push(fault("corrector-with-offset", corrector.span, None).with("function", name));
     }
-    // In the very block; radius correction of an earlier one is told when the block runs (note 3).
+    // Checked in the same block; the radius correction of an earlier block is reported when the block runs (note 3).
     if let Some(offset) = offset
         && last[RADIUS].is_some_and(|word| word.code() != 40)
     {

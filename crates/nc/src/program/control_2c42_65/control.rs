@@ -21,18 +21,18 @@ pub(super) struct MFunction {
     pub action: Action,
     /// Whether it acts before the motion of its block.
     pub at_start: bool,
-    /// Whether at most one such may stand in a block.
+    /// Whether a block may have only one of these.
     pub exclusive: bool,
 }
 
-/// What may stand behind an address.
+/// The numbers that may follow an address.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Address {
     /// Least and greatest number as written, in thousandths.
     pub limits: Option<(i64, i64)>,
     /// Whether it may have a decimal point.
     pub decimal: bool,
-    /// Whether it counts millimetres.
+    /// Whether its numbers are millimetres.
     pub length: bool,
 }
 
@@ -51,17 +51,17 @@ pub(super) struct PlaneRow {
 /// A cycle: table 2c42-65-cycles.
 #[derive(Clone, Debug)]
 pub(super) struct Cycle {
-    /// Parameters without which it does not run.
+    /// The required parameters.
     pub required: Vec<char>,
     /// Parameters it may have.
     pub optional: Vec<char>,
-    /// Whether it goes to point 2 in steps.
+    /// Whether it feeds to point 2 in steps.
     pub in_steps: bool,
-    /// Whether it leaves to point 3 at feed.
+    /// Whether it retracts to point 3 at feed.
     pub out_at_feed: bool,
 }
 
-/// What belongs to the codes of functions, or to the letters of addresses: an array, since every word needs it.
+/// Values by the codes of functions or the letters of addresses: an array, because every word needs it.
 #[derive(Clone, Debug)]
 pub(super) struct ByCode<T>(Vec<Option<T>>);
 
@@ -74,17 +74,17 @@ impl<T> ByCode<T> {
         self.0[usize::from(code)] = Some(content);
     }
 
-    /// What belongs to a code.
+    /// The value for a code.
     pub(super) fn get(&self, code: u8) -> Option<&T> {
         self.0[usize::from(code)].as_ref()
     }
 
-    /// Whether anything belongs to a code.
+    /// Whether there is a value for a code.
     pub(super) fn has(&self, code: u8) -> bool {
         self.get(code).is_some()
     }
 
-    /// What belongs to an address.
+    /// The value for an address.
     pub(super) fn of(&self, address: char) -> Option<&T> {
         self.get(u8::try_from(address).ok()?)
     }
@@ -95,22 +95,22 @@ impl<T> ByCode<T> {
 pub struct Control {
     /// G code to group.
     pub(super) groups: ByCode<usize>,
-    /// The code of every group that is set at power-on; 0 where the group has none.
+    /// The code of every group in force at power-on; 0 where the group has none.
     pub(super) power_on: [u8; GROUPS],
     pub(super) m_functions: ByCode<MFunction>,
     pub(super) addresses: ByCode<Address>,
     pub(super) planes: ByCode<PlaneRow>,
     pub(super) cycles: ByCode<Cycle>,
-    /// G45…G48: how many offsets are added to the motion.
+    /// G45…G48: the number of offsets added to the motion.
     pub(super) offsets: ByCode<i64>,
-    /// G17…G19: the words that G45…G48 act on.
+    /// G17…G19: the words that G45…G48 change.
     pub(super) offset_words: ByCode<Vec<char>>,
     pub(super) block_length: usize,
     pub(super) memory_bytes: usize,
     pub(super) programs: usize,
     pub(super) depth: usize,
     pub(super) m_per_block: usize,
-    /// Dwells are counted in so many of a second.
+    /// The unit of dwells, s.
     pub(super) dwell_step_s: f64,
     pub(super) setting: Limits,
 }
@@ -163,7 +163,7 @@ impl Control {
         Ok(control)
     }
 
-    /// What of a setting it has.
+    /// The parts of a setting that this control has.
     pub const fn setting(&self) -> &Limits {
         &self.setting
     }
@@ -229,7 +229,7 @@ impl Control {
 
     /// The row of a plane function.
     pub(super) fn plane(&self, code: u8) -> PlaneRow {
-        // Only codes of group 02 get here, and every one of them has a row; G17's values stand for a table without.
+        // Only codes of group 02 reach this point, and each of them has a row; the values of G17 are a fallback.
         self.planes.get(code).copied().unwrap_or(PlaneRow {
             plane: Plane::Xy,
             length_axis: Axis::Z,
@@ -253,7 +253,7 @@ const fn axis(name: AxisName) -> Axis {
     }
 }
 
-/// The addresses with the limits of their numbers as these are written: a dwell is written in its steps.
+/// The addresses with the limits of their numbers as written; a dwell is written in steps of time.
 fn addresses(knowledge: &Knowledge, dwell_step: f64) -> Result<ByCode<Address>, KnowledgeError> {
     use AddressUnit::{Degrees, Millimetres, MillimetresPerMinute, Seconds};
     let mut addresses = ByCode::new();
@@ -262,7 +262,7 @@ fn addresses(knowledge: &Knowledge, dwell_step: f64) -> Result<ByCode<Address>, 
         let limit = |number: f64| libm::round(number * scale * 1000.0) as i64;
         let address = Address {
             limits: row.minimum.map(limit).zip(row.maximum.map(limit)),
-            // Dimension words and feeds; everything else counts whole things (3.8.2).
+            // Dimension words and feeds; all other words are whole numbers (3.8.2).
             decimal: matches!(row.unit, Some(Millimetres | Degrees | MillimetresPerMinute)),
             length: row.unit == Some(Millimetres),
         };

@@ -1,24 +1,26 @@
-//! Radius correction G41, G42: the tool's centre is kept beside the programmed path by its radius.
+//! Radius correction G41, G42: the centre of the tool follows the programmed path at the distance of its radius.
 //!
-//! The text names the functions, the corrector D, the plane and a point S where two parallel curves meet (3.10, 3.11.1,
-//! 3.10.7) and no more. The rest is reconstructed, by what controls of that time do:
+//! The text names the functions, the register D, the plane and a point S where two parallel curves meet (3.10,
+//! 3.11.1, 3.10.7), and nothing else. The rest is reconstructed from what controls of that time do:
 //!
-//! 1. The first straight motion brings the tool beside the beginning of the next element, square to it.
-//! 2. Where two elements meet, the centre goes to the point S where their parallel curves meet. On the inside of a corner
-//!    there is no other way: where they do not meet the tool does not fit. On its outside, where they do not meet within
-//!    three radii of the corner, the centre goes on straight by a radius past the end of the first, across, and comes
-//!    straight to the second from a radius before it: so it stays a radius away from the corner.
-//! 3. After the last element the tool stands square to its end; G40 lets the next straight motion leave from there.
+//! 1. The first straight motion brings the tool beside the beginning of the next element, perpendicular to it.
+//! 2. Where two elements meet, the centre goes to the point S where their parallel curves meet. On the inside of a
+//!    corner there is no other path: if the curves do not meet, the tool does not fit. On the outside, if they do not
+//!    meet within three radii of the corner, the centre continues straight by one radius past the end of the first
+//!    element, crosses over, and comes straight to the second from one radius before it; so it stays one radius away
+//!    from the corner.
+//! 3. After the last element the tool stands perpendicular to its end; after G40 the next straight motion leaves from
+//!    there.
 //!
-//! So every element waits for the next one in its plane. What comes between them (a motion across the plane, a dwell, a
-//! function) waits with it and happens at S.
+//! So every element waits for the next one in its plane. Anything between them (a motion across the plane, a dwell, a
+//! function) waits too, and is done at S.
 
 use crate::motion::geometry::{Point, distance, in_plane, sweep};
 use crate::motion::{Motion, MotionStep, Plane, Position, Sense};
 use crate::program::TextSpan;
 use crate::units::Micrometres;
 
-/// A rule that a corrected path breaks: its code and where.
+/// A rule that a corrected path breaks: its code and its place.
 pub(super) type Trouble = (&'static str, TextSpan);
 
 /// An element of the programmed path in its plane, mm.
@@ -35,33 +37,33 @@ struct Pending {
     element: Element,
     step: MotionStep,
     span: TextSpan,
-    /// It only brings the tool to the path.
+    /// Whether it only brings the tool to the path.
     approach: bool,
 }
 
-/// The correction on its way.
+/// The radius correction in progress.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Compensator {
     plane: Option<Plane>,
-    /// How far the centre stays to the left of the path, mm; to the right when negative.
+    /// The distance of the centre to the left of the path, mm; negative to the right.
     offset: f64,
     entering: bool,
     pending: Option<Pending>,
     queue: Vec<MotionStep>,
-    /// Where the centre is in the plane, once it has left the programmed path.
+    /// The position of the centre in the plane, once it has left the programmed path.
     held: Option<Point>,
 }
 
 impl Compensator {
-    /// Whether the tool is kept beside its path.
+    /// Whether a radius correction is active.
     pub(super) fn active(&self) -> bool {
         self.offset != 0.0
     }
 
-    /// Begins, changes or ends the correction; emits the steps that have waited.
+    /// Begins, changes or ends the correction; outputs the waiting steps.
     ///
     /// # Errors
-    /// The path that has waited cannot be corrected.
+    /// The waiting path cannot be corrected.
     pub(super) fn set(&mut self, plane: Plane, offset: f64, out: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         self.flush(out)?;
         if self.plane.is_some_and(|old| old != plane) {
@@ -73,10 +75,10 @@ impl Compensator {
         Ok(())
     }
 
-    /// Emits the steps that have waited; the last element ends square to itself.
+    /// Outputs the waiting steps; the last element ends perpendicular to its end.
     ///
     /// # Errors
-    /// It cannot be corrected.
+    /// The path cannot be corrected.
     pub(super) fn flush(&mut self, out: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         if let Some(pending) = self.pending.take() {
             let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
@@ -86,7 +88,7 @@ impl Compensator {
         Ok(())
     }
 
-    /// Takes a step of the programmed path that began there; emits what is known by now.
+    /// Takes a step of the programmed path that began at `from`; outputs the steps that are known by now.
     ///
     /// # Errors
     /// The path cannot be corrected.
@@ -142,8 +144,8 @@ impl Compensator {
         Ok(())
     }
 
-    /// Gives out an element that ends at the first of the points, straight ways through the others, and what has waited
-    /// behind it.
+    /// Outputs an element that ends at the first of the points, straight lines through the others, and the steps
+    /// waiting after it.
     fn finish(&mut self, pending: Pending, points: &[Point], steps: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         let Some(plane) = self.plane else { return Ok(()) };
         let Pending { element, mut step, span, approach } = pending;
@@ -175,7 +177,7 @@ impl Compensator {
 }
 
 impl Element {
-    /// The element of a step; nothing when it does not move in the plane.
+    /// The element of a step; none if it does not move in the plane.
     fn of(step: &MotionStep, from: Position, plane: Plane) -> Option<Self> {
         let (from, to) = (in_plane(from, plane), in_plane(step.at, plane));
         match &step.motion {
@@ -213,7 +215,7 @@ impl Element {
         })
     }
 
-    /// The point beside its beginning or end; nothing when the tool is larger than the arc.
+    /// The point beside its beginning or end; none if the tool is larger than the arc.
     fn beside(&self, offset: f64, at_end: bool) -> Option<Point> {
         if self.parallel_radius(offset).is_some_and(|radius| radius <= 0.0) {
             return None;
@@ -223,7 +225,7 @@ impl Element {
         Some([point[0] - along[1] * offset, point[1] + along[0] * offset])
     }
 
-    /// Whether its corrected form would go backwards: the tool does not fit between its neighbours.
+    /// Whether its corrected form would go backwards: then the tool does not fit between its neighbours.
     fn turned_round(&self, begin: Point, end: Point) -> bool {
         match self.arc {
             None => {
@@ -258,10 +260,10 @@ fn meeting(first: &Element, second: &Element, end: Point, start: Point, offset: 
     let turn = before[0] * behind[1] - before[1] * behind[0];
     let onwards = before[0] * behind[0] + before[1] * behind[1] > 0.0;
     if onwards && turn.abs() < SMOOTH {
-        // Tangent except for the rounding of the numbers.
+        // Tangent, apart from the rounding of the numbers.
         return Some(near.map_or(vec![end, start], |point| vec![point]));
     }
-    // Of an exact turning round neither side is the inside.
+    // At an exact reversal neither side is the inside.
     if turn * offset > 0.0 && turn.abs() > 1e-9 {
         return nearest.map(|point| vec![point]);
     }
@@ -272,7 +274,7 @@ fn meeting(first: &Element, second: &Element, end: Point, start: Point, offset: 
     let past = [end[0] + before[0] * radius, end[1] + before[1] * radius];
     let ahead = [start[0] - behind[0] * radius, start[1] - behind[1] * radius];
     let mut way = vec![past, ahead];
-    // A line only becomes longer; an arc ends and begins where it is.
+    // Only a line may be extended; an arc keeps its ends.
     if first.arc.is_some() {
         way.insert(0, end);
     }

@@ -1,6 +1,6 @@
 //! The fixed cycles G81…G86 (textbook 3.12.1).
 //!
-//! Every cycle goes along the cycle axis of the plane in force through the points 0 to 4 of figure 3.3:
+//! Every cycle moves along the cycle axis of the active plane through the points 0 to 4 of figure 3.3:
 //!
 //! ```text
 //! 0  where the tool is when the cycle begins
@@ -10,9 +10,9 @@
 //! 4  level I, else point 3               3-4 at rapid
 //! ```
 //!
-//! The diagrams are lost. Where point 3 lies is said for a cycle without I only: there 0, 3 and 4 are one (l. 2805).
-//! With I we put it at level U, or at I itself when that is reached first: the hole is left at the rate of 2-3 and the
-//! rest of the way is rapid.
+//! The diagrams are lost. The place of point 3 is given for a cycle without I only: there 0, 3 and 4 are one point
+//! (l. 2805). With I the program assumes level U, or I itself if that is reached first: the tool leaves the hole at
+//! the rate of 2-3, and the rest is rapid.
 
 use super::block::Maker;
 use super::state::{CYCLE, PLANE, SYSTEM};
@@ -35,7 +35,7 @@ struct CycleLevels {
     four: Micrometres,
 }
 
-/// A hole as a cycle makes it: with what, how, and where on the machine its bottom lies.
+/// A hole as a cycle makes it: the tool, the manner, and the position of its bottom on the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Hole {
     tool: u32,
@@ -47,11 +47,11 @@ pub(super) struct Hole {
     from: Micrometres,
 }
 
-/// The block that has made each hole first, and the calls that led there.
+/// The block that made each hole first, and the calls that led to it.
 pub(super) type Holes = BTreeMap<Hole, (Vec<Call>, BlockRef)>;
 
 impl Maker<'_> {
-    /// Runs the cycle in force: in the block that gives it and in every later one that moves an axis, last of all.
+    /// Runs the active cycle: in its own block and in every later one that moves an axis, after everything else.
     pub(super) fn cycle(&mut self, words: &BlockWords) {
         let code = self.state.groups[CYCLE];
         let Some(cycle) = self.control.cycles.get(code) else { return };
@@ -91,15 +91,15 @@ impl Maker<'_> {
         }
     }
 
-    /// Whether the block moves away from the part: in the machine's own system, or to where tools are changed. A cycle
-    /// that runs there has been forgotten.
+    /// Whether the block moves away from the part: in the machine's system, or to the tool-change position. A cycle
+    /// that runs there was forgotten.
     fn on_the_way_to_the_change(&self) -> bool {
         let (x, y) = self.machine.tool_change_at;
         let known = self.state.floating[..2].iter().all(Option::is_none);
         self.state.groups[SYSTEM] == 53 || (known && (self.state.base.x, self.state.base.y) == (x, y))
     }
 
-    /// Remembers a hole; a fault when the same cycle has made it with the same tool at the same levels before.
+    /// Remembers a hole; reports a fault if the same cycle has made it before with the same tool at the same levels.
     fn drilled(&mut self, cycle: u8, levels: CycleLevels, span: TextSpan) {
         let bottom = self.state.corrected(self.state.base.with(levels.axis, levels.two));
         let floating = self.state.floating;
@@ -115,8 +115,8 @@ impl Maker<'_> {
         }
     }
 
-    /// Parameters that must be there keep their last value when left out; those that need not be fall back to none
-    /// (l. 2672-2713). F is the feed of every later block too.
+    /// Required parameters keep their last value when left out; optional ones become none (l. 2672-2713). F is also
+    /// the feed of every later block.
     fn take_parameters(&mut self, given: &[Option<WordValue>; 26]) {
         for address in ['I', 'E', 'H', 'M'] {
             self.state.parameters[letter(address)] = None;
@@ -131,7 +131,7 @@ impl Maker<'_> {
         }
     }
 
-    /// Absolute parameters are levels; incremental ones are the ways 0-1, 1-2 and 2-4 (tables 3.10, 3.11).
+    /// Absolute parameters are levels; incremental ones are the travels 0-1, 1-2 and 2-4 (tables 3.10, 3.11).
     fn levels(&mut self, axis: Axis) -> CycleLevels {
         let zero = self.state.base.get(axis);
         let level = |maker: &Self, address: char, from: Micrometres| {
@@ -143,7 +143,7 @@ impl Maker<'_> {
         self.state.floating[axis.index()] = floating;
         let (three, four) = match four {
             None => (zero, zero),
-            // The nearer to point 2 of U and I.
+            // Of U and I, the one nearer to point 2.
             Some(four) if (four - two).abs() < (one - two).abs() => (four, four),
             Some(four) => (one, four),
         };
@@ -170,7 +170,7 @@ impl Maker<'_> {
         }
         self.wait_if(dwell);
         match code {
-            // G85: the spindle stands while the tool leaves, so that it does not scratch the bore.
+            // G85: the spindle is stopped while the tool leaves, so that it does not scratch the bore.
             85 => self.spindle(Turning::Stopped),
             // G84: the tap turns out of the thread.
             84 => self.spindle(reversed(before)),
@@ -187,11 +187,11 @@ impl Maker<'_> {
         }
     }
 
-    /// G83 and G86: the way 1-2 in steps of V, so that the chips break or come out.
+    /// G83 and G86: the travel 1-2 in steps of V, so that chips break or are removed.
     ///
-    /// G83: after every step the drill leaves the hole at rapid to point 1, which clears the flutes, and comes back at
-    /// rapid to W before the metal. G86: after every step it jumps back by W at rapid, which breaks the chip, and stays
-    /// in the hole. That G83 leaves to point 1 is reconstructed: its diagram is lost.
+    /// G83: after every step the drill leaves the hole at rapid to point 1, which clears the flutes, and returns at
+    /// rapid to the distance W above the metal. G86: after every step it retracts by W at rapid, which breaks the
+    /// chip, and stays in the hole. That G83 leaves to point 1 is reconstructed, because its diagram is lost.
     fn steps_inwards(&mut self, code: u8, levels: CycleLevels, feed: &Motion, span: TextSpan) {
         let [step, clearance] = ['V', 'W'].map(|address| self.parameter(address).unwrap_or_default());
         for (address, value) in [('V', step), ('W', clearance)] {
@@ -220,7 +220,7 @@ impl Maker<'_> {
         }
     }
 
-    /// To a level of the cycle axis; nothing when the tool is there.
+    /// A motion to a level of the cycle axis; none if the tool is there.
     fn along(&mut self, axis: Axis, level: Micrometres, motion: Motion, span: TextSpan) {
         if self.state.base.get(axis) == level {
             return;

@@ -1,10 +1,10 @@
-//! The control 2С42-65 (textbook section 3): its programs read and run. docs/control-2c42-65.md describes the language
-//! as it is run here, what of it is reconstructed, and both readings where the text contradicts itself.
+//! The control 2С42-65 (textbook section 3): reads and runs its programs. docs/control-2c42-65.md describes the
+//! language as it is implemented here, what is reconstructed, and both readings where the text contradicts itself.
 //!
 //! - `control` the language as data, from catalogs/controls;
-//! - `text` words and blocks with their places; `check` what can be checked without running them;
+//! - `text` words and blocks with their places; `check` checks without running;
 //! - `words`, `block`, `moves`, `cycles`, `correction`, `travel` one block: its words, and the steps it makes;
-//! - `state` what stays from block to block; `run` the execution of blocks, calls and repeats;
+//! - `state` the state kept between blocks; `run` the execution of blocks, calls and repeats;
 //! - `rules` every rule with its section.
 
 mod block;

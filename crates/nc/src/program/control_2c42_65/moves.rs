@@ -10,7 +10,7 @@ use crate::program::TextSpan;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
-/// Where a block wants to go.
+/// The target position of a block.
 #[derive(Clone, Copy, Debug)]
 struct Target {
     base: Position,
@@ -33,7 +33,7 @@ impl Maker<'_> {
                 self.fault("helix-without-arc", function.span);
                 return;
             }
-            // Where the signal would stop it is not known: the whole motion is made.
+            // The position where the signal would stop it is not known: the whole motion is made.
             Some(function) if function.code == 32 => {
                 self.fault("until-signal", function.span);
             }
@@ -72,7 +72,7 @@ impl Maker<'_> {
         self.push_from(motion, from, span);
     }
 
-    /// Whether every axis of the block may move; no motion before the machine zero has been sought (4.2.5, note 4).
+    /// Whether every axis of the block may move: no motion before the search of the machine zero (4.2.5, note 4).
     fn axes_may_move(&mut self, words: &BlockWords) -> bool {
         let mut may = true;
         for axis in Axis::ALL {
@@ -92,7 +92,7 @@ impl Maker<'_> {
         homed
     }
 
-    /// The target of the words: positions in the system in force (G90), or distances (G91).
+    /// The target of the words: positions in the active system (G90), or distances (G91).
     fn target(&self, words: &BlockWords) -> Target {
         let mut target = Target { base: self.state.base, floating: self.state.floating };
         for axis in Axis::ALL {
@@ -104,7 +104,7 @@ impl Maker<'_> {
         target
     }
 
-    /// A number as a position of the machine: in the system in force, or from a point.
+    /// A number as a machine position: in the active system, or from a point.
     pub(super) fn level(&self, axis: Axis, thousandths: i64, from: Micrometres) -> (Micrometres, Floating) {
         let value = Micrometres::new(thousandths * self.state.sign(axis, self.setting));
         if self.state.absolute() {
@@ -115,9 +115,9 @@ impl Maker<'_> {
         }
     }
 
-    /// G45…G48: the way along every axis of the plane that the block names becomes longer or shorter by the value of D,
-    /// once or twice, and so do I, J, K (tables 3.8, 3.9). A way of 0 counts as one to plus: so the example of 3.11.4
-    /// closes.
+    /// G45…G48: the travel along every axis of the plane in the block becomes longer or shorter by the value of D,
+    /// once or twice, and so do I, J, K (tables 3.8, 3.9). A travel of 0 counts as positive: so the contour of the
+    /// example in 3.11.4 closes.
     fn offset(&mut self, words: &BlockWords, target: &mut Target, centre: &mut [Option<Micrometres>; 3]) {
         let Some(function) = words.g[ONE_SHOT] else { return };
         let Some(factor) = self.control.offsets.get(function.code).copied() else { return };
@@ -144,8 +144,8 @@ impl Maker<'_> {
         }
     }
 
-    /// G02, G03, with G10 a helix (3.10.4, 3.10.5). The centre is counted from the start, G90 or G91. A block that names
-    /// no axis is a full circle.
+    /// G02, G03, with G10 a helix (3.10.4, 3.10.5). The centre is relative to the start in both G90 and G91. A block
+    /// without an axis is a full circle.
     fn arc(
         &mut self,
         words: &BlockWords,
@@ -173,8 +173,8 @@ impl Maker<'_> {
             self.fault("arc-without-radius", span);
             return None;
         }
-        // Start, end and centre are each rounded to the machine's step; together they may differ by two steps without
-        // being wrong.
+        // Start, end and centre are each rounded to the step of the machine; together they may differ by two steps
+        // without being wrong.
         if (radius - other).abs() > 2.0 * self.machine.resolution.to_mm() {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
             self.tell("arc-radius", span, &[("start", shown(radius).told()), ("end", shown(other).told())]);
@@ -195,12 +195,12 @@ impl Maker<'_> {
             None => 0,
         };
         let feed_mm_per_min = self.feed(span);
-        // The length correction does not touch the plane, so the centre is as programmed.
+        // The length correction does not change the plane, so the centre is as programmed.
         Some(Motion::Arc { plane: row.plane, sense, centre: middle, turns, feed_mm_per_min })
     }
 
-    /// Whole turns of a helix: its climb over its pitch, less the arc itself. The pitch is per turn and has the sign of
-    /// the climb (3.10.5, notes 1 and 4).
+    /// Whole turns of a helix: its rise divided by its pitch, minus the arc itself. The pitch is per turn and has the
+    /// sign of the rise (3.10.5, notes 1 and 4).
     fn turns(
         &mut self,
         pitch: Option<WordValue>,
@@ -229,13 +229,13 @@ impl Maker<'_> {
         Some(whole as u32)
     }
 
-    /// G27…G31, which the text only names. Reconstructed: every axis of the block goes at rapid
+    /// G27…G31, which the text only names. Reconstructed: every axis of the block moves at rapid
     ///
-    /// - G27: through the intermediate point of the words to its zero by the limit switches, and is homed then; before
-    ///   that the words count from where it stands (4.2.5, note 4);
+    /// - G27: through the intermediate point of the words to its zero by the limit switches, and is homed then;
+    ///   before that the words are relative to its position (4.2.5, note 4);
     /// - G28: through that point to the machine zero;
     /// - G29, G31: through that point to the machine's fixed point;
-    /// - G30: through the point that the last such function has stored to the point of the words.
+    /// - G30: through the point stored by the last such function to the point of the words.
     fn returning(&mut self, function: Function, words: &BlockWords) {
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| words.axis(*axis).is_some()).collect();
         if function.code != 27 && !self.axes_may_move(words) {
@@ -268,7 +268,7 @@ impl Maker<'_> {
                 self.state.base = self.state.base.with(*axis, point.base.get(*axis));
                 let floating = if last && function.code == 30 { intermediate.floating } else { point.floating };
                 self.state.floating[axis.index()] = floating[axis.index()];
-                // The zero is a place of the machine: no length correction is left in on the way there.
+                // The zero is a position of the machine: the length correction is removed on the way there.
                 if last && function.code != 30 && self.state.length.0 == *axis {
                     self.state.base = self.state.base.with(*axis, point.base.get(*axis) - self.state.length.1);
                 }

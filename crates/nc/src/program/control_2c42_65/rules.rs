@@ -1,8 +1,8 @@
-//! Every rule a program is checked against: its stable code, how grave a breach is, and the section that says so.
+//! All rules for programs: stable code, severity, and the section that gives the rule.
 //!
-//! A section is one of the control's description (textbook sections 3 and 4); `*` after it marks our own reading where
-//! the text says little, explained in docs/control-2c42-65.md. The messages are in the catalogue of the crate `words`;
-//! tests keep the three consistent.
+//! A section is one of the control's description (textbook sections 3 and 4); `*` after it marks an interpretation
+//! where the text says little, explained in docs/control-2c42-65.md. The messages are in the catalogue of the crate
+//! `words`; tests keep the three consistent.
 
 use crate::note::Severity;
 use crate::program::{Fault, Rule, TextSpan};
@@ -11,7 +11,7 @@ use Severity::{Doubtful as Warning, Error, Note as Remark};
 
 /// Code, severity, section.
 pub(super) const RULES: &[Rule] = &[
-    // What is written.
+    // The text.
     ("unknown-character", Error, "3.1"),
     ("cyrillic-letter", Error, "3.1"),
     ("unknown-address", Error, "3.1"),
@@ -44,11 +44,11 @@ pub(super) const RULES: &[Rule] = &[
     ("fourth-axis", Error, "3.8.1"),
     ("offset-with-radius-correction", Error, "3.11.4"),
     ("corrector-with-offset", Error, "3.11.4"),
-    // How the program runs.
+    // The run.
     ("return-without-call", Error, "3.14"),
     ("calls-too-deep", Error, "3.14"),
     ("run-too-long", Error, "*"),
-    // What the machine can do.
+    // The limits of the machine.
     ("feed-beyond-machine", Error, "3.9.2"),
     ("speed-beyond-machine", Error, "3.13.1"),
     ("no-spindle-step", Warning, "3.13.1"),

@@ -16,10 +16,11 @@ use crate::note::Told;
 use crate::program::running::{BUDGET, BlockOutcome, Running};
 use crate::program::{Call, Fault, Setting};
 
-/// Checks a program: its text, then its run. The steps of the run go to the sink; what is wrong comes back, by place.
+/// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are returned,
+/// sorted by place.
 ///
-/// A text with errors is not run. A block with an error makes no steps, its modal functions hold all the same, and the
-/// run goes on, so that every mistake is reported at once.
+/// A text with errors is not run. A block with an error makes no steps, but its modal functions take effect and the
+/// run continues, so that all mistakes are reported at once.
 pub fn check<S: Sink>(
     text: &str,
     control: &Control,
@@ -30,7 +31,7 @@ pub fn check<S: Sink>(
     check_within(BUDGET, text, control, machine, setting, sink)
 }
 
-/// The same with another budget: a run ends, with an error, after so many blocks and motions.
+/// The same with another budget: the run ends with an error after so many blocks and motions.
 pub fn check_within<S: Sink>(
     budget: usize,
     text: &str,
@@ -69,7 +70,7 @@ struct ProgramRun<'a, S> {
     setting: &'a Setting,
     state: ControlState,
     holes: Holes,
-    /// The room for the steps of a block, empty between them: taken and given back, so that no block allocates its own.
+    /// The buffer for the steps of a block, empty between blocks, so that no block allocates its own.
     steps: Vec<MotionStep>,
     running: Running<'a, S>,
 }
@@ -111,7 +112,7 @@ impl<S: Sink> ProgramRun<'_, S> {
         maker.finer_than_machine(&words);
         let after = maker.make(&words);
         let Maker { mut steps, faults, made, .. } = maker;
-        // 3. Carry it out: nothing of a block that is not good.
+        // 3. Execute: nothing of a block with an error.
         self.running.carry_out(&steps, faults, made);
         steps.clear();
         self.steps = steps;
@@ -126,7 +127,7 @@ impl<S: Sink> ProgramRun<'_, S> {
         }
     }
 
-    /// L P: the subprogram, so many times (3.14.2).
+    /// L P: the subprogram, L times (3.14.2).
     fn calls(&mut self, block: &Block, words: &BlockWords, depth: usize) -> BlockOutcome {
         let Some(call) = words.get('P') else { return BlockOutcome::On };
         let number = u8::try_from(call.number()).unwrap_or(u8::MAX);

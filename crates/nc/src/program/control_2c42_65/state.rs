@@ -1,4 +1,4 @@
-//! What stays from block to block: the modal functions, and where the axes are.
+//! The state kept from block to block: the modal functions and the positions of the axes.
 
 use super::control::{Control, GROUPS};
 use super::correction::Compensator;
@@ -7,7 +7,7 @@ use crate::program::Setting;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
-/// Groups of table 3.5 by what they are about.
+/// Groups of table 3.5 by their subject.
 pub(super) const ONE_SHOT: usize = 0;
 pub(super) const MOTION: usize = 1;
 pub(super) const PLANE: usize = 2;
@@ -20,13 +20,13 @@ pub(super) const DISTANCE: usize = 7;
 /// The state of the control.
 #[derive(Debug)]
 pub(super) struct ControlState {
-    /// The function that holds in every group.
+    /// The function in force in every group.
     pub groups: [u8; GROUPS],
     /// F, in thousandths of mm/min.
     pub feed: i64,
     /// S, 1/min.
     pub speed: i64,
-    /// What the spindle does.
+    /// The spindle.
     pub turning: Turning,
     /// T: the tool that the next M06 brings.
     pub wanted: u32,
@@ -35,27 +35,27 @@ pub(super) struct ControlState {
     /// D and H.
     pub radius_corrector: u32,
     pub length_corrector: u32,
-    /// The parameters of the cycle that were given last, by their letters, in thousandths.
+    /// The last parameters of the cycle, by their letters, in thousandths.
     pub parameters: [Option<i64>; 26],
-    /// Where the programmed point is, machine coordinates, without corrections.
+    /// The programmed point, machine coordinates, without corrections.
     pub base: Position,
-    /// The length correction that is in: axis and what is added.
+    /// The length correction in force: its axis and the added value.
     pub length: (Axis, Micrometres),
-    /// The number of its corrector; 0 where there is none.
+    /// The number of its offset register; 0 where there is none.
     pub length_in_force: u32,
-    /// Axes whose place on the machine is not known.
+    /// Axes whose machine position is not known.
     pub floating: [Floating; 3],
-    /// The origin that G92 has set.
+    /// The origin set by G92.
     pub origin: Position,
     /// Which of its axes are floating.
     pub origin_floating: [Floating; 3],
-    /// Axes that have been at their zero.
+    /// Axes that have been homed.
     pub homed: [bool; 3],
-    /// The intermediate point of the last return, which G30 passes again.
+    /// The intermediate point of the last return, which G30 uses again.
     pub stored: Option<Position>,
-    /// The radius correction on its way.
+    /// The radius correction in progress.
     pub compensator: Compensator,
-    /// Where the axes really are.
+    /// The real positions of the axes.
     pub actual: Position,
 }
 
@@ -85,9 +85,9 @@ impl ControlState {
         }
     }
 
-    /// Where the system in force has its zero along an axis, machine coordinates, and whether anybody has set it.
+    /// The zero of the active system along an axis, machine coordinates, and whether it was set.
     ///
-    /// G53 counts from the machine zero, G92 from where it said, G54…G59 from the operator's zero and СМ1, СМ2.
+    /// G53 is relative to the machine zero, G92 to its own origin, G54…G59 to the operator's zero with СМ1, СМ2.
     pub(super) fn origin_of(&self, axis: Axis, setting: &Setting) -> (Micrometres, Floating) {
         let system = self.groups[SYSTEM];
         match system {
@@ -101,12 +101,12 @@ impl ControlState {
         }
     }
 
-    /// 1, or -1 along an axis that is mirrored; positions of the machine itself are not (4.2.4.4).
+    /// 1, or -1 along a mirrored axis; positions of the machine itself are not mirrored (4.2.4.4).
     pub(super) const fn sign(&self, axis: Axis, setting: &Setting) -> i64 {
         if setting.mirror[axis.index()] && self.groups[SYSTEM] != 53 { -1 } else { 1 }
     }
 
-    /// Where the machine stands when the programmed point is there.
+    /// The position of the machine for a programmed point.
     pub(super) fn corrected(&self, base: Position) -> Position {
         let (axis, value) = self.length;
         base.with(axis, base.get(axis) + value)

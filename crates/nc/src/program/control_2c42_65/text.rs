@@ -1,7 +1,7 @@
-//! The text of a program as words and blocks, each with its place (textbook 3.1 to 3.7). Nothing is understood here:
-//! what a block means stands in `block.rs`, what it may hold in `check.rs`.
+//! Splits the text of a program into words and blocks with their places (textbook 3.1 to 3.7). Nothing is interpreted
+//! here: `block.rs` does that, and `check.rs` checks what a block may have.
 //!
-//! Reading recovers: a word that cannot be read is reported and left out, and reading goes on after it.
+//! Reading recovers from errors: a word that cannot be read is reported and skipped.
 
 use super::control::Control;
 use super::rules::fault;
@@ -16,16 +16,16 @@ pub(super) struct Word {
     pub thousandths: i64,
     /// Digits before the point, as written.
     pub digits: usize,
-    /// Where it stands.
+    /// Its place.
     pub span: TextSpan,
-    /// Whether it stands behind the G function of a cycle and so is a parameter of it (3.12.1).
+    /// Whether it follows the G function of a cycle and so is a parameter of it (3.12.1).
     pub in_cycle: bool,
-    /// Whether it is left out when the operator asked for the skip (4.2.4.3).
+    /// Whether it is left out when the operator has switched the block skip on (4.2.4.3).
     pub skipped: bool,
 }
 
 impl Word {
-    /// The number, whole.
+    /// The number as a whole number.
     pub(super) const fn number(self) -> i64 {
         self.thousandths / 1000
     }
@@ -45,18 +45,18 @@ pub(super) struct Block {
     pub number: Option<u32>,
     /// The number of the program that begins with it.
     pub program: Option<u8>,
-    /// Its other words, as they stand.
+    /// Its other words, in the order of the text.
     pub words: Vec<Word>,
-    /// Whether a word of it could not be read: what it lacks may have been that word.
+    /// Whether a word of it could not be read: a missing word may be that one.
     pub unread: bool,
-    /// Whether that is the word that it begins with, its number perhaps or that of a program.
+    /// Whether that is its first word, perhaps its number or that of a program.
     pub headless: bool,
 }
 
 /// Every block of the text, and what could not be read.
 pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) {
     if text.len() > control.memory_bytes {
-        // The rest is not read: thousands of faults of a file that is no program are of no use.
+        // The rest is not read: thousands of faults for a file that is no program help nobody.
         let whole = TextSpan { line: 1, column: 1, width: 1 };
         let memory = control.memory_bytes;
         return (Vec::new(), vec![fault("memory-full", whole, None).with("bytes", text.len()).with("memory", memory)]);
@@ -76,7 +76,7 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) 
         };
         blocks.extend(reader.block());
     }
-    // Once: whoever leaves the numbers out leaves out all of them.
+    // Reported once: an author who leaves numbers out usually leaves all of them out.
     let mut unnumbered =
         blocks.iter().filter(|block| block.number.is_none() && block.program.is_none() && !block.headless);
     if let Some(first) = unnumbered.next() {
@@ -98,7 +98,7 @@ struct SourceLine<'a> {
 }
 
 impl SourceLine<'_> {
-    /// Characters before a place.
+    /// The number of characters before a place.
     fn characters(&self, to: usize) -> usize {
         if self.ascii { to } else { self.text[..to].chars().count() }
     }
@@ -113,7 +113,7 @@ impl SourceLine<'_> {
     fn block(&mut self) -> Option<Block> {
         let before = self.faults.len();
         let end = self.text.trim_end().len();
-        // Editors put a mark of their encoding before the text; it is no part of the program.
+        // Editors may put a byte order mark before the text; it is no part of the program.
         let mark = if self.number == 1 && self.text.starts_with(MARK) { MARK.len_utf8() } else { 0 };
         let content = self.text.get(mark..end)?;
         let first = end - content.trim_start().len();
@@ -169,7 +169,7 @@ impl SourceLine<'_> {
         Some(block)
     }
 
-    /// Stores a word: the numbers of block and program separately, the rest in order.
+    /// Stores a word: the numbers of block and program separately, the others in order.
     fn place(&mut self, word: Word, block: &mut Block) {
         match word.address {
             'N' if !word.in_cycle => {
@@ -214,7 +214,7 @@ impl SourceLine<'_> {
         // In a cycle H is a feed (table 3.13).
         let limited = if address == 'H' && self.in_cycle { 'F' } else { address };
         let limits = self.control.addresses.of(limited).and_then(|it| it.limits).or_else(|| {
-            // U, V and W stand in no table of limits: they are lengths as X is.
+            // U, V and W are in no table of limits: they are lengths like X.
             self.control.addresses.of('X').and_then(|it| it.limits).filter(|_| known.length)
         });
         if let Some((low, high)) = limits
@@ -232,7 +232,7 @@ impl SourceLine<'_> {
         Some(word)
     }
 
-    /// A number as written: its thousandths, and how many digits stand before the point.
+    /// A number as written: its thousandths, and the number of digits before the point.
     fn number(&mut self, written: &str, address: char, span: TextSpan) -> Option<(i64, usize)> {
         let (negative, unsigned) = match written.strip_prefix('-') {
             Some(rest) => (true, rest),
@@ -250,7 +250,7 @@ impl SourceLine<'_> {
             self.faults.push(fault(code, span, None).with("address", address));
             return None;
         }
-        // Three places behind the point, and whatever is too large for any range: the range check tells it.
+        // Three decimal places; a number too large for any range is reported by the range check.
         let places = part.bytes().chain(std::iter::repeat(b'0')).take(3);
         let value = whole.bytes().chain(places).fold(0_i64, |value, digit| {
             value.saturating_mul(10).saturating_add(i64::from(digit.wrapping_sub(b'0'))).min(i64::MAX / 4)
@@ -259,15 +259,15 @@ impl SourceLine<'_> {
     }
 }
 
-/// The places behind a decimal comma that follows a number without a point.
+/// The digits after a decimal comma that follows a number without a point.
 pub(in crate::program) fn comma_places<'t>(behind: &'t str, number: &str) -> Option<&'t str> {
     let rest = behind.strip_prefix(',').filter(|_| !number.contains('.'))?;
     let end = rest.find(|sign: char| !sign.is_ascii_digit()).unwrap_or(rest.len());
     rest.get(..end).filter(|places| !places.is_empty())
 }
 
-/// A number with a decimal comma. Without the comma it would be another number, ten times and more as large; so what is
-/// to be written instead is told whole.
+/// A number with a decimal comma. Without the comma it would be another number, at least ten times as large, so the
+/// message shows the whole corrected number.
 pub(in crate::program) fn decimal_comma(
     address: char,
     number: &str,
@@ -283,11 +283,11 @@ pub(in crate::program) fn decimal_comma(
     fault("comma-for-point", span, None).with("written", written(',')).with("meant", written('.'))
 }
 
-/// The mark that editors put at the beginning of a file.
+/// The byte order mark at the beginning of a file.
 const MARK: char = '\u{feff}';
 
-/// Whether a character only keeps words apart. A line end that is none here, such as a carriage return inside a line,
-/// does not: two blocks would run together unseen.
+/// Whether a character only separates words. A line end that is none here, such as a carriage return inside a line,
+/// does not: two blocks would be joined unnoticed.
 fn blank(c: char) -> bool {
     c.is_whitespace() && (c == '\t' || !c.is_control())
 }
@@ -297,7 +297,7 @@ fn shown(c: char) -> String {
     if c.is_ascii_graphic() || c.is_alphanumeric() { c.to_string() } else { format!("U+{:04X}", u32::from(c)) }
 }
 
-/// The number that may begin here: a sign, digits, one point; blanks may stand before it, and go with it.
+/// The number that may begin here: a sign, digits, one point; blanks before it are part of it.
 fn number(text: &str) -> &str {
     let unsigned = text.trim_start_matches(blank);
     let begin = text.len() - unsigned.len();
@@ -314,7 +314,7 @@ fn number(text: &str) -> &str {
     if end == begin { "" } else { &text[..end] }
 }
 
-/// The Latin letter that a Cyrillic one looks like.
+/// The Latin letter that looks like a Cyrillic one.
 pub(in crate::program) fn latin(letter: char) -> Option<char> {
     let pairs = "АAВBСCЕEНHІIЈJКKМMОOРPЅSТTХXУYЗ3";
     let found = pairs.chars().collect::<Vec<_>>();

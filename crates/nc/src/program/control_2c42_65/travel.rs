@@ -1,4 +1,4 @@
-//! How a step reaches the sink: through the radius correction, checked against the travels of the machine.
+//! Outputs steps: through the radius correction, checked against the travels of the machine.
 
 use super::block::Maker;
 use super::correction::Trouble;
@@ -7,13 +7,13 @@ use crate::program::TextSpan;
 use crate::program::limits::{Reached, beyond_travel};
 
 impl Maker<'_> {
-    /// One more step where the axes stand.
+    /// Adds a step at the position of the axes.
     pub(super) fn push(&mut self, motion: Motion) {
         let from = self.state.corrected(self.state.base);
         self.push_from(motion, from, self.span);
     }
 
-    /// One more step from a point of the programmed path to where the state is now.
+    /// Adds a step from a point of the programmed path to the position of the state.
     pub(super) fn push_from(&mut self, motion: Motion, from: Position, span: TextSpan) {
         self.made += 1;
         let step = MotionStep { motion, at: self.state.corrected(self.state.base), block: self.block };
@@ -22,14 +22,14 @@ impl Maker<'_> {
         self.emit(begin, taken, span);
     }
 
-    /// What the radius correction still holds back.
+    /// Outputs the steps that the radius correction still delays.
     pub(super) fn flush(&mut self) {
         let begin = self.steps.len();
         let flushed = self.state.compensator.flush(&mut self.steps);
         self.emit(begin, flushed, self.span);
     }
 
-    /// Checks what the radius correction has emitted, from a place in the steps on, against the travels.
+    /// Checks the output of the radius correction, from an index of the steps on, against the travels.
     pub(super) fn emit(&mut self, begin: usize, given: Result<(), Trouble>, span: TextSpan) {
         if let Err((code, at)) = given {
             self.fault(code, at);

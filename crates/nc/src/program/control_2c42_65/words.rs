@@ -1,4 +1,4 @@
-//! Step 1 of a block: its words, each in its place, the functions by their groups.
+//! Step 1 of a block: its words, and its functions by their groups.
 
 use super::control::{Control, GROUPS};
 use super::text::Block;
@@ -25,10 +25,10 @@ pub(super) struct Function {
     pub span: TextSpan,
 }
 
-/// The words of a block as they are to be carried out.
+/// The words of a block for its execution.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BlockWords {
-    /// Of every group the function given last (3.10, note 3).
+    /// The last function of every group (3.10, note 3).
     pub g: [Option<Function>; GROUPS],
     /// X, Y, Z.
     pub axes: [Option<WordValue>; 3],
@@ -38,12 +38,12 @@ pub(super) struct BlockWords {
     pub other: [Option<WordValue>; 26],
     /// The M functions, as they stand.
     pub m: Vec<Function>,
-    /// The parameters behind the function of a cycle, by their letters; absent when no cycle is given.
+    /// The parameters of the cycle, by their letters; absent if the block has no cycle function.
     pub cycle: Option<Box<[Option<WordValue>; 26]>>,
 }
 
 impl BlockWords {
-    /// Reads a block; with `skip`, without what stands behind `/` (4.2.4.3).
+    /// Reads a block; with `skip`, without the words after `/` (4.2.4.3).
     pub(super) fn read(block: &Block, control: &Control, skip: bool) -> Self {
         let mut words = Self::default();
         for word in block.words.iter().filter(|word| !(skip && word.skipped)) {

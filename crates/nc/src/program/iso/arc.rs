@@ -11,8 +11,8 @@ use crate::program::TextSpan;
 use crate::units::Micrometres;
 
 impl Maker<'_> {
-    /// An arc in the plane in force, with a word across it a helix. I, J, K count from the start; a word of the two left
-    /// out is 0. No axis of the plane named: a full circle. LinuxCNC makes P turns of it.
+    /// An arc in the active plane; with a word across the plane a helix. I, J, K are relative to the start; a missing
+    /// one is 0. Without an axis of the plane it is a full circle. LinuxCNC makes P turns of it.
     pub(super) fn arc(&mut self, words: &BlockWords) {
         let plane = self.state.plane();
         let [a, b, _] = plane.axes();
@@ -43,7 +43,7 @@ impl Maker<'_> {
         let turns = turns.map_or(0, |given| u32::try_from(given.millionths / 1_000_000 - 1).unwrap_or_default());
         let feed_mm_per_min = self.feed(span);
         let Some(middle) = middle else {
-            // The run goes on as if it had arrived.
+            // The run continues as if the position had been reached.
             self.state.at = target.at;
             self.state.floating = target.floating;
             return;
@@ -74,7 +74,7 @@ impl Maker<'_> {
         }
         let off = (radius - other).abs();
         let (near, part) = self.control.arc_tolerance;
-        // LinuxCNC refuses a hundred times the first, or both.
+        // LinuxCNC refuses a difference of a hundred times the first limit, or of both limits.
         let wrong =
             if part > 0.0 { off > 100.0 * near || (off > near && off > part * radius.max(other)) } else { off > near };
         if wrong {
@@ -85,7 +85,7 @@ impl Maker<'_> {
         Some(middle)
     }
 
-    /// The centre of an arc by its radius: the smaller arc, with R below 0 the larger one.
+    /// The centre of an arc by its radius: of the smaller arc, with a negative R of the larger one.
     fn by_radius(&mut self, start: Point, end: Point, given: WordValue, sense: Sense) -> Option<Point> {
         let radius = given.length(self.state.inches()).to_mm();
         let chord = distance(start, end);

@@ -1,9 +1,9 @@
-//! One block, on a copy of the state: its steps are made, every broken rule is reported, and only when nothing is
-//! wrong the steps go out and the copy becomes the state (`run.rs`).
+//! One block, on a copy of the state: its steps are made and every broken rule is reported. Only without errors the
+//! steps are output and the copy becomes the state (`run.rs`).
 //!
-//! The order of a block, whatever the order of its words: units; F, S, T; functions of the start of a block, M6 first;
-//! the dwell; modal functions; length correction; the motion or the cycle; functions of the end of a block; the call of a
-//! subprogram. It is that of LinuxCNC; Fanuc's manual leaves most of it to the machine.
+//! The order within a block, whatever the order of its words: units; F, S, T; functions of the start of a block, M6
+//! first; the dwell; modal functions; length correction; the motion or the cycle; functions of the end of a block;
+//! the call of a subprogram. It is that of LinuxCNC; Fanuc's manual leaves most of it to the machine.
 
 use super::control::{Action, Control, Effect, Group, IsoControl};
 use super::rules::fault;
@@ -16,7 +16,7 @@ use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
 use crate::program::{Fault, Setting, Subject, TextSpan};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
 
-/// A block on its way: its steps, made on a copy of the state.
+/// A block during its execution: its steps, made on a copy of the state.
 pub(super) struct Maker<'a> {
     pub control: &'a Control,
     pub machine: &'a Machine<'a>,
@@ -26,12 +26,12 @@ pub(super) struct Maker<'a> {
     pub steps: Vec<MotionStep>,
     pub faults: Vec<Fault>,
     pub block: BlockRef,
-    /// The whole block, for faults of no single word.
+    /// The whole block, for faults that belong to no single word.
     pub span: TextSpan,
     pub spans: &'a mut Spans,
-    /// Steps that may be made.
+    /// The most steps that may be made.
     pub budget: usize,
-    /// Letters whose words were used. The others would be ignored silently, so they are reported.
+    /// The letters of used words. Other words would be ignored silently, so they are reported.
     pub used: [bool; 26],
 }
 
@@ -54,18 +54,18 @@ impl Maker<'_> {
         &mut self.faults[last]
     }
 
-    /// Tells one with its figures.
+    /// Reports a broken rule with its figures.
     pub(super) fn tell(&mut self, code: &'static str, span: TextSpan, figures: &[(&'static str, Figure)]) {
         let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.fault(code, span).note = note;
     }
 
-    /// Whether something is wrong with the block.
+    /// Whether the block has an error.
     pub(super) fn broken(&self) -> bool {
         self.faults.iter().any(Fault::is_error)
     }
 
-    /// A word that something needs; from now on it is used.
+    /// A word that is needed; it is marked as used.
     pub(super) fn take(&mut self, words: &BlockWords, address: char) -> Option<WordValue> {
         self.used[place(address)] = true;
         words.get(address)
@@ -85,7 +85,7 @@ impl Maker<'_> {
         self.length_correction(words);
         self.motion(words);
         let after = self.end_functions(words);
-        // Behind another mistake it would only follow from that.
+        // After another mistake it would only be a consequence.
         let unused = if self.broken() { None } else { Some(words.all()) };
         for (letter, given) in
             unused.into_iter().flatten().filter(|(letter, _)| !self.used[place(*letter)]).collect::<Vec<_>>()
@@ -131,14 +131,14 @@ impl Maker<'_> {
         matches!(action, Some(Action::SpindleClockwise | Action::SpindleCounterclockwise))
     }
 
-    /// The spindle from now on, its speed by S and the operator's switch.
+    /// The spindle from this block on, its speed by S and the operator's switch.
     pub(super) fn spindle(&mut self, turning: Turning) {
         self.state.turning = turning;
         let speed = self.state.speed * self.setting.speed_override as f64 / 100.0;
         self.push(Motion::Spindle { turning, speed_rpm: RevsPerMinute(speed) });
     }
 
-    /// Functions of the start of a block, the change of tool before all others.
+    /// Functions of the start of a block, the tool change first.
     fn start_functions(&mut self, words: &BlockWords) {
         let mut functions = words.m.clone();
         functions.sort_by_key(|function| {
@@ -182,7 +182,7 @@ impl Maker<'_> {
             Action::Stop => self.push(Motion::Stop { optional: false }),
             Action::OptionalStop if self.setting.optional_stop => self.push(Motion::Stop { optional: true }),
             Action::ToolChange => self.tool_change(function),
-            // What is called the run looks up; its words are used all the same.
+            // The run looks up what is called; the words are used here.
             Action::Call => {
                 self.take(words, 'P');
                 self.take(words, 'L');
@@ -198,7 +198,7 @@ impl Maker<'_> {
         }
     }
 
-    /// M6: the tool of T comes into the spindle, which stands still meanwhile.
+    /// M6: the tool of T is put into the spindle, which stops for that time.
     fn tool_change(&mut self, function: Function) {
         if self.state.wanted == 0 {
             self.fault("no-tool", function.span);
@@ -217,7 +217,7 @@ impl Maker<'_> {
         self.push(Motion::ToolChange { tool: self.state.wanted });
     }
 
-    /// G4: P in the control's unit; of Fanuc also X in seconds.
+    /// G4: P in the unit of the control; for Fanuc also X in seconds.
     fn dwell(&mut self, function: Function, words: &BlockWords) {
         let pause = self.take(words, 'P').map(|given| given.value() * self.control.dwell_unit_s);
         let pause = match pause {
@@ -237,8 +237,8 @@ impl Maker<'_> {
         self.push(Motion::Dwell { seconds: Decimal::from_f64_rounded(seconds).to_f64() });
     }
 
-    /// Group by group the function of the block; one-shot functions hold for it only, motions and cycles see to
-    /// themselves.
+    /// The function of each group; one-shot functions act in this block only, motions and cycles are handled
+    /// elsewhere.
     fn modes(&mut self, words: &BlockWords) {
         for &(_, group) in Group::NAMES {
             let Some(function) = words.function(group) else { continue };
@@ -256,7 +256,7 @@ impl Maker<'_> {
         }
     }
 
-    /// G43 H and G49. The axis does not move by itself: what is added shows in its next position.
+    /// G43 H and G49. The axis does not move by itself: the value shows in its next position.
     fn length_correction(&mut self, words: &BlockWords) {
         let Some(function) = words.function(Group::Length) else { return };
         let mut corrector = 0;
@@ -292,12 +292,12 @@ impl Maker<'_> {
         MillimetresPerMinute(feed)
     }
 
-    /// One more step where the axes stand.
+    /// Adds a step at the position of the axes.
     pub(super) fn push(&mut self, motion: Motion) {
         self.steps.push(MotionStep { motion, at: self.state.at, block: self.block });
     }
 
-    /// One more step to a position; none if a straight motion would not move.
+    /// Adds a step to a position; none if a straight motion would not move.
     pub(super) fn go(&mut self, motion: Motion, to: Position, floating: [Floating; 3], span: TextSpan) {
         let from = std::mem::replace(&mut self.state.at, to);
         self.state.floating = floating;
@@ -313,7 +313,7 @@ impl Maker<'_> {
         self.steps.push(step);
     }
 
-    /// Along Z to a level.
+    /// A motion along Z to a level.
     pub(super) fn climb(&mut self, motion: Motion, z: Micrometres, span: TextSpan) {
         let (at, floating) = (self.state.at.with(Axis::Z, z), self.state.floating);
         self.go(motion, at, floating, span);

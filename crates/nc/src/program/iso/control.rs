@@ -30,7 +30,7 @@ pub(super) struct MFunction {
     pub action: Action,
     /// Whether it acts before the motion of its block.
     pub at_start: bool,
-    /// Its group, of which LinuxCNC takes one in a block.
+    /// Its group; LinuxCNC permits one function of a group in a block.
     pub group: MGroup,
 }
 
@@ -44,15 +44,15 @@ pub(super) struct Cycle {
     pub outwards: Outwards,
 }
 
-/// A comment that acts.
+/// A comment that the control executes.
 #[derive(Clone, Debug)]
 pub(super) struct ActiveComment {
     /// What it begins with, in capitals.
     pub begins: String,
     pub acts: CommentAct,
-    /// Whether it acts behind a semicolon, too.
+    /// Whether it also acts after a semicolon.
     pub after_semicolon: bool,
-    /// Whether it acts only with nothing behind it.
+    /// Whether it acts only if nothing follows it.
     pub whole: bool,
 }
 
@@ -62,7 +62,7 @@ pub struct Control {
     pub(in crate::program) kind: IsoControl,
     /// G functions by their codes in tenths: 911 is G91.1.
     pub(super) g: BTreeMap<i64, GFunction>,
-    /// Those that hold after power-on.
+    /// The codes in force after power-on.
     pub(super) power_on: Vec<i64>,
     pub(super) m: BTreeMap<i64, MFunction>,
     pub(super) addresses: BTreeMap<char, Written>,
@@ -70,18 +70,18 @@ pub struct Control {
     pub(super) cycles: BTreeMap<i64, Cycle>,
     pub(super) depth: usize,
     pub(super) m_per_block: usize,
-    /// Seconds that one of P counts.
+    /// The unit of P in a dwell, s.
     pub(super) dwell_unit_s: f64,
-    /// What the radii at start and end of an arc may differ by, mm, and as a part of the radius.
+    /// The permitted difference between the radii at start and end of an arc, mm, and as a part of the radius.
     pub(super) arc_tolerance: (f64, f64),
-    /// How far before the metal the rapid of G83 ends; how far G73 draws back.
+    /// The distance above the metal where the rapid of G83 ends; the retract of G73.
     pub(super) pecks: (Micrometres, Micrometres),
-    /// Whether cycles and motions are one group, of which a block may have one.
+    /// Whether cycles and motions are one group, so that a block may have one of them.
     pub(super) cycles_are_motions: bool,
     pub(super) small_letters: bool,
     /// Whether subprograms are written with o-words.
     pub(super) o_words: bool,
-    /// Whether G43 without H takes the corrector of the tool in the spindle.
+    /// Whether G43 without H takes the offset register of the tool in the spindle.
     pub(super) length_of_tool: bool,
     setting: Limits,
 }
@@ -129,7 +129,7 @@ impl Control {
         Ok(language)
     }
 
-    /// What of a setting it has.
+    /// The parts of a setting that this control has.
     pub const fn setting(&self) -> &Limits {
         &self.setting
     }
@@ -191,7 +191,7 @@ fn code(text: &str, row: RowRef<'_>) -> Result<i64, KnowledgeError> {
         .ok_or_else(|| KnowledgeError::lacks(&row.table.id, note!("nc-code-such-g-g")))
 }
 
-/// The steps of a switch: those listed, or with two figures every whole number between them.
+/// The positions of a switch: those listed, or with two figures every whole number between them.
 fn steps(figures: &[f64]) -> Vec<i64> {
     let listed: Vec<i64> = figures.iter().map(|value| *value as i64).collect();
     match listed[..] {

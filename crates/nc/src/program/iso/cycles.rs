@@ -10,10 +10,10 @@
 //!    R     the end with G99; with G98 the initial level
 //! ```
 //!
-//! With G91 R counts from the initial level and Z from R, and every repeat steps X and Y on.
+//! With G91 R is relative to the initial level and Z to R, and every repeat moves on by X and Y.
 //!
 //! LinuxCNC chooses the path to the hole: from an initial level below R it first goes up to R, and from R or below it
-//! crosses at the level where this hole will end. Fanuc crosses at the level where it is.
+//! crosses at the level where this hole will end. Fanuc crosses at its present level.
 
 use super::block::Maker;
 use super::control::{Bottom, Cycle, Group, Inwards, IsoControl, Outwards};
@@ -29,12 +29,12 @@ use crate::units::Micrometres;
 struct CycleLevels {
     r: Micrometres,
     bottom: Micrometres,
-    /// Where it ends.
+    /// The level where it ends.
     clear: Micrometres,
 }
 
 impl Maker<'_> {
-    /// No cycle from now on. Fanuc forgets the parameters; LinuxCNC keeps P for a cycle that need not have it.
+    /// Cancels the cycle. Fanuc forgets the parameters; LinuxCNC keeps P for a cycle where it is optional.
     pub(super) fn cycle_off(&mut self) {
         self.state.set(Group::Cycle, None);
         self.state.initial = None;
@@ -47,7 +47,7 @@ impl Maker<'_> {
         self.state.parameters[place('P')] = kept;
     }
 
-    /// Runs a cycle: in the block that gives it, and in every later one that names a hole.
+    /// Runs a cycle: in its own block, and in every later one that gives a position.
     pub(super) fn cycle(&mut self, code: i64, given: Option<Function>, words: &BlockWords) {
         let Some(cycle) = self.control.cycles.get(&code).cloned() else { return };
         let span = given.map_or(self.span, |function| function.span);
@@ -90,17 +90,17 @@ impl Maker<'_> {
         }
     }
 
-    /// Z where the first of the row began, machine coordinates.
+    /// Z at the start of the first cycle of the row, machine coordinates.
     fn initial(&mut self) -> Micrometres {
         let origin = self.state.origin(Axis::Z, self.setting).0;
         let here = self.state.at.get(Axis::Z) - origin;
         origin + *self.state.initial.get_or_insert(here)
     }
 
-    /// The words of the block that are parameters of the cycle; those left out keep their last value.
+    /// The parameters of the cycle in the block; missing ones keep their last value.
     fn parameters(&mut self, cycle: &Cycle, words: &BlockWords) {
         let inches = self.state.inches();
-        // P and L beside M98 name the subprogram.
+        // P and L beside M98 belong to the subprogram.
         let called = calls(words, self.control).is_some();
         for address in cycle.required.iter().chain(&cycle.optional).copied() {
             if called && matches!(address, 'P' | 'L') {
@@ -120,7 +120,7 @@ impl Maker<'_> {
         self.state.parameters[place(address)]
     }
 
-    /// L of LinuxCNC, K of Fanuc; K0 only takes the parameters.
+    /// L of LinuxCNC, K of Fanuc; K0 only stores the parameters.
     fn repeats(&mut self, words: &BlockWords, named: bool) -> i64 {
         let address = if self.control.kind == IsoControl::LinuxCnc { 'L' } else { 'K' };
         let Some(given) = words.get(address).filter(|_| named) else { return 1 };
@@ -152,7 +152,7 @@ impl Maker<'_> {
         Some(CycleLevels { r, bottom, clear })
     }
 
-    /// Whether the machine and its spindle can.
+    /// Whether the machine and its spindle permit the cycle.
     fn may_run(&mut self, cycle: &Cycle, span: TextSpan) -> bool {
         if cycle.bottom == Bottom::Reversed {
             if !self.machine.can_tap {
@@ -183,14 +183,14 @@ impl Maker<'_> {
             self.go(Motion::Rapid, over, floating, target.span.unwrap_or(span));
             self.climb(Motion::Rapid, levels.r, span);
             self.hole(cycle, levels, &feed, span);
-            // A block with an error makes nothing, and the budget ends endless repeats.
+            // A block with an error makes no steps, and the budget ends endless repeats.
             if self.broken() || self.steps.len() > self.budget {
                 break;
             }
         }
     }
 
-    /// The levels of a cycle with G90 count from the zero of the system.
+    /// With G90 the levels of a cycle are relative to the zero of the system.
     fn set_floating(&mut self) {
         if self.state.absolute() {
             self.state.floating[2] = self.state.origin(Axis::Z, self.setting).1;
@@ -205,7 +205,7 @@ impl Maker<'_> {
         let waits = cycle.required.contains(&'P') || cycle.optional.contains(&'P');
         let pause = self.parameter('P').filter(|_| waits).map(|millionths| millionths as f64 / 1e6);
         let pause = pause.map(|value| value * self.control.dwell_unit_s).filter(|seconds| *seconds > 0.0);
-        // LinuxCNC waits with the tap turning back already, Fanuc before it.
+        // LinuxCNC waits with the tap already reversed, Fanuc before the reversal.
         let back_first = cycle.bottom == Bottom::Reversed && self.control.kind == IsoControl::LinuxCnc;
         if back_first {
             self.spindle(Turning::Counterclockwise);
@@ -221,7 +221,7 @@ impl Maker<'_> {
         }
         if cycle.outwards == Outwards::Feed {
             self.climb(feed.clone(), levels.r, span);
-            // The tap of Fanuc turns forward again as soon as it is out; a boring bar turns on all the way.
+            // Fanuc turns the tap forward as soon as it is out; a boring bar keeps turning all the time.
             if cycle.bottom == Bottom::Reversed {
                 self.spindle(before);
             }
@@ -233,10 +233,10 @@ impl Maker<'_> {
         }
     }
 
-    /// The way to the bottom in steps of Q, all but the last of them.
+    /// The travel to the bottom in steps of Q, without the last one.
     ///
-    /// G83: after every step out to R at rapid, which clears the flutes, and back at rapid to a clearance before the
-    /// metal. G73: after every step back at rapid by a little, which breaks the chip, and on.
+    /// G83: after every step out to R at rapid, which clears the flutes, and back at rapid to a clearance above the
+    /// metal. G73: after every step a small retract at rapid, which breaks the chip, then further down.
     fn steps_inwards(&mut self, inwards: Inwards, levels: CycleLevels, feed: &Motion, span: TextSpan) {
         let step = Micrometres::new(self.parameter('Q').unwrap_or_default());
         if inwards == Inwards::Feed || step <= Micrometres::ZERO {

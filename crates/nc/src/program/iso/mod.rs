@@ -1,14 +1,14 @@
-//! The controls that read ISO 6983 (G and M words) in the dialects of LinuxCNC and Fanuc: their programs read and run.
-//! docs/control-linuxcnc.md and docs/control-fanuc.md say what of the two languages is run.
+//! The controls of ISO 6983 (G and M words) in the dialects of LinuxCNC and Fanuc: reads and runs their programs.
+//! docs/control-linuxcnc.md and docs/control-fanuc.md say which part of the two languages is implemented.
 //!
 //! - `control` the language as data, from the tables iso-… and control-… of catalogs/controls;
 //! - `text` words and blocks with their places; `programs` subprograms and calls; `words` the words of a block by their
 //!   groups;
-//! - `block`, `moves`, `arc`, `cycles` one block: the steps it makes; `state` what stays from block to block;
-//! - `run` the way through the blocks; `rules` every rule;
-//! - `writer` a job as a program.
+//! - `block`, `moves`, `arc`, `cycles` one block: the steps it makes; `state` the state kept between blocks;
+//! - `run` the execution of the blocks; `rules` all rules;
+//! - `writer` writes a job as a program.
 //!
-//! Where the dialects differ in figures or words, the tables say so. Where they differ in what a word does,
+//! Where the dialects differ in figures or words, the tables say so. Where they differ in the effect of a word,
 //! [`IsoControl`] decides: the levels of a cycle, the form of a call, the time of G4.
 
 mod arc;

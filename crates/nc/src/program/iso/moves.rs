@@ -1,4 +1,5 @@
-//! Motions of a block: positioning and lines, in the system or on the machine (G53), and the returns G28 and G30.
+//! Motions of a block: positioning and lines, in the active system or in machine coordinates (G53), and the returns
+//! G28 and G30.
 
 use super::block::Maker;
 use super::control::{Effect, Group, IsoControl};
@@ -8,7 +9,7 @@ use crate::note::Told;
 use crate::program::TextSpan;
 use crate::program::limits::Floating;
 
-/// Where a block wants to go.
+/// The target position of a block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Target {
     pub at: Position,
@@ -18,7 +19,7 @@ pub(super) struct Target {
 }
 
 impl Maker<'_> {
-    /// The motion or the cycle of the block, if it has one.
+    /// The motion or the cycle of the block, if any.
     ///
     /// A function of motion ends a cycle. G80 ends it too; in LinuxCNC it ends the motions as well.
     pub(super) fn motion(&mut self, words: &BlockWords) {
@@ -76,8 +77,8 @@ impl Maker<'_> {
         self.go(motion, target.at, target.floating, span);
     }
 
-    /// The target of the words: positions in the system in force (G90), or distances (G91). On the machine (G53) they
-    /// are positions from its zero, and no length correction is added.
+    /// The target of the words: positions in the active system (G90), or distances (G91). In machine coordinates
+    /// (G53) they are positions from the machine zero, without length correction.
     pub(super) fn target(&mut self, words: &BlockWords, on_machine: bool) -> Target {
         let mut target = Target { at: self.state.at, floating: self.state.floating, span: None };
         for axis in Axis::ALL {
@@ -99,7 +100,7 @@ impl Maker<'_> {
         target
     }
 
-    /// The control counts thousandths, the machine may not. Inches are rounded anyway.
+    /// The control resolves thousandths, perhaps finer than the machine. Inches are rounded anyway.
     fn finer_than_machine(&mut self, value: crate::units::Micrometres, span: TextSpan) {
         let step = self.machine.resolution.micrometres().max(1);
         if !self.state.inches() && value.micrometres() % step != 0 {
@@ -107,7 +108,7 @@ impl Maker<'_> {
         }
     }
 
-    /// G53: to a position of the machine, with the motion of LinuxCNC, at rapid in Fanuc.
+    /// G53: a position of the machine, with the active motion in LinuxCNC, at rapid in Fanuc.
     fn on_machine(&mut self, function: Function, words: &BlockWords) {
         if !self.state.absolute() {
             self.fault("machine-position-with-g91", function.span);
@@ -127,11 +128,11 @@ impl Maker<'_> {
         self.go(motion, target.at, target.floating, span);
     }
 
-    /// G28, G30: at rapid through the point of the words, and on along their axes to the machine zero or to the fixed
-    /// point of the setting. LinuxCNC without words goes there along every axis.
+    /// G28, G30: at rapid through the point of the words, then along their axes to the machine zero or to the fixed
+    /// point of the setting. LinuxCNC without words moves every axis.
     fn returning(&mut self, function: Function, words: &BlockWords) {
         let goal = if function.code == 280 { Some(Position::default()) } else { self.setting.fixed_point };
-        // P2 of Fanuc is the point of G30 alone.
+        // P2 of Fanuc means the same point as G30 alone.
         let second = function.code == 280
             || self.control.kind == IsoControl::LinuxCnc
             || self.take(words, 'P').is_none_or(|point| point.millionths == 2_000_000);

@@ -1,4 +1,4 @@
-//! Subprograms: where each stands, and whether what is called is there.
+//! Subprograms: finds them, and checks that every called one exists.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -12,15 +12,15 @@ use crate::program::{Fault, TextSpan};
 /// The programs of a text.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Programs {
-    /// The blocks of each that can be called, by its name or number.
+    /// The blocks of each subprogram, by its name or number.
     pub named: BTreeMap<String, Range<usize>>,
-    /// The blocks of the one that runs.
+    /// The blocks of the main program.
     pub main: Range<usize>,
-    /// For every `o… sub` the block after its `o… endsub`, where the main program goes on.
+    /// For every `o… sub`, the block after its `o… endsub`, where the main program continues.
     pub passed: BTreeMap<usize, usize>,
 }
 
-/// What a call requires.
+/// The arguments of a call.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Call {
     pub name: String,
@@ -28,7 +28,7 @@ pub(super) struct Call {
     pub span: TextSpan,
 }
 
-/// Finds the programs and holds every call against them.
+/// Finds the programs and checks every call.
 pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control, faults: &mut Vec<Fault>) -> Programs {
     let mut programs = Programs::default();
     if blocks.is_empty() && faults.is_empty() {
@@ -45,11 +45,12 @@ pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control
             put(&mut programs, name, start..end, blocks, faults);
         }
     }
-    // Fanuc runs the program that the text begins with. In LinuxCNC a number alone is no border: the run goes on.
+    // Fanuc runs the first program of the text. In LinuxCNC a number alone does not separate programs: the run
+    // continues.
     let second = starts.iter().copied().find(|start| *start > 0);
     programs.main = 0..second.filter(|_| !control.o_words).unwrap_or(blocks.len());
     subs(blocks, &mut programs, faults);
-    // A name that could not be read may be the one that is called; a number, that of the call.
+    // A name that could not be read may be the called one; a number may be that of the call.
     let headless = blocks.iter().any(|block| block.unread && block.words.is_empty() && block.label.is_none());
     for (block, words) in blocks.iter().zip(words) {
         let called = call(block, words, control);
@@ -106,7 +107,7 @@ pub(super) fn calls(words: &BlockWords, control: &Control) -> Option<Function> {
 
 /// What a block calls: `o… call`, or M98 with P and L.
 ///
-/// In Fanuc a P of more than four digits holds the repeats before the number: `M98 P31001` calls O1001 three times.
+/// In Fanuc a P of more than four digits has the repeats before the number: `M98 P31001` calls O1001 three times.
 pub(super) fn call(block: &Block, words: &BlockWords, control: &Control) -> Option<Call> {
     if let Some(Label::Call(name)) = &block.label {
         return Some(Call { name: name.clone(), repeats: 1, span: block.span });

@@ -1,6 +1,5 @@
-//! Every rule a program is checked against: its stable code, how grave a breach is, and the section of
-//! docs/control-linuxcnc.md and docs/control-fanuc.md that explains it. The messages are in the catalogue of the crate
-//! `words`.
+//! All rules for programs: stable code, severity, and the section of docs/control-linuxcnc.md and
+//! docs/control-fanuc.md that explains it. The messages are in the catalogue of the crate `words`.
 
 use crate::note::Severity;
 use crate::program::{Fault, Rule, TextSpan};
@@ -9,7 +8,7 @@ use Severity::{Doubtful as Warning, Error, Note as Remark};
 
 /// Code, severity, section.
 pub(super) const RULES: &[Rule] = &[
-    // What is written.
+    // The text.
     ("unknown-character", Error, "text"),
     ("cyrillic-letter", Error, "text"),
     ("unknown-word", Error, "words"),
@@ -35,11 +34,11 @@ pub(super) const RULES: &[Rule] = &[
     ("program-number-twice", Error, "calls"),
     ("sub-without-pair", Error, "calls"),
     ("program-without-end", Error, "calls"),
-    // How the program runs.
+    // The run.
     ("return-without-call", Error, "calls"),
     ("calls-too-deep", Error, "calls"),
     ("run-too-long", Error, "calls"),
-    // What the machine can do.
+    // The limits of the machine.
     ("feed-beyond-machine", Error, "machine"),
     ("speed-beyond-machine", Error, "machine"),
     ("no-spindle-step", Warning, "machine"),

@@ -14,10 +14,11 @@ use crate::motion::{BlockRef, Motion, MotionStep, Sink};
 use crate::program::running::{BUDGET, BlockOutcome, Running};
 use crate::program::{Fault, Setting, TextSpan};
 
-/// Checks a program: its text, then its run. The steps of the run go to the sink; what is wrong comes back, by place.
+/// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are returned,
+/// sorted by place.
 ///
-/// A text with errors is not run. A block with an error makes no steps, its modal functions hold all the same, and the
-/// run goes on, so that every mistake is reported at once.
+/// A text with errors is not run. A block with an error makes no steps, but its modal functions take effect and the
+/// run continues, so that all mistakes are reported at once.
 pub fn check<S: Sink>(
     text: &str,
     control: &Control,
@@ -28,7 +29,7 @@ pub fn check<S: Sink>(
     check_within(BUDGET, text, control, machine, setting, sink)
 }
 
-/// The same, of no more blocks and motions than that.
+/// The same with a limit on blocks and motions.
 pub fn check_within<S: Sink>(
     budget: usize,
     text: &str,
@@ -66,7 +67,7 @@ struct ProgramRun<'a, S> {
     control: &'a Control,
     machine: &'a Machine<'a>,
     setting: &'a Setting,
-    /// Whether a second `%` closes the text: an end of LinuxCNC too.
+    /// Whether a second `%` closes the text, which also ends a LinuxCNC program.
     closed: bool,
     state: ControlState,
     running: Running<'a, S>,
@@ -94,7 +95,7 @@ impl<S: Sink> ProgramRun<'_, S> {
     fn program(&mut self, range: Range<usize>, depth: usize) -> BlockOutcome {
         let mut index = range.start;
         while index < range.end {
-            // A subprogram that stands in the way is passed by.
+            // A subprogram between the blocks is skipped.
             if let Some(behind) = self.programs.passed.get(&index) {
                 index = *behind;
                 continue;
@@ -132,7 +133,7 @@ impl<S: Sink> ProgramRun<'_, S> {
         };
         let after = maker.make(words);
         let Maker { state, steps, faults, .. } = maker;
-        // Of a block with an error only the modes are kept.
+        // Of a block with an error only the modal functions are kept.
         self.running.carry_out(&steps, faults, steps.len());
         self.state = state;
         match (after, &block.label) {
@@ -153,7 +154,7 @@ impl<S: Sink> ProgramRun<'_, S> {
             match self.program(range.clone(), depth + 1) {
                 BlockOutcome::Back => {}
                 BlockOutcome::On => {
-                    // It ran into the next program, or out of the text.
+                    // The run reached the next program or the end of the text.
                     let head = self.blocks.get(range.start).map_or((call.span, None), |it| (it.span, it.number));
                     self.running.tell(fault("program-without-end", head.0, head.1));
                     return BlockOutcome::Out;

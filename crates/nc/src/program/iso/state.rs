@@ -1,4 +1,4 @@
-//! What stays from block to block: the modal functions, and where the axes are.
+//! The state kept from block to block: the modal functions and the positions of the axes.
 
 use super::control::{Control, Effect, Group};
 use crate::motion::{Axis, Plane, Position, Turning};
@@ -6,11 +6,11 @@ use crate::program::Setting;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
-/// The state of the control. Copied before every block, and kept only when the block is good.
+/// The state of the control. Copied before every block, and kept only if the block has no error.
 #[derive(Clone, Debug)]
 pub(super) struct ControlState {
-    /// The function that holds in every group, in tenths; none of cycles when no cycle is in force, and none of motions
-    /// where G80 ends those too.
+    /// The function in force in every group, in tenths; none for cycles when no cycle is active, and none for motions
+    /// where G80 cancels those too.
     modes: [Option<i64>; Group::NAMES.len()],
     /// F, mm/min.
     pub feed: f64,
@@ -23,13 +23,13 @@ pub(super) struct ControlState {
     pub tool: u32,
     /// What G43 adds to Z.
     pub length: Micrometres,
-    /// The parameters of cycles that were given last, by their letters: lengths in micrometres, P in millionths.
+    /// The last parameters of cycles, by their letters: lengths in micrometres, P in millionths.
     pub parameters: [Option<i64>; 26],
-    /// Z where the first of a row of cycles began, in the program's system.
+    /// Z at the start of the first of several cycles, in the program's system.
     pub initial: Option<Micrometres>,
     /// Where the axes are, machine coordinates.
     pub at: Position,
-    /// Axes whose place on the machine is not known.
+    /// Axes whose machine position is not known.
     pub floating: [Floating; 3],
 }
 
@@ -56,7 +56,7 @@ impl ControlState {
         state
     }
 
-    /// The function that holds in a group.
+    /// The function in force in a group.
     pub(super) const fn mode(&self, group: Group) -> Option<i64> {
         self.modes[group as usize]
     }
@@ -79,7 +79,7 @@ impl ControlState {
         !self.is(Group::Distance, 910)
     }
 
-    /// Whether cycles end on their initial level (G98).
+    /// Whether cycles return to their initial level (G98).
     pub(super) fn to_initial_level(&self) -> bool {
         self.is(Group::Retract, 980)
     }
@@ -92,8 +92,8 @@ impl ControlState {
         }
     }
 
-    /// Where the program's system has its zero along an axis, machine coordinates, length correction included, and
-    /// whether anybody has set it.
+    /// The zero of the program's system along an axis, machine coordinates, with length correction, and whether it
+    /// was set.
     pub(super) fn origin(&self, axis: Axis, setting: &Setting) -> (Micrometres, Floating) {
         let system = u8::try_from(self.mode(Group::System).unwrap_or(540) / 10).unwrap_or(54);
         let zero = setting.zeros.get(usize::from(system.saturating_sub(54))).and_then(|it| it[axis.index()]);

@@ -1,5 +1,5 @@
-//! The text of a program as words and blocks, each with its place. Nothing is understood here; reading recovers: a
-//! word that cannot be read is reported and left out, and reading goes on after it.
+//! Splits the text of a program into words and blocks with their places. Nothing is interpreted here. Reading
+//! recovers from errors: a word that cannot be read is reported and skipped.
 
 use super::control::{ActiveComment, CommentAct, Control, IsoControl, Written};
 use super::rules::fault;
@@ -16,7 +16,7 @@ pub(super) struct Word {
     pub span: TextSpan,
 }
 
-/// What a line says of subprograms, beside its words.
+/// The label of a line: what it says about subprograms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Label {
     /// A number that begins a program: `O1001`.
@@ -41,16 +41,16 @@ pub(super) struct Block {
     /// Whether it begins with `/`.
     pub skipped: bool,
     pub label: Option<Label>,
-    /// Its other words, as they stand.
+    /// Its other words, in the order of the text.
     pub words: Vec<Word>,
-    /// Whether a word of it could not be read: what it lacks may have been that word.
+    /// Whether a word of it could not be read: a missing word may be that one.
     pub unread: bool,
 }
 
-/// Blocks of a program: with all of them a check takes a second, and a third of a gigabyte.
+/// The most blocks of a program: a check of so many takes a second and a third of a gigabyte.
 pub const MOST_BLOCKS: usize = 200_000;
 
-/// Every block of the text, whether it is closed by a second `%`, and what could not be read.
+/// All blocks of the text, whether a second `%` closes it, and the faults of reading.
 pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fault>) {
     blocks_within(MOST_BLOCKS, text, control)
 }
@@ -61,7 +61,7 @@ fn blocks_within(most: usize, text: &str, control: &Control) -> (Vec<Block>, boo
     let mut opened = false;
     let fanuc = control.kind == IsoControl::Fanuc;
     let mut pointless = fanuc;
-    // Fanuc reads nothing before the first of two signs %.
+    // Fanuc reads nothing before the first of two `%` signs.
     let sign = |line: &str| line.trim_start().starts_with('%');
     let signs = text.lines().filter(|line| sign(line)).take(2).count();
     let leader = text.lines().position(sign).filter(|_| fanuc && signs == 2).unwrap_or_default();
@@ -91,7 +91,7 @@ struct SourceLine<'a> {
     control: &'a Control,
     faults: &'a mut Vec<Fault>,
     line: u32,
-    /// Whether the next length without a point is to be told: once in a program of Fanuc.
+    /// Whether the next length without a point is reported: once in a Fanuc program.
     pointless: &'a mut bool,
 }
 
@@ -101,7 +101,7 @@ impl SourceLine<'_> {
         TextSpan { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
     }
 
-    /// One line; none for one that is empty or all comment.
+    /// One line; none if it is empty or only a comment.
     fn block(&mut self, line: &str) -> Option<Block> {
         let before = self.faults.len();
         let characters = self.characters(line);
@@ -159,7 +159,8 @@ impl SourceLine<'_> {
         Some(block)
     }
 
-    /// The characters that count, with their columns: no blanks, no comments, and capitals where small letters do.
+    /// The significant characters with their columns: without blanks and comments, with small letters as capitals
+    /// where the control permits them.
     fn characters(&mut self, line: &str) -> Vec<(usize, char)> {
         let mut kept = Vec::new();
         let mut comment = None;
@@ -204,7 +205,7 @@ impl SourceLine<'_> {
         self.faults.push(fault(code, self.span(from, to), None).with("word", begins));
     }
 
-    /// An o-word of LinuxCNC: its name or number, then what it does.
+    /// An o-word of LinuxCNC: its name or number, then its keyword.
     fn label(&mut self, characters: &[(usize, char)], block: &mut Block) {
         let text: String = characters.iter().skip(1).map(|(_, c)| *c).collect();
         let (name, rest) = match text.strip_prefix('<').and_then(|text| text.split_once('>')) {
@@ -257,7 +258,7 @@ impl SourceLine<'_> {
             self.faults.push(problem.with("low", shown(low)).with("high", shown(high)));
             return None;
         }
-        // K may count repeats, and 0 is 0 everywhere.
+        // K may be a number of repeats, and 0 is 0 in every unit.
         let length = known == Written::Length && !matches!(address, 'K' | 'F') && millionths != 0;
         if length && !written.contains('.') && std::mem::take(self.pointless) {
             self.faults.push(fault("number-without-point", span, None).with("address", address));
@@ -288,8 +289,8 @@ impl SourceLine<'_> {
     }
 }
 
-/// Least and greatest number of an address, in millionths: wide enough for every machine, narrow enough that no sum of
-/// them overflows. Below 0 are only positions, distances and the radius of an arc.
+/// Least and greatest number of an address, in millionths: wide enough for every machine, and narrow enough that no
+/// sum overflows. Only positions, distances and the radius of an arc may be negative.
 const fn limits(address: char, written: Written) -> (i64, i64) {
     const MANY: i64 = 99_999_999_999;
     match address {
@@ -301,7 +302,7 @@ const fn limits(address: char, written: Written) -> (i64, i64) {
     }
 }
 
-/// Where a number that may begin here ends: a sign, digits, one point.
+/// The end of a number that may begin here: a sign, digits, one point.
 fn number_end(characters: &[(usize, char)], mut at: usize) -> usize {
     if characters.get(at).is_some_and(|(_, c)| matches!(c, '+' | '-')) {
         at += 1;

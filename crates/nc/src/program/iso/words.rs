@@ -1,4 +1,4 @@
-//! The words of a block, each in its place, the functions by their groups; and what may not stand together.
+//! The words of a block, its functions by their groups; and the checks of what may be combined.
 
 use super::control::{Control, Effect, Group};
 use super::rules::fault;
@@ -45,7 +45,7 @@ impl Function {
     }
 }
 
-/// The words of a block as they are to be carried out.
+/// The words of a block for its execution.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BlockWords {
     g: [Option<Function>; Group::NAMES.len()],
@@ -133,7 +133,8 @@ impl BlockWords {
             return;
         };
         let group = |it: &&Function| control.m.get(&it.code).is_some_and(|other| other.group == known.group);
-        // Fanuc leaves it to the machine which M may stand together; the main program cannot end twice there either.
+        // Fanuc leaves to the machine which M functions may be combined; two ends of the main program are wrong there
+        // too.
         if let Some(first) = self.m.iter().find(group) {
             let problem = fault("exclusive-m-twice", given.span, None).with("first", format!("M{}", first.code));
             faults.push(problem.with("second", format!("M{}", function.code)));

@@ -24,9 +24,9 @@ pub(super) struct Maker<'a> {
     pub faults: Vec<Fault>,
     pub span: TextSpan,
     pub number: Option<u32>,
-    /// Whether a cycle makes the motions.
+    /// Whether the motions come from a cycle.
     pub of_cycle: bool,
-    /// How many more motions may be made.
+    /// The most further motions.
     pub budget: usize,
 }
 
@@ -38,7 +38,7 @@ pub(super) enum After {
     End,
 }
 
-/// How a line or an arc runs: what a motion and a piece of a contour have in common.
+/// The shape of a line or an arc: what a motion and an element of a contour have in common.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PathShape {
     pub to: LathePlace,
@@ -46,7 +46,7 @@ pub(super) struct PathShape {
     pub round: Option<(PassPoint, bool)>,
 }
 
-/// How far the radii at both ends of an arc may differ, mm, and as a part of the radius.
+/// The permitted difference between the radii at both ends of an arc, mm, and as a part of the radius.
 const ARC_TOLERANCE: (f64, f64) = (0.005, 0.001);
 
 impl Maker<'_> {
@@ -144,7 +144,7 @@ impl Maker<'_> {
         let thread = matches!(self.state.modes.get(&LatheGroup::Motion), Some(Does::Thread | Does::ThreadBox))
             || words.doing(Does::ThreadCycle).is_some();
         let dwell = words.doing(Does::Dwell).is_some();
-        // The lead of a thread is no feed, and Sinumerik counts the time of G4 with F.
+        // The lead of a thread is no feed, and Sinumerik gives the time of G4 as F.
         let is_lead = thread && self.is(LatheReader::Fanuc);
         if !is_lead
             && !dwell
@@ -190,7 +190,7 @@ impl Maker<'_> {
         if (change || turret)
             && let Some(number) = self.state.wanted
         {
-            // Sinumerik takes D1 with a new tool.
+            // Sinumerik activates D1 with a new tool.
             let offset = self.is(LatheReader::Sinumerik).then_some(1);
             self.state.tool = Some(LatheTool { number, offset });
             let length = words.doing(Does::Offset).is_some();
@@ -271,7 +271,7 @@ impl Maker<'_> {
         After::Next
     }
 
-    /// Words that no function used.
+    /// Reports words that no function used.
     pub fn unused(&mut self, words: &BlockWords) {
         if self.broken() {
             return;
@@ -281,7 +281,7 @@ impl Maker<'_> {
         }
     }
 
-    /// The way to a reference point, to a position of the machine, or a motion of the group.
+    /// A return to a reference point, a move to a machine position, or the active motion.
     pub fn motion(&mut self, words: &BlockWords) {
         let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
         let away = words.doing(Does::Away).or_else(|| words.doing(Does::MachinePosition)).map(|it| it.span);
@@ -316,7 +316,7 @@ impl Maker<'_> {
         }
     }
 
-    /// To a place whose part coordinates are unknown: the named axes are unknown afterwards.
+    /// A motion to a place with unknown part coordinates: the named axes are unknown afterwards.
     fn away(&mut self, words: &BlockWords, axes: bool, span: TextSpan) {
         self.start_said(span);
         let mut to = self.state.at;
@@ -339,7 +339,7 @@ impl Maker<'_> {
         self.state.moved = true;
     }
 
-    /// What must be true before anything moves, and before anything cuts.
+    /// Conditions for any motion, and for a cut.
     pub fn before_moving(&mut self, span: TextSpan, cuts: bool) {
         self.start_said(span);
         if self.state.modes.get(&LatheGroup::Plane).is_some_and(|plane| *plane != Does::PlaneZx) {
@@ -403,7 +403,7 @@ impl Maker<'_> {
             _ => words.take("K").or_else(|| words.take("I")).map(|value| value.value),
         };
         if self.is(LatheReader::Sinumerik) {
-            // The angle of the start.
+            // The angle of the thread start.
             words.take("SF");
         }
         let Some(lead) = lead.filter(|lead| *lead > 0.0) else {
@@ -417,7 +417,8 @@ impl Maker<'_> {
         self.thread_to(from, end, lead, span);
     }
 
-    /// A line bound to the spindle; LinuxCNC counts the lead along the line, the others along its longer axis.
+    /// A line synchronised with the spindle; LinuxCNC measures the lead along the line, the others along its longer
+    /// axis.
     pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, lead: f64, span: TextSpan) {
         if self.state.is(LatheGroup::SpeedMode, Does::CuttingSpeed) {
             self.tell("lathe-thread-at-cutting-speed", span);
@@ -431,7 +432,7 @@ impl Maker<'_> {
         self.put(LatheAct::Thread { lead: MillimetresPerRev(along) }, to.into());
     }
 
-    /// Where the words lead, and of an arc its centre; none where something is wrong.
+    /// The end of the motion, and for an arc its centre; none if something is wrong.
     pub fn shape(&mut self, words: &BlockWords, mode: Does, span: TextSpan) -> Option<PathShape> {
         let to = self.target(words)?;
         if !matches!(mode, Does::Clockwise | Does::Counterclockwise) {
@@ -457,7 +458,7 @@ impl Maker<'_> {
             self.tell("arc-radius-alone", given.span);
             return None;
         }
-        // A radius written to its last place may fall short of half the chord by a rounding.
+        // A rounded radius may be a little smaller than half the chord.
         let half = chord / 2.0;
         if radius.abs() + 0.001 < half {
             let problem = fault("arc-radius-short", given.span, self.number).with("radius", shown(radius.abs()));
@@ -465,7 +466,7 @@ impl Maker<'_> {
             return None;
         }
         let height = libm::sqrt((radius * radius - half * half).max(0.0));
-        // The centre of an arc of at most half a circle lies left of the way of a counterclockwise one.
+        // The centre of a counterclockwise arc of at most half a circle lies to the left of its direction.
         let left = if ccw == (radius > 0.0) { 1.0 } else { -1.0 };
         let (dz, dx) = ((to.z - from.z) / chord, (to.x - from.x) / chord);
         Some(PassPoint { z: (from.z + to.z) / 2.0 - left * height * dx, x: (from.x + to.x) / 2.0 + left * height * dz })
@@ -495,7 +496,7 @@ impl Maker<'_> {
         Some(centre)
     }
 
-    /// Where the axis words of a block lead.
+    /// The target of the axis words of a block.
     fn target(&mut self, words: &BlockWords) -> Option<LathePlace> {
         let incremental = self.state.is(LatheGroup::Distance, Does::Incremental);
         let measure = self.state.modes.get(&LatheGroup::Measure).copied();

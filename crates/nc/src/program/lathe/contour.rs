@@ -1,10 +1,10 @@
-//! Contours of cycles: lines and arcs in the half-plane, in the frame in which passes go towards smaller `z` and come
-//! deeper towards smaller `x`. What differs between outside and inside, along and across, is a turn of this frame.
+//! Contours of cycles: lines and arcs in the half-plane, in a frame where passes go towards smaller `z` and get
+//! deeper towards smaller `x`. The variants outside and inside, along and across, are rotations of this frame.
 
-/// Lengths that differ less are equal, mm.
+/// Lengths that differ by less are equal, mm.
 pub(super) const SAME: f64 = 1e-6;
 
-/// A point: `z` along the passes, `x` square to them, mm.
+/// A point: `z` along the passes, `x` perpendicular to them, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct PassPoint {
     pub z: f64,
@@ -24,7 +24,7 @@ pub(super) struct Round {
     pub ccw: bool,
 }
 
-/// A piece of a contour.
+/// An element of a contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Leg {
     pub from: PassPoint,
@@ -39,7 +39,8 @@ pub(super) struct Leg {
 }
 
 impl Leg {
-    /// Whether z never grows along it, and for an arc whether x turns at most at its quarter: what a pass may meet.
+    /// Whether z never increases along it and, for an arc, x turns at most at a quadrant point: the elements that a
+    /// pass can meet.
     pub fn is_monotone(&self) -> bool {
         let fine = 1e-3;
         let Some(round) = self.round else { return self.to.z - self.from.z <= fine };
@@ -49,7 +50,8 @@ impl Leg {
         falls && upper.0 >= -fine && upper.1 >= -fine
     }
 
-    /// Where it meets the height x, from large z to small, or in the order of the line for one that lies along it.
+    /// The crossings with the height x, from large z to small, or in the direction of the line if it lies at that
+    /// height.
     pub fn crossings(&self, x: f64) -> Vec<f64> {
         let Some(round) = self.round else {
             let (low, high) = (self.from.x.min(self.to.x), self.from.x.max(self.to.x));
@@ -81,19 +83,19 @@ impl Leg {
     }
 }
 
-/// How the frame of the passes lies in the half-plane of the part.
+/// The position of the frame of passes in the half-plane of the part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct PassFrame {
     /// Passes across: the axes change places.
     pub across: bool,
-    /// Deeper is towards larger x: inside, or across from the chuck.
+    /// Deeper means larger x: inside, or across from the chuck.
     pub mirror_x: bool,
     /// Passes go towards larger z.
     pub mirror_z: bool,
 }
 
 impl PassFrame {
-    /// The frame in which a contour falls in z and rises in x from the end of its first piece to its end.
+    /// The frame in which a contour falls in z and rises in x from the end of its first element to its end.
     pub fn of(first: PassPoint, last: PassPoint, across: bool) -> Self {
         let turned = Self { across, ..Self::default() };
         let (first, last) = (turned.into(first), turned.into(last));
@@ -116,12 +118,12 @@ impl PassFrame {
         if self.across { PassPoint { z: -x, x: z } } else { PassPoint { z, x } }
     }
 
-    /// A sense of the frame in the part, and the other way.
+    /// Converts a sense of rotation between frame and part.
     pub const fn sense(self, ccw: bool) -> bool {
         ccw != (self.mirror_x != self.mirror_z)
     }
 
-    /// A piece of the part in the frame.
+    /// An element of the part in the frame.
     pub fn leg(self, leg: Leg) -> Leg {
         let round = leg.round.map(|it| Round { centre: self.into(it.centre), ccw: self.sense(it.ccw) });
         Leg { from: self.into(leg.from), to: self.into(leg.to), round, ..leg }

@@ -22,7 +22,7 @@ pub struct LatheLanguage {
     pub(super) kind: LatheReader,
     pub(super) functions: BTreeMap<String, (LatheGroup, Does)>,
     pub(super) power_on: Vec<(LatheGroup, Does)>,
-    /// The groups of which a function must stand before the first motion, with that function.
+    /// The groups with a function that must be programmed before the first motion, and that function.
     pub(super) must_be_said: Vec<(LatheGroup, String)>,
     cycles: BTreeMap<(String, &'static str), CycleFields>,
 }

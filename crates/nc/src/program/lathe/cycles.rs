@@ -20,7 +20,7 @@ const fn name(does: Does) -> &'static str {
 }
 
 impl Maker<'_> {
-    /// The fields that a cycle must have; false, with a fault, where one is missing.
+    /// Checks the required fields of a cycle; false, with a fault, where one is missing.
     pub(super) fn fields(&mut self, words: &BlockWords, cycle: &str, form: Form, span: TextSpan) -> bool {
         let fields = self.language.cycle(cycle, form);
         let missing: Vec<String> = fields.required.iter().filter(|it| words.look(it).is_none()).cloned().collect();
@@ -43,7 +43,8 @@ impl Maker<'_> {
         value
     }
 
-    /// Fanuc takes a length without a point for thousandths of a millimetre, or for millimetres: that is told once a block.
+    /// Fanuc takes a length without a point as thousandths of a millimetre or as millimetres; that is reported once a
+    /// block.
     pub(super) fn points(&mut self, words: &BlockWords) {
         if !self.is(LatheReader::Fanuc) {
             return;
@@ -57,7 +58,7 @@ impl Maker<'_> {
         }
     }
 
-    /// Where a cycle of LinuxCNC begins: its X and Z, or where the tool stands.
+    /// The start of a cycle of LinuxCNC: its X and Z, or the position of the tool.
     pub(super) fn begin_of_words(&mut self, words: &BlockWords, span: TextSpan) -> Option<LathePoint> {
         let diameter = self.diameters();
         let x = words.take("X").map(|it| it.value * if diameter { 0.5 } else { 1.0 }).or(self.state.at.radius_mm);
@@ -95,7 +96,7 @@ impl Maker<'_> {
                 self.tell_with("lathe-cycle-not-read", given.span, "word", format!("{}{}", given.name, given.value));
             }
         }
-        // The first motion of the subprogram leads from where it stands down to the contour, whatever its word.
+        // The first motion of the subprogram leads from the tool to the contour, whatever its function.
         let mut legs = legs;
         let Some(first) = legs.first_mut() else {
             self.tell("lathe-contour-short", span);
@@ -119,16 +120,16 @@ impl Maker<'_> {
                 self.rough(&legs, does == Does::RoughAcross, (depth, retract), span);
             }
         }
-        // Which motion the control would take next is not certain.
+        // It is not certain which motion the control has active afterwards.
         self.state.modes.remove(&crate::tables::controls::lathe_reading::LatheGroup::Motion);
     }
 
-    /// Passes over a contour with hollows, and along it.
+    /// Passes over a contour with pockets, and along it.
     fn rough(&mut self, legs: &[Leg], across: bool, (depth, retract): (f64, f64), span: TextSpan) {
         let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return };
         let frame = PassFrame::of(first.to, last.to, across);
         let mut legs: Vec<Leg> = legs.iter().map(|leg| frame.leg(*leg)).collect();
-        // A first piece that would lead back is taken straight down.
+        // A first element that would lead back is replaced by a straight move down.
         if let Some(first) = legs.first_mut()
             && first.to.z > first.from.z
         {
@@ -156,7 +157,7 @@ impl Maker<'_> {
         }
     }
 
-    /// A motion of a cycle, out of its frame.
+    /// A motion of a cycle, converted from its frame.
     pub(super) fn stroke(&mut self, stroke: Stroke, frame: PassFrame, span: TextSpan) {
         let to = LathePlace::from(point(frame.out(stroke.end())));
         let same = |a: Option<f64>, b: Option<f64>| a.zip(b).is_some_and(|(a, b)| (a - b).abs() < SAME);
@@ -180,7 +181,7 @@ impl Maker<'_> {
         self.put(act, to);
     }
 
-    /// Once along a contour, its first piece at rapid.
+    /// One pass along a contour, its first element at rapid.
     pub(super) fn along(&mut self, legs: &[Leg], span: TextSpan) {
         for (index, leg) in legs.iter().enumerate() {
             let stroke = match leg.round {
@@ -233,7 +234,7 @@ impl Maker<'_> {
             z: words.take("W").map_or(0.0, |it| it.value),
         };
         let shift = |it: PassPoint| PassPoint { z: it.z + allowance.z, x: it.x + allowance.x };
-        // The rough contour is the finished one, moved by both allowances; so is the beginning of the passes.
+        // The rough contour is the finished one, moved by both allowances; so is the start of the passes.
         let moved: Vec<Leg> = legs
             .iter()
             .map(|leg| {
@@ -272,7 +273,7 @@ impl Maker<'_> {
             let made = levels(start, framed.get(1..).unwrap_or_default(), lowest, passes, between);
             self.strokes(made, frame, span);
         }
-        // Once along the rough contour, then back to where the cycle began.
+        // One pass along the rough contour, then back to the start of the cycle.
         if let Some(first) = framed.first() {
             let back = PassPoint { z: start.z, x: start.x.max(first.to.x) };
             let here = self.state.at.point().map(|at| frame.into(spot(at)));
@@ -289,7 +290,7 @@ impl Maker<'_> {
         self.stroke(Stroke::Rapid(spot(begin)), PassFrame::default(), span);
     }
 
-    /// G70 of Fanuc: once along the contour with its own feeds, then back to the beginning.
+    /// G70 of Fanuc: one pass along the contour with its own feeds, then back to the start.
     fn finish(&mut self, legs: &[Leg], begin: LathePoint, span: TextSpan) {
         self.tell_with("lathe-cycle-from-memory", span, "word", "G70");
         let kept = self.state.feed;

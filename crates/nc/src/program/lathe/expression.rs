@@ -1,5 +1,5 @@
-//! Numbers as programs write them: figures, parameters and the four rules of arithmetic in brackets (LinuxCNC, Fanuc) or
-//! behind a sign of equality (Sinumerik). Functions (SIN, ATAN and others) are not read.
+//! Numbers of programs: figures, parameters and the four arithmetic operations in brackets (LinuxCNC, Fanuc) or after
+//! an equals sign (Sinumerik). Functions (SIN, ATAN and others) are not read.
 
 use std::collections::BTreeMap;
 
@@ -16,11 +16,11 @@ pub(super) enum Expression {
 /// Parameters with their values.
 pub(super) type Parameters = BTreeMap<String, f64>;
 
-/// How deep brackets may stand in each other.
+/// The deepest nesting of brackets.
 const DEPTH: usize = 20;
 
 impl Expression {
-    /// Its value; none where a parameter has none or something is divided by 0.
+    /// Its value; none where a parameter has none, or for a division by 0.
     pub fn value(&self, parameters: &Parameters) -> Option<f64> {
         let value = match self {
             Self::Number(number) => *number,
@@ -63,7 +63,7 @@ impl<'a> Reader<'a> {
         is
     }
 
-    /// A sum. `open` is the bracket that ends it, if any did begin it.
+    /// A sum. `open` is the bracket that began it, if any.
     pub fn sum(&mut self, depth: usize) -> Option<Expression> {
         let mut left = self.product(depth)?;
         while let Some(sign @ ('+' | '-')) = self.peek() {
@@ -113,7 +113,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The name of a parameter behind its sign.
+    /// The name of a parameter after its sign.
     pub fn parameter(&mut self, sign: &str) -> Option<String> {
         let mut name = sign.to_owned();
         if self.next_is('<') {
@@ -142,7 +142,7 @@ impl<'a> Reader<'a> {
             self.at += 1;
         }
         let text: String = self.characters.get(from..self.at)?.iter().map(|(_, c)| *c).collect();
-        // At most nine places before the point: no sum of them loses micrometres.
+        // At most nine digits before the point, so that sums stay exact to a micrometre.
         let whole = text.split('.').next().unwrap_or_default();
         (whole.trim_start_matches('0').len() <= 9).then(|| text.parse().ok()).flatten()
     }

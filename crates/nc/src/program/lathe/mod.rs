@@ -1,12 +1,12 @@
-//! Programs of lathes read back: LinuxCNC, Fanuc (0i-TF, system A) and Sinumerik. docs/lathe-programs-read.md says what
+//! Reads lathe programs: LinuxCNC, Fanuc (0i-TF, system A) and Sinumerik. docs/lathe-programs-read.md says which part
 //! of the three languages is read. Nothing here is shared with the code that writes such programs.
 //!
 //! - `control` the language as data, from the tables lathe-functions and lathe-read-cycles;
 //! - `text` blocks with their places, `expression` numbers that depend on parameters, `words` the words of a block;
-//! - `block` one block and the motions it makes, `state` what stays from block to block;
-//! - `contour` pieces of contours and the frame of passes, `roughing` passes over them, `cycles` the cycles that make
-//!   passes of a contour, `threads` those that cut threads;
-//! - `run` the execution of the blocks; `motion` the result; `time` how long it takes; `rules` every rule.
+//! - `block` one block and the motions it makes, `state` the state kept between blocks;
+//! - `contour` elements of contours and the frame of passes, `roughing` passes over them, `cycles` the cycles that
+//!   make passes over a contour, `threads` those that cut threads;
+//! - `run` the execution of the blocks; `motion` the result; `time` its duration; `rules` all rules.
 
 mod block;
 mod contour;
@@ -35,7 +35,7 @@ pub use time::{LatheRates, LatheTimes, times};
 
 use super::Fault;
 
-/// Whether a fault is one with which a program is not to be run on a machine.
+/// Whether a program with this fault must not be run on a machine.
 pub fn is_serious(fault: &Fault) -> bool {
     matches!(fault.severity, crate::note::Severity::Error | crate::note::Severity::Wrong)
 }

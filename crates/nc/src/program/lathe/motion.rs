@@ -1,7 +1,7 @@
 //! The motions of a lathe program, the same for every control: the motions of the tool in the half-plane of the part.
 //!
-//! Positions are those of the programmed point of the tool in the system of the part: the radius (never the diameter) and
-//! Z, mm, as the program has it. Seen with Z to the right and the radius upwards.
+//! A position is that of the programmed point of the tool in the part's system, as in the program: the radius (never
+//! the diameter) and Z, mm; seen with Z to the right and the radius upwards.
 
 use serde::Serialize;
 
@@ -17,7 +17,7 @@ pub struct LathePoint {
     pub z_mm: f64,
 }
 
-/// A place of which an axis may be unknown: before the first motion, at a reference point, at a position of the machine.
+/// A place with perhaps an unknown axis: before the first motion, at a reference point, at a machine position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct LathePlace {
     /// Distance from the axis, mm.
@@ -73,18 +73,18 @@ pub struct LatheTool {
     pub offset: Option<u32>,
 }
 
-/// What holds during a motion.
+/// The modal state during a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LatheModes {
     /// The tool.
     pub tool: Option<LatheTool>,
     /// Whether and how the spindle turns.
     pub turning: Turning,
-    /// How fast it turns, or would.
+    /// Its programmed speed.
     pub speed: Option<LatheSpeed>,
     /// Whether coolant flows.
     pub coolant: bool,
-    /// On which side of the contour the control would keep the nose (G41, G42): **not** carried out in the positions.
+    /// The side of the contour for nose radius compensation (G41, G42); **not** applied to the positions.
     pub compensation: Side,
 }
 
@@ -94,7 +94,7 @@ pub struct LatheModes {
 pub enum LatheAct {
     /// Both axes at their rapid rate; the path is no straight line in general.
     Rapid,
-    /// To a reference point or a position of the machine: where that is in the system of the part is not known.
+    /// To a reference point or a machine position, whose part coordinates are not known.
     Away,
     /// A straight line at feed.
     Feed {
@@ -110,7 +110,7 @@ pub enum LatheAct {
         /// Its sense, seen with Z to the right and the radius upwards.
         sense: Sense,
     },
-    /// A line bound to the spindle.
+    /// A line synchronised with the spindle.
     Thread {
         /// Travel along the line per turn of the spindle.
         lead: MillimetresPerRev,
@@ -120,11 +120,11 @@ pub enum LatheAct {
         /// How long.
         seconds: Seconds,
     },
-    /// The spindle starts, stops or changes its speed: the modes say how it turns now.
+    /// The spindle starts, stops or changes its speed; the modal state has the result.
     Spindle,
-    /// Another tool or offset is in force: the modes have it.
+    /// Another tool or offset is active; the modal state has it.
     ToolChange,
-    /// The coolant is switched: the modes say how.
+    /// The coolant is switched; the modal state has the result.
     Coolant,
     /// A planned stop: M0, M1.
     Stop,
@@ -144,17 +144,17 @@ impl LatheAct {
     }
 }
 
-/// One thing that a lathe does.
+/// One action of a lathe.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LatheMotion {
-    /// What it is.
+    /// The kind of action.
     #[serde(flatten)]
     pub act: LatheAct,
     /// Where it begins.
     pub from: LathePlace,
     /// Where the tool stands after it.
     pub to: LathePlace,
-    /// What holds meanwhile.
+    /// The modal state during it.
     pub modes: LatheModes,
     /// The line of the program that makes it, from 1; of a cycle, the line of its call.
     pub line: u32,

@@ -1,33 +1,34 @@
-//! Passes of roughing over a contour, in the frame of [`super::contour`].
+//! Roughing passes over a contour, in the frame of [`super::contour`].
 //!
-//! [`hollows`] is the way of G71 and G72 of LinuxCNC 2.9, found out by running its own interpreter and from its published
-//! behaviour: from the beginning downwards level by level; at each level at feed to the contour, at rapid back; where a
-//! falling piece ends, on along what rises behind it, and into the next hollow in the same way.
-//! [`levels`] is the plain way of G71 of Fanuc, type I, and of CYCLE95: level by level from one beginning.
+//! [`hollows`] is the method of G71 and G72 of LinuxCNC 2.9, determined by running its own interpreter and from its
+//! published behaviour. It works downwards from the start, level by level: at each level at feed to the contour, and
+//! back at rapid. Where a falling element ends, it follows the rising contour to the next pocket, which it clears in
+//! the same way. [`levels`] is the simple method of G71 of Fanuc, type I, and of CYCLE95: level by level from one
+//! start.
 
 use super::contour::{Leg, PassPoint, Round, SAME, Stroke};
 
 /// Why passes cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum NoPasses {
-    /// More strokes than the budget.
+    /// More motions than the budget.
     TooMany,
-    /// A level lies above the piece that leads to it.
+    /// A level lies above the element that leads to it.
     Above,
 }
 
-/// How passes are made.
+/// The parameters of passes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passes {
-    /// From one level to the next.
+    /// Distance between levels.
     pub depth: f64,
-    /// Away from the cut, along both axes.
+    /// Retract from the cut, along both axes.
     pub retract: f64,
-    /// The most strokes.
+    /// The most motions.
     pub budget: usize,
 }
 
-/// The passes over a contour with hollows; the first piece leads from the beginning down to the contour.
+/// The passes over a contour with pockets; the first element leads from the start down to the contour.
 pub(super) fn hollows(legs: &[Leg], passes: Passes) -> Result<Vec<Stroke>, NoPasses> {
     let Some(first) = legs.first() else { return Ok(Vec::new()) };
     let mut roughing = HollowRoughing {
@@ -39,14 +40,14 @@ pub(super) fn hollows(legs: &[Leg], passes: Passes) -> Result<Vec<Stroke>, NoPas
         left: passes.budget,
     };
     let mut from = Some(0);
-    // Each turn takes one hollow; behind it the walk along the contour finds the next.
+    // Each iteration clears one pocket; following the contour then finds the next.
     while let Some(index) = from {
         from = roughing.hollow(index)?;
     }
     Ok(roughing.strokes)
 }
 
-/// Where the descent along a piece ended.
+/// Where the descent along an element ended.
 enum Down {
     /// It does not fall.
     Rises,
@@ -74,7 +75,7 @@ impl HollowRoughing<'_> {
         Ok(())
     }
 
-    /// Clears a hollow, then follows the contour up behind it; returns the piece that falls into the next hollow.
+    /// Clears a pocket, then follows the contour up after it; returns the element that falls into the next pocket.
     fn hollow(&mut self, mut index: usize) -> Result<Option<usize>, NoPasses> {
         let mut level = self.top;
         while index < self.legs.len() {
@@ -97,7 +98,7 @@ impl HollowRoughing<'_> {
         Ok(None)
     }
 
-    /// Down a piece as far as the level; its first piece at rapid.
+    /// Down an element as far as the level; the first element at rapid.
     fn down(&mut self, index: usize, level: f64) -> Result<Down, NoPasses> {
         let Some(leg) = self.legs.get(index).copied() else { return Ok(Down::Rises) };
         let Some(round) = leg.round else {
@@ -117,7 +118,7 @@ impl HollowRoughing<'_> {
             return Ok(Down::Fell);
         }
         let crossings = leg.crossings(level);
-        // A ball falls behind its top, a fillet before its bottom.
+        // A convex arc falls after its top, a concave one before its bottom.
         let falls = if round.ccw { self.at.z <= round.centre.z + SAME } else { self.at.z > round.centre.z + SAME };
         if !falls {
             return Ok(Down::Rises);
@@ -132,7 +133,7 @@ impl HollowRoughing<'_> {
         Ok(Down::Fell)
     }
 
-    /// An arc, unless it is shorter than can be told.
+    /// An arc, unless it is too short to matter.
     fn arc(&mut self, round: Round, end: PassPoint, always: bool) {
         if always || self.at.to(end) > 1e-3 {
             self.strokes.push(Stroke::Arc(round, end));
@@ -140,7 +141,7 @@ impl HollowRoughing<'_> {
         self.at = end;
     }
 
-    /// Along the contour from here; the piece on which it falls again.
+    /// Follows the contour from here; returns the element where it falls again.
     fn up(&mut self, from: usize) -> Option<usize> {
         for index in from..self.legs.len() {
             let leg = *self.legs.get(index)?;
@@ -168,7 +169,7 @@ impl HollowRoughing<'_> {
         None
     }
 
-    /// One pass at the level to what stands behind it; whether the level is done.
+    /// One pass at the level up to the contour; returns whether the level is done.
     fn pass(&mut self, index: &mut usize) -> bool {
         let here = self.at;
         for ahead in *index..self.legs.len() {
@@ -180,38 +181,38 @@ impl HollowRoughing<'_> {
                 if ahead == *index {
                     continue;
                 }
-                // At the foot of a piece the walk goes on with the next; on its way down, in a slit of no width, there is
+                // At the foot of an element the walk continues with the next one; in a descent without width there is
                 // nothing to cut at this level.
                 let at_foot = self.legs.get(*index).is_some_and(|leg| leg.to.to(here) < SAME);
                 *index += usize::from(at_foot);
                 return !at_foot;
             }
             self.put(Stroke::Line(PassPoint { z, x: here.x }));
-            // A short pass draws back by half of itself at most.
+            // A short pass retracts by at most half its length.
             let back = self.passes.retract * (distance / 2.0 / self.passes.retract).min(1.0);
             self.put(Stroke::Rapid(PassPoint { z: z + back, x: here.x + back }));
             self.put(Stroke::Rapid(PassPoint { z: here.z - back, x: here.x + back }));
             self.put(if *index == 0 { Stroke::Rapid(here) } else { Stroke::Line(here) });
             return true;
         }
-        // Nothing stands behind: the walk goes on with the next piece.
+        // No contour follows: continue with the next element.
         *index += 1;
         false
     }
 }
 
-/// What is done between two levels.
+/// The motions between two levels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Between {
     /// Whether the tool goes down to a level at rapid.
     pub down_at_rapid: bool,
-    /// Whether it goes along the contour up to the level before.
+    /// Whether it follows the contour up to the previous level.
     pub along_contour: bool,
 }
 
-/// Passes level by level from one beginning to a contour that only rises, all of them open to the beginning.
+/// Passes level by level from one start to a contour that only rises; all of them are open to the start.
 ///
-/// `lowest` is the height below which nothing is cut by passes.
+/// `lowest` is the height below which passes cut nothing.
 pub(super) fn levels(
     begin: PassPoint,
     legs: &[Leg],
@@ -224,7 +225,7 @@ pub(super) fn levels(
     while before - passes.depth > lowest + SAME {
         let level = before - passes.depth;
         let here = PassPoint { z: begin.z, x: level };
-        // The contour is met first by the piece with the largest z.
+        // The element with the largest z meets the pass first.
         let met = legs.iter().enumerate().find_map(|(index, leg)| {
             let z = leg
                 .crossings(level)

@@ -1,5 +1,4 @@
-//! Every rule that a program of a lathe is checked against: its code, how grave a breach is, and the section of
-//! docs/lathe-programs-read.md that tells it.
+//! All rules for lathe programs: code, severity, and the section of docs/lathe-programs-read.md that explains it.
 
 use crate::note::Severity;
 use crate::program::{Fault, Rule, TextSpan};
@@ -8,7 +7,7 @@ use Severity::{Doubtful, Error, Note, Wrong};
 
 /// Code, severity, section.
 pub(super) const RULES: &[Rule] = &[
-    // What is written.
+    // The text.
     ("unknown-character", Error, "text"),
     ("cyrillic-letter", Error, "text"),
     ("unknown-word", Error, "words"),
@@ -32,7 +31,7 @@ pub(super) const RULES: &[Rule] = &[
     ("return-without-call", Error, "calls"),
     ("calls-too-deep", Error, "calls"),
     ("run-too-long", Error, "calls"),
-    // How it begins.
+    // The start.
     ("lathe-start-unsaid", Wrong, "start"),
     ("lathe-inches", Error, "start"),
     ("lathe-plane", Error, "start"),

@@ -1,4 +1,4 @@
-//! The execution of a program: its blocks, calls and the blocks of contours.
+//! The execution of a program: its blocks, calls and contours.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -16,10 +16,10 @@ use super::words::BlockWords;
 use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe_reading::{Does, LatheGroup};
 
-/// Blocks and motions that a run carries out.
+/// The most blocks and motions of a run.
 const BUDGET: usize = crate::program::running::BUDGET;
 
-/// How deep subprograms call each other.
+/// The deepest nesting of subprogram calls.
 const DEPTH: usize = 10;
 
 /// A subprogram in a file of its own, as Sinumerik keeps contours.
@@ -31,10 +31,10 @@ pub struct Subprogram<'a> {
     pub text: &'a str,
 }
 
-/// What a program does and what is wrong with it.
+/// The actions of a program and its faults.
 #[derive(Clone, Debug, Default)]
 pub struct LatheRun {
-    /// Everything it does, in order.
+    /// All actions, in order.
     pub motions: Vec<LatheMotion>,
     /// What is wrong, by place.
     pub faults: Vec<Fault>,
@@ -42,8 +42,8 @@ pub struct LatheRun {
 
 /// Reads a program and runs it.
 ///
-/// A text with errors is not run. A block with an error makes no motion, its modes hold all the same, and the run goes on,
-/// so that every mistake is reported at once.
+/// A text with errors is not run. A block with an error makes no motion, but its modal functions take effect and the
+/// run continues, so that all mistakes are reported at once.
 pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> LatheRun {
     let (mut blocks, mut faults) = text::blocks(text, language.kind);
     let main = blocks.len();
@@ -51,7 +51,7 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
     for file in files {
         let begin = blocks.len();
         let (more, wrong) = text::blocks(file.text, language.kind);
-        // Places of another file would be looked for in this one: its faults are told by its call.
+        // Places in another file would be misread as places in this one: faults there are reported at the call.
         programs.unread.extend((!wrong.is_empty()).then(|| file.name.to_ascii_uppercase()));
         blocks.extend(more);
         programs.named.insert(file.name.to_ascii_uppercase(), begin..blocks.len());
@@ -78,11 +78,11 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
     LatheRun { motions: run.motions, faults }
 }
 
-/// Where programs stand in the blocks.
+/// The places of programs in the blocks.
 #[derive(Debug, Default)]
 struct Programs {
     named: BTreeMap<String, Range<usize>>,
-    /// Subprograms of LinuxCNC by the block that begins them: the block behind.
+    /// For the block that begins a subprogram of LinuxCNC: the block after it.
     passed: BTreeMap<usize, usize>,
     end: usize,
     unread: Vec<String>,
@@ -127,8 +127,8 @@ impl Programs {
 }
 
 impl Programs {
-    /// Contours that stand without a name behind the end of the program, as files that were put into one text: they are those
-    /// of the calls, in their order.
+    /// Contours without a name after the end of the program, as when files were joined into one text: they belong to
+    /// the calls, in order.
     fn behind_the_end(&mut self, blocks: &[Block], faults: &mut Vec<Fault>) {
         let Some(end) = blocks.iter().position(|block| says(block, &[2.0, 30.0])) else { return };
         let mut called: Vec<(&str, &Block)> = Vec::new();
@@ -156,7 +156,7 @@ impl Programs {
     }
 }
 
-/// Whether a block says one of these M.
+/// Whether a block has one of these M functions.
 fn says(block: &Block, codes: &[f64]) -> bool {
     let is =
         |word: &text::Word| word.name == "M" && matches!(word.value, Expression::Number(code) if codes.contains(&code));
@@ -174,7 +174,7 @@ struct Run<'a> {
     left: usize,
 }
 
-/// Where the run goes after a block.
+/// The next block of the run.
 enum Next {
     On,
     To(usize),
@@ -271,7 +271,7 @@ impl Run<'_> {
         let call = self.call(block, &words);
         maker.unused(&words);
         let Maker { state, motions, faults, .. } = maker;
-        // Of a block with an error only the modes are kept.
+        // Of a block with an error only the modal functions are kept.
         if !faults.iter().any(Fault::is_error) {
             self.left = self.left.saturating_sub(motions.len());
             self.motions.extend(motions);
@@ -293,7 +293,7 @@ impl Run<'_> {
         }
     }
 
-    /// What a block calls: its name, how often, where.
+    /// The call of a block: name, repeats, place.
     fn call(&self, block: &Block, words: &BlockWords) -> Option<(String, u32, TextSpan)> {
         if let Some(Head::Call(name, _)) = &block.head {
             return Some((name.clone(), 1, block.span));
@@ -327,7 +327,7 @@ impl Run<'_> {
         Next::On
     }
 
-    /// G70, G71, G72 with the blocks of their contour; where the run goes on.
+    /// G70, G71, G72 with the blocks of their contour; returns where the run continues.
     fn contour_cycle(
         &mut self,
         maker: &mut Maker<'_>,
@@ -369,7 +369,7 @@ impl Run<'_> {
         let type_two =
             self.blocks.get(from).is_some_and(|block| names_axis(block, "X", "U") && names_axis(block, "Z", "W"));
         maker.fanuc_cycle(words, does, span, begin, legs, type_two);
-        // The control goes on behind the contour where the call stands before it.
+        // The control continues after the contour if the call comes before it.
         (does != Does::Finish && to > index).then_some(Next::To(to + 1))
     }
 
@@ -403,7 +403,7 @@ impl Run<'_> {
         }
     }
 
-    /// The pieces of a contour; its blocks are read but not executed.
+    /// The elements of a contour; its blocks are read but not executed.
     fn legs(&self, maker: &mut Maker<'_>, range: Range<usize>, begin: LathePoint, finite: bool) -> Option<Vec<Leg>> {
         let known = begin.radius_mm.is_finite();
         let mut state = maker.state.clone();
@@ -446,7 +446,7 @@ impl Run<'_> {
             if axes {
                 let said = words.of_group(LatheGroup::Motion).is_some();
                 let round = matches!(mode, Some(Does::Clockwise | Does::Counterclockwise));
-                // The reader of contours of LinuxCNC takes an arc that does not say its word for G2.
+                // LinuxCNC takes an arc in a contour without its own function as G2.
                 if round && !said && self.language.kind == LatheReader::LinuxCnc {
                     inner.tell("lathe-arc-unsaid", block.span);
                 }

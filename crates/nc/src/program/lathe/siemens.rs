@@ -1,5 +1,5 @@
-//! Cycles of Sinumerik: CYCLE95 and CYCLE97. Their fields are in the table lathe-read-cycles; what they do with them is
-//! known from memory of the manual, and told so.
+//! Cycles of Sinumerik: CYCLE95 and CYCLE97. Their fields are in the table lathe-read-cycles; their effect is known
+//! only from memory of the manual, and reported so.
 
 use super::block::Maker;
 use super::contour::{Leg, PassFrame, PassPoint, Round, SAME, Stroke};
@@ -27,7 +27,7 @@ impl Fields {
 }
 
 impl Maker<'_> {
-    /// The arguments of a call, compared with the table.
+    /// The arguments of a call, checked against the table.
     fn call_fields(&mut self, cycle: &str, arguments: &[Argument], span: TextSpan) -> Option<Fields> {
         let known = self.language.cycle(cycle, Form::One);
         if arguments.len() > known.all.len() {
@@ -82,7 +82,8 @@ impl Maker<'_> {
         };
         self.tell_with("lathe-cycle-from-memory", span, "word", "CYCLE95");
         let (across, inside) = (kind % 2 == 0, (kind - 1) % 4 >= 2);
-        // The cycle works towards the chuck, across towards the axis (inside away from it), whichever way the contour runs.
+        // The cycle works towards the chuck, across towards the axis (inside away from it), whatever the direction of
+        // the contour.
         let backwards = match (across, inside) {
             (false, _) => last.to.z > first.from.z,
             (true, false) => last.to.x > first.from.x,
@@ -115,7 +116,7 @@ impl Maker<'_> {
         let top = framed.iter().map(|leg| leg.from.x.max(leg.to.x)).fold(f64::NEG_INFINITY, f64::max);
         let lowest = framed.iter().map(|leg| leg.from.x.min(leg.to.x)).fold(f64::INFINITY, f64::min);
         let Some(begin) = framed.first().map(|leg| PassPoint { z: leg.from.z + clear, x: top }) else { return };
-        // Passes of one depth, none deeper than the one that is given.
+        // Passes of equal depth, none deeper than the given one.
         let count = libm::ceil(((top - lowest) / depth - SAME).max(1.0));
         let passes = Passes { depth: (top - lowest) / count, retract: clear, budget: self.budget };
         self.stroke(Stroke::Rapid(PassPoint { x: top + clear, ..begin }), frame, span);
@@ -181,7 +182,7 @@ impl Maker<'_> {
         let way = if end < begin { -1.0 } else { 1.0 };
         let (from, to) = (begin - way * fields.or_zero("APP"), end + way * fields.or_zero("ROP"));
         let (r1, r2) = (fields.or_zero("DM1") / 2.0, fields.or_zero("DM2") / 2.0);
-        // The crest runs on over the run-in and the run-out with its slope.
+        // The crest continues over the run-in and the run-out with its slope.
         let crest = |z: f64| r1 + (r2 - r1) * (z - begin) / (end - begin);
         let clear = fields.get("_VRT").filter(|clear| *clear > 0.0).unwrap_or(1.0);
         let high = if inside { r1.min(r2) } else { r1.max(r2) } + out * clear;
@@ -200,7 +201,7 @@ impl Maker<'_> {
         let angle = fields.or_zero("IANG");
         let slope = libm::tan(angle.abs().to_radians());
         for (pass, depth) in depths.into_iter().enumerate() {
-            // Along one flank, or, with a minus, along both in turn.
+            // Along one flank or, with a minus, along both in turn.
             let side = if angle < 0.0 && pass % 2 == 1 { -1.0 } else { 1.0 };
             let begin_z = from + way * side * depth * slope;
             let place = |radius_mm: f64, z_mm: f64| LathePoint { radius_mm, z_mm };
@@ -227,7 +228,7 @@ fn moved(legs: &[Leg], by: PassPoint) -> Vec<Leg> {
     legs.iter().map(moved).collect()
 }
 
-/// A contour the other way round.
+/// A contour in the opposite direction.
 fn reversed(legs: &[Leg]) -> Vec<Leg> {
     let turned = |leg: &Leg| {
         let round = leg.round.map(|it| Round { ccw: !it.ccw, ..it });

@@ -1,4 +1,4 @@
-//! What stays from block to block.
+//! The state kept from block to block.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -25,9 +25,9 @@ pub(super) struct FirstBlocks {
 pub(super) struct State {
     pub at: LathePlace,
     pub modes: BTreeMap<LatheGroup, Does>,
-    /// Groups of which the program has said something.
+    /// Groups for which the program has given a function.
     pub said: BTreeSet<LatheGroup>,
-    /// The system in force, by its word.
+    /// The active system, by its function.
     pub system: Option<String>,
     pub feed: Option<f64>,
     pub speed: Option<f64>,
@@ -38,11 +38,11 @@ pub(super) struct State {
     pub tool: Option<LatheTool>,
     pub parameters: Parameters,
     pub first: FirstBlocks,
-    /// R of G92, which holds with it.
+    /// R of G92, modal with it.
     pub box_taper: f64,
-    /// The end of G92, whose X and Z hold with it, too.
+    /// The end of G92, whose X and Z are modal with it too.
     pub box_end: Option<LathePoint>,
-    /// The lead of G32 and G92, which holds with them.
+    /// The lead of G32 and G92, modal with them.
     pub lead: Option<f64>,
     /// Whether something has moved.
     pub moved: bool,
@@ -86,7 +86,7 @@ impl State {
         })
     }
 
-    /// What holds now.
+    /// The modal state.
     pub fn lathe_modes(&self) -> LatheModes {
         let speed = self.speed.map(|speed| {
             if self.is(LatheGroup::SpeedMode, Does::CuttingSpeed) {

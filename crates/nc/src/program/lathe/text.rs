@@ -1,5 +1,5 @@
-//! The text of a program of a lathe as blocks, for the three controls. Words are split here and interpreted elsewhere;
-//! a word that cannot be read is reported and left out.
+//! Splits the text of a lathe program into blocks, for the three controls. Words are interpreted elsewhere; a word
+//! that cannot be read is reported and skipped.
 
 use super::LatheReader;
 use super::expression::{Expression, Reader};
@@ -7,7 +7,7 @@ use super::rules::fault;
 use crate::program::control_2c42_65::latin;
 use crate::program::{Fault, TextSpan};
 
-/// An address with what stands behind it.
+/// An address with its value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Word {
     /// `X`, `G`, `CR`, `LIMS`.
@@ -26,7 +26,7 @@ pub(super) enum Argument {
     Number(Expression),
 }
 
-/// What a line says of programs and calls, beside its words.
+/// What a line says about programs and calls, besides its words.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Head {
     /// `O1234`, `%_N_NAME_SPF`, `PROC NAME`: a program begins.
@@ -60,7 +60,7 @@ pub(super) struct Block {
 /// The most blocks that are read.
 pub(super) const MOST_BLOCKS: usize = crate::program::iso::MOST_BLOCKS;
 
-/// The blocks of a text and what could not be read.
+/// The blocks of a text and the faults of reading.
 pub(super) fn blocks(text: &str, control: LatheReader) -> (Vec<Block>, Vec<Fault>) {
     let (mut blocks, mut faults, mut signs) = (Vec::new(), Vec::new(), 0);
     for (index, line) in text.lines().enumerate() {
@@ -161,7 +161,7 @@ impl Line<'_> {
                         None => fault("unknown-character", self.span(column, column + 1), None).with("letter", c),
                     };
                     self.faults.push(problem);
-                    // The rest of what it begins is no word of its own.
+                    // The rest after it is no separate word.
                     characters.iter().skip(at + 1).take_while(|(_, c)| !c.is_ascii_uppercase()).count() + at + 1
                 }
             };
@@ -201,7 +201,7 @@ impl Line<'_> {
             && characters.get(at + 1 + digits).is_some_and(|(_, c)| *c == '=')
     }
 
-    /// `#5=…`, `R5=…`; where it ends.
+    /// `#5=…`, `R5=…`; returns where it ends.
     fn set(&mut self, characters: &[(usize, char)], at: usize, sign: &str, block: &mut Block) -> usize {
         let siemens = self.control == LatheReader::Sinumerik;
         let mut reader = Reader::new(characters, at + 1, siemens);
@@ -222,7 +222,7 @@ impl Line<'_> {
         end
     }
 
-    /// A word of one letter or a name; where it ends.
+    /// A word of one letter or a name; returns where it ends.
     fn word(&mut self, characters: &[(usize, char)], at: usize, block: &mut Block) -> usize {
         let siemens = self.control == LatheReader::Sinumerik;
         let column = |at: usize| characters.get(at).map_or(0, |(column, _)| *column);
@@ -267,7 +267,7 @@ impl Line<'_> {
         end
     }
 
-    /// A name of Sinumerik: `CR=5`, `DIAMON`, `CYCLE95(…)`, `MSG("…")`; where it ends.
+    /// A name of Sinumerik: `CR=5`, `DIAMON`, `CYCLE95(…)`, `MSG("…")`; returns where it ends.
     fn name(&mut self, characters: &[(usize, char)], at: usize, block: &mut Block) -> usize {
         let column = |at: usize| characters.get(at).map_or(0, |(column, _)| *column);
         let count = characters.iter().skip(at).take_while(|(_, c)| c.is_ascii_alphanumeric() || *c == '_').count();

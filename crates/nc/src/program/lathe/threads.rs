@@ -11,7 +11,7 @@ use crate::units::MillimetresPerRev;
 /// The most passes of a thread.
 const MOST_PASSES: usize = 2000;
 
-/// Where a run-out or run-in of LinuxCNC stands.
+/// The run-in and run-out of a LinuxCNC thread.
 #[derive(Clone, Copy)]
 struct Tapers {
     length: f64,
@@ -33,8 +33,9 @@ impl Maker<'_> {
         }
     }
 
-    /// G76 of LinuxCNC: passes of depth J·n^(1/R) up to K beyond the crest, which lies by I beyond the drive line; the whole
-    /// of a pass is shifted by what is still to be cut, so that the last one begins on the drive line. Seen in rs274.
+    /// G76 of LinuxCNC: passes of depth J·n^(1/R) up to K below the crest, which is offset by I from the drive line;
+    /// a whole pass is shifted by the remaining depth, so that the last one begins on the drive line. Observed in
+    /// rs274.
     fn linuxcnc_thread(&mut self, words: &BlockWords, span: TextSpan) {
         self.before_moving(span, true);
         if !self.fields(words, "G76", Form::One, span) {
@@ -82,7 +83,7 @@ impl Maker<'_> {
         }
         depths.extend(std::iter::repeat_n(full, springs + 1));
         let lead_of_taper = lead * libm::hypot(length, full) / length.max(f64::MIN_POSITIVE);
-        // Outwards is away from the thread: up outside, down inside.
+        // Away from the thread: up outside, down inside.
         let out = if crest < 0.0 { 1.0 } else { -1.0 };
         for depth in depths {
             let safe = drive.radius_mm + out * (full - depth);
@@ -107,7 +108,7 @@ impl Maker<'_> {
         self.rapid(at(drive.radius_mm, end));
     }
 
-    /// A rapid that goes somewhere.
+    /// A rapid, if it moves.
     fn rapid(&mut self, to: LathePlace) {
         if self.state.at != to {
             self.put(LatheAct::Rapid, to);
@@ -145,8 +146,8 @@ impl Maker<'_> {
         if given.point { given.value } else { given.value / 1000.0 }
     }
 
-    /// The second block of G76 of Fanuc: passes of depth d·√n, none shallower than the least, down to the finishing
-    /// allowance, and then so many at the full depth. From memory of the manual.
+    /// The second block of G76 of Fanuc: passes of depth d·√n, none less than the minimum, down to the finishing
+    /// allowance, then the finishing passes at full depth. From memory of the manual.
     fn fanuc_thread(&mut self, words: &BlockWords, span: TextSpan) {
         self.before_moving(span, true);
         let Some([finishes, run_out, angle, least, allowance]) = self.state.first.thread else {
@@ -186,7 +187,7 @@ impl Maker<'_> {
         let slope = libm::tan((angle / 2.0).to_radians());
         let way = if end.z_mm < begin.z_mm { -1.0 } else { 1.0 };
         for depth in depths {
-            // The root is where the block leads; a pass stands above it by what is still to be cut.
+            // The root is the target of the block; each pass is above it by the remaining depth.
             let z = begin.z_mm + way * depth * slope;
             self.rapid(at(begin.radius_mm, z));
             self.thread_pass(begin, z, (end, taper), height - depth, (lead, run_out), span);
@@ -194,7 +195,7 @@ impl Maker<'_> {
         self.rapid(begin.into());
     }
 
-    /// X or U, Z or W of a thread: where it begins and ends.
+    /// X or U, Z or W of a thread: its start and end.
     ///
     /// `kept` is the end of the block before, and whether this one gives X and Z again.
     fn ends_of_thread(
@@ -219,7 +220,7 @@ impl Maker<'_> {
         Some((begin, end))
     }
 
-    /// Down, the thread with its run-out under 45°, out and back to where the cycle began.
+    /// Infeed, the thread with its run-out at 45°, retract, and back to the start of the cycle.
     fn thread_pass(
         &mut self,
         begin: LathePoint,

@@ -1,4 +1,4 @@
-//! How long a program of a lathe takes.
+//! The duration of a lathe program.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,7 +8,7 @@ use super::motion::{LatheAct, LatheFeed, LatheModes, LatheMotion, LathePoint, La
 use crate::motion::Sense;
 use crate::units::{MillimetresPerMinute, Minutes};
 
-/// The rates of a lathe that times need.
+/// The rates of a lathe used for times.
 #[derive(Clone, Copy, Debug)]
 pub struct LatheRates {
     /// Rapid along Z.
@@ -26,19 +26,19 @@ pub struct LatheTimes {
     pub rapid_min: Option<Minutes>,
     /// Waiting.
     pub dwell_min: Minutes,
-    /// All of these; changes of tool are not counted.
+    /// The sum; tool changes are not counted.
     pub total_min: Minutes,
-    /// Rapids from or to a place that is not known: they are not counted.
+    /// Rapids from or to an unknown place, which are not counted.
     pub rapids_not_counted: usize,
 }
 
-/// Into how many pieces a way is cut where the spindle changes its speed along it.
+/// The number of pieces of a path along which the spindle changes its speed.
 const PIECES: usize = 64;
 
-/// The times of these motions.
+/// The times of motions.
 ///
-/// Feeds along their path; with constant cutting speed v the spindle turns at min(limit, 1000·v / (2π·r)) at radius r, r in
-/// mm, v in m/min. Speeding up and slowing down are not counted.
+/// Feeds act along the path; with constant cutting speed v the spindle turns at min(limit, 1000·v / (2π·r)) at radius
+/// r, r in mm, v in m/min. Acceleration and deceleration are not counted.
 pub fn times(motions: &[LatheMotion], rates: Option<LatheRates>) -> LatheTimes {
     let (mut feed, mut rapid, mut dwell, mut unknown) = (0.0, 0.0, 0.0, 0_usize);
     for motion in motions {
@@ -92,7 +92,7 @@ fn arc(from: LathePoint, to: LathePoint, centre: LathePoint, sense: Sense, share
     LathePoint { radius_mm: centre.radius_mm + radius * libm::sin(here), z_mm: centre.z_mm + radius * libm::cos(here) }
 }
 
-/// Minutes along a way.
+/// The time along a path, min.
 fn along(modes: &LatheModes, feed: LatheFeed, way: &dyn Fn(f64) -> LathePoint) -> f64 {
     let mut minutes = 0.0;
     for piece in 0..PIECES {

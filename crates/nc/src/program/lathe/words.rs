@@ -1,4 +1,4 @@
-//! The words of a block with their values; what was asked for is marked, so that the rest can be told.
+//! The words of a block with their values; used words are marked, so that the others can be reported.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -34,11 +34,11 @@ pub(super) struct BlockWords {
     pub functions: Vec<Function>,
     values: Vec<Value>,
     used: RefCell<BTreeSet<usize>>,
-    /// Names that are no function: calls of subprograms.
+    /// Names that are no functions: calls of subprograms.
     pub names: Vec<(String, TextSpan)>,
 }
 
-/// The code of a function as the table has it: `G01` is `G1`, `G91.1` stays.
+/// The code of a function as in the table: `G01` becomes `G1`, `G91.1` stays.
 fn code(letter: &str, value: f64) -> String {
     let tenths = libm::round(value * 10.0) as i64;
     if tenths % 10 == 0 {
@@ -103,14 +103,14 @@ impl BlockWords {
         self.functions.iter().find(|function| function.does == does)
     }
 
-    /// A word, which is used by that.
+    /// A word, marked as used.
     pub fn take(&self, name: &str) -> Option<&Value> {
         let index = self.values.iter().position(|value| value.name == name)?;
         self.used.borrow_mut().insert(index);
         self.values.get(index)
     }
 
-    /// A word, only looked at.
+    /// A word, without marking it.
     pub fn look(&self, name: &str) -> Option<&Value> {
         self.values.iter().find(|value| value.name == name)
     }

@@ -1,4 +1,4 @@
-//! Everything besides cuts: travel over the part, pauses, the order of the points, the ends.
+//! Checks everything but the cuts: travel over the part, pauses, the order of the points, the ends.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use crate::motion::{BlockRef, Turning};
 use crate::note::Severity;
 use crate::units::Micrometres;
 
-/// Everything around the cuts.
+/// All these checks.
 pub(super) fn all(
     made: &ObservedCuts,
     matched: &Matched,
@@ -42,7 +42,7 @@ impl<'t> Around<'_, 't> {
         self.matched.task_of.get(cut).copied().flatten().and_then(|task| self.tasks.get(task))
     }
 
-    /// The first and last task at every stay.
+    /// The first and last task of every stay.
     fn tasks_at(&self) -> BTreeMap<usize, (usize, usize)> {
         let mut at: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
         for (number, cut) in self.made.cuts.iter().enumerate() {
@@ -56,8 +56,8 @@ impl<'t> Around<'_, 't> {
         stay.machine == [change.x, change.y]
     }
 
-    /// Ways from point to point: at rapid, at the height of the cycles or with the quill up, to a point where something
-    /// is done, else to the place of the tool change.
+    /// Travels from point to point: at rapid, at the height of the cycles or with the quill retracted, to a point
+    /// with work, otherwise to the tool-change position.
     fn stays(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
         let top = self.asked.plan.part.datum.top;
@@ -93,7 +93,7 @@ impl<'t> Around<'_, 't> {
             let before = number.checked_sub(1).and_then(|before| cuts.get(&before)).map(|(_, last)| *last);
             let after = cuts.get(&number).map(|(first, _)| *first);
             let out = |cut: Option<usize>| Some(self.task(cut?)?.cycle.out);
-            // After a cut that is nobody's, and before one, every height over the part does.
+            // After and before a cut without a stop, every height above the part is accepted.
             let needed = match (out(before), out(after)) {
                 (Some(a), Some(b)) => a.min(b),
                 (Some(one), None) | (None, Some(one)) => one,
@@ -114,7 +114,7 @@ impl<'t> Around<'_, 't> {
         }
     }
 
-    /// Motions over a point: only to the heights of its cycle, at rapid.
+    /// Motions above a point: only to the heights of its cycle, at rapid.
     fn above(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
         let up = self.asked.job.change_at.z;
@@ -155,7 +155,7 @@ impl<'t> Around<'_, 't> {
         }
     }
 
-    /// Between two cuts at one point the tool goes as high as from point to point.
+    /// Between two cuts at one point the tool rises as high as between points.
     fn between(&self, findings: &mut Vec<ProgramFinding>) {
         for (next, pair) in self.made.cuts.windows(2).enumerate().map(|(at, pair)| (at + 1, pair)) {
             let Some(task) = self.task(next - 1).filter(|_| pair[0].stay == pair[1].stay) else { continue };
@@ -172,7 +172,7 @@ impl<'t> Around<'_, 't> {
         }
     }
 
-    /// What the operator has to do before a work, and stops at which there is nothing to do.
+    /// What the operator must do before a work, and stops without a task.
     fn pauses(&self, findings: &mut Vec<ProgramFinding>) {
         let stops: Vec<(usize, BlockRef)> = self
             .made
@@ -206,7 +206,7 @@ impl<'t> Around<'_, 't> {
         }
     }
 
-    /// The zero of the other side must come with the stop, and not by the way.
+    /// The zero of the other side must change at the stop, not elsewhere.
     fn turned_over(&self, turned_over: usize, findings: &mut Vec<ProgramFinding>) {
         let first = self.made.cuts.iter().find(|cut| cut.setup > 0);
         if let Some(cut) = first
@@ -216,7 +216,7 @@ impl<'t> Around<'_, 't> {
         }
     }
 
-    /// The points in another order than the plan's: allowed, but its path is another.
+    /// Reports points in another order than the plan's: allowed, but the path is another one.
     fn order(&self, findings: &mut Vec<ProgramFinding>) {
         let visited: Vec<(usize, usize)> =
             (0..self.made.cuts.len()).filter_map(|cut| Some((cut, self.matched.task_of[cut]?))).collect();
@@ -226,7 +226,7 @@ impl<'t> Around<'_, 't> {
         let Some(cut) = visited.get(at).and_then(|(cut, _)| self.made.cuts.get(*cut)) else { return };
         let Some(task) = planned.get(at).and_then(|task| self.tasks.get(*task)) else { return };
         let others = made.iter().zip(&planned).filter(|(made, planned)| made != planned).count();
-        // The way over the points by its coordinates tells two orders apart.
+        // The path length by its coordinates distinguishes two orders.
         let way: f64 = self
             .made
             .cuts
@@ -293,7 +293,7 @@ impl<'t> Around<'_, 't> {
 }
 
 fn no_stop(pause: &Pause, block: BlockRef, none: bool) -> ProgramFinding {
-    // One stop may do for two things; that there is one is what counts.
+    // One stop may serve two tasks; only its existence matters.
     let severity = if none { Severity::Error } else { Severity::Note };
     match pause {
         Pause::LoadTool { tool, place } => {

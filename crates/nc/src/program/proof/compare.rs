@@ -13,7 +13,7 @@ use crate::note::Severity;
 use crate::plan::Operation;
 use crate::units::Micrometres;
 
-/// Speeds, feeds and times that differ by less are the same figure, printed.
+/// Speeds, feeds and times that differ by less are the same printed figure.
 const FIGURE: f64 = 0.05;
 
 /// Every cut beside its stop.
@@ -26,7 +26,7 @@ pub(super) fn all(
     findings: &mut Vec<ProgramFinding>,
 ) {
     let places = TaskIndex::of(tasks);
-    // The furthest task made at every point so far, to tell the order.
+    // The last task made at every point so far, to check the order.
     let mut furthest: BTreeMap<(usize, Micrometres, Micrometres), usize> = BTreeMap::new();
     for (number, cut) in made.cuts.iter().enumerate() {
         collisions(cut, asked, findings);
@@ -65,7 +65,7 @@ pub(super) fn all(
     missing(matched, tasks, findings);
 }
 
-/// A cut and its stop, to tell what is wrong.
+/// A cut and its stop, for the findings about them.
 pub(super) struct Say<'a, 't> {
     pub cut: &'a Descent,
     pub task: &'a StopTask<'t>,
@@ -92,7 +92,7 @@ impl Say<'_, '_> {
     }
 }
 
-/// What no tool may do inside the part: go across at rapid, or be pushed in.
+/// Motions that no tool may make inside the part: across at rapid, or down at rapid.
 fn collisions(cut: &Descent, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let top = asked.plan.part.datum.top;
     let across = cut.moves.iter().find(|made| made.how == TipMotion::Rapid && made.across() && made.below(top));
@@ -111,7 +111,7 @@ fn collisions(cut: &Descent, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
         );
         return;
     }
-    // At rapid no deeper than the feed was.
+    // No rapid may go deeper than the feed has been.
     let mut deepest: Option<Micrometres> = None;
     for made in cut.moves.iter().filter(|made| made.moves()) {
         if made.how == TipMotion::Rapid
@@ -145,7 +145,7 @@ fn superfluous(
     tasks: &[StopTask<'_>],
     findings: &mut Vec<ProgramFinding>,
 ) {
-    // What never feeds is told as a rapid into the part.
+    // A cut without any feed is reported as a rapid into the part.
     if cut.begin().is_none() {
         return;
     }
@@ -193,10 +193,10 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
     let part = &asked.plan.part;
     if let Some(begin) = say.cut.begin() {
         let metal = part.datum.top - transition.start_mm;
-        // A rapid may have gone lower before it.
+        // A rapid may have been lower before it.
         let rapids = say.cut.moves.iter().take_while(|made| made.feed().is_none()).filter(|made| made.moves());
         let begin = rapids.map(|made| made.to[2]).fold(begin, Micrometres::min);
-        // Steps that end above the metal are made in the air; the cut begins after them.
+        // Steps that end above the metal are in the air; the cut begins after them.
         let in_air = say.task.reached_in_air(metal) < cycle.begin && begin >= metal;
         if begin < cycle.begin - TOLERANCE && !in_air {
             let finding = if begin < metal {
@@ -213,9 +213,9 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
     if near(deepest, cycle.end) {
         return;
     }
-    // A hole is through from the lower face on, and what is beyond is overrun.
+    // From the lower face on a hole is through, and anything deeper is overrun.
     let through = transition.depth_mm >= part.blank.thickness;
-    // A spot of 90° that is no deeper than the hole's radius is no wider than the hole.
+    // A 90° spot not deeper than the radius of the hole is not wider than the hole.
     let hole = part.holes.iter().find(|hole| hole.name == say.task.stop.hole);
     let radius = hole.map(|hole| hole.diameter.nominal.half()).unwrap_or_default();
     let spot = part.datum.top - transition.start_mm - radius;
@@ -226,7 +226,7 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
             if enough { (Code::LessOverrun, Severity::Doubtful) } else { (Code::TooShallow, Severity::Error) };
         say.figure(code, severity, deepest, cycle.end)
     } else {
-        // Under a through hole stands the table.
+        // The table is under a through hole.
         let within = through && deepest >= cycle.end - asked.tolerated.overrun - TOLERANCE;
         let severity = if within || preparing { Severity::Doubtful } else { Severity::Wrong };
         say.figure(Code::Deeper, severity, deepest, cycle.end)
@@ -238,7 +238,7 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
 fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let other = |made: f64, needed: f64| (made - needed).abs() > FIGURE;
-    // Somebody may have chosen otherwise, but not far beyond what the tool bears.
+    // Another choice is acceptable, but not far beyond the load that the tool bears.
     let load = |made: f64, needed: f64| {
         if made > needed * asked.tolerated.overload { Severity::Wrong } else { Severity::Doubtful }
     };
@@ -246,8 +246,8 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Prog
         let severity = load(made.speed, cycle.speed_rpm.0);
         findings.push(say.figure(Code::OtherSpeed, severity, made.speed, cycle.speed_rpm.0));
     }
-    // What a tooth takes grows when the spindle is slower, though each figure may be another's choice; and where the spindle
-    // is as much faster, a faster feed loads it no more.
+    // The feed per tooth grows when the spindle is slower, even if each figure alone is acceptable; and where the
+    // spindle is proportionally faster, a faster feed does not load the tooth more.
     let per_turn = |feed: f64, speed: f64| feed / speed.max(f64::MIN_POSITIVE);
     let planned = per_turn(cycle.feed_mm_per_min.0, cycle.speed_rpm.0);
     let turned = cut.cutting().filter(|made| made.speed > 0.0);
@@ -265,9 +265,9 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Prog
         findings.push(say.figure(Code::FeedPerTurn, Severity::Wrong, figure(made), figure(planned)));
     }
     let needed = cycle.dwell_s.map_or(0.0, |dwell| dwell.0);
-    // Dwells are written in tenths or thousandths: there is nothing to round.
+    // Dwells are written in tenths or thousandths, so there is no rounding.
     if (cut.dwell() - needed).abs() > 0.0005 {
-        // So much longer it is another unit of time.
+        // A factor this large means another unit of time.
         let severity = match cut.dwell() {
             made if made < needed => Severity::Doubtful,
             made if made > (asked.tolerated.overlong * needed).max(1.0) => Severity::Wrong,
@@ -286,7 +286,7 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Prog
     }
 }
 
-/// The way in, at once or in steps.
+/// The infeed, at once or in steps.
 fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let downs = cut.downs();
@@ -310,7 +310,7 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
         } else if !last && taken < step - TOLERANCE {
             findings.push(say.figure(Code::StepSmaller, Severity::Note, taken, step));
         }
-        // With a step smaller than the way back the tool returns to the beginning.
+        // With a step smaller than the retract the tool returns to the beginning.
         let needed = (reached + back).min(cycle.begin);
         if index > 0 && !near(*from, needed) {
             findings.push(say.figure(Code::StepClearance, Severity::Note, *from - reached, needed - reached));
@@ -328,7 +328,7 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
     }
 }
 
-/// The way out.
+/// The retract.
 fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let moves: Vec<&TipMove> = cut.way_out().iter().filter(|made| made.moves()).collect();
@@ -364,7 +364,7 @@ fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Program
     {
         findings.push(say.figure(Code::OutTooLow, Severity::Note, made.to[2], cycle.begin));
     }
-    // Higher than its feed begins a reamer leaves at rapid.
+    // Above the beginning of its feed a reamer moves at rapid.
     if let Some(made) = moves.iter().find(|made| at_feed(made) && made.to[2] > cycle.begin + TOLERANCE)
         && !matches!(cycle.kind, CycleKind::Tap { .. })
     {

@@ -1,10 +1,10 @@
-//! From stays to cuts: one way of the tip into the part and out of it, pecks and circles drawn together.
+//! Turns stays into cuts: one path of the tip into the part and out of it, with its pecks and circles together.
 
 use super::walk::{Stay, TipMotion, TipMove};
 use crate::motion::{BlockRef, Sense, Turning};
 use crate::units::Micrometres;
 
-/// Positions that differ by no more are the same: a step of the machine, 0.01 mm.
+/// Positions that differ by no more are equal: a step of the machine, 0.01 mm.
 pub(super) const TOLERANCE: Micrometres = Micrometres::new(10);
 
 /// Whether two positions are the same to a step of the machine.
@@ -12,7 +12,7 @@ pub(super) fn near(a: Micrometres, b: Micrometres) -> bool {
     (a - b).abs() <= TOLERANCE
 }
 
-/// One way into the part at a point.
+/// One path into the part at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Descent {
     /// Its stay.
@@ -25,30 +25,30 @@ pub(super) struct Descent {
     pub setup: usize,
     /// The point.
     pub at: [Micrometres; 2],
-    /// The block that brought the tool here; of a second cut at the same point its own.
+    /// The block that brought the tool here; for a second cut at the same point, its own block.
     pub place: BlockRef,
     /// The block of its first feed.
     pub block: BlockRef,
     /// Its place among the steps.
     pub order: usize,
-    /// The corrector in force, and what it adds.
+    /// The offset register in force, and the added value.
     pub corrector: (u32, Micrometres),
     /// From the first motion below the face to the last.
     pub moves: Vec<TipMove>,
-    /// How high the tip rose afterwards before it went on or down again.
+    /// The height to which the tip rose afterwards, before it went on or down again.
     pub rose: Micrometres,
-    /// Z where a feed towards it began over the face: steps of a deep hole that end in the air.
+    /// Z where a feed towards it began above the face: steps of a deep hole that end in the air.
     pub begun_above: Option<Micrometres>,
 }
 
-/// The cuts of a stay, and its motions above the face, each with the cut that it leads to.
+/// The cuts of a stay, and its motions above the face, each with the cut that follows.
 pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent>, Vec<(Option<usize>, TipMove)>) {
     let mut cuts: Vec<Descent> = Vec::new();
     let mut above: Vec<(Option<usize>, TipMove)> = Vec::new();
     // The last motion was below the face.
     let mut inside = false;
     let mut begun_above: Option<Micrometres> = None;
-    // The spindle is switched and dwells happen where the tip is.
+    // Spindle switches and dwells happen at the position of the tip.
     let low = |made: &TipMove| if made.moves() { made.below(top) } else { made.to[2] < top };
     for (index, made) in stay.moves.iter().enumerate() {
         if !low(made) {
@@ -62,7 +62,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent
             above.push((None, *made));
             continue;
         }
-        // Also what goes in again from the very face is another way in.
+        // A new entry from exactly the face is a new cut too.
         let from_above = made.moves() && made.from[2] >= top;
         if (!inside || from_above) && !cuts.last().is_some_and(|cut| goes_on(cut, &stay.moves[index..], top)) {
             for (leads, _) in above.iter_mut().rev().take_while(|(leads, _)| leads.is_none()) {
@@ -90,12 +90,12 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent
             cut.rose = cut.rose.max(made.to[2]);
         }
     }
-    // What a cut goes in from, and what it leaves to, is above: motions that lead nowhere belong to the way on.
+    // A cut begins and ends above the face: motions that lead to no cut belong to the travel.
     (cuts, above)
 }
 
-/// Whether a new way in continues a cut: it was left no higher than where its feed began, and goes deeper by a feed that
-/// begins below. A drill that comes out for its chips does so.
+/// Whether a new entry continues a cut: the tool left it no higher than its feed began, and feeds deeper from below.
+/// So does a drill that comes out to clear its chips.
 fn goes_on(cut: &Descent, rest: &[TipMove], top: Micrometres) -> bool {
     let Some(begin) = cut.begin().max(cut.begun_above) else { return false };
     let Some(feed) = rest.iter().find(|made| made.feed().is_some()).filter(|made| made.below(top)) else {
@@ -115,7 +115,7 @@ impl Descent {
         self.moves.iter().map(|made| made.to[2]).min().unwrap_or_default()
     }
 
-    /// Its ways down at feed: from where to where, what follows straight on drawn together.
+    /// Its feeds downwards: from where to where; successive ones are joined.
     pub fn downs(&self) -> Vec<(Micrometres, Micrometres)> {
         let mut downs: Vec<(Micrometres, Micrometres)> = Vec::new();
         let mut goes_on = false;
@@ -131,7 +131,7 @@ impl Descent {
         downs
     }
 
-    /// How high the tip went between its ways down.
+    /// How high the tip rose between its feeds downwards.
     pub fn returns(&self, top: Micrometres) -> Vec<Micrometres> {
         let mut returns = Vec::new();
         let mut highest: Option<Micrometres> = None;
@@ -143,7 +143,7 @@ impl Descent {
             let reached = made.to[2].max(made.from[2]);
             highest = highest.max(Some(reached.max(if made.below(top) { reached } else { top })));
         }
-        // What was before the first way down is no return.
+        // Motions before the first feed downwards are no return.
         let first = self.moves.iter().find(|made| made.moves());
         if first.is_some_and(|made| made.how == TipMotion::Rapid) && !returns.is_empty() {
             returns.remove(0);
@@ -151,7 +151,7 @@ impl Descent {
         returns
     }
 
-    /// The motions after the deepest point was reached for the last time and left.
+    /// The motions after the tip left its deepest point for the last time.
     pub fn way_out(&self) -> &[TipMove] {
         let deepest = self.deepest();
         let last = self.moves.iter().rposition(|made| made.moves() && made.to[2] == deepest).map_or(0, |at| at + 1);
@@ -172,8 +172,8 @@ impl Descent {
         waits.map(|made| if let TipMotion::Dwell(seconds) = made.how { seconds } else { 0.0 }).sum()
     }
 
-    /// Its circles in order: depth, centre, radius in mm and sense; arcs of one circle that follow each other are drawn
-    /// together, with how far they turn, rad.
+    /// Its circles in order: depth, centre, radius in mm and sense; successive arcs of one circle are joined, with
+    /// their total angle, rad.
     pub fn circles(&self) -> Vec<Circle> {
         let mut circles: Vec<Circle> = Vec::new();
         let mut goes_on = false;
@@ -192,7 +192,7 @@ impl Descent {
         circles
     }
 
-    /// The motions in the metal: at feed, not on the way out.
+    /// The motions in the metal: at feed, without the retract.
     pub fn cutting(&self) -> impl Iterator<Item = &TipMove> {
         let into = self.moves.len() - self.way_out().len();
         self.moves[..into].iter().filter(|made| made.feed().is_some())

@@ -1,4 +1,4 @@
-//! Findings of a proof: the kind of deviation and its figures, as types. The sentence is made here.
+//! Findings of the proof: the kind of deviation and its figures, as types.
 
 use std::collections::BTreeMap;
 
@@ -37,7 +37,7 @@ macro_rules! named {
 }
 
 named! {
-    /// In what a program deviates from the job.
+    /// The kind of deviation of a program from the job.
     Code {
         IdlePoint = "idle-point",
         TravelAtFeed = "travel-at-feed",
@@ -216,12 +216,12 @@ figures! {
 /// A deviation from the job.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProgramFinding {
-    /// In what; the note says it too.
+    /// The kind of deviation; the note has it too.
     #[serde(skip)]
     pub code: Code,
     /// How grave.
     pub severity: Severity,
-    /// Where in the program; absent if it is nowhere.
+    /// The block of the program; absent if there is none.
     #[serde(flatten)]
     pub block: Option<BlockRef>,
     /// Its figures; the note has them too.

@@ -1,4 +1,4 @@
-//! Which stop of the job each cut makes.
+//! Matches cuts with the stops of the job.
 
 use std::collections::BTreeMap;
 
@@ -46,14 +46,14 @@ pub(super) fn fits(cut: &Descent, task: &StopTask<'_>) -> bool {
     near(cut.deepest(), task.cycle.end)
 }
 
-/// Gives each cut its task: first what fits in tool, point and depth, in the order of the program; then what another
-/// tool made; then what has another depth.
+/// Assigns a task to each cut: first by tool, point and depth, in the order of the program; then cuts by another
+/// tool; then cuts of another depth.
 pub(super) fn matched(cuts: &[Descent], tools: &Tools, tasks: &[StopTask<'_>]) -> Matched {
     let places = TaskIndex::of(tasks);
     let mut matched = Matched { task_of: vec![None; cuts.len()], cut_of: vec![None; tasks.len()] };
     for round in 0..3 {
         for (number, cut) in cuts.iter().enumerate() {
-            // A tip that is only pushed into the part makes nothing.
+            // A tip that only moves into the part at rapid makes no hole.
             if matched.task_of[number].is_some() || cut.begin().is_none() {
                 continue;
             }
@@ -73,8 +73,8 @@ pub(super) fn matched(cuts: &[Descent], tools: &Tools, tasks: &[StopTask<'_>]) -
     matched
 }
 
-/// Before which step the part is turned over: at the stop or, where there is none, the tool change at which most cuts
-/// fit. Never, where the job has one set-up only.
+/// The step before which the part is turned over: at the stop or, without one, at the tool change for which most cuts
+/// fit. None if the job has one set-up.
 pub(super) fn turned_over(
     steps: &[MotionStep],
     asked: &ProofInput<'_>,

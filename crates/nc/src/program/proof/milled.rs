@@ -1,4 +1,4 @@
-//! Circles of a mill, and motions across in the part.
+//! Checks the circles of a mill, and motions across inside the part.
 
 use super::compare::Say;
 use super::cuts::{Circle, TOLERANCE, near};
@@ -8,7 +8,7 @@ use crate::motion::{Sense, geometry};
 use crate::note::Severity;
 use crate::units::Micrometres;
 
-/// A transition without circles: whatever goes across at feed is a slot.
+/// A transition without circles: a motion across at feed makes a slot.
 pub(super) fn none(say: &Say<'_, '_>, findings: &mut Vec<ProgramFinding>) {
     let across = say.cut.moves.iter().find(|made| made.feed().is_some() && made.across());
     if let Some(made) = across {
@@ -18,7 +18,7 @@ pub(super) fn none(say: &Say<'_, '_>, findings: &mut Vec<ProgramFinding>) {
     }
 }
 
-/// The circles of a cycle in their order, and the ways between them.
+/// Checks the circles of a cycle in their order, and the paths between them.
 pub(super) fn circles(
     say: &Say<'_, '_>,
     levels: &[Micrometres],
@@ -51,7 +51,7 @@ pub(super) fn circles(
             say.now(Code::Slot, Severity::Error).with(Name::To, [made.to[0], made.to[1]]).with(Name::Z, made.to[2]),
         );
     }
-    // Straight ways: out to every circle of a level, and back to the middle.
+    // Straight paths: out to every circle of a level, and back to the middle.
     let ways = straight.clone().filter(|made| made.across()).count();
     let needed = levels.len() * (radii.len() + 1);
     if ways != needed {
@@ -60,7 +60,7 @@ pub(super) fn circles(
     if let Some(oblique) = straight.clone().find(|made| made.across() && made.from[2] != made.to[2]) {
         findings.push(say.now(Code::Oblique, Severity::Doubtful).with(Name::Z, oblique.to[2]));
     }
-    // It goes down and comes out in the middle, where it was let in.
+    // It enters and leaves in the middle, where there is room.
     let aside = say.cut.moves.iter().find(|made| {
         !made.across() && made.moves() && !(near(made.to[0], say.cut.at[0]) && near(made.to[1], say.cut.at[1]))
     });
@@ -107,7 +107,7 @@ fn one(
     if circle.sense != sense {
         findings.push(at(Code::CircleSense, Severity::Wrong));
     }
-    // Once round, with what a step of the machine is on the arc.
+    // A full turn, within one machine step along the arc.
     let turns = circle.turned / std::f64::consts::TAU;
     let slack = 2.0 * step / circle.radius.max(step);
     if turns < 1.0 - slack {

@@ -1,20 +1,19 @@
-//! The proof that a program makes a part: what it cuts is compared with the job, stop by stop.
+//! The proof that a program makes a part: its cuts are compared with the job, stop by stop.
 //!
-//! It works on the steps that an interpreter emits, so it is the same for every control.
+//! It uses the steps of an interpreter, so it is the same for every control.
 //!
 //! ```text
 //! steps → walk (stays: what was done at one point) → cuts (one way in and out) → matching (which stop of the job each
 //! cut makes, with which tool) → compare (cut beside cycle) and around (what is no cut) → Proof
 //! ```
 //!
-//! - every stop of the job needs a cut: what has none is missing, a cut that makes no stop is superfluous;
-//! - a cut is compared with its stop: tool and corrector, beginning, depth, steps, circles, way out, speed, feed,
-//!   dwell, coolant, and its turn among the transitions of its hole;
-//! - a motion that no cut explains is reported too. So a program without findings does what the job says, and nothing
-//!   else.
+//! - every stop of the job needs a cut: a stop without one is missing, a cut without a stop is superfluous;
+//! - a cut is compared with its stop: tool and offset register, beginning, depth, steps, circles, retract, speed,
+//!   feed, dwell, coolant, and its place in the order of transitions;
+//! - any other motion is reported too. So a program without findings does what the job says, and nothing else.
 //!
-//! Where the part stands and what the correctors hold is taken as given. docs/proof.md lists every comparison and its
-//! severity.
+//! The position of the part and the values of the offset registers are given. docs/proof.md lists every comparison
+//! and its severity.
 //!
 //! Architecture invariant: the proof depends on no control and chooses nothing; the job says what is right.
 
@@ -57,31 +56,32 @@ pub struct ProofInput<'a> {
     pub plan: &'a Plan,
     /// Its job.
     pub job: &'a Job,
-    /// Where the drawing's zero stands in each set-up of the job, machine coordinates.
+    /// The drawing's zero in each set-up of the job, machine coordinates.
     pub zeros: &'a [Position],
     /// Where the axes stand when the program begins, machine coordinates.
     pub start: Position,
     /// What may differ from the job.
     pub tolerated: Tolerated,
-    /// Whether the correctors are the operator's own: then their numbers and values may be others than the plan's.
+    /// Whether the operator uses offset registers of his own: then numbers and values may differ from the plan's.
     pub own_correctors: bool,
 }
 
 /// How far a program may differ from its job.
 #[derive(Clone, Copy, Debug)]
 pub struct Tolerated {
-    /// How far the tool comes out of a through hole, by the rule `approach`: so much less still makes the hole.
+    /// The overrun of the tool at a through hole, by the rule `approach`: a program may have less by this much and
+    /// still make the hole.
     pub overrun: Micrometres,
-    /// How many times the planned speed or feed somebody else may have chosen.
+    /// The factor on the planned speed or feed that is still another choice.
     pub overload: f64,
-    /// The same of the feed of a centring tool.
+    /// The same factor for the feed of a centring tool.
     pub spot_overload: f64,
-    /// How many times the planned dwell is no choice any more.
+    /// The factor on the planned dwell from which it is a mistake.
     pub overlong: f64,
 }
 
 impl Tolerated {
-    /// What the knowledge tolerates for a part.
+    /// The tolerances of the knowledge base for a part.
     ///
     /// # Errors
     /// A table lacks a figure.
@@ -94,7 +94,7 @@ impl Tolerated {
     }
 }
 
-/// The result of a proof: what a program makes of a part, and every deviation.
+/// The result of a proof: the stops that a program makes, and every deviation.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Proof {
     /// The stops of the job that it makes, in the order of the program.
@@ -177,8 +177,8 @@ struct StopTask<'a> {
 }
 
 impl StopTask<'_> {
-    /// Z that the steps of a deep hole reach before the first that goes into the metal: a small drill's step may be
-    /// shorter than the approach. Without such steps the beginning of the feed.
+    /// Z reached by the steps of a deep hole before the first one in the metal: the step of a small drill may be
+    /// shorter than the approach. Without such steps, the beginning of the feed.
     fn reached_in_air(&self, metal: Micrometres) -> Micrometres {
         let (CycleKind::Peck { step, .. } | CycleKind::ChipBreak { step, .. }) = self.cycle.kind else {
             return self.cycle.begin;
@@ -194,7 +194,7 @@ pub fn prove(steps: &[MotionStep], asked: &ProofInput<'_>) -> Proof {
     let frame = |zero: &Position| SetUpFrame { zero: *zero, top: asked.plan.part.datum.top };
     let mut frames: Vec<SetUpFrame> = asked.zeros.iter().map(frame).collect();
     if frames.is_empty() {
-        // A job without work has no set-up; its program begins and ends all the same.
+        // A job without work has no set-up, but its program has a beginning and an end.
         frames.push(frame(&Position::default()));
     }
     let turned_over = matching::turned_over(steps, asked, &frames, &tasks);
@@ -237,7 +237,7 @@ pub fn prove(steps: &[MotionStep], asked: &ProofInput<'_>) -> Proof {
     proof
 }
 
-/// What a program does, as cuts and what is around them.
+/// The cuts of a program and all motions around them.
 #[derive(Clone, Debug)]
 struct ObservedCuts {
     walk: TipHistory,
@@ -269,8 +269,8 @@ impl ObservedCuts {
     }
 }
 
-/// Points where the job cuts the face itself, its stock standing over the drawing: by set-up and point the height below
-/// which a tool cuts there.
+/// Points where the job cuts the face itself, because its stock is above the drawing: by set-up and point the height
+/// below which a tool cuts there.
 fn faced(asked: &ProofInput<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> {
     let top = asked.plan.part.datum.top;
     let mut faced = Vec::new();

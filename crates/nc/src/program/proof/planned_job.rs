@@ -37,8 +37,8 @@ impl PlannedJob {
         Ok(Self { plan, job, tolerated, own_correctors: false })
     }
 
-    /// Zeros and correctors that the setting leaves out are set to those of the job; with correctors of their own,
-    /// operators may number and measure tools as they like.
+    /// Zeros and offset registers missing in the setting become those of the job; operators with registers of their
+    /// own may number and measure tools as they like.
     pub fn set(&mut self, setting: &mut Setting) {
         for (setup, zero) in self.job.setups.iter().zip(&mut setting.zeros) {
             for axis in Axis::ALL {
@@ -52,7 +52,8 @@ impl PlannedJob {
         }
     }
 
-    /// What keeps any program from making the part: holes without a route, a part that does not fit on the machine.
+    /// Findings because of which no program can make the part: holes without a route, a part that does not fit on the
+    /// machine.
     pub fn serious(&self) -> Vec<&note::Finding> {
         let grave = |finding: &&note::Finding| finding.severity <= note::Severity::Wrong;
         let of_holes = self.plan.findings.iter().filter(|finding| finding.hole.is_some());

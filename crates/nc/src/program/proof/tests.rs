@@ -1,4 +1,5 @@
-//! Which motions are merged into one cut, cycle by cycle. They are the motions that an interpreter makes of the cycle.
+//! Tests which motions are merged into one cut, cycle by cycle, with the motions that an interpreter makes of the
+//! cycle.
 
 use super::cuts::{Descent, cuts};
 use super::walk::{SetUpFrame, walk};

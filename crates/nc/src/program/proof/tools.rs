@@ -1,4 +1,4 @@
-//! Which tool of the plan each tool of the program is, and whether its length corrector is right.
+//! Finds the plan's tool for each tool of the program, and checks its length correction.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -27,13 +27,13 @@ impl Tools {
 
 /// Finds the tools.
 ///
-/// T is the plan's place in the magazine. Where the tool of that place would make none of its cuts and another would
-/// make most of them, the program numbers its tools in its own way, which is reported. Where a place is filled several
+/// T is the plan's place in the magazine. Where the tool of that place would make none of its cuts and another tool
+/// would make most of them, the program has numbers of its own, which is reported. Where a place is loaded several
 /// times, the tool is the one whose work is done, and the operator must have been asked before.
 pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofInput<'_>) -> Tools {
     let mut tools = Tools::default();
     let places = TaskIndex::of(tasks);
-    // For every cut the tools of the plan that would make it: that of the place, or one whose correction acts.
+    // For every cut, the plan's tools that would make it: the tool of the place, or one whose correction is active.
     let corrected =
         |tool: u32| asked.plan.tools.iter().find(|known| known.number == tool).map(|known| known.correction_mm);
     let makes = |cut: &Descent| -> BTreeSet<u32> {
@@ -69,10 +69,10 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofIn
     let mut other: BTreeMap<u32, u32> = BTreeMap::new();
     for (&tool, (count, scores)) in &by_tool {
         let best = scores.iter().filter(|(plan, _)| !taken.contains(plan)).max_by_key(|(plan, score)| {
-            // Of equals the first.
+            // Among equals the first.
             (**score, std::cmp::Reverse(**plan))
         });
-        // Who takes the plan's magazine has its numbers; only with correctors of his own he may have others.
+        // A program for the plan's magazine uses its numbers; only with own offset registers it may have others.
         if let Some((&plan, &score)) = best.filter(|_| asked.own_correctors)
             && !works(tool)
             && 2 * score > *count
@@ -134,7 +134,7 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofIn
     tools
 }
 
-/// The tool that is in a place when the program begins: the first to work there, unless it is loaded by a pause.
+/// The tool in a place when the program begins: the first one with work there, unless a pause loads it.
 fn first_in(place: u32, first: u32, asked: &ProofInput<'_>) -> u32 {
     let works = || asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|work| work.place == place);
     let loads = |tool: u32| {
@@ -143,7 +143,7 @@ fn first_in(place: u32, first: u32, asked: &ProofInput<'_>) -> u32 {
             .any(|pause| matches!(pause, Pause::LoadTool { tool: it, .. } if *it == tool))
     };
     let known = works().map(|work| work.tool).find(|tool| !loads(*tool));
-    // A place that the plan leaves empty holds what the program takes for it.
+    // A place that is empty in the plan holds the tool that the program takes from it.
     known.unwrap_or(if loads(first) { 0 } else { first })
 }
 
@@ -159,8 +159,9 @@ fn begin_of(made: &ObservedCuts, section: usize) -> usize {
 
 /// The length correction of every cut.
 ///
-/// With the plan's correctors the value must be that of the tool, and the number, too. With the operator's own every tool
-/// has the corrector that most of its cuts use, no two tools have one, and a value other than the plan's is told.
+/// With the plan's offset registers the value and the number must be those of the tool. With the operator's own, the
+/// register of a tool is the one that most of its cuts use, two tools may not share one, and a value other than the
+/// plan's is reported.
 fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
     let mut used: BTreeMap<u32, BTreeMap<(u32, Micrometres), usize>> = BTreeMap::new();
     for cut in &made.cuts {
@@ -185,7 +186,7 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
                 .with(Name::Own, own.corrector)
         };
         let wrong = || {
-            // Whose it is tells which number was mistaken for which.
+            // The owner of a value shows which number was confused with which.
             let other = match asked.own_correctors {
                 false => asked.plan.tools.iter().find(|tool| tool.corrector == number).map(|tool| tool.number),
                 true => usual.iter().find(|(_, used)| used.0 == number).map(|(tool, _)| *tool),
@@ -208,7 +209,7 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
             continue;
         }
         let first = usual.get(&cut.tool).copied().unwrap_or(cut.corrector);
-        // A corrector that holds 0 and none are the same to the machine.
+        // For the machine a register that holds 0 is the same as none.
         if cut.corrector != first && (value != Micrometres::ZERO || first.1 != Micrometres::ZERO) {
             findings.push(wrong().with(Name::Needed, first.1).with(Name::Own, first.0));
         } else if cut.corrector != first {

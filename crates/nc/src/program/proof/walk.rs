@@ -1,9 +1,9 @@
-//! From steps to stays: what was done at one point of the part, from the motion that came there to the one that goes on.
+//! Turns steps into stays: everything done at one point of the part, between the motion to it and the motion away.
 //!
-//! Motions are those of the tool's tip, in the coordinates of the drawing as the part lies in the set-up: machine
-//! position less the zero, and along Z less how much longer the tool is than the reference. How long it is does not
-//! change when a correction ends: it is what the program adds for it most often between two tool changes, or else in
-//! all.
+//! Motions are those of the tool tip, in the coordinates of the drawing as the part lies in the set-up: machine
+//! position minus the zero, and along Z minus the length of the tool over the reference tool. That length does not
+//! change when a correction ends: it is the value that the program uses for the tool most often between two tool
+//! changes, or else in the whole program.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,7 +13,7 @@ use crate::units::Micrometres;
 /// A place of the tip.
 pub(super) type Tip = [Micrometres; 3];
 
-/// Where the drawing's zero and the part's face are in a set-up.
+/// The position of the drawing's zero and of the part's face in a set-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct SetUpFrame {
     /// The zero, machine coordinates, measured with the reference tool.
@@ -45,11 +45,11 @@ pub(super) struct TipMove {
     pub to: Tip,
     /// Where the axes stand after it, machine coordinates.
     pub machine: Position,
-    /// The spindle while it was made; of a switch, after it.
+    /// The spindle during it; for a switch, after it.
     pub turning: Turning,
     pub speed: f64,
     pub coolant: bool,
-    /// The length corrector that acts, and what it adds.
+    /// The active offset register, and the added value.
     pub corrector: (u32, Micrometres),
     pub block: BlockRef,
     /// Its place among the steps.
@@ -81,10 +81,10 @@ impl TipMove {
     }
 }
 
-/// What was done at a point.
+/// Everything done at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Stay {
-    /// Which tool change it follows, from 1; before the first one 0.
+    /// The number of the tool change before it, from 1; 0 before the first.
     pub section: usize,
     /// The tool in the spindle, as the program calls it.
     pub tool: u32,
@@ -94,7 +94,7 @@ pub(super) struct Stay {
     pub at: [Micrometres; 2],
     /// The point, machine coordinates.
     pub machine: [Micrometres; 2],
-    /// The motion that came here; none where a tool change or the beginning of the program is.
+    /// The motion to this point; none after a tool change or at the beginning of the program.
     pub travel: Option<TipMove>,
     /// The block that brought the tool here.
     pub block: BlockRef,
@@ -107,9 +107,10 @@ pub(super) struct Stay {
 pub(super) enum Event {
     /// The program waits for the operator.
     Stop,
-    /// The path is kept beside the programmed one, which no drilling does.
+    /// Radius correction is active, which no drilling needs.
     Radius,
-    /// A tool comes; where, and whether the spindle turned, the coolant flowed and a length correction acted until then.
+    /// A tool change: its position, and whether the spindle turned, the coolant flowed and a length correction was
+    /// active until then.
     Change { at: Position, turned: bool, coolant: bool, corrected: bool },
     /// The program ends there; whether the spindle turns and the coolant flows.
     End { at: Position, turns: bool, coolant: bool },
@@ -131,14 +132,14 @@ struct WalkState {
     speed: f64,
     coolant: bool,
     corrector: (u32, Micrometres),
-    /// How much longer than the reference the tool of every section is.
+    /// The length of the tool of every section over the reference tool.
     longer: BTreeMap<usize, Micrometres>,
     /// The block that stopped the spindle last.
     stopped_by: Option<BlockRef>,
 }
 
-/// Walks through the steps. The part is turned over before the step of that number, if the job has a second set-up.
-/// References are tools, as the program calls them, that are known to need no correction.
+/// Walks through the steps. The part is turned over before step `turned_over`, if the job has a second set-up.
+/// `references` are tools, by their program numbers, that need no correction.
 pub(super) fn walk(
     steps: &[MotionStep],
     start: Position,
@@ -167,8 +168,8 @@ pub(super) fn walk(
     walk
 }
 
-/// What is added along Z after every tool change: the value that is brought in most often there; where none is, the one
-/// of that tool elsewhere, except for a reference tool, which needs none.
+/// The value added along Z after every tool change: the most frequent one there; without any, that of the same tool
+/// elsewhere, except for a reference tool, which needs none.
 fn longer(steps: &[MotionStep], references: &BTreeSet<u32>) -> BTreeMap<usize, Micrometres> {
     let (mut section, mut tool) = (0, 0);
     let mut tools: BTreeMap<usize, u32> = BTreeMap::new();
@@ -215,7 +216,7 @@ fn take(
             let radius = geometry::distance(start, middle);
             TipMotion::Round { centre, radius, sense: *sense, turned, feed: feed_mm_per_min.0 }
         }
-        // An arc in another plane is no way round a hole: it counts as a straight cut.
+        // An arc in another plane does not go round a hole: it counts as a straight cut.
         Motion::Arc { feed_mm_per_min, .. } => TipMotion::Feed(feed_mm_per_min.0),
         Motion::Dwell { seconds } => TipMotion::Dwell(*seconds),
         Motion::Spindle { turning, speed_rpm } => {
@@ -289,7 +290,7 @@ fn take(
     if made.across() && !made.below(frame.top) {
         walk.stays.push(stay(state, setup, to, step, Some(made)));
     } else if let Some(last) = walk.stays.last_mut() {
-        // A part turned over at the same point is another part to the tool.
+        // A part turned over at the same point is a new part for the tool.
         if last.setup != setup && last.moves.is_empty() && last.travel.is_none() {
             last.setup = setup;
             last.at = [from[0], from[1]];

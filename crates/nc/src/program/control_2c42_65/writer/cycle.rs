@@ -10,8 +10,8 @@ use super::program_writer::{BlockPurpose, Called, ProgramWriter};
 use crate::program::block::Block;
 use crate::program::written::Form;
 
-/// A fixed cycle. With positions U, Z, I are levels; with ways they are 0-1, 1-2 and 2-4 (table 3.10), and the tool
-/// stands at the level of I before.
+/// A fixed cycle. In absolute form U, Z, I are levels; in incremental form they are the travels 0-1, 1-2 and 2-4
+/// (table 3.10), and the tool is at level I before.
 pub(super) fn fixed(cycle: &Cycle, incremental: bool, form: Form) -> Block {
     let (begin, end, out) = (form.grid(cycle.begin), form.grid(cycle.end), form.grid(cycle.out));
     let [u, z, i] = if incremental { [begin - out, end - begin, out - end] } else { [begin, end, out] };
@@ -21,7 +21,7 @@ pub(super) fn fixed(cycle: &Cycle, incremental: bool, form: Form) -> Block {
         CycleKind::Peck { step, clearance } => (83, Some((*step, *clearance))),
         CycleKind::ChipBreak { step, retreat } => (86, Some((*step, *retreat))),
         CycleKind::Tap { .. } => (84, None),
-        // Circles are no fixed cycle: `contour` writes them.
+        // Milled circles are no fixed cycle: `contour` writes them.
         CycleKind::Drill | CycleKind::Circles { .. } => (81, None),
     };
     let mut text = format!("G{code} U{u} Z{z} I{i}");
@@ -43,8 +43,8 @@ fn tenths(dwell: Seconds) -> u64 {
     libm::round(dwell.0 * 10.0) as u64
 }
 
-/// The contour of a mill about the point where it stands: down to a level, out to each circle and round, and back to the
-/// middle; the circles are a subprogram of their own where there are several levels.
+/// The contour of a mill around its point: down to a level, out to each circle and round, and back to the middle;
+/// with several levels the circles are a subprogram.
 pub(super) fn contour(
     cycle: &Cycle,
     levels: &[Micrometres],

@@ -1,4 +1,4 @@
-//! A job as a program for 2С42-65, in the manner of Appendix Г.
+//! Writes a job as a program for 2С42-65, in the style of Appendix Г.
 //!
 //! ```text
 //! :01   the main program: for each tool its change, the spindle, the approach, its cycles and points
@@ -8,8 +8,8 @@
 //! ```
 //!
 //! - `cycle` the blocks of one cycle or contour;
-//! - `points` the blocks that lead over points, in rows where that is shorter;
-//! - `sheet` the program as it grows: main blocks and subprograms.
+//! - `points` the blocks of the path over points, as rows where that is shorter;
+//! - `program_writer` the program under construction: main blocks and subprograms.
 
 mod cycle;
 mod points;
@@ -69,8 +69,8 @@ pub fn write(job: &Job, form: Form) -> WrittenProgram {
 /// The runs of every work, by set-up.
 type Runs = Vec<Vec<Vec<PointRun>>>;
 
-/// How often each list of blocks over points occurs. A mill's contour is called at each of its points, so its list is no
-/// list that another tool could share.
+/// How often each list of blocks over points occurs. The contour of a mill is called at each of its points, so its
+/// list cannot be shared with another tool.
 fn shared_points(job: &Job, runs: &Runs) -> BTreeMap<Vec<Block>, usize> {
     let mut counts = BTreeMap::new();
     for (work, runs) in job.setups.iter().flat_map(|setup| &setup.works).zip(runs.iter().flatten()) {
@@ -109,7 +109,7 @@ fn one_tool(
                 if last.incremental {
                     block = block.g(90);
                 }
-                // In the block of the motion, so that the cycle before does not run at its end.
+                // Cancelled in the block of the motion, so that the cycle before does not run at its end.
                 if points::is_fixed(known) {
                     block = block.g(80);
                 }
@@ -132,7 +132,7 @@ fn one_tool(
     }
 }
 
-/// The cycle at the first point, and the way over the others.
+/// The cycle at the first point, and the path over the others.
 fn put_run(
     sheet: &mut ProgramWriter,
     work: &ToolWork,
@@ -165,7 +165,7 @@ fn put_run(
     }
 }
 
-/// Blocks of which those that repeat are a subprogram with L.
+/// Blocks, with repeated groups as a subprogram with L.
 fn drawn_together(sheet: &mut ProgramWriter, blocks: &[Block]) -> Vec<Block> {
     let mut drawn = Vec::new();
     for piece in points::repeats(blocks) {

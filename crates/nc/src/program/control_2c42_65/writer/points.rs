@@ -8,21 +8,21 @@ use crate::units::Micrometres;
 use crate::program::block::Block;
 use crate::program::written::Form;
 
-/// Points that follow each other with the same cycle.
+/// Successive points with the same cycle.
 pub(super) struct PointRun {
     /// The cycle, by its place in the work.
     pub cycle: usize,
     /// The first point, on the grid.
     pub first: Point,
-    /// The last, where the tool is then.
+    /// The last point, where the tool is afterwards.
     pub last: Point,
-    /// Whether `blocks` are ways (G91) and not positions.
+    /// Whether `blocks` are increments (G91) and not positions.
     pub incremental: bool,
     /// A block for each further point, or for a row of them.
     pub blocks: Vec<Block>,
 }
 
-/// A piece of the way.
+/// A section of the path.
 pub(super) enum Repeat {
     /// A block.
     Once(Block),
@@ -30,9 +30,9 @@ pub(super) enum Repeat {
     Times(Vec<Block>, usize),
 }
 
-/// What a block costs beside its words: its number and its end.
+/// The characters of a block besides its words: its number and its end.
 const FRAME: usize = 6;
-/// What a subprogram costs beside its blocks: its number, its end, and the call.
+/// The characters of a subprogram besides its blocks: its number, its end, and the call.
 const SUBPROGRAM: usize = 22;
 
 /// Whether it is a cycle of the control, which runs at every point until it is cancelled.
@@ -47,10 +47,10 @@ pub(super) fn runs(work: &ToolWork, form: Form) -> Vec<PointRun> {
         .filter_map(|stops| {
             let points: Vec<Point> = stops.iter().map(|stop| form.point(stop.at)).collect();
             let cycle = stops.first()?.cycle;
-            // A mill's contour is called at each point, so there is nothing to repeat.
+            // The contour of a mill is called at each point, so nothing repeats.
             let fixed = is_fixed(work.cycles.get(cycle)?);
             let (positions, ways) = (positions(&points), ways(&points));
-            // Positions are easier to read: ways are taken where rows make the program a fifth shorter.
+            // Positions are easier to read: increments are used where rows make the program a fifth shorter.
             let incremental = fixed && length(&ways) * 5 < length(&positions) * 4;
             let blocks = if incremental { ways } else { positions };
             Some(PointRun { cycle, first: *points.first()?, last: *points.last()?, incremental, blocks })
@@ -58,7 +58,7 @@ pub(super) fn runs(work: &ToolWork, form: Form) -> Vec<PointRun> {
         .collect()
 }
 
-/// The characters of a way, with what repeats would save.
+/// The number of characters of a path, with the saving of repeats.
 fn length(blocks: &[Block]) -> usize {
     repeats(blocks)
         .iter()
@@ -73,8 +73,8 @@ fn cost(block: &Block) -> usize {
     block.text().len() + FRAME
 }
 
-/// A block for each point after the first, with the axes that change. A point once more is named, or its cycle would
-/// not run.
+/// A block for each point after the first, with the axes that change. A repeated point is written, because its cycle
+/// would not run otherwise.
 fn positions(points: &[Point]) -> Vec<Block> {
     points
         .windows(2)
@@ -90,7 +90,7 @@ fn positions(points: &[Point]) -> Vec<Block> {
         .collect()
 }
 
-/// The same as ways; equal ones that follow each other are one block with L.
+/// The same as increments; equal successive ones are one block with L.
 fn ways(points: &[Point]) -> Vec<Block> {
     let steps: Vec<(Micrometres, Micrometres)> =
         points.windows(2).map(|pair| (pair[1].x - pair[0].x, pair[1].y - pair[0].y)).collect();
@@ -109,8 +109,8 @@ fn ways(points: &[Point]) -> Vec<Block> {
     steps.chunk_by(|a, b| a == b).map(row).collect()
 }
 
-/// Draws repeated groups of blocks together, where a subprogram with L is shorter. Positions do not repeat, but where
-/// they do (the same points over and over) the same holds.
+/// Replaces repeated groups of blocks where a subprogram with L is shorter. Positions rarely repeat, but the same
+/// rule applies to them.
 pub(super) fn repeats(blocks: &[Block]) -> Vec<Repeat> {
     let mut pieces = Vec::new();
     let mut at = 0;
@@ -129,10 +129,10 @@ pub(super) fn repeats(blocks: &[Block]) -> Vec<Repeat> {
     pieces
 }
 
-/// Longest group that is looked for: a row, the step to the next, the row back, and the step.
+/// The longest group that is tried: a row, the step to the next, the row back, and the step.
 const LONGEST_PERIOD: usize = 8;
 
-/// The group of the next blocks that saves most when it is repeated: its blocks and how often it stands there.
+/// The group of next blocks that saves most when repeated: its number of blocks and of repeats.
 fn best_repeat(blocks: &[Block]) -> Option<(usize, usize)> {
     (1..=LONGEST_PERIOD.min(blocks.len() / 2))
         .filter_map(|period| {
@@ -146,7 +146,7 @@ fn best_repeat(blocks: &[Block]) -> Option<(usize, usize)> {
         .map(|(_, period, times)| (period, times))
 }
 
-/// Whether blocks that stand at several places are shorter as a subprogram.
+/// Whether blocks that occur at several places are shorter as a subprogram.
 pub(super) fn worth_sharing(blocks: &[Block], places: usize) -> bool {
     let once: usize = blocks.iter().map(cost).sum();
     let call = FRAME + 3;

@@ -18,7 +18,7 @@ impl BlockPurpose {
     }
 }
 
-/// A group of blocks: a subprogram, or, where the numbers are used up, the blocks themselves.
+/// A group of blocks: a subprogram or, where the numbers are used up, the blocks themselves.
 #[derive(Clone, Debug)]
 pub(super) enum Called {
     Subprogram(u32),
@@ -58,8 +58,8 @@ impl ProgramWriter {
         self.main.push((block, place));
     }
 
-    /// Blocks as a subprogram; equal ones are one. It serves what its first caller named, or nothing alone when
-    /// several works call it.
+    /// Blocks as a subprogram; equal ones are one. It belongs to the work of its only caller, or to none when several
+    /// works call it.
     pub(super) fn subprogram(&mut self, blocks: Vec<Block>, place: BlockPurpose) -> Called {
         let known = self.subprograms.iter().position(|(known, _)| *known == blocks);
         let index = known.unwrap_or(self.subprograms.len());
@@ -77,7 +77,7 @@ impl ProgramWriter {
         Called::Subprogram(number)
     }
 
-    /// Runs a group once, after the motion of a block where one is given.
+    /// Calls a group once, after the motion of a block if one is given.
     pub(super) fn call(&mut self, group: &Called, motion: Option<Block>, place: BlockPurpose) {
         match group {
             Called::Subprogram(number) => self.put(motion.unwrap_or_default().calls(*number, 1), place),
@@ -89,11 +89,11 @@ impl ProgramWriter {
         }
     }
 
-    /// The whole: main program, then subprograms, blocks numbered.
+    /// The whole program: main program, then subprograms, with block numbers.
     pub(super) fn finish(self) -> WrittenProgram {
         let mut lines = vec![frame("%".to_owned()), frame(format!(":{MAIN:02}"))];
         let step = (self.form.number_step as usize).max(1);
-        // A long program is numbered closer, so that its numbers stay within four digits.
+        // A long program has smaller number steps, so that its numbers stay within four digits.
         let step = if self.main.len() * step > LAST_BLOCK { 1 } else { step };
         for (index, (block, place)) in self.main.iter().enumerate() {
             lines.push(line((index + 1) * step, block, *place));

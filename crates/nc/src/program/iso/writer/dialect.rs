@@ -1,4 +1,4 @@
-//! What LinuxCNC and Fanuc write differently.
+//! The differences between programs for LinuxCNC and Fanuc.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use crate::program::block::Block;
 use crate::program::iso::control::IsoControl;
 use crate::units::{Micrometres, Seconds};
 
-/// A block behind its number.
+/// A block with its number.
 pub(super) struct Numbered(pub usize, pub String);
 
 impl fmt::Display for Numbered {
@@ -75,7 +75,7 @@ impl Dialect {
         }
     }
 
-    /// The fixed cycle at a point, back to the level where the tool stood before (G98).
+    /// The fixed cycle at a point, with return to the initial level (G98).
     pub(super) fn cycle(self, cycle: &Cycle, lengths: impl Fn(Micrometres) -> Micrometres) -> Block {
         let dwell = cycle.dwell_s.map(|time| self.dwell(time));
         let (code, step) = match (&cycle.kind, &dwell) {
@@ -85,7 +85,7 @@ impl Dialect {
             (job::CycleKind::Peck { step, .. }, _) => (83, Some(*step)),
             (job::CycleKind::ChipBreak { step, .. }, _) => (73, Some(*step)),
             (job::CycleKind::Tap { .. }, _) => (84, None),
-            // Circles are no fixed cycle: `tool` writes them.
+            // Milled circles are no fixed cycle: `tool` writes them.
             (job::CycleKind::Drill | job::CycleKind::Circles { .. }, None) => (81, None),
             (job::CycleKind::Drill | job::CycleKind::Circles { .. }, Some(_)) => (82, None),
         };

@@ -1,10 +1,11 @@
-//! A job as a program in ISO 6983, in the dialects of LinuxCNC and Fanuc.
+//! Writes a job as a program in ISO 6983, in the dialects of LinuxCNC and Fanuc.
 //!
-//! The main program has for each tool its change, the spindle, the approach, its cycles and points. Subprograms are the
-//! withdrawal to the tool change, the contours of mills, and points that several tools go over. Positions are absolute.
+//! The main program has for each tool its change, the spindle, the approach, its cycles and points. Subprograms are
+//! the retract to the tool change, the contours of mills, and points that several tools visit. Positions are
+//! absolute.
 //!
-//! - `dialect` what the two write differently;
-//! - `tool` one tool from its change to its withdrawal.
+//! - `dialect` the differences between the two;
+//! - `tool` one tool from its change to its retract.
 
 mod dialect;
 mod tool;
@@ -19,7 +20,7 @@ use technolog_core::ascii::ascii;
 
 use dialect::{Dialect, Numbered};
 
-/// Blocks of a subprogram that are to be called, with the number they got.
+/// Blocks of subprograms with the work they belong to.
 type Subprograms = Vec<(Vec<Block>, Option<WorkRef>)>;
 
 /// The first subprogram has this number.
@@ -37,7 +38,7 @@ struct ProgramWriter {
 #[derive(Clone, Debug)]
 enum MainLine {
     Block(Block),
-    /// A block with a remark behind it.
+    /// A block with a comment after it.
     Remarked(Block, String),
     /// The call of a subprogram.
     Call(u32),
@@ -92,7 +93,7 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
     sheet.finish(&ascii(&job.part))
 }
 
-/// What the operator does, in the letters that every control shows.
+/// What the operator does, in letters that every control can show.
 fn remark(pause: Pause, designation: &str) -> String {
     match pause {
         Pause::LoadTool { tool, place } => format!("LOAD TOOL {tool} INTO PLACE {place}: {}", ascii(designation)),
@@ -110,7 +111,7 @@ impl ProgramWriter {
         self.main.push((MainLine::Call(number), role, work, cycle));
     }
 
-    /// The number of blocks as a subprogram; equal ones are one.
+    /// The number of a subprogram with these blocks; equal ones are one.
     fn subprogram(&mut self, blocks: Vec<Block>, work: Option<WorkRef>) -> u32 {
         let known = self.subprograms.iter().position(|(known, _)| *known == blocks);
         let index = known.unwrap_or_else(|| {
@@ -125,7 +126,7 @@ impl ProgramWriter {
         let plain = |text: String, role| ProgramLine { text, role, work: None, cycle: None };
         let mut before = Vec::new();
         let mut after = Vec::new();
-        // LinuxCNC wants a subprogram before its call, Fanuc behind the main program.
+        // LinuxCNC requires a subprogram before its call, Fanuc after the main program.
         let place = if dialect.0 == IsoControl::LinuxCnc { &mut before } else { &mut after };
         for (number, (blocks, work)) in (FIRST_SUBPROGRAM..).zip(&subprograms) {
             let line = |text: String, role| ProgramLine { text, role, work: *work, cycle: None };

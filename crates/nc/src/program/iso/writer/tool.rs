@@ -10,7 +10,7 @@ use crate::units::Micrometres;
 use super::dialect::Dialect;
 use super::{ProgramWriter, Shared};
 
-/// What a subprogram of points costs beside its blocks, characters.
+/// The characters of a subprogram of points besides its blocks.
 const SUBPROGRAM: usize = 30;
 
 /// How often each list of further points occurs.
@@ -26,7 +26,7 @@ pub(super) fn shared_points(job: &Job, form: Form, dialect: Dialect) -> Shared {
     counts
 }
 
-/// Stops that follow each other with the same cycle.
+/// Successive stops with the same cycle.
 fn runs(work: &ToolWork) -> impl Iterator<Item = (&Cycle, &[Stop])> {
     work.stops.chunk_by(|a, b| a.cycle == b.cycle).filter_map(|stops| {
         let cycle = work.cycles.get(stops.first()?.cycle)?;
@@ -91,7 +91,7 @@ impl ProgramWriter {
         let (form, dialect) = (self.form, self.dialect);
         let number = stops.first().map(|stop| stop.cycle);
         let words = dialect.cycle(cycle, |value| form.grid(value));
-        // The point itself stands in the block, or the cycle would not run there.
+        // The point is in the block itself, because the cycle would not run there otherwise.
         self.put(words.with(&to), LineRole::Cycle, place, number);
         let further = further(stops, form, dialect);
         let again = shared.get(&further).copied().unwrap_or(1);
@@ -108,7 +108,7 @@ impl ProgramWriter {
     }
 }
 
-/// The contour of a mill about the point where it stands.
+/// The contour of a mill around its point.
 fn contour(
     cycle: &Cycle,
     levels: &[Micrometres],
