@@ -1,5 +1,5 @@
-//! Reads, checks and compiles the knowledge base while the program is built, so that start-up costs
-//! no parsing. A fault in a table stops the build with its file, line and column.
+//! Reads, checks and compiles the knowledge base while the program is built, so that start-up needs no parsing. A
+//! fault in a table stops the build with its file, line and column.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -19,7 +19,7 @@ fn main() -> Result<(), String> {
     let knowledge = technolog_tables::load(&sources).map_err(|problems| listed(&problems))?;
     write(&out.join("knowledge.bin"), &knowledge.to_bytes()?)?;
 
-    // `lint` wants the places of every cell, so it reads the same files again from here.
+    // `lint` needs the place of every cell, so it reads the same files again from here.
     let mut list = String::from("&[\n");
     for (path, _) in &files {
         let full = root.join(path);
@@ -34,7 +34,7 @@ fn listed(problems: &[technolog_knowledge::Diagnostic]) -> String {
     format!("the knowledge base has {} faults:\n{}", lines.len(), lines.join("\n"))
 }
 
-/// A note in English without the message catalogue, which is not built yet: its line with the figures put in.
+/// A note in English without the message catalogue, which is not built yet: its line with the figures inserted.
 #[expect(clippy::disallowed_methods, reason = "words are made of a note here")]
 fn english(note: &technolog_note::Note) -> String {
     const LINES: [&str; 2] =

@@ -1,5 +1,5 @@
-//! Lists the message files of every folder in `languages/`, so that a language is added by adding its folder, and where
-//! each message stands in them.
+//! Lists the message files of every folder in `languages/` and the place of each message, so that a language is added
+//! by adding its folder.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ fn list(root: &str, to: &str) -> io::Result<()> {
     println!("cargo::rerun-if-changed={}", root.display());
     let mut list = "&[\n".to_owned();
     for folder in sorted(&root)? {
-        // Read once: places must be those of the very text.
+        // Read once: the places must be those of exactly this text.
         let read = |file: PathBuf| Ok((name(&file), fs::read_to_string(file)?));
         let files = sorted(&folder)?.into_iter().map(read).collect::<io::Result<Vec<_>>>()?;
         writeln!(list, "Folder {{ tag: {:?}, files: &[", name(&folder)).map_err(io::Error::other)?;
@@ -34,8 +34,8 @@ fn list(root: &str, to: &str) -> io::Result<()> {
     fs::write(Path::new(&env::var("OUT_DIR").map_err(io::Error::other)?).join(to), list)
 }
 
-/// Name of each message, number of its file, begin and end there, in the order of the names. The same name twice: the first stays,
-/// and the check of the catalogue tells it.
+/// Name of each message, number of its file, begin and end there, ordered by name. If a name occurs twice, the first
+/// stays, and the check of the catalogue reports it.
 fn messages(files: &[(String, String)]) -> Vec<(&str, [usize; 3])> {
     let mut messages = Vec::new();
     for (number, (_, text)) in files.iter().enumerate().filter(|(_, (name, _))| name.ends_with(".ftl")) {
@@ -50,8 +50,8 @@ fn messages(files: &[(String, String)]) -> Vec<(&str, [usize; 3])> {
     messages
 }
 
-/// The places of the messages of a file. One begins with its name at the beginning of a line and ends before the next
-/// message or comment.
+/// The places of the messages of a file. A message begins with its name at the beginning of a line and ends before
+/// the next message or comment.
 fn divided(text: &str) -> Vec<(usize, usize)> {
     let mut places = Vec::new();
     let (mut begin, mut at) = (None, 0);

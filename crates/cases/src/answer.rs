@@ -1,4 +1,4 @@
-//! The answer to a question as the JSON value that its command gives out, without its sentences.
+//! The answer to a question as the JSON value of its command, without sentences.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -24,7 +24,7 @@ use super::{Asker, planned, table};
 /// Answers.
 ///
 /// # Errors
-/// The knowledge base lacks what the answer asks of it.
+/// The knowledge base lacks something for the answer.
 pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, KnowledgeError> {
     let knowledge = asker.knowledge;
     Ok(match question {
@@ -44,7 +44,7 @@ pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, Knowledge
 }
 
 fn value(answer: &impl Serialize) -> Value {
-    // Our own answers have no keys that JSON cannot have.
+    // Answers of the program have no keys that JSON does not permit.
     serde_json::to_value(answer).unwrap_or_default()
 }
 
@@ -62,7 +62,7 @@ fn sequences(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resu
     Ok(answer)
 }
 
-/// What a program does, as `technolog check` tells it.
+/// The result of `technolog check` for a program.
 fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeError> {
     let mut setting = program.setting.clone();
     let held = match &program.part {

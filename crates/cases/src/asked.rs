@@ -1,4 +1,4 @@
-//! Reading what a case asks: one of the kinds of questions, and what belongs to it.
+//! Reads the question of a case: one of the kinds of questions, with its keys.
 
 use crate::audit::{read_plan, read_plan_node, stated::Stated};
 use crate::knowledge::diagnostic::{Diagnostic, Place};
@@ -21,7 +21,7 @@ use super::{merge, table};
 /// Keys of a case that belong together.
 type Keys = &'static [KeyOf<CaseForm>];
 
-/// Keys of a case that asks about a part, and of one that asks nothing yet.
+/// Keys of a case about a part, and of one without a question yet.
 const ASKED: Keys = &[
     CaseForm::part,
     CaseForm::hole,
@@ -32,7 +32,7 @@ const ASKED: Keys = &[
     CaseForm::audit,
 ];
 
-/// What a key says by itself to be asked.
+/// A key that determines the kind of question.
 #[derive(Clone, Copy)]
 enum Asking {
     Table,
@@ -41,7 +41,7 @@ enum Asking {
     Audit,
 }
 
-/// Those keys first, each with what goes with it; `part` goes with `program` too.
+/// These keys first, each with its companions; `part` also goes with `program`.
 const ASKING: [(Asking, Keys); 4] = [
     (Asking::Table, &[CaseForm::table, CaseForm::given]),
     (Asking::Turn, &[CaseForm::turn, CaseForm::show, CaseForm::objective]),
@@ -49,14 +49,14 @@ const ASKING: [(Asking, Keys); 4] = [
     (Asking::Audit, &[CaseForm::audit]),
 ];
 
-/// What a question is about: a file that is named, or what stands here.
+/// The input of a question: a named file, or inline content.
 enum Input<'n> {
     File(String, String),
     Here(&'n Node),
 }
 
 impl Reader<'_> {
-    /// What is asked, and the keys that belong to it.
+    /// The question of a case, with its keys.
     pub(super) fn question(&mut self, fields: &mut Fields<'_, CaseForm>) -> (Option<Question>, Keys) {
         let asked: Vec<(&Node, Asking, Keys)> =
             ASKING.iter().filter_map(|(asking, keys)| Some((fields.take(*keys.first()?)?, *asking, *keys))).collect();
@@ -98,7 +98,7 @@ impl Reader<'_> {
         part.zip(method).map(|(part, method)| Question::Part { part: Box::new(part), method })
     }
 
-    /// A part of one group of holes, of which the case writes only what is not usual.
+    /// A part with one group of holes, of which the case writes only unusual values.
     fn part_of_hole(&mut self, part: Option<&Node>, hole: &Node) -> Option<Node> {
         let _ = self.problems.open_map(hole)?;
         let at = |kind: NodeKind| Node { kind, place: hole.place.clone() };
@@ -244,7 +244,7 @@ impl Reader<'_> {
         let read = match self.input(node)? {
             Input::Here(node) => read_plan_node(node, self.file, knowledge, files),
             Input::File(path, text) => {
-                // What the plan names lies beside the plan.
+                // Files named by the plan are relative to the plan.
                 let beside = |name: &str| files(&beside(&path, name));
                 read_plan(&path, &text, knowledge, &beside)
             }
@@ -272,7 +272,7 @@ impl Reader<'_> {
         Some(Input::File(path, text))
     }
 
-    /// A file that is named, or, where it has several lines, the text itself; with the name for places.
+    /// A named file or, if the value has several lines, the text itself; with the name for places.
     fn named_or_text(&mut self, node: &Node) -> Option<(String, String)> {
         let text = self.problems.lines(node)?.to_owned();
         if text.contains('\n') {

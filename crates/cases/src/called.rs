@@ -1,4 +1,4 @@
-//! What things of an answer are called in short: `drill 9.8`, `doubtful unconfirmed`, the designation of a tool.
+//! Short names of things in an answer: `drill 9.8`, `doubtful unconfirmed`, the designation of a tool.
 
 use serde_json::{Map, Value};
 
@@ -12,7 +12,7 @@ use super::written;
 
 type Object = Map<String, Value>;
 
-/// A word that no such thing can be called by.
+/// A word that names nothing of this kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownWord {
     /// The word.
@@ -21,13 +21,13 @@ pub struct UnknownWord {
     pub near: Option<String>,
 }
 
-/// What a finding may be called by, in any order.
+/// The fields by which a finding may be named, in any order.
 const OF_FINDING: [&str; 5] = ["severity", "rule", "code", "field", "hole"];
 
-/// Whether an object is called so.
+/// Whether an object has that name.
 ///
 /// # Errors
-/// No object of this kind can be.
+/// No object of this kind has such a name.
 pub fn is_called(object: &Object, text: &str) -> Result<bool, UnknownWord> {
     let has = |key: &str, text: &str| object.get(key).and_then(Value::as_str).is_some_and(|own| same(own, text));
     if is_transition(object) {
@@ -39,19 +39,19 @@ pub fn is_called(object: &Object, text: &str) -> Result<bool, UnknownWord> {
         return Ok(has("designation", text) || both.is_some_and(whole));
     }
     if object.contains_key("code") {
-        // Its whole name may have a field with spaces in it.
+        // Its full name may contain a field with spaces.
         let whole = name(object).is_some_and(|name| same(&name, text));
         return Ok(whole || text.split_whitespace().all(|word| OF_FINDING.iter().any(|key| has(key, word))));
     }
     Ok(NAMES.iter().any(|key| has(key, text)))
 }
 
-/// Turning has operations of its own.
+/// Turning has other operations.
 fn is_transition(object: &Object) -> bool {
     object.contains_key("diameter_mm") && texts(object, "operation").and_then(Operation::from_name).is_some()
 }
 
-/// The keys by whose values the items of a list are named, and picked: the first that an item has.
+/// The keys whose values name the items of a list: the first one that an item has.
 pub const NAMES: [&str; 5] = ["name", "number", "surface", "side", "motion"];
 
 /// Whether two texts are the same up to letters that look alike in both alphabets.
@@ -64,8 +64,8 @@ fn texts<'o>(object: &'o Object, key: &str) -> Option<&'o str> {
 }
 
 /// A transition in short: `drill 9.8`, `chamfer chamfer 22`, `counterbore step step:1 14 back`, `drill 12 also:18`,
-/// `finish-bore|finish-ream 25`. What is not said is what is usual: the main cylinder, from the entry face, on this
-/// machine; the diameter alone may be any.
+/// `finish-bore|finish-ream 25`. Missing words mean the usual: the main cylinder, from the entry face, on this
+/// machine; only the diameter may be any.
 pub struct Pattern<'t> {
     operations: Vec<&'t str>,
     diameter: Option<f64>,
@@ -77,10 +77,10 @@ pub struct Pattern<'t> {
 }
 
 impl<'t> Pattern<'t> {
-    /// Reads it.
+    /// Reads a short name of a transition.
     ///
     /// # Errors
-    /// A word that means nothing.
+    /// A word without a meaning.
     pub fn read(text: &'t str) -> Result<Self, UnknownWord> {
         let mut words = text.split_whitespace();
         let operations: Vec<&str> = words.next().unwrap_or_default().split('|').collect();
@@ -127,7 +127,7 @@ impl<'t> Pattern<'t> {
         let number = |key: &str| object.get(key).and_then(Value::as_f64);
         let operation = texts(object, "operation").is_some_and(|own| self.operations.contains(&own));
         let diameter = self.diameter.is_none_or(|diameter| number("diameter_mm") == Some(diameter));
-        // A transition of a route that was not taken has no more than these two.
+        // A transition of a rejected route has only these two.
         let rest = match texts(object, "feature") {
             None => self.is_plain(),
             Some(feature) => {
@@ -155,7 +155,7 @@ fn is_elsewhere(object: &Object) -> bool {
     object.get("elsewhere") == Some(&Value::Bool(true))
 }
 
-/// A value in short, for people: what it is called by where it is called by anything.
+/// A value in short, for people: its name, if it has one.
 pub fn brief(value: &Value) -> String {
     match value {
         Value::Array(items) => format!("[{}]", items.iter().map(brief).collect::<Vec<_>>().join(", ")),
@@ -168,7 +168,7 @@ pub fn brief(value: &Value) -> String {
     }
 }
 
-/// What an object is called by.
+/// The name of an object.
 pub fn name(object: &Object) -> Option<String> {
     let number = |key: &str| object.get(key).filter(|value| value.is_number()).map(Value::to_string);
     if let Some(operation) = texts(object, "operation").filter(|_| is_transition(object)) {

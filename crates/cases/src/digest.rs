@@ -1,4 +1,4 @@
-//! The part of an answer worth expecting, which `technolog test --write` writes for a person to review.
+//! The part of an answer that is worth expecting, which `technolog test --write` writes for a person to review.
 
 use serde_json::{Map, Value, json};
 
@@ -8,7 +8,7 @@ use super::called::name;
 use super::hold::is_from;
 use super::question::Question;
 
-/// The expectation that an answer would fulfil, without its reasons and its bookkeeping.
+/// The expectation that an answer would meet, without its reasons and its internal fields.
 pub fn digest(question: &Question, answer: &Value) -> Value {
     match question {
         Question::Table(_) => table(answer),
@@ -26,7 +26,7 @@ pub fn digest(question: &Question, answer: &Value) -> Value {
     }
 }
 
-/// A value as somebody would expect it: by its name where it has one, else without the reasons in it.
+/// A value as an author would expect it: by its name if it has one, otherwise without its reasons.
 pub fn bare(value: &Value) -> Value {
     match value {
         Value::Array(items) => items.iter().map(bare).collect(),
@@ -68,7 +68,7 @@ fn plan(answer: &Value) -> Value {
             holes.insert(name.to_owned(), Value::Object(own));
         }
     }
-    // The keys of the only group may stand at the top.
+    // The keys of a single group may be at the top.
     match (holes.len(), holes.values().next()) {
         (1, Some(Value::Object(only))) => told.extend(only.clone()),
         _ => {
@@ -107,10 +107,10 @@ fn turned(answer: &Value) -> Value {
     Value::Object(told)
 }
 
-/// So many findings are written one by one.
+/// The largest number of findings that are listed one by one.
 const FEW: usize = 6;
 
-/// The findings by their names: all of them, or, where they are many or one name stands for several, which there are.
+/// The findings by their names: all of them or, if there are many or several with one name, the set of names.
 fn findings(answer: &Value) -> Value {
     let all = list(answer, "findings");
     let mut names: Vec<String> = Vec::new();
@@ -128,7 +128,7 @@ fn findings(answer: &Value) -> Value {
     Value::Object(told)
 }
 
-/// The least grave severity that no finding has, nor a graver one.
+/// The least severity such that no finding has it or a higher one.
 fn free(findings: &[Value]) -> Option<&'static str> {
     let mut lightest_first = Severity::NAMES.iter().rev();
     lightest_first.find(|(_, severity)| !findings.iter().any(|one| is_from(one, *severity))).map(|(name, _)| *name)
@@ -138,7 +138,7 @@ fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {
     value.get(key).and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default()
 }
 
-/// What a value has under keys, those inside others with a dot.
+/// The values of some keys; nested keys with a dot.
 fn picked(value: &Value, keys: &[&str]) -> Map<String, Value> {
     let found = keys.iter().filter_map(|key| {
         let inner = key.split('.').try_fold(value, |value, step| value.get(step))?;

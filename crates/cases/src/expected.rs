@@ -1,7 +1,7 @@
-//! What a case expects: a tree as written, each node with its place.
+//! The expectation of a case: a tree as written, each node with its place.
 //!
-//! A scalar is a value, a list is the whole list, a mapping is some keys of an object. A mapping of the words in
-//! [`WORDS`] says less than a value: a tolerance, a range, some of a list. A key `a.b` is the key `b` in `a`.
+//! A scalar is a value, a list is the whole list, a mapping is some keys of an object. A mapping with the words of
+//! [`WORDS`] is a matcher: a tolerance, a range, some items of a list. A key `a.b` is the key `b` in `a`.
 
 use crate::knowledge::Word;
 use crate::knowledge::diagnostic::{Place, nearest};
@@ -34,7 +34,7 @@ pub const WORDS: &[&str] = &[
 /// An expectation with its place and as it is written, on one line.
 #[derive(Clone, Debug)]
 pub struct Expected {
-    /// What it is.
+    /// The expectation itself.
     pub what: What,
     /// Where it stands.
     pub place: Place,
@@ -42,31 +42,31 @@ pub struct Expected {
     pub written: String,
 }
 
-/// What may be expected.
+/// The kinds of expectations.
 #[derive(Clone, Debug)]
 pub enum What {
     /// Nothing yet: an empty value.
     Open,
-    /// That there is nothing.
+    /// There must be no value.
     Absent,
-    /// That there is something.
+    /// There must be a value.
     Present,
-    /// This value: a text, a number, yes or no; of an object what it is called by.
+    /// This value: a text, a number, a truth value; for an object its name.
     Is(String),
     /// A number near this one.
     Near {
         /// The number.
         is: f64,
-        /// How far from it, in its own unit.
+        /// The largest difference, in its own unit.
         by: f64,
     },
-    /// A number not below the one and not above the other.
+    /// A number within limits.
     Range {
         /// The least.
         from: Option<f64>,
         /// The greatest.
         to: Option<f64>,
-        /// The two as they would be, were they keys of an object.
+        /// The two as keys of an object, in case that is meant.
         keys: Vec<(Key, Expected)>,
     },
     /// Any of these.
@@ -75,7 +75,7 @@ pub enum What {
     Not(Box<Expected>),
     /// This whole list.
     List(Vec<Item>),
-    /// Something of a list; `contains` is of a text too.
+    /// Some items of a list; `contains` also applies to a text.
     Some(Box<Part>),
     /// These keys of an object, or these items of a list by their names.
     Map(Vec<(Key, Expected)>),
@@ -90,14 +90,14 @@ pub struct Item {
     pub optional: bool,
 }
 
-/// What is said of some items of a list.
+/// Requirements for some items of a list.
 #[derive(Clone, Debug, Default)]
 pub struct Part {
     /// It begins with these.
     pub starts: Option<Vec<Item>>,
     /// It ends with these.
     pub ends: Option<Vec<Item>>,
-    /// It has each of these, wherever.
+    /// It contains each of these, in any place.
     pub contains: Vec<Expected>,
     /// It has none of these.
     pub lacks: Vec<Expected>,
@@ -105,7 +105,7 @@ pub struct Part {
     pub how_many: Option<Expected>,
     /// Each item.
     pub every: Option<Expected>,
-    /// No finding of this severity or a graver one, and where that is said.
+    /// No finding of this severity or a higher one, with the place of this requirement.
     pub none_from: Option<(Severity, Place)>,
 }
 
@@ -125,14 +125,14 @@ impl Expected {
 }
 
 impl Part {
-    /// Everything that is said of items.
+    /// All requirements for items.
     pub fn all(&self) -> Vec<&Expected> {
         let items = self.starts.iter().chain(&self.ends).flatten().map(|item| &item.expected);
         items.chain(&self.contains).chain(&self.lacks).chain(&self.how_many).chain(&self.every).collect()
     }
 }
 
-/// Reads an expectation; faults are noted, and yield nothing.
+/// Reads an expectation; faults are reported, and then nothing is returned.
 pub fn read(from: &Node, problems: &mut Problems) -> Option<Expected> {
     let what = match &from.kind {
         NodeKind::Scalar { .. } if from.is_null() => What::Open,
@@ -160,7 +160,7 @@ fn is_value(node: &Node) -> bool {
 }
 
 fn all(nodes: &[Node], problems: &mut Problems) -> Option<Vec<Expected>> {
-    // Every item is read, whatever is wrong with those before it.
+    // Every item is read, even after a fault.
     nodes.iter().map(|node| read(node, problems)).collect::<Vec<_>>().into_iter().collect()
 }
 
@@ -194,7 +194,7 @@ fn keys(from: &Node, problems: &mut Problems) -> Option<Vec<(Key, Expected)>> {
     entries.iter().map(|entry| read_key(entry, problems)).collect::<Vec<_>>().into_iter().collect()
 }
 
-/// A key `a.b` with its value as the key `a` with `b` inside. So several keys may be about the same object.
+/// A key `a.b` with its value, as the key `a` with `b` inside; several keys may concern the same object.
 fn spelt_out(key: &Key, node: &Node) -> (Key, Node) {
     let at = |text: &str| Key { text: text.to_owned(), place: key.place.clone() };
     match key.text.split_once('.') {
@@ -249,7 +249,7 @@ fn matcher(from: &Node, problems: &mut Problems) -> Option<What> {
 }
 
 fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<Part> {
-    // A single one may stand without brackets.
+    // A single one needs no brackets.
     fn several(node: &Node) -> &[Node] {
         match &node.kind {
             NodeKind::Seq(nodes) => nodes,

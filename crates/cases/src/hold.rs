@@ -1,4 +1,4 @@
-//! Comparing an answer, a JSON value, with what is expected of it.
+//! Compares an answer, a JSON value, with its expectation.
 
 use std::collections::BTreeSet;
 
@@ -13,21 +13,21 @@ use super::called::{self, NAMES, UnknownWord};
 use super::expected::{Expected, Item, Part, What, number_of};
 use super::reasons::{Why, reasons};
 
-/// How far two floating numbers of the same figure may lie apart, as a share: less than any tolerance somebody writes.
+/// The relative difference of two floating numbers that count as equal: less than any tolerance an author writes.
 const HAIR: f64 = 1e-12;
 
 /// An expectation that does not hold.
 #[derive(Clone, Debug)]
 pub struct Failure {
-    /// Where the expectation stands.
+    /// The place of the expectation.
     pub place: Place,
-    /// What of the answer it is about, as keys with dots between.
+    /// Its path in the answer: keys with dots.
     pub path: String,
     /// The expectation as written.
     pub expected: String,
-    /// What came.
+    /// The actual value.
     pub came: Came,
-    /// Why it came, as far as the answer says.
+    /// The reasons in the answer.
     pub why: Vec<Why>,
 }
 
@@ -38,29 +38,29 @@ impl Failure {
     }
 }
 
-/// What came instead of what is expected.
+/// What was found instead of the expected value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Came {
-    /// This.
+    /// This value.
     Value(Value),
-    /// Nothing.
+    /// No value.
     Nothing,
-    /// A list without any such item: the list.
+    /// A list without such an item: the list.
     Without(Value),
     /// Something that must not be there.
     Unwanted(Value),
-    /// This; and nothing is expected yet.
+    /// This value, where nothing is expected yet.
     Open(Option<Value>),
-    /// The answer has no such key or item at all.
+    /// The answer has no such key or item.
     NoSuch {
         /// The key.
         key: String,
-        /// The one that was perhaps meant.
+        /// The key that was perhaps meant.
         near: Option<String>,
-        /// Those that there are.
+        /// The existing keys.
         known: Vec<String>,
     },
-    /// A word by which nothing of this kind is called.
+    /// A word that names nothing of this kind.
     NoSuchWord {
         /// The word.
         word: String,
@@ -69,16 +69,16 @@ pub enum Came {
     },
 }
 
-/// An answer, and whether the keys of the expectation were found to be keys of such answers already.
+/// An answer, and whether the keys of the expectation were already checked.
 #[derive(Clone, Copy, Debug)]
 pub struct Answer<'v> {
     /// The answer.
     pub value: &'v Value,
-    /// Whether every key that is expected is one that such an answer may have.
+    /// Whether all expected keys are known to be possible in such an answer.
     pub vouched: bool,
 }
 
-/// Every way in which an answer is not as expected, in the order of the expectation.
+/// All differences between an answer and its expectation, in the order of the expectation.
 pub fn hold(expected: &Expected, answer: Answer<'_>) -> Vec<Failure> {
     let mut keys = BTreeSet::new();
     if !answer.vouched {
@@ -112,7 +112,7 @@ struct Scope<'v, 'k> {
 
 struct Holder<'v, 'k> {
     scope: Scope<'v, 'k>,
-    /// What lies around the value, the answer first.
+    /// The values around the current one, the answer first.
     trail: Vec<&'v Value>,
     path: Vec<String>,
     failures: Vec<Failure>,
@@ -129,7 +129,7 @@ impl<'v> Holder<'v, '_> {
         });
     }
 
-    /// Holds a value inside this one.
+    /// Compares a value inside this one.
     fn inside(&mut self, step: &str, around: &'v Value, expected: &Expected, value: Option<&'v Value>) {
         self.trail.push(around);
         self.path.push(step.to_owned());
@@ -138,7 +138,7 @@ impl<'v> Holder<'v, '_> {
         self.trail.pop();
     }
 
-    /// What of an expectation does not hold of a value by itself.
+    /// The failures of an expectation for a single value.
     fn probe(&self, expected: &Expected, value: &'v Value) -> Vec<Failure> {
         let (trail, path) = (Vec::new(), Vec::new());
         let mut holder = Holder { scope: self.scope, trail, path, failures: Vec::new() };
@@ -146,8 +146,8 @@ impl<'v> Holder<'v, '_> {
         holder.failures
     }
 
-    /// Whether a value is as expected. What cannot hold of any value, a misspelt key or word, is a failure by itself:
-    /// else what must not be there would never be found.
+    /// Whether a value meets an expectation. Something that no value can meet, such as a misspelt key or word, is a
+    /// failure by itself: otherwise a forbidden item would never be found.
     fn fits(&mut self, expected: &Expected, value: &'v Value) -> bool {
         let failures = self.probe(expected, value);
         let fits = failures.is_empty();
@@ -173,7 +173,7 @@ impl<'v> Holder<'v, '_> {
                 }
             }
             (What::OneOf(several), Some(value)) => {
-                // Each is tried, so that a slip in any of them is told.
+                // Each one is tried, so that a mistake in any of them is reported.
                 let fitting = several.iter().filter(|one| self.fits(one, value)).count();
                 if fitting == 0 {
                     self.fail(expected, came());
@@ -213,7 +213,7 @@ impl<'v> Holder<'v, '_> {
         let Some(around) = around else { return };
         for (key, expected) in keys {
             let value = object.get(&key.text);
-            // A key that is nowhere in the answer may be misspelt, not just missing here.
+            // A key that occurs nowhere in the answer may be misspelt and not just missing here.
             if value.is_none() && !self.scope.answer.vouched && !self.scope.keys.contains(key.text.as_str()) {
                 let known: Vec<String> = object.keys().cloned().collect();
                 self.no_such(key, expected, known);
@@ -231,7 +231,7 @@ impl<'v> Holder<'v, '_> {
         self.path.pop();
     }
 
-    /// Items by their names, or, where they have none, by their numbers from 1.
+    /// Items by their names or, if they have none, by their numbers from 1.
     fn named(&mut self, names: &[(Key, Expected)], values: &'v [Value], around: &'v Value) {
         for (name, expected) in names {
             let key = NAMES.iter().find(|key| values.iter().any(|value| value.get(key).is_some()));
@@ -306,7 +306,7 @@ impl<'v> Holder<'v, '_> {
             }
         }
         if let Some(every) = &part.every {
-            // Of no items nothing is said.
+            // Nothing is said about no items.
             if values.is_empty() {
                 self.fail(every, Came::Value(around.clone()));
             }
@@ -323,7 +323,7 @@ impl<'v> Holder<'v, '_> {
         }
     }
 
-    /// An item is not in a list: what does not fit of the one item that nearly does, else that there is none.
+    /// An item is missing in a list: the differences of the only item that nearly fits, otherwise that there is none.
     fn lacking(&mut self, expected: &Expected, values: &'v [Value], around: &'v Value) {
         let keys = match &expected.what {
             What::Map(keys) => keys.len(),
@@ -362,7 +362,7 @@ fn how_many(expected: &Expected, found: usize) -> bool {
     hold(expected, answer).is_empty()
 }
 
-/// Whether a value is a finding of that severity or a graver one.
+/// Whether a value is a finding of that severity or a higher one.
 pub fn is_from(finding: &Value, severity: Severity) -> bool {
     let own = finding.get("severity").and_then(Value::as_str).and_then(Severity::from_word);
     own.is_some_and(|own| own <= severity)
@@ -378,7 +378,7 @@ fn is(text: &str, value: &Value) -> Result<bool, UnknownWord> {
     })
 }
 
-/// A number, also one that the answer has as a text.
+/// A number, even if the answer has it as a text.
 fn number(value: &Value) -> Option<f64> {
     match value {
         Value::Number(number) => number.as_f64(),

@@ -1,21 +1,21 @@
-//! What a file is, by what stands in it: whoever gives a file of one kind to the command of another is told so once, and
-//! not of every key that the other kind does not have.
+//! Recognises the kind of a file by its contents: a file given to the wrong command is reported once, and not by
+//! every key that the other kind lacks.
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Node, NodeKind, parse};
 
-/// A kind of file that people give to a command.
+/// A kind of file for a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     /// A part with holes.
     Part,
     /// A turned part or a stepped shaft.
     Turned,
-    /// A plan, by hand or of ours.
+    /// A plan, by hand or by the program.
     Plan,
-    /// Cases with what is expected.
+    /// Cases with expectations.
     Cases,
-    /// What the operator sets.
+    /// The operator's setting.
     Setting,
     /// A marking scheme.
     Marks,
@@ -23,17 +23,17 @@ pub enum FileKind {
     Table,
     /// A program of a control.
     Program,
-    /// A list of points; it is never guessed.
+    /// A list of points, which is never recognised.
     List,
     /// YAML or JSON of some other kind.
     Yaml,
 }
 
-/// Keys at the top of a file that no file of an earlier kind has; any of them tells it.
+/// Top-level keys that no file of an earlier kind has; any of them identifies the kind.
 const KEYS: &[(FileKind, &[&str])] = &[
     (FileKind::Cases, &["tests"]),
     (FileKind::Table, &["columns"]),
-    // Of a plan of ours, which has the holes of its part as well.
+    // A plan of the program also has the holes of its part.
     (FileKind::Plan, &["plan", "route", "sequence"]),
     (FileKind::Turned, &["shaft", "outer"]),
     (FileKind::Part, &["holes"]),
@@ -63,8 +63,8 @@ impl FileKind {
     }
 }
 
-/// What a file is that cannot be read as a file of that kind, and where it says so; none if it may be meant as one and
-/// has mistakes, or where nobody can tell.
+/// The kind of a file that is not of the wanted kind, with the place that shows it; none if it may be of the wanted
+/// kind with mistakes, or if the kind is unknown.
 pub fn other_kind(file: &str, text: &str, wanted: FileKind) -> Option<(FileKind, Place)> {
     if wanted != FileKind::Program && is_program(text) {
         return Some((FileKind::Program, Place { file: file.into(), line: 1, column: 1, width: 1 }));
@@ -90,7 +90,7 @@ fn entries(root: &Node) -> impl Iterator<Item = (&str, &Place)> {
     entries.iter().map(|(key, _)| (key.text.as_str(), &key.place))
 }
 
-/// Lines that are looked at: enough to be sure, and a file has millions.
+/// The number of lines examined: enough to be sure, while a file may have millions.
 const LINES: usize = 40;
 
 /// Whether it is a program of a control: most of its lines begin with an address and a number.
@@ -127,7 +127,7 @@ mod tests {
             ("tests: []\n", FileKind::Plan, Some(FileKind::Cases)),
             ("scheme: S\n", FileKind::Plan, Some(FileKind::Marks)),
             ("columns: []\n", FileKind::Part, Some(FileKind::Table)),
-            // Meant as what is wanted, with mistakes; or nobody knows.
+            // Of the wanted kind with mistakes, or of an unknown kind.
             ("part: P\nholes: []\nshaft: 1\n", FileKind::Part, None),
             ("part: P\nmaterial: steel-45\n", FileKind::Part, None),
             ("part: [\n", FileKind::Part, None),

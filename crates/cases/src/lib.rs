@@ -1,18 +1,17 @@
-//! Cases: questions, parts, programs and audits with what is expected of them, as people write them in YAML
-//! (docs/cases.md).
+//! Cases: questions, parts, programs and audits with their expected answers, written in YAML (docs/cases.md).
 //!
 //! ```text
 //! case.test.yaml → read → Case { question, expected } → answer (a JSON value, that of the command) → hold → failures
 //! ```
 //!
-//! What a file is, a case or something else that people give to a command, is told by what stands in it ([`other_kind`]).
+//! The kind of a file, a case or something else, is recognised by its contents ([`other_kind`]).
 //!
-//! One matcher holds every answer ([`hold`]): there is no form of expectation for each kind of question, only the keys that
-//! the commands' own JSON has. What is called something may be called so in short ([`called`]).
+//! One matcher compares all answers ([`hold`]): there is no special form for each kind of question, only the keys of
+//! the commands' own JSON. Named things may be written by a short name ([`called`]).
 //!
-//! Architecture invariant: nothing passes by mistake. A key or a word that no answer can have is a fault of the file or a
-//! failure, also where something is expected not to be there; a case that expects nothing fails; and where a case says
-//! nothing of findings, none of severity `error` or `wrong` may come.
+//! Architecture invariant: nothing passes by mistake. A key or a word that no answer can have is a fault of the file
+//! or a failure, also where something is expected to be absent. A case that expects nothing fails. Where a case does
+//! not mention findings, none of severity `error` or `wrong` is accepted.
 
 mod answer;
 mod asked;
@@ -32,7 +31,7 @@ mod table;
 pub mod write;
 mod written;
 
-// The rooms below, under the names that the whole program uses.
+// The types of other crates, under the names of the whole program.
 use technolog_audit as audit;
 use technolog_core::{error, machine, motion, note, part, plan};
 use technolog_holes::planner;
@@ -80,18 +79,18 @@ pub struct Case {
     pub number: usize,
     /// Its name, or its question on one line.
     pub name: String,
-    /// Where it stands.
+    /// Its place.
     pub place: Place,
-    /// Where its expectation comes from: a table, a page, a computation.
+    /// The origin of its expectation: a table, a page, a computation.
     pub source: Option<String>,
-    /// Why the expectation follows from there.
+    /// The derivation of the expectation.
     pub because: Option<String>,
     question: Question,
-    /// What is expected; absent: nothing yet.
+    /// The expectation; absent: none yet.
     pub expected: Option<Expected>,
 }
 
-/// Whoever answers: the tables, and what audits share, made when the first plan is audited.
+/// Answers questions: the tables, and the shared data of audits, made when the first plan is audited.
 #[derive(Debug)]
 pub struct Asker<'k> {
     /// The tables.
@@ -100,7 +99,7 @@ pub struct Asker<'k> {
 }
 
 impl<'k> Asker<'k> {
-    /// One that answers from these tables.
+    /// An asker with these tables.
     pub fn new(knowledge: &'k Knowledge) -> Self {
         Self { knowledge, auditor: OnceLock::new() }
     }
@@ -121,12 +120,12 @@ impl Case {
     /// The answer to the question, as the JSON of its command.
     ///
     /// # Errors
-    /// The knowledge base lacks what answering asks of it.
+    /// The knowledge base lacks something for the answer.
     pub fn answer(&self, asker: &Asker<'_>) -> Result<Value, KnowledgeError> {
         answer::answer(&self.question, asker)
     }
 
-    /// Asks the question and holds the answer against what is expected: every way in which it is not so.
+    /// Asks the question and compares the answer with the expectation: all differences.
     ///
     /// # Errors
     /// As for [`Self::answer`].

@@ -1,4 +1,4 @@
-//! How much a file of cases may have; docs/limits.md has the figures.
+//! The size limits of a file of cases; docs/limits.md lists them.
 
 use technolog_note::note;
 
@@ -6,10 +6,10 @@ use crate::knowledge::yaml::{Key, MOST_VALUES, Node, NodeKind, Problems};
 
 /// Cases of a file.
 pub const MOST_CASES: usize = 5_000;
-/// Words of a key such as `a.b`, each of which is a key within the one before it.
+/// The most parts of a key such as `a.b`, each a key inside the one before.
 pub const MOST_WORDS: usize = 16;
 
-/// Whether a key has no more words than it may have; more are refused.
+/// Whether a key is within the limit; a longer one is refused.
 pub(super) fn segments(key: &Key, problems: &mut Problems) -> bool {
     let count = key.text.split('.').count();
     if count > MOST_WORDS {
@@ -19,8 +19,8 @@ pub(super) fn segments(key: &Key, problems: &mut Problems) -> bool {
     count <= MOST_WORDS
 }
 
-/// The cases, as many as a file may have; more are refused at the first of them. None where what stands at the head would
-/// be too much when it is read for every case.
+/// The cases up to the limit; a longer list is refused at its first extra item. None if the head would be too large
+/// when it is read for every case.
 pub(super) fn cases<'n>(tests: &'n [Node], head: &Node, problems: &mut Problems) -> &'n [Node] {
     if let Some(beyond) = tests.get(MOST_CASES) {
         let message = note!("case-too-many-cases", count = tests.len(), most = MOST_CASES);
@@ -36,7 +36,7 @@ pub(super) fn cases<'n>(tests: &'n [Node], head: &Node, problems: &mut Problems)
     tests
 }
 
-/// How many values a tree has, keys among them.
+/// The number of values in a tree, with keys.
 fn values(node: &Node) -> usize {
     match &node.kind {
         NodeKind::Scalar { .. } => 1,
@@ -65,7 +65,7 @@ mod tests {
     fn the_cases_are_bounded_and_what_their_head_makes_of_them() {
         assert_eq!(read("a: 1\n", MOST_CASES), (MOST_CASES, vec![]));
         assert_eq!(read("a: 1\n", MOST_CASES + 1), (MOST_CASES, vec!["t:5001:3 too-many-cases".to_owned()]));
-        // With the list, its key and the mapping it is a thousand values.
+        // With the list, its key and the mapping it has a thousand values.
         let head = format!("a: [{}]\n", "1, ".repeat(997));
         let most = MOST_VALUES / 1_000;
         assert_eq!(read(&head, most), (most, vec![]));

@@ -1,10 +1,10 @@
-//! What stands at the head of a file holds for each of its cases, as far as the case does not say otherwise.
+//! Merges the head of a file into each of its cases: the values of a case have priority.
 
 use std::collections::BTreeMap;
 
 use crate::knowledge::yaml::{Node, NodeKind};
 
-/// A mapping with what it lacks of another; mappings inside both are put together in the same way.
+/// A mapping with the missing keys of another; mappings inside both are merged in the same way.
 pub fn over(own: &Node, head: &Node) -> Node {
     let (NodeKind::Map(own_entries), NodeKind::Map(head_entries)) = (&own.kind, &head.kind) else { return own.clone() };
     let mut entries = own_entries.clone();

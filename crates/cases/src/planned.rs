@@ -1,8 +1,8 @@
-//! The plan of a part as an answer: its own JSON, with a few short keys beside them.
+//! The plan of a part as an answer: its own JSON with a few short keys.
 //!
 //! - `scheme` of a hole is `route.scheme`;
 //! - `by_tables` of a hole is the route that the scheme tables give, whether it was taken or another was quicker;
-//! - where the part has one group of holes, the keys of that group stand at the top too.
+//! - if the part has one group of holes, the keys of that group are at the top too.
 
 use std::sync::LazyLock;
 use technolog_note::note;
@@ -26,7 +26,7 @@ struct Short {
     by_tables: Option<ByTables>,
 }
 
-/// The route that the scheme tables A.6 to A.10 give, where it can be carried out.
+/// The route of the scheme tables A.6 to A.10, if it can be carried out.
 #[derive(Serialize, JsonSchema)]
 struct ByTables {
     /// Its scheme.
@@ -35,12 +35,12 @@ struct ByTables {
     operations: Vec<AlternativeStep>,
     /// Whether it is finished on another machine.
     finish_elsewhere: bool,
-    /// Whether it is the one that was taken.
+    /// Whether it was taken.
     taken: bool,
 }
 
 impl Short {
-    /// Of a hole as planned, and as the tables have it where they are preferred.
+    /// For a hole as planned, and as planned by the tables.
     fn of(hole: &HolePlan, by_tables: &HolePlan) -> Self {
         let made = |step: &Transition| AlternativeStep {
             operation: step.operation,
@@ -63,7 +63,7 @@ impl Short {
     }
 }
 
-/// The plan as a value, with that by the tables beside it.
+/// The plan as a value, with the plan by the tables.
 pub fn json(plan: &Plan, by_tables: &Plan) -> Value {
     let mut value = serde_json::to_value(plan).unwrap_or_default();
     let Some(holes) = value.get_mut("holes").and_then(Value::as_array_mut) else { return value };
@@ -84,15 +84,15 @@ pub fn json(plan: &Plan, by_tables: &Plan) -> Value {
     value
 }
 
-/// The form of such answers: a JSON schema, and where it has the keys of a group of holes.
+/// The form of such answers: a JSON schema, and the place of a group's keys in it.
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     let mut generator = SchemaGenerator::default();
     let _ = generator.subschema_for::<Short>();
     serde_json::to_value(generator.into_root_schema_for::<Plan>()).unwrap_or_default()
 });
 
-/// Compares the keys of an expectation with those that a plan may have, so that a misspelt one is told before anything
-/// is planned. `groups` is the number of groups of holes.
+/// Checks the keys of an expectation against those of a plan, so that a misspelt one is reported before anything is
+/// planned. `groups` is the number of groups of holes.
 pub fn fit(expected: &Expected, groups: usize, problems: &mut Problems) {
     let definition = |name: &str| SCHEMA.get("$defs").and_then(|all| all.get(name));
     let holes: Vec<&Value> = ["HolePlan", "Short"].into_iter().filter_map(definition).collect();
@@ -144,7 +144,7 @@ impl<'s> KeyCheck<'s, '_> {
         }
     }
 
-    /// The schemas that these mean: references followed, alternatives side by side.
+    /// The schemas meant by these: references resolved, alternatives listed.
     fn forms(&self, schemas: &[&'s Value]) -> Vec<&'s Value> {
         let mut forms = Vec::new();
         let mut open: Vec<&Value> = schemas.to_vec();
@@ -191,7 +191,7 @@ impl<'s> KeyCheck<'s, '_> {
         }
     }
 
-    /// A short text about a transition must be one.
+    /// Checks the short name of a transition.
     fn called(&mut self, expected: &Expected, text: &str, forms: &[&'s Value]) {
         let is_transition = |form: &&Value| form.pointer("/properties/operation").is_some();
         if let (true, Err(slip)) = (forms.iter().any(is_transition), Pattern::read(text)) {

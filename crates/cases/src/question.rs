@@ -1,4 +1,4 @@
-//! What a case asks.
+//! The question of a case.
 
 use serde_json::Value;
 
@@ -17,34 +17,34 @@ use super::hold::{Answer, Came, Failure, hold, is_from};
 use super::reasons::Why;
 use super::table;
 
-/// A question, read and sound.
+/// A question that was read without faults.
 #[derive(Clone, Debug)]
 pub enum Question {
     /// To a table: `technolog lookup`.
     Table(table::Question),
-    /// How a part is made: `technolog plan`.
+    /// The plan of a part: `technolog plan`.
     Part {
         /// The part.
         part: Box<Part>,
         /// How cutting conditions are found.
         method: CuttingMethod,
     },
-    /// How a part is turned: `technolog turn`.
+    /// The turning of a part: `technolog turn`.
     Turned {
         /// The part.
         part: Box<Turned>,
-        /// Whether the operation is asked for where the file is of a stepped shaft.
+        /// Whether the operation is asked for, where the file is a stepped shaft.
         operation: bool,
-        /// What the passes of a stepped shaft make small.
+        /// The objective of the passes of a stepped shaft.
         objective: Objective,
     },
-    /// What a program does: `technolog check`.
+    /// The run of a program: `technolog check`.
     Program(Box<Program>),
-    /// What is wrong with a plan: `technolog audit`.
+    /// The audit of a plan: `technolog audit`.
     Audit(Box<Stated>),
 }
 
-/// A program and what it is run with.
+/// A program and its input.
 #[derive(Clone, Debug)]
 pub struct Program {
     /// Its text.
@@ -55,7 +55,7 @@ pub struct Program {
     pub control: String,
     /// The machine, where one is named.
     pub machine: Option<String>,
-    /// What the operator sets.
+    /// The operator's setting.
     pub setting: Setting,
     /// The part that it must make.
     pub part: Option<Part>,
@@ -71,8 +71,8 @@ impl Question {
         }
     }
 
-    /// Every way in which an answer is not as expected. A list of findings of which nothing is said must have none that is
-    /// wrong.
+    /// All differences between an answer and its expectation. A list of findings that the case does not mention must
+    /// have none that is wrong.
     pub fn hold(&self, expected: &Expected, answer: &Value, case: &Place, knowledge: &Knowledge) -> Vec<Failure> {
         if let (Self::Table(question), Ok(found)) = (self, knowledge.table(self.table())) {
             let mut said = expected.clone();

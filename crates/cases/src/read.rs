@@ -18,7 +18,7 @@ use super::question::Question;
 use super::written::node as written;
 use super::{Case, CaseFile, limits, merge, planned, table};
 
-/// What reading a file of cases needs beside its text.
+/// The context for reading a file of cases.
 #[derive(Clone, Copy)]
 pub struct Around<'a> {
     /// The tables that are asked.
@@ -38,13 +38,13 @@ impl std::fmt::Debug for Around<'_> {
 /// Keys that every case may have.
 const COMMON: [KeyOf<CaseForm>; 4] = [CaseForm::name, CaseForm::source, CaseForm::because, CaseForm::expect];
 
-/// Reads a file of cases. What can be asked is there beside the mistakes.
+/// Reads a file of cases. Usable cases are returned beside the mistakes.
 pub fn read_cases(file: &str, text: &str, around: Around<'_>) -> CaseFile {
     let (root, diagnostics) = parse(file, text);
     let mut reader = Reader { around, problems: Problems(diagnostics), meant: Vec::new(), texts: Vec::new(), file };
     let cases = root.map(|root| reader.file(&root)).unwrap_or_default();
     let Reader { problems, meant, texts, .. } = reader;
-    // What stands at the head is read for each case.
+    // The head is read for each case.
     let mut known = BTreeSet::new();
     let all = problems.0.into_iter().map(Mistake::Form).chain(meant);
     let mut mistakes: Vec<Mistake> = all.filter(|mistake| known.insert(identity(mistake))).collect();
@@ -52,10 +52,10 @@ pub fn read_cases(file: &str, text: &str, around: Around<'_>) -> CaseFile {
     CaseFile { file: file.to_owned(), cases, mistakes, texts }
 }
 
-/// What a mistake says and what to do about it.
+/// A mistake with its remedy.
 type Told = (Note, Option<Note>);
 
-/// What tells a mistake from others: of one in the form its words too.
+/// The identity of a mistake; for a mistake in the form, with its words.
 fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<Told>) {
     let words = match mistake {
         Mistake::Form(own) => Some((own.message.clone(), own.help.clone())),
@@ -114,7 +114,7 @@ impl Reader<'_> {
                 let mut expected = expected?;
                 match &question {
                     Some(question) => self.fit(&mut expected, question),
-                    // The faults of both are told at once.
+                    // The faults of both are reported at once.
                     None if whole.get(CaseForm::hole.name()).is_some() => {
                         planned::fit(&expected, 1, &mut self.problems)
                     }
@@ -134,7 +134,7 @@ impl Reader<'_> {
         self.problems.0.len() + self.meant.len()
     }
 
-    /// Compares an expectation with what such answers can have.
+    /// Checks an expectation against the possible answers.
     fn fit(&mut self, expected: &mut Expected, question: &Question) {
         match question {
             Question::Table(question) => {
@@ -147,14 +147,14 @@ impl Reader<'_> {
         }
     }
 
-    /// The codes of findings that must not be there.
+    /// Checks the codes of findings that must be absent.
     fn codes_of(&mut self, expected: &Expected) {
         for list in [expected.get("findings"), expected.get("proof").and_then(|proof| proof.get("findings"))] {
             list.into_iter().for_each(|list| self.codes(list));
         }
     }
 
-    /// A misspelt code would never be found among findings that must not be there.
+    /// A misspelt code would never be found among findings that must be absent.
     fn codes(&mut self, findings: &Expected) {
         let What::Some(part) = &findings.what else { return };
         let said = part.lacks.iter().map(|one| one.get("code").unwrap_or(one));
@@ -181,7 +181,7 @@ impl Reader<'_> {
     }
 }
 
-/// What a case without a name is called: what it says of its question.
+/// The title of a case without a name: its question.
 fn title(own: &Node) -> String {
     let keys = |node: &Node| {
         let text = written(node);

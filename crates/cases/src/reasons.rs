@@ -1,4 +1,4 @@
-//! Why an answer is as it is: what the answer itself says of it, nearest to the figure that was not expected.
+//! The reasons of an answer, taken from the answer itself, as near as possible to the unexpected figure.
 
 use serde_json::Value;
 
@@ -19,15 +19,15 @@ pub enum Why {
         /// Why.
         why: Note,
     },
-    /// What the plan says of the hole that has no route.
+    /// The finding about a hole without a route.
     Finding(Finding),
-    /// A row of a table that gives what is expected, and does not match.
+    /// A row of a table that gives the expected value but does not match.
     OtherRow {
         /// Its number, from 1.
         row: usize,
         /// The first column that failed.
         column: String,
-        /// What that column requires.
+        /// The requirement of that column.
         cell: String,
     },
 }
@@ -35,8 +35,8 @@ pub enum Why {
 /// Keys of a group of holes that its route decides.
 const OF_ROUTE: [&str; 4] = ["route", "scheme", "by_tables", "transitions"];
 
-/// The reasons nearest to the value that `path` leads to; `trail` has the values on the way there, the innermost last,
-/// one for each key.
+/// The reasons nearest to the value at `path`; `trail` has the values along the path, the innermost last, one for
+/// each key.
 pub fn reasons(trail: &[&Value], path: &[String], expected: &Expected) -> Vec<Why> {
     for (value, key) in trail.iter().zip(path).rev() {
         let Some(object) = value.as_object() else { continue };

@@ -15,7 +15,7 @@ use super::expected::{Expected, Item, What};
 use super::hold;
 use super::reasons::Why;
 
-/// A question: which table, and what is known.
+/// A question: the table, and the given values.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// The id of the table.
@@ -24,11 +24,11 @@ pub struct Question {
     given: Vec<(usize, Value)>,
 }
 
-/// What a row says of itself beside its columns.
+/// The fields of a row besides its columns.
 const OF_ROWS: [&str; 5] = ["row", "source", "place", "reason", "unconfirmed"];
 
 impl Question {
-    /// Reads it; faults are noted.
+    /// Reads a question; faults are reported.
     pub fn read(table: &Node, given: Option<&Node>, knowledge: &Knowledge, problems: &mut Problems) -> Option<Self> {
         let id = latin(problems.text(table)?.trim());
         let Some(found) = knowledge.tables().find(|known| known.id.eq_ignore_ascii_case(&id)) else {
@@ -91,7 +91,7 @@ impl Question {
         }
     }
 
-    /// Why no other rows answer: the row that does, and rows that would give what is expected.
+    /// Why no other rows answer: the row that does, and rows that would give the expected value.
     pub fn why(&self, table: &Table, expected: &Expected) -> Vec<Why> {
         let Ok(answer) = self.decide(table) else { return Vec::new() };
         let won = answer.winners().map(|row| Why::Because(Box::new(Because::row(row, Note::new("")))));
@@ -141,8 +141,8 @@ pub fn json(rows: &[RowRef<'_>]) -> Json {
     rows.iter().map(|row| row_json(*row)).collect()
 }
 
-/// What of the rows an expectation is about: a list is about all of them, a mapping about the one that answers, of a table
-/// that collects rows the first. `none` is that no row answers.
+/// The rows that an expectation concerns: a list concerns all of them, a mapping the row that answers (in a table
+/// that collects rows, the first). `none` means that no row answers.
 pub fn about<'v>(expected: &mut Expected, rows: &'v Json, table: &Table) -> &'v Json {
     let all = rows.as_array().map(Vec::as_slice).unwrap_or_default();
     match (&expected.what, all) {
@@ -153,7 +153,7 @@ pub fn about<'v>(expected: &mut Expected, rows: &'v Json, table: &Table) -> &'v 
         (What::Map(_), [row]) => row,
         (What::Map(_), [first, ..]) if table.kind == TableKind::Decision => first,
         (What::Map(_), _) => {
-            // Not one row: the whole list is what came.
+            // Not one row: the whole list is the actual value.
             let item = Item { expected: expected.clone(), optional: false };
             expected.what = What::List(vec![item]);
             rows
@@ -162,7 +162,7 @@ pub fn about<'v>(expected: &mut Expected, rows: &'v Json, table: &Table) -> &'v 
     }
 }
 
-/// A row as an object: what it gives by the names of columns, with its number and where it comes from.
+/// A row as an object: its outputs by column name, with its number and its source.
 fn row_json(row: RowRef<'_>) -> Json {
     let mut object = Map::new();
     for (index, column) in said(row.table) {
@@ -184,7 +184,7 @@ fn row_json(row: RowRef<'_>) -> Json {
     Json::Object(object)
 }
 
-/// The columns that a row answers with.
+/// The columns of a row's answer.
 fn said(table: &Table) -> Vec<(usize, &Column)> {
     match table.kind {
         TableKind::Decision => table.outputs().collect(),

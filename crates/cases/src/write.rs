@@ -1,4 +1,4 @@
-//! Filling in what a case does not expect yet, in the text of its file: nothing else of it changes by a byte.
+//! Fills open expectations of cases in the text of their file; nothing else in the file changes.
 
 use serde_json::Value;
 use technolog_note::note;
@@ -20,12 +20,12 @@ pub struct Filled {
     pub text: Option<String>,
     /// The numbers of the cases that were filled in.
     pub cases: Vec<usize>,
-    /// Cases that cannot be filled in where they stand.
+    /// Cases that cannot be filled in at their place.
     pub problems: Vec<Diagnostic>,
 }
 
-/// Fills in what is open of the cases with what is not as expected of them. The new text is read and its cases are run before it is given
-/// out: what was filled in passes, and every other case is as it was.
+/// Fills in the open expectations of cases with the actual values. The new text is read and its cases are run before
+/// it is returned: filled cases pass, and every other case is as before.
 ///
 /// # Errors
 /// The knowledge base lacks what a case asks of it.
@@ -49,7 +49,7 @@ pub fn fill(
             None => filled.problems.push(unfilled(case)),
         }
     }
-    // What does not read back as it was meant is left out, and the rest is tried again.
+    // What does not read back as intended is left out, and the rest is tried again.
     while !made.is_empty() {
         let new = writer.apply(made.iter().flat_map(|(_, edits)| edits));
         let numbers: Vec<usize> = made.iter().map(|(number, _)| *number).collect();
@@ -75,7 +75,7 @@ pub fn fill(
     Ok(filled)
 }
 
-/// Whether a case is in the new text as it should be: filled in, it fails only where it did before; else it is as it was.
+/// Whether a case is right in the new text: a filled one fails only where it did before; any other is unchanged.
 fn stands(
     case: &Case,
     failures: &[Failure],
@@ -111,7 +111,7 @@ struct Writer<'t> {
 }
 
 impl Writer<'_> {
-    /// What fills a case in; none where one of its open places cannot be found.
+    /// The edits for a case; none if one of its open places cannot be found.
     fn edits(&self, own: &Node, case: &Case, failures: &[Failure]) -> Option<Vec<Edit>> {
         if let (None, [Failure { came: Came::Open(Some(digest)), .. }]) = (&case.expected, failures) {
             return Some(vec![self.whole(own, digest)]);
@@ -123,7 +123,7 @@ impl Writer<'_> {
         open.map(|(place, came)| self.empty(place, &written::value(&came))).collect()
     }
 
-    /// The byte of a line and a column, from 1.
+    /// The byte position of a line and a column, from 1.
     fn byte(&self, line: u32, column: u32) -> usize {
         let (line, column) = (line as usize, column as usize);
         let before: usize = self.lines.iter().take(line.saturating_sub(1)).map(|line| line.len()).sum();
@@ -154,7 +154,7 @@ impl Writer<'_> {
             let end = self.at(&key.place) + key_length(self.rest(self.at(&key.place)), key);
             return self.behind_colon(end, told(flow));
         }
-        // In front of what says where it comes from, else behind everything.
+        // Before the keys of its origin, otherwise at the end.
         let first = entries.iter().find(|(key, _)| ["source", "because"].contains(&key.text.as_str()));
         if let Some((key, _)) = first {
             let then = if flow { ", ".to_owned() } else { format!("\n{}", " ".repeat(indent)) };
@@ -182,7 +182,7 @@ impl Writer<'_> {
         })
     }
 
-    /// A `~` or `null` that stands there.
+    /// A `~` or `null` at that place.
     fn explicit(&self, place: &Place, value: &str) -> Option<Edit> {
         let at = self.at(place);
         let word = ["~", "null"].into_iter().find(|word| self.rest(at).starts_with(word))?;
@@ -234,7 +234,7 @@ impl Writer<'_> {
     }
 }
 
-/// How long a key is as it stands, with its quotes.
+/// The length of a key as written, with its quotes.
 fn key_length(text: &str, key: &Key) -> usize {
     match text.chars().next() {
         Some(quote @ ('"' | '\'')) => text[1..].find(quote).map_or(key.text.len(), |end| end + 2),
@@ -242,7 +242,7 @@ fn key_length(text: &str, key: &Key) -> usize {
     }
 }
 
-/// Where the last value ends in the mapping with whose brace a text begins, with a comma that may stand behind it.
+/// The end of the last value in the flow mapping that begins a text, with a comma that may follow it.
 fn last_of_flow(text: &str) -> Option<usize> {
     let mut depth = 0_usize;
     let mut last = 0;
@@ -257,7 +257,7 @@ fn last_of_flow(text: &str) -> Option<usize> {
                     return Some(last);
                 }
             }
-            // A quote opens a text only where a value begins.
+            // A quote opens a text only at the beginning of a value.
             '"' | '\'' if "{[,:".contains(before) || before.is_whitespace() => {
                 while let Some((end, inner)) = letters.next() {
                     if inner == '\\' && letter == '"' {
@@ -283,7 +283,7 @@ fn last_of_flow(text: &str) -> Option<usize> {
     None
 }
 
-/// A value behind a colon: on the same line where it fits, else on lines of its own.
+/// A value after a colon: on the same line if it fits, otherwise on lines of its own.
 fn block(value: &Value, indent: usize) -> String {
     let flow = written::value(value);
     if indent + flow.chars().count() <= WIDTH {

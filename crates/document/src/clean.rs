@@ -1,12 +1,12 @@
-//! Characters that no page may contain, whatever is in a user's file: control characters and those that change the
-//! direction of writing.
+//! Removes characters that no page may contain, whatever is in a user's file: control characters and those that
+//! change the direction of writing.
 
-/// One line of text: breaks and tabs become spaces, control characters a replacement character.
+/// One line of text: line breaks and tabs become spaces, control characters a replacement character.
 pub fn line(text: &str) -> String {
     text.chars().map(|sign| if is_break(sign) || sign == '\t' { ' ' } else { shown(sign) }).collect()
 }
 
-/// The same for lines that stay lines, `\r\n` as one break.
+/// As `line`, but line breaks stay; `\r\n` is one break.
 pub fn lines(text: &str) -> String {
     let kept = |sign| if matches!(sign, '\n' | '\t') { sign } else { shown(sign) };
     text.replace("\r\n", "\n").chars().map(kept).collect()
@@ -18,7 +18,7 @@ const fn is_break(sign: char) -> bool {
 
 fn shown(sign: char) -> char {
     let turns = matches!(sign, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    // XML has no such signs.
+    // XML does not permit these characters.
     let none = matches!(sign, '\u{fffe}' | '\u{ffff}');
     if sign.is_control() || turns || none { char::REPLACEMENT_CHARACTER } else { sign }
 }
@@ -32,7 +32,8 @@ pub fn address(to: &str) -> Option<String> {
     known.then(|| percent(to, |byte| !matches!(byte, b'<' | b'>' | b'"' | b'\\' | b'|' | b'`' | b'\'')))
 }
 
-/// The bytes of a text as addresses have them: letters and figures of ASCII, and what else is `kept` of its signs.
+/// The bytes of a text in an address: ASCII letters and digits, and the other signs for which `kept` holds,
+/// unchanged.
 pub fn percent(text: &str, kept: impl Fn(u8) -> bool) -> String {
     let mut shown = String::with_capacity(text.len());
     for byte in text.bytes() {

@@ -1,8 +1,8 @@
-//! Which writer is meant: by name, or by the ending of a file.
+//! The choice of a writer: by name, or by the extension of a file.
 
 use std::path::Path;
 
-/// The forms in which a page can be had.
+/// The formats of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Format {
     /// For a terminal.
@@ -17,7 +17,7 @@ impl Format {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Text, Self::Markdown, Self::Html];
 
-    /// As it is called in `--format`.
+    /// Its name in `--format`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Text => "text",
@@ -26,7 +26,7 @@ impl Format {
         }
     }
 
-    /// What the ending of a file means. Nothing for an ending that is none of ours.
+    /// The format for a file extension; none for an unknown one.
     pub fn from_ending(file: &Path) -> Option<Self> {
         match file.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "txt" => Some(Self::Text),
@@ -37,17 +37,17 @@ impl Format {
     }
 }
 
-/// The ending of a file means another format than the one that is asked for.
+/// The extension of a file means another format than the requested one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Contradiction<F> {
-    /// What is asked for by name.
+    /// The requested format.
     pub asked: F,
-    /// What the ending means.
+    /// The format of the extension.
     pub ending: F,
 }
 
-/// The format that name and ending agree on; either may say nothing. `F` is [`Format`], or the formats of a command that
-/// has more of them.
+/// The format by name and extension; either may be missing. `F` is [`Format`], or the formats of a command that has
+/// more of them.
 ///
 /// # Errors
 /// They contradict each other.

@@ -9,10 +9,10 @@ const STYLE: &str = include_str!("html/style.css");
 
 /// The longest name, in bytes, that is kept on one line.
 const NAME: usize = 32;
-/// The longest word without a stroke, in characters, that is kept beside a number as its unit.
+/// The longest word without a slash, in characters, that is kept beside a number as its unit.
 const UNIT: usize = 3;
 
-/// The document as a page of its own.
+/// The document as a standalone page.
 pub fn html(document: &Document, words: &Words) -> String {
     let mut page = format!(
         "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -84,7 +84,7 @@ fn finding(page: &mut String, finding: &FindingBlock, words: &Words) {
     page.push_str("</li>\n");
 }
 
-/// A table in a frame that scrolls; the frame can be reached by keyboard.
+/// A table in a frame that scrolls; the frame can be focused by keyboard.
 fn table(page: &mut String, table: &Table) {
     let class = |column: usize| match table.columns().get(column).map(|column| column.align) {
         Some(Align::Right) => " class=\"number\"",
@@ -123,7 +123,8 @@ fn figure(page: &mut String, figure: &Drawing) {
     page.push_str(&format!("<figure><img src=\"{source}\" alt=\"{alternative}\">{caption}</figure>\n"));
 }
 
-/// A drawing as a data URL of an image: no scripts run in it, and its ids do not collide with those of another drawing.
+/// A drawing as a data URL of an image: no scripts run in it, and its ids do not collide with those of another
+/// drawing.
 pub fn image(svg: &str) -> String {
     let kept = |byte| matches!(byte, b'-' | b'.' | b'_' | b'=' | b'/' | b',' | b':' | b';');
     format!("data:image/svg+xml,{}", clean::percent(svg, kept))
@@ -149,8 +150,7 @@ fn line(inlines: &Inlines) -> String {
     shown
 }
 
-/// A text in which lines are broken neither at the dash of a short name or number, `2И20-5-80`, nor between a number and
-/// its unit.
+/// A text without line breaks at the dash of a short name or number, `2И20-5-80`, or between a number and its unit.
 fn unbroken(text: &str) -> String {
     let mut shown: Vec<String> = Vec::new();
     let mut words = text.split(' ').peekable();
@@ -172,7 +172,7 @@ fn is_quantity(number: &str, unit: &str) -> bool {
         && (unit.contains(['/', '·']) || unit.trim_end_matches([',', ';', '.', ':', ')']).chars().count() <= UNIT)
 }
 
-/// A text as it is shown, in a page or between quotes of an attribute, whatever signs are in it.
+/// A text escaped for a page or a quoted attribute, whatever characters it contains.
 fn escaped(text: &str) -> String {
     marks(&clean::line(text))
 }

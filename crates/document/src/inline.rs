@@ -1,32 +1,32 @@
-//! What stands in a line.
+//! The contents of a line.
 
 /// A piece of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Inline {
     /// Words.
     Text(String),
-    /// Words that a reader should not overlook.
+    /// Words to be emphasised.
     Strong(String),
-    /// What a user writes or reads letter by letter: a key, a path, a block of a program.
+    /// Text to be copied exactly: a key, a path, a block of a program.
     Code(String),
     /// A figure and its unit, which stay on one line.
     Quantity {
-        /// The figure as people of that language write it: `0,25`.
+        /// The figure as written in that language: `0,25`.
         number: String,
         /// Its unit; empty where a column has it, or where there is none.
         unit: String,
     },
-    /// A way to another page.
+    /// A link to another page.
     Link {
-        /// What is read.
+        /// The visible text.
         text: String,
-        /// Where it leads: an address or a path.
+        /// The target: an address or a path.
         to: String,
     },
 }
 
 impl Inline {
-    /// The words alone.
+    /// The text without formatting.
     pub fn plain(&self) -> String {
         match self {
             Self::Text(text) | Self::Strong(text) | Self::Code(text) | Self::Link { text, .. } => text.clone(),
@@ -36,15 +36,15 @@ impl Inline {
     }
 }
 
-/// A line, a paragraph or the cell of a table: pieces one after the other. Spaces between pieces are theirs.
+/// A line, a paragraph or a table cell: a sequence of pieces. Spaces between pieces are part of them.
 ///
-/// It is made of a text, and goes on with what follows:
-/// `Inlines::from("feed ").quantity("0.25", "mm/rev").text(", see ").code("feed-choice")`.
+/// Built from a text and further pieces: `Inlines::from("feed ").quantity("0.25", "mm/rev").text(", see
+/// ").code("feed-choice")`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Inlines(Vec<Inline>);
 
 impl Inlines {
-    /// A sentence of the catalogue of words, in which pairs of backticks mark code.
+    /// A sentence of the message catalogue, in which pairs of backticks mark code.
     pub fn sentence(text: &str) -> Self {
         let pieces: Vec<&str> = text.split('`').collect();
         if pieces.len().is_multiple_of(2) {
@@ -57,49 +57,49 @@ impl Inlines {
         pieces.iter().enumerate().map(piece).collect()
     }
 
-    /// A figure in a column that has the unit.
+    /// A figure whose unit is in the column.
     pub fn number(number: impl Into<String>) -> Self {
         Self::default().quantity(number, "")
     }
 
-    /// And words.
+    /// Adds words.
     #[must_use]
     pub fn text(self, text: impl Into<String>) -> Self {
         self.with(Inline::Text(text.into()))
     }
 
-    /// And words that should not be overlooked.
+    /// Adds emphasised words.
     #[must_use]
     pub fn strong(self, text: impl Into<String>) -> Self {
         self.with(Inline::Strong(text.into()))
     }
 
-    /// And something written letter by letter.
+    /// Adds text to be copied exactly.
     #[must_use]
     pub fn code(self, text: impl Into<String>) -> Self {
         self.with(Inline::Code(text.into()))
     }
 
-    /// And a figure with its unit.
+    /// Adds a figure with its unit.
     #[must_use]
     pub fn quantity(self, number: impl Into<String>, unit: impl Into<String>) -> Self {
         self.with(Inline::Quantity { number: number.into(), unit: unit.into() })
     }
 
-    /// And a way to another page.
+    /// Adds a link.
     #[must_use]
     pub fn link(self, text: impl Into<String>, to: impl Into<String>) -> Self {
         self.with(Inline::Link { text: text.into(), to: to.into() })
     }
 
-    /// And all of another line.
+    /// Adds all pieces of another line.
     #[must_use]
     pub fn then(mut self, more: impl Into<Self>) -> Self {
         self.0.extend(more.into().0);
         self
     }
 
-    /// Lines in one, with the same words between two.
+    /// Joins lines with a separator.
     pub fn joined(all: impl IntoIterator<Item = Self>, between: &str) -> Self {
         let mut joined = Self::default();
         for (at, one) in all.into_iter().enumerate() {
@@ -113,18 +113,18 @@ impl Inlines {
         &self.0
     }
 
-    /// Whether there is nothing to read.
+    /// Whether it has no text.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The words alone.
+    /// The text without formatting.
     pub fn plain(&self) -> String {
         self.0.iter().map(Inline::plain).collect()
     }
 
     fn with(mut self, piece: Inline) -> Self {
-        // An empty piece is nothing to read, and not every writer can mark it.
+        // An empty piece has no text, and not every writer can mark it.
         if !piece.plain().is_empty() {
             self.0.push(piece);
         }

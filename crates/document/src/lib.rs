@@ -1,11 +1,11 @@
-//! Pages as a tree, and its three writers: text for a terminal, Markdown, HTML.
+//! Pages as a tree, with three writers: text for a terminal, Markdown, HTML.
 //!
-//! A page says what it shows (a heading, a table of typed cells, a finding); how that looks is decided by the writers
-//! alone. They make the same bytes on every run. A writer adds no words of its own: the few it needs are [`Words`].
+//! A page gives its contents (a heading, a table of typed cells, a finding); only the writers decide how they look.
+//! They write the same bytes on every run. A writer adds no words of its own: the few it needs are [`Words`].
 //!
-//! - `tree` the blocks of a page, `inline` what stands in a line of it;
-//! - `text`, `markdown`, `html` a writer each, with one escaping function each;
-//! - `format` which writer an ending of a file means.
+//! - `tree` the blocks of a page, `inline` the contents of a line;
+//! - `text`, `markdown`, `html` one writer each, with one escaping function each;
+//! - `format` the choice of a writer by a file extension.
 
 mod clean;
 mod format;
@@ -25,7 +25,7 @@ pub use text::text;
 pub use tree::{Align, Block, Column, Document, Drawing, Field, FindingBlock, Item, Keep, Severity, Table};
 pub use words::{WIDTH, Words};
 
-/// A document in one of the formats; width and colour are of text only.
+/// Writes a document in one of the formats; width and colour apply only to text.
 pub fn write(document: &Document, format: Format, width: usize, colour: bool, words: &Words) -> String {
     match format {
         Format::Text => text(document, width, colour, words),

@@ -1,4 +1,4 @@
-//! Markdown: CommonMark with the tables of GitHub. Whatever a text holds, a reader of Markdown shows the same text.
+//! Markdown: CommonMark with GitHub tables. Whatever a text contains, a Markdown reader shows the same text.
 
 mod escape;
 
@@ -16,7 +16,7 @@ pub fn markdown(document: &Document, words: &Words) -> String {
     page.text
 }
 
-/// A kind of list. Two of a kind one after the other are two lists only with different marks.
+/// A kind of list. Two successive lists of a kind need different marks to be two lists.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum ListKind {
     Items,
@@ -25,7 +25,7 @@ enum ListKind {
 
 struct Page<'p> {
     text: String,
-    /// The list that stands last, and its mark.
+    /// The last list, and its mark.
     list: Option<(ListKind, char)>,
     words: &'p Words<'p>,
 }
@@ -52,7 +52,7 @@ impl Page<'_> {
         }
     }
 
-    /// Blocks stand apart.
+    /// Separates blocks.
     fn apart(&mut self) {
         self.list = None;
         if !self.text.is_empty() {
@@ -73,7 +73,7 @@ impl Page<'_> {
         self.text.push('\n');
     }
 
-    /// Begins a list and gives its mark.
+    /// Begins a list and returns its mark.
     fn list(&mut self, kind: ListKind) -> char {
         let mark = if matches!(self.list, Some((_, '-'))) { '*' } else { '-' };
         self.apart();
@@ -89,7 +89,7 @@ impl Page<'_> {
         }
     }
 
-    /// An item of the list of findings that it follows, or of a new one.
+    /// An item of the preceding list of findings, or of a new one.
     fn finding(&mut self, finding: &FindingBlock) {
         let mark = match self.list {
             Some((ListKind::Findings, mark)) => mark,
@@ -131,7 +131,7 @@ impl Page<'_> {
         }
     }
 
-    /// Lines in a fence that is longer than any of backticks in them.
+    /// Lines in a fence longer than any run of backticks in them.
     fn code(&mut self, code: &str) {
         self.apart();
         let code = clean::lines(code);
@@ -147,12 +147,12 @@ fn labelled(field: &Field) -> String {
     started(line(&Inlines::default().strong(label).text(" ").then(field.value.clone())))
 }
 
-/// A line within a block. Markdown gives no meaning to spaces at its ends.
+/// A line within a block. Spaces at its ends have no meaning in Markdown.
 fn line(inlines: &Inlines) -> String {
     in_place(inlines, false)
 }
 
-/// A line in the cell of a table, where a bar in code ends the cell.
+/// A line in a table cell, where a vertical bar in code would end the cell.
 fn cell(inlines: &Inlines) -> String {
     in_place(inlines, true)
 }

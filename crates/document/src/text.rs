@@ -1,7 +1,7 @@
 //! Text for a terminal of a given width.
 //!
-//! No line is wider, except where a single word is, or lines are never broken (a program). What stands in a section is
-//! indented by two columns, and so is what a line is continued by.
+//! No line is wider, except for a single long word or lines that are never broken (a program). The contents of a
+//! section and the continuation of a line are indented by two columns.
 
 mod table;
 mod wrap;
@@ -9,7 +9,7 @@ mod wrap;
 use crate::{Block, Document, FindingBlock, Inlines, Item, Words, clean};
 use wrap::{Line, Style, Word, wrap};
 
-/// How far blocks of a section and the continuation of a line are indented.
+/// The indent of a section's blocks and of continued lines.
 const STEP: usize = 2;
 
 /// The document as text, `width` columns wide, with the colours of ANSI terminals where `colour` is set.
@@ -22,13 +22,13 @@ pub fn text(document: &Document, width: usize, colour: bool, words: &Words) -> S
     page.text
 }
 
-/// What stands above a block, as far as that decides whether an empty line stands between.
+/// The block above, if it decides about an empty line.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Before {
     /// A heading, or nothing.
     Heading,
     Lines,
-    /// What has an empty line around it.
+    /// A block with empty lines around it.
     Apart,
 }
 
@@ -73,7 +73,7 @@ impl Page<'_> {
         }
     }
 
-    /// A section is told by an empty line; what stands in it is indented.
+    /// A section begins with an empty line; its contents are indented.
     fn heading(&mut self, level: u8, words: &Inlines) {
         if words.is_empty() {
             return;
@@ -132,13 +132,13 @@ impl Page<'_> {
         self.paragraph(&line, indent);
     }
 
-    /// Words from an indent on, continued two columns further in.
+    /// Words at an indent, continued two columns further in.
     fn paragraph(&mut self, words: &[Word], indent: usize) {
         let first = self.width.saturating_sub(indent);
         let lines = wrap(words, first, first.saturating_sub(STEP));
         for (number, line) in lines.iter().enumerate() {
             let indent = if number == 0 { indent } else { indent + STEP };
-            // A word as wide as the page has no room for an indent.
+            // A word as wide as the page leaves no room for an indent.
             self.line(line, indent.min(self.width.saturating_sub(line.width)));
         }
     }

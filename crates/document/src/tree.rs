@@ -5,11 +5,11 @@ use crate::Inlines;
 /// A page.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Document {
-    /// The language as BCP 47 has it: `uk`, `en`.
+    /// The language as a BCP 47 tag: `uk`, `en`.
     pub lang: String,
     /// The title: the first heading, and the name of the page in a browser.
     pub title: Inlines,
-    /// What it says.
+    /// Its contents.
     pub blocks: Vec<Block>,
 }
 
@@ -29,7 +29,7 @@ impl Document {
         self.blocks.push(Block::Heading { level, words: words.into() });
     }
 
-    /// Adds a paragraph; none for no words.
+    /// Adds a paragraph, unless it is empty.
     pub fn paragraph(&mut self, words: impl Into<Inlines>) {
         let words = words.into();
         if !words.is_empty() {
@@ -38,23 +38,23 @@ impl Document {
     }
 }
 
-/// A part of a page, from its margin to its margin.
+/// A block of a page, over its full width.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Block {
     /// A heading. The title of the page is level 1, its sections are 2, their parts 3 and more.
     Heading {
         /// 1 to 6; what is more is written as 6.
         level: u8,
-        /// What it says.
+        /// Its text.
         words: Inlines,
     },
     /// A paragraph.
     Paragraph(Inlines),
-    /// A list without an order.
+    /// An unordered list.
     List(Vec<Item>),
     /// A table.
     Table(Table),
-    /// Something found wrong, or worth knowing. Findings one after the other are written as a list.
+    /// A finding. Successive findings are written as a list.
     Finding(FindingBlock),
     /// A drawing.
     Drawing(Drawing),
@@ -64,12 +64,12 @@ pub enum Block {
     Fields(Vec<Field>),
 }
 
-/// A line of a list, and lines under it.
+/// A line of a list, with lines under it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Item {
-    /// What it says.
+    /// Its text.
     pub words: Inlines,
-    /// What it rests on, or is made of.
+    /// Its details.
     pub items: Vec<Item>,
 }
 
@@ -82,9 +82,9 @@ impl<T: Into<Inlines>> From<T> for Item {
 /// A label with its value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Field {
-    /// What it is; writers put the colon.
+    /// The label; writers add the colon.
     pub label: Inlines,
-    /// What is to be said of it.
+    /// The value.
     pub value: Inlines,
 }
 
@@ -95,10 +95,10 @@ impl Field {
     }
 }
 
-/// How bad a finding is. It decides the colour only: pages say the word, too.
+/// The severity of a finding. It decides only the colour: pages also write the word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// It cannot be made, or breaks something.
+    /// Impossible to make, or dangerous.
     Error,
     /// A figure or a choice is wrong.
     Wrong,
@@ -120,31 +120,31 @@ impl Severity {
     }
 }
 
-/// Something found wrong, or worth knowing.
+/// A finding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FindingBlock {
     /// How bad it is.
     pub severity: Severity,
-    /// The word for that in the language of the page, without a colon, or a mark such as `*`.
+    /// The word for the severity in the language of the page, without a colon, or a mark such as `*`.
     pub word: String,
-    /// Where in a file it is: `13:47`.
+    /// Its place in a file: `13:47`.
     pub place: Option<String>,
-    /// What is found.
+    /// Its text.
     pub words: Inlines,
-    /// What it rests on and what follows, a line each.
+    /// Its basis and its consequences, a line each.
     pub details: Vec<Inlines>,
-    /// What helps against it.
+    /// The remedy.
     pub help: Option<Inlines>,
 }
 
 impl FindingBlock {
-    /// What stands before it on every page: a word with a colon, or the mark alone.
+    /// The prefix on every page: a word with a colon, or the mark alone.
     pub(crate) fn label(&self) -> String {
         let colon = if self.word.ends_with(char::is_alphanumeric) { ":" } else { "" };
         format!("{}{colon}", self.word)
     }
 
-    /// A finding with nothing but what is found.
+    /// A finding with only its text.
     pub fn new(severity: Severity, word: impl Into<String>, words: impl Into<Inlines>) -> Self {
         let (word, words) = (word.into(), words.into());
         Self { severity, word, place: None, words, details: Vec::new(), help: None }
@@ -156,44 +156,44 @@ impl FindingBlock {
 pub struct Drawing {
     /// The drawing itself, a whole SVG file.
     pub svg: String,
-    /// What stands below it.
+    /// The caption below it.
     pub caption: Inlines,
-    /// What it shows, for those who do not see it: text on a terminal shows nothing else.
+    /// A description for people who cannot see it: text on a terminal shows nothing else.
     pub alternative: String,
 }
 
-/// Where the cells of a column stand.
+/// The alignment of a column's cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Align {
-    /// Words.
+    /// For words.
     Left,
-    /// Figures, so that units stand under units.
+    /// For figures, so that units are under units.
     Right,
 }
 
-/// Whether a column may be left out where a table is too wide. What may be left out longest stands first.
+/// Whether a column may be left out of a table that is too wide; in the order of importance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Keep {
-    /// Never: the row means nothing without it.
+    /// Never left out: the row means nothing without it.
     Always,
-    /// Last, when all columns of `Optional` are gone.
+    /// Left out last, when all `Optional` columns are gone.
     Useful,
-    /// First.
+    /// Left out first.
     Optional,
 }
 
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// What its cells are.
+    /// The heading of its cells.
     pub heading: Inlines,
     /// The unit of its cells, written after the heading; empty for none.
     pub unit: String,
-    /// Where its cells stand.
+    /// The alignment of its cells.
     pub align: Align,
     /// Whether it may be left out where the table is too wide.
     pub keep: Keep,
-    /// Narrower than this, in columns of a terminal, it is not made by wrapping its cells.
+    /// The least width after wrapping, in terminal columns.
     pub least: usize,
 }
 
@@ -236,7 +236,7 @@ impl Column {
 pub struct Table {
     columns: Vec<Column>,
     rows: Vec<Vec<Inlines>>,
-    /// What is to be said under it, a paragraph each.
+    /// Notes under it, a paragraph each.
     pub notes: Vec<Inlines>,
 }
 

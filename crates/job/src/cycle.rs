@@ -119,7 +119,7 @@ fn kind(
         }
         HoleCycle::Circles => {
             let rounds = transition.conditions.rounds.ok_or_else(|| lacks(note!("nc-circles-mill")))?;
-            // With a clockwise spindle the other direction would be climb milling.
+            // With a clockwise spindle, a counterclockwise path inside a hole is climb milling.
             let sense = match rule.cut.ok_or_else(|| lacks(note!("nc-how-mill-cuts")))? {
                 MillingDirection::Climb => Sense::Counterclockwise,
                 MillingDirection::Conventional => Sense::Clockwise,

@@ -1,14 +1,14 @@
-//! What counts as the same when people ask: numbers as numbers, texts up to letters that look alike in both alphabets.
+//! Equality in queries: numbers as numbers, texts up to letters that look alike in both alphabets.
 
 use crate::column::Column;
 use crate::table::Cell;
 use crate::value::Value;
 
-/// Whether a cell has the value; a list has each of its items.
+/// Whether a cell has the value; a list matches each of its items.
 pub fn has(column: &Column, cell: &Cell, wanted: &Value) -> bool {
     match cell {
         Cell::Value(value) => value.items().iter().any(|item| same(column, item, wanted)),
-        // A truth value left out is no, as everywhere.
+        // A missing truth value is false, as everywhere.
         Cell::Empty => *wanted == Value::Bool(false),
         Cell::Test(..) => false,
     }
@@ -21,8 +21,8 @@ fn same(column: &Column, value: &Value, wanted: &Value) -> bool {
     }
 }
 
-/// A text with Cyrillic letters that look like Latin ones written as those: on many keyboards nobody
-/// can tell `А.8` from `A.8`.
+/// A text with Cyrillic letters replaced by the Latin ones that look the same: on many keyboards `А.8` and `A.8`
+/// cannot be told apart.
 pub fn latin(text: &str) -> String {
     text.chars()
         .map(|letter| match letter {

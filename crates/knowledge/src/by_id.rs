@@ -1,5 +1,5 @@
-//! A map by id: it iterates in the order of the ids and finds one with few comparisons. A plan looks up tables
-//! thousands of times.
+//! A map by id: iterates in the order of the ids and finds one with few comparisons. A plan looks tables up thousands
+//! of times.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 pub struct ById<T> {
     /// In the order of their ids.
     entries: Vec<(Cow<'static, str>, T)>,
-    /// The digest of every id with its place among the entries, ascending.
+    /// The digest of every id with the index of its entry, ascending.
     digests: Vec<(u64, usize)>,
 }
 
@@ -33,7 +33,7 @@ impl<T> ById<T> {
     pub fn get(&self, id: &str) -> Option<&T> {
         let wanted = digest(id);
         let first = self.digests.partition_point(|(digest, _)| *digest < wanted);
-        // Two ids may have one digest.
+        // Two ids may have the same digest.
         let alike = self.digests[first..].iter().take_while(|(digest, _)| *digest == wanted);
         alike.map(|&(_, place)| &self.entries[place]).find(|(known, _)| known == id).map(|(_, thing)| thing)
     }
@@ -48,7 +48,7 @@ impl<T> ById<T> {
         self.entries.iter().map(|(_, thing)| thing)
     }
 
-    /// The things, given away.
+    /// The things themselves, by their ids.
     pub fn into_things(self) -> impl Iterator<Item = T> {
         self.entries.into_iter().map(|(_, thing)| thing)
     }

@@ -4,7 +4,7 @@ use crate::column::Column;
 use crate::set::Set;
 use technolog_note::{Note, note};
 
-/// A cell that is no test: what is wrong, and which characters of it.
+/// A cell that is no valid test: the fault, and its characters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TestError {
     /// What is wrong.

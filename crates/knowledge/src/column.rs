@@ -1,4 +1,4 @@
-//! Typed columns: what a cell may hold, in which unit, and how it is ordered.
+//! Typed columns: the content of a cell, its unit, and its order.
 
 use serde::{Deserialize, Serialize};
 use technolog_note::{Figure, Named, Note, Word, note};
@@ -8,12 +8,12 @@ use crate::set::Set;
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
 use crate::value::Value;
 
-/// What the cells of a column are.
+/// The type of the cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ColumnType {
     /// Any text.
     Text,
-    /// A unit of measurement, of what stands beside it in the row.
+    /// A unit of measurement, for another value in the row.
     Unit,
     /// One of the column's values.
     Enum,
@@ -58,7 +58,7 @@ impl ColumnType {
         matches!(self, Self::Int | Self::Number | Self::Length | Self::Angle | Self::It | Self::Roughness)
     }
 
-    /// The unit of a column that names none; `None` if it must name one.
+    /// The unit of a column that names none; `None` if the column must name one.
     pub const fn default_unit(self) -> Option<Unit> {
         match self {
             Self::Number | Self::Length => None,
@@ -116,7 +116,7 @@ pub struct Column {
     pub ty: ColumnType,
     /// The unit of its cells.
     pub unit: Unit,
-    /// The letter the source uses.
+    /// Its name for people, where the plain name is not enough.
     pub symbol: Option<String>,
     /// Its name for people, where the plain name does not do.
     pub label: Option<Label>,
@@ -132,7 +132,7 @@ pub struct Column {
     pub names: Vec<Label>,
     /// The vocabulary its values are of, where the column names one.
     pub vocabulary: Option<String>,
-    /// What a cell or an input may be.
+    /// The permitted values of a cell or an input.
     pub domain: Option<Set>,
     /// The domain as written.
     pub domain_text: Option<String>,
@@ -146,7 +146,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// What sentences call it: the name for people that its table gives, else what languages call such a column.
+    /// Its name in sentences: the one from its table, otherwise the one from the message catalogue.
     pub fn named(&self) -> Figure {
         let names = self.label.as_ref().map(|label| vec![("uk", label.uk.clone()), ("en", label.en.clone())]);
         let word = Word { of: "table-column", id: self.name.clone().into() };
@@ -169,13 +169,12 @@ impl Column {
         named.find(|(word, _)| *word == value).map(|(_, name)| name.of(tag))
     }
 
-    /// What inputs are allowed: the declared domain, or the universe.
+    /// The permitted inputs: the declared domain, or the universe.
     pub fn allowed(&self) -> Set {
         self.domain.clone().unwrap_or_else(|| self.universe())
     }
 
-    /// The roughness limits that its domain names, coarsest first: the printed columns of the source tables that are
-    /// headed by roughness.
+    /// The roughness limits in its domain, coarsest first: the printed roughness columns of the source tables.
     pub fn roughness_points(&self) -> Vec<Roughness> {
         let intervals = self.domain.as_ref().map(Set::intervals).unwrap_or_default();
         let points = intervals.iter().filter(|(low, high)| low == high);
@@ -185,7 +184,7 @@ impl Column {
         points
     }
 
-    /// Whether a query can fail to be bounded: an ordered or text column without a domain.
+    /// Whether its inputs can be unbounded: an ordered or text column without a domain.
     pub fn is_unbounded(&self) -> bool {
         self.domain.is_none() && !matches!(self.ty, ColumnType::Enum | ColumnType::Bool | ColumnType::It)
     }
@@ -238,7 +237,7 @@ impl Column {
         text.parse::<Micrometres>().map_err(|error| error.0)
     }
 
-    /// The place of a value in this column's order; nothing when it is not of this column's type.
+    /// The rank of a value in the order of this column; none if it is not of the column's type.
     pub fn rank(&self, value: &Value) -> Option<i64> {
         match (self.ty, value) {
             (ColumnType::Enum, Value::Text(text)) => self.rank_of_text(text),

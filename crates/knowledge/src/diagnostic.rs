@@ -1,16 +1,16 @@
-//! What was wrong, where, and what to do: one value for every problem of an input file.
+//! Diagnostics: the fault, its place and the remedy; one type for every problem of an input file.
 
 use std::fmt;
 use std::sync::Arc;
 
 use technolog_note::Note;
 
-/// How grave a finding is.
+/// The severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// The file cannot be used.
     Error,
-    /// It can be used, but a rule of the house is broken.
+    /// It can be used, but breaks a rule of the project.
     Warning,
     /// Worth knowing.
     Note,
@@ -35,7 +35,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// One problem of an input file.
+/// A problem of an input file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// How grave.
@@ -69,7 +69,7 @@ impl Diagnostic {
 }
 
 impl Diagnostic {
-    /// One line: `file:line:column: what is wrong [code]; what to do`, the sentences as `say` puts them.
+    /// One line: `file:line:column: fault [code]; remedy`; `say` makes the sentences.
     pub fn told(&self, say: impl Fn(&Note) -> String) -> String {
         let place = self.place.as_ref().map_or_else(String::new, |place| format!("{place}: "));
         let help = self.help.as_ref().map_or_else(String::new, |help| format!("; {}", say(help)));
@@ -83,20 +83,19 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// The known name nearest to a mistyped one, if one is near enough to be meant.
+/// The known name nearest to a mistyped one, if it is near enough to be the meant one.
 pub fn nearest<'a>(typed: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     nearest_few(typed, known).first().copied()
 }
 
-/// Letters of a long word.
+/// The number of letters of a long word.
 const LONG: usize = 7;
 
-/// The same, and with it those that are as near, in order.
+/// As `nearest`, with all names that are equally near, in order.
 pub(crate) fn nearest_few<'a>(typed: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     let typed: Vec<char> = typed.chars().collect();
-    // One slip in three letters, and one more in a long word, which few others resemble: a wrong hint is worse than
-    // none.
-    // Of a single letter nothing is left by a slip.
+    // One error in three letters, and one more in a long word, which few others resemble: a wrong hint is worse than
+    // none. A word of a single letter permits no error.
     let limit = (typed.len() / 3).max(usize::from(typed.len() > 1)) + usize::from(typed.len() >= LONG);
     let mut near: Vec<(usize, &str)> =
         known.into_iter().filter_map(|name| Some((edit_distance(&typed, name, limit)?, name))).collect();
@@ -105,8 +104,8 @@ pub(crate) fn nearest_few<'a>(typed: &str, known: impl IntoIterator<Item = &'a s
     near.into_iter().take_while(|(distance, _)| Some(*distance) == least).map(|(_, name)| name).collect()
 }
 
-/// Levenshtein distance in characters, if it is within a limit; two swapped neighbours count as one slip. A much longer
-/// text is rejected at once.
+/// Levenshtein distance in characters, if it is within a limit; two swapped neighbours count as one error. A much
+/// longer text is rejected at once.
 pub(crate) fn edit_distance(a: &[char], b: &str, limit: usize) -> Option<usize> {
     let b: Vec<char> = b.chars().take(a.len() + limit + 1).collect();
     if a.len().abs_diff(b.len()) > limit {
@@ -127,7 +126,7 @@ pub(crate) fn edit_distance(a: &[char], b: &str, limit: usize) -> Option<usize> 
                 row[j + 1] = row[j + 1].min(before[j - 1] + 1);
             }
         }
-        // The distance is no less than the least of any row.
+        // The distance is not less than the least value of any row.
         if row.iter().all(|distance| *distance > limit) {
             return None;
         }

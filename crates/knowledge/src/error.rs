@@ -1,4 +1,4 @@
-//! What the knowledge base cannot answer: a question or a table is wrong, which is no fault of a part.
+//! Questions that the knowledge base cannot answer: the question or a table is wrong, which is no fault of a part.
 
 use technolog_note::{Note, note};
 
@@ -32,7 +32,7 @@ impl technolog_note::Told for KnowledgeError {
 }
 
 impl KnowledgeError {
-    /// A table does not hold what is required of it, for that reason.
+    /// A table lacks something that is required, for the given reason.
     pub fn lacks(table: &str, why: impl Into<Note>) -> Self {
         let table = table.to_owned();
         Self::Table(TableError { table, file: String::new(), row: String::new(), problem: Box::new(why.into()) })

@@ -1,4 +1,4 @@
-//! What to add where a key is missing: a value as people write it, so that nobody looks for its form elsewhere.
+//! Example values for missing keys, so that nobody must look up their form.
 
 use technolog_note::{Note, note};
 
@@ -77,7 +77,7 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
     ("::SchemeFile", &[("points", "100")]),
 ];
 
-/// What to add to a mapping that lacks a key.
+/// The remedy for a mapping that lacks a key.
 pub(crate) fn to_add(form: &str, key: &str) -> Note {
     let of_form = EXAMPLES.iter().filter(|(end, _)| form.ends_with(end)).flat_map(|(_, keys)| *keys);
     match of_form.into_iter().find(|(known, _)| *known == key) {

@@ -1,7 +1,7 @@
 //! A list that is usually short and then needs no heap. A plan queries decision tables thousands of times, and each
 //! answer has a few inputs and one row.
 
-/// Values in their order, the first `N` of them in place.
+/// Values in order, the first `N` of them inline.
 #[derive(Debug, Clone)]
 pub struct Few<T, const N: usize> {
     first: [T; N],
@@ -17,7 +17,7 @@ impl<T: Copy + Default, const N: usize> Default for Few<T, N> {
 }
 
 impl<T: Copy, const N: usize> Few<T, N> {
-    /// Puts one more at the end.
+    /// Appends a value.
     pub fn push(&mut self, value: T) {
         match self.first.get_mut(self.count) {
             Some(free) => {

@@ -1,8 +1,8 @@
-//! One description of a mapping of a file format, and the reader that takes its keys from there.
+//! One description of a mapping in a file format, and the reader that uses its keys.
 //!
-//! [`forms!`](crate::forms) declares what a mapping may have, with units and remarks. The JSON Schema comes of it, the
-//! list of known keys and one constant for each key. A reader takes a field by its constant, so it cannot know a key
-//! that the description has not.
+//! [`forms!`](crate::forms) declares the keys of a mapping, with units and remarks. From it come the JSON Schema, the
+//! list of known keys and one constant for each key. A reader takes a field by its constant, so it cannot use a key
+//! that the description lacks.
 
 use std::collections::BTreeSet;
 use std::marker::PhantomData;
@@ -54,9 +54,9 @@ impl<F> KeyOf<F> {
 #[derive(Debug)]
 pub struct AnyKeys;
 
-/// What a field of the mapping `F` can be asked by.
+/// A key by which a field of the mapping `F` can be read.
 pub trait KeyIn<F> {
-    /// As it is written in files.
+    /// The key as written in files.
     fn written(&self) -> &str;
 
     /// The path of the mapping in Rust; empty where keys are data.
@@ -83,7 +83,7 @@ impl KeyIn<AnyKeys> for &str {
     }
 }
 
-/// Declares mappings of a file format. A field that is no `Option` must be there; its remark is the description in the
+/// Declares mappings of a file format. A field that is no `Option` is required; its remark is the description in the
 /// JSON Schema. The constants have the names of the fields: `Hole::diameter`.
 #[macro_export]
 macro_rules! forms {
@@ -112,14 +112,14 @@ macro_rules! forms {
     )*};
 }
 
-/// The fields of one mapping; what nobody takes is an unknown key.
+/// The fields of one mapping; a field that is not taken is an unknown key.
 #[derive(Debug)]
 pub struct Fields<'n, F> {
     entries: &'n [(Key, Node)],
     taken: Vec<bool>,
     /// Where the mapping begins.
     pub place: &'n Place,
-    /// How many problems there were before the mapping was read: what it lacks is among those behind them.
+    /// The number of problems before the mapping was read: problems about missing keys come after it.
     before: usize,
     form: PhantomData<F>,
 }
@@ -136,7 +136,7 @@ impl<'n, F> Fields<'n, F> {
         Some(&self.entries[index].1).filter(|node| !node.is_null())
     }
 
-    /// Takes a field that belongs to another form, for which the mapping may be mistaken.
+    /// Takes a field of another form with which the mapping may be confused.
     pub fn take_foreign<G>(&mut self, key: KeyOf<G>) -> Option<&'n Node> {
         self.take(KeyOf::of_field(key.0, key.1))
     }
@@ -166,7 +166,7 @@ impl<'n, F> Fields<'n, F> {
         rest
     }
 
-    /// Reports every field that nobody took. A mistyped key that was needed is one mistake, not two: it is no longer
+    /// Reports every field that was not taken. A mistyped required key is one mistake, not two: it is no longer
     /// reported as missing.
     fn report(mut self, known: &[&str], problems: &mut Problems) {
         let present = hint::present(known, self.entries);
@@ -194,7 +194,7 @@ impl<'n, F> Fields<'n, F> {
 }
 
 impl<F: Form> Fields<'_, F> {
-    /// Reports every field that nobody took.
+    /// Reports every field that was not taken.
     pub fn finish(self, problems: &mut Problems) {
         self.finish_among(F::KEYS, problems);
     }
@@ -205,7 +205,8 @@ impl<F: Form> Fields<'_, F> {
         self.report(&known, problems);
     }
 
-    /// Whether the field says something, taken or not, or is only mistyped: then what else must be there cannot be told.
+    /// Whether the field is present, taken or not, or only mistyped: then nothing can be said about other missing
+    /// keys.
     pub fn means(&self, key: KeyOf<F>) -> bool {
         let known: Vec<&str> = F::KEYS.iter().map(|key| key.0).collect();
         let present = hint::present(&known, self.entries);
@@ -218,26 +219,26 @@ impl<F: Form> Fields<'_, F> {
 }
 
 impl Fields<'_, AnyKeys> {
-    /// Reports every field that nobody took; `known` are the right ones.
+    /// Reports every field that was not taken; `known` are the right keys.
     pub fn finish(self, known: &[&str], problems: &mut Problems) {
         self.report(known, problems);
     }
 }
 
 impl Problems {
-    /// Notes that a mapping lacks a key which it needs as it is otherwise written, and yields nothing.
+    /// Reports a missing key that the other keys require, and returns nothing.
     pub fn missing<F, T>(&mut self, key: KeyOf<F>, place: &Place, help: impl Into<Note>) -> Option<T> {
         self.0.push(missing_key(key.0, place).help(help));
         None
     }
 }
 
-/// Which of the known keys is meant by one that is mistyped or Ukrainian.
+/// The known key meant by a mistyped or Ukrainian one.
 pub fn meant<'k>(typed: &str, known: &[&'k str]) -> Option<&'k str> {
     hint::of(typed, known, &[]).map(|hint| hint.key())
 }
 
-/// What [`Fields::need`] reports of a mapping that lacks a key.
+/// The problem that [`Fields::need`] reports for a missing key.
 pub fn missing_key(name: &str, place: &Place) -> Diagnostic {
     Diagnostic::error("missing-key", note!("yaml-key-missing", name = name), place.clone())
 }

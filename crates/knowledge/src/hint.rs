@@ -1,4 +1,4 @@
-//! Which key was meant by one that a mapping does not know.
+//! Finds the known key that an unknown one means.
 
 use technolog_note::{Note, note};
 
@@ -7,13 +7,13 @@ use crate::diagnostic::{edit_distance, nearest_few};
 use crate::key_words::WORDS;
 use crate::yaml::{Key, Node};
 
-/// What to do about an unknown key.
+/// The hint for an unknown key.
 pub(crate) enum Hint<'k> {
-    /// This one was meant.
+    /// The meant key.
     Meant(&'k str),
-    /// It is this one except for Cyrillic letters.
+    /// The same key but for Cyrillic letters.
     Alphabet(&'k str),
-    /// The one that was meant stands already, in that line.
+    /// The meant key is already there, in that line.
     Stands(&'k str, u32),
 }
 
@@ -35,17 +35,17 @@ impl<'k> Hint<'k> {
     }
 }
 
-/// A key that stands in a mapping, and its line.
+/// A key that is present in a mapping, and its line.
 pub(crate) type Present<'k> = (&'k str, u32);
 
-/// Which of the known keys stand in a mapping.
+/// The known keys that are present in a mapping.
 pub(crate) fn present<'k>(known: &[&'k str], entries: &[(Key, Node)]) -> Vec<Present<'k>> {
     let of = |there: &Key| known.iter().find(|key| **key == there.text).map(|key| (*key, there.place.line));
     entries.iter().filter_map(|(there, _)| of(there)).collect()
 }
 
-/// The key that was meant by `typed`, if one of `known` is near enough. A key that stands in the mapping already is never
-/// proposed: the reader would refuse it.
+/// The key meant by `typed`, if one of `known` is near enough. A key that is already present is never proposed: the
+/// reader would refuse it.
 pub(crate) fn of<'k>(typed: &str, known: &[&'k str], present: &[Present<'_>]) -> Option<Hint<'k>> {
     let line = |key: &str| present.iter().find(|(there, _)| *there == key).map(|(_, line)| *line);
     let or_stands = |hint: fn(&'k str) -> Hint<'k>, key: &'k str| match line(key) {
@@ -73,10 +73,10 @@ pub(crate) fn of<'k>(typed: &str, known: &[&'k str], present: &[Present<'_>]) ->
     key.map(|key| or_stands(Hint::Meant, key))
 }
 
-/// The known keys that a Ukrainian word names, the likeliest first. One slip in four letters does not hide it.
+/// The known keys that a Ukrainian word names, the likeliest first. One error in four letters is accepted.
 fn translated<'k>(typed: &str, known: &[&'k str]) -> Vec<&'k str> {
     let typed = typed.trim().to_lowercase().replace([' ', '-'], "_");
-    // Short words and those of Latin letters are too near each other for slips.
+    // Short words and those of Latin letters are too near to each other for errors.
     let limit = if typed.is_ascii() { 0 } else { typed.chars().count() / 4 };
     let named = |keys: &&str| -> Vec<&'k str> {
         keys.split(' ').filter_map(|key| known.iter().find(|known| **known == key).copied()).collect()
@@ -98,7 +98,7 @@ mod tests {
     const KNOWN: &[&str] =
         &["name", "diameter", "depth", "through", "thread", "step", "steps", "state", "state_diameter", "cone"];
 
-    /// What is said of the last key of the mapping, in both languages.
+    /// The hint for the last key of the mapping, in both languages.
     fn told(text: &str) -> Option<[String; 2]> {
         let root = parse("t.yaml", text).0.unwrap();
         let NodeKind::Map(entries) = &root.kind else { panic!("{text}") };
@@ -150,7 +150,7 @@ mod tests {
             assert_eq!(en, "`diameter` already stands at line 1; remove this key or correct it", "{typed}");
             assert_eq!(uk, "`diameter` уже стоїть у рядку 1; приберіть цей ключ або виправте його", "{typed}");
         }
-        // Of two that are as near the free one.
+        // Of two equally near keys, the free one.
         assert_eq!(told("step: 1\nstepe: 1\n").unwrap()[0], "did you mean `steps`?");
     }
 }

@@ -11,7 +11,7 @@ pub const MOST_MB: usize = 32;
 /// The largest file, bytes.
 pub const MOST_BYTES: usize = MOST_MB * 1_000_000;
 
-/// The bytes of a source; `None` if there are more than [`MOST_BYTES`], of which no more is read.
+/// The bytes of a source; `None` if there are more than [`MOST_BYTES`], and no more than that is read.
 ///
 /// # Errors
 /// It cannot be read.
@@ -24,7 +24,7 @@ pub fn bytes_of(source: impl Read) -> io::Result<Option<Vec<u8>>> {
 /// The text of a file's bytes.
 ///
 /// # Errors
-/// They are not UTF-8: the place is that of the first wrong byte.
+/// They are not UTF-8; the place is that of the first wrong byte.
 #[expect(clippy::result_large_err, reason = "a file is read once")]
 pub fn text_of(file: &str, bytes: Vec<u8>) -> Result<String, Diagnostic> {
     String::from_utf8(bytes).map_err(|error| {
@@ -41,8 +41,8 @@ pub fn text_of(file: &str, bytes: Vec<u8>) -> Result<String, Diagnostic> {
     })
 }
 
-/// The first control character of a text, or the first that changes the direction of writing. Line ends and tabs do not
-/// count: texts of several lines have them.
+/// The first control character of a text, or the first that changes the direction of writing. Line ends and tabs are
+/// permitted.
 pub fn unseen(text: &str) -> Option<char> {
     text.chars().find(|sign| match sign {
         '\n' | '\t' => false,
@@ -52,7 +52,7 @@ pub fn unseen(text: &str) -> Option<char> {
     })
 }
 
-/// A text with its zero-width characters shown as code points: otherwise nobody could see why `a` is not `a`.
+/// A text with its zero-width characters shown as code points: otherwise nobody could see why `a` differs from `a`.
 pub fn seen(text: &str) -> String {
     let wide = |sign: char| if has_no_width(sign) { sign.escape_unicode().to_string() } else { sign.to_string() };
     text.chars().map(wide).collect()
@@ -95,7 +95,7 @@ pub fn of_system(error: &io::Error) -> Note {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => note!("file-no-room"),
         ErrorKind::ReadOnlyFilesystem => note!("file-disk-read-only"),
         ErrorKind::InvalidFilename => note!("file-name-invalid"),
-        // What has no number is said by ourselves.
+        // An error without a number has its own text.
         _ => match error.raw_os_error() {
             Some(number) => note!("file-system-error", number = number),
             None => error.to_string().into(),
@@ -103,7 +103,7 @@ pub fn of_system(error: &io::Error) -> Note {
     }
 }
 
-/// What is said of such a file.
+/// The text for such a file.
 pub fn larger() -> Note {
     note!("input-file-larger", most = MOST_MB)
 }

@@ -1,6 +1,6 @@
-//! What keys are called in Ukrainian by those who write files. These words are read, never printed.
+//! The Ukrainian names of keys that authors of files use. These words are read, never printed.
 
-/// A word and the keys that it can stand for, the likeliest first; which of them is meant, the mapping says.
+/// A word and the keys for which it can stand, the likeliest first; the mapping decides which one is meant.
 pub(crate) const WORDS: &[(&str, &str)] = &[
     // Parts and blanks.
     ("назва", "name shaft plan part"),

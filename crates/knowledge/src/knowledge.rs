@@ -17,7 +17,7 @@ use crate::load::table_with;
 use crate::table::{Table, TableError};
 use crate::vocabulary::Vocabularies;
 
-/// Where the vocabularies stand: tables that are read before all others.
+/// The folder of vocabularies: tables that are read before all others.
 const VOCABULARIES: &str = "catalogs/vocabularies/";
 
 /// A knowledge file as text, named by its path inside the knowledge folder.
@@ -37,7 +37,7 @@ struct Stored {
     family: Family<'static>,
 }
 
-/// What can be asked of a table without unpacking it: the family it belongs to.
+/// The properties of a table that are known without unpacking: the family it belongs to.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Family<'a> {
     /// Whether it is a table of cutters.
@@ -74,7 +74,7 @@ fn unpacked(bytes: &[u8]) -> Result<Table, TableError> {
     })
 }
 
-/// The compiled form of a table: what is required of all of them without unpacking, and the rest.
+/// The compiled form of a table: the properties needed for all tables, and the rest.
 #[derive(Serialize, Deserialize)]
 struct Packed<'a> {
     id: &'a str,
@@ -102,7 +102,7 @@ impl Knowledge {
         if problems.is_empty() { Ok(knowledge) } else { Err(problems) }
     }
 
-    /// As [`Self::from_sources`], with what could be read beside the problems.
+    /// As [`Self::from_sources`], with everything that could be read beside the problems.
     pub fn read_sources(files: &[SourceFile<'_>]) -> (Self, Vec<Diagnostic>) {
         let mut knowledge = Self::default();
         let mut tables = BTreeMap::<Cow<'static, str>, Stored>::new();
@@ -142,7 +142,7 @@ impl Knowledge {
     /// Reads `catalogs/` and `rules/` of a folder: every file that ends in `.yaml`.
     ///
     /// # Errors
-    /// Every file that cannot be read, as text of path and content otherwise.
+    /// Every file that cannot be read; otherwise paths and contents.
     pub fn read_folder(folder: &Path) -> Result<Vec<(String, String)>, Vec<Diagnostic>> {
         let mut files = Vec::new();
         let mut problems = Vec::new();
@@ -195,7 +195,7 @@ impl Knowledge {
         self.tables.ids()
     }
 
-    /// Every table, given away.
+    /// All tables, moved out.
     pub fn into_tables(self) -> impl Iterator<Item = Table> {
         self.tables.into_things().filter_map(|stored| {
             let table = stored.table.into_inner().unwrap_or_else(|| unpacked(stored.packed));
@@ -216,7 +216,7 @@ impl Knowledge {
         postcard::to_stdvec(&packed).map_err(|error| error.to_string())
     }
 
-    /// Reads the compiled form; its tables are unpacked as they are asked for.
+    /// Reads the compiled form; its tables are unpacked when they are first used.
     ///
     /// # Errors
     /// The bytes are not of this version of the program.
@@ -245,7 +245,7 @@ fn collect_yaml(folder: &Path, name: &str, files: &mut Vec<(String, String)>, pr
         Ok(entries) => entries,
         Err(error) => return problems.push(unreadable(error)),
     };
-    // Links to folders are left out: they could go round.
+    // Links to folders are skipped, because they could form a cycle.
     let is_folder = |entry: &fs::DirEntry| entry.file_type().is_ok_and(|kind| kind.is_dir());
     let mut paths: Vec<_> = entries.iter().map(|entry| (entry.path(), is_folder(entry))).collect();
     paths.sort();
@@ -268,7 +268,7 @@ fn text_of_file(path: &Path) -> Result<String, Diagnostic> {
     let shown = path.display().to_string();
     let unreadable =
         |why: Note| Diagnostic::error("unreadable", note!("table-file-unreadable", file = shown, why = why), None);
-    // A pipe would wait for a writer.
+    // Reading a pipe would wait for a writer.
     if fs::metadata(path).is_ok_and(|file| !file.is_file()) {
         return Err(unreadable(note!("input-not-regular")));
     }

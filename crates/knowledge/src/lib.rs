@@ -1,11 +1,11 @@
-//! The knowledge room: exact units, typed tables with a source on every row, queries that say why,
-//! and a lint that proves the tables.
+//! The knowledge base: exact units, typed tables with a source on every row, queries with reasons, and a lint that
+//! checks the tables.
 //!
-//! It is a crate of its own because the build script of `technolog` uses it too: the shipped tables
-//! are read, checked and compiled while the program is built, so that start-up costs no parsing.
+//! It is a separate crate because the build script of `technolog` uses it too: the shipped tables are read, checked
+//! and compiled while the program is built, so that start-up needs no parsing.
 //!
-//! Architecture invariant: this crate does no I/O but reading the folder it is told to read
-//! ([`Knowledge::read_folder`]), and it decides nothing: decisions are rows.
+//! Architecture invariant: this crate does no I/O except reading a given folder ([`Knowledge::read_folder`]), and it
+//! makes no decisions: decisions are rows.
 
 pub mod alike;
 mod by_id;

@@ -216,7 +216,7 @@ impl Loader<'_> {
                 None => sound = false,
             }
         }
-        // Rows are read only against sound columns: otherwise one slip would show as hundreds.
+        // Rows are read only if the columns are sound: otherwise one mistake would appear as hundreds.
         sound.then_some(columns)
     }
 
@@ -510,7 +510,7 @@ impl Loader<'_> {
         sets
     }
 
-    /// Reports a faulty test with the caret at its wrong characters.
+    /// Reports a faulty test, with the caret at its wrong characters.
     fn test_error<T>(&mut self, error: &TestError, node: &Node) -> Option<T> {
         let quote = u32::from(matches!(node.kind, NodeKind::Scalar { quoted: true, .. }));
         let place = Place {
@@ -572,7 +572,7 @@ rows:
             assert_ne!(text, GOOD, "{from}");
             let before = &text[..text.find(at).unwrap()];
             let (line, start) = (before.lines().count(), before.rfind('\n').map_or(0, |newline| newline + 1));
-            // A flow mapping begins at its brace, one before its first key.
+            // A flow mapping begins at its brace, a block mapping before its first key.
             let brace = usize::from(at.starts_with("name: ") && code != "duplicate-key");
             let place = format!("x.yaml:{line}:{}", before.len() - start + 1 - brace);
             let (found, found_place) = first_problem(&text);

@@ -1,9 +1,8 @@
-//! Asking a decision table, with the reason in the answer.
+//! Queries of a decision table; the answer contains the reasons.
 //!
-//! The tests of each input column are compiled once into elementary intervals with one bit per row.
-//! A query finds the interval of each input by binary search and intersects the bits, so that the
-//! rows that match, and for every other row the first column that failed, cost a few words of
-//! arithmetic: the very same call serves planning, `lookup` and `explain`.
+//! The tests of each input column are compiled once into elementary intervals with one bit per row. A query finds the
+//! interval of each input by binary search and intersects the bits. So the matching rows, and for every other row the
+//! first column that failed, need only a few machine words. Planning, `lookup` and `explain` use the same call.
 
 use std::fmt;
 
@@ -232,12 +231,12 @@ impl ColumnIndex {
         Self { column: index, domain: column.domain.clone(), default, starts, bits }
     }
 
-    /// An input, with the interval it lies in.
+    /// An input, with its interval.
     fn given(&self, rank: i64) -> InputValue {
         InputValue { rank, segment: self.starts.partition_point(|&start| start <= rank) - 1 }
     }
 
-    /// The rows whose test an interval satisfies.
+    /// The rows whose tests an interval satisfies.
     fn matching(&self, segment: usize, words: usize) -> &[u64] {
         &self.bits[segment * words..(segment + 1) * words]
     }
@@ -247,19 +246,20 @@ impl ColumnIndex {
 #[derive(Debug, Clone, Copy, Default)]
 struct InputValue {
     rank: i64,
-    /// The number of its elementary interval.
+    /// The index of its elementary interval.
     segment: usize,
 }
 
-/// The answer of a decision table: which rows won, which were passed over, and why every other row lost.
+/// The answer of a decision table: the rows that apply, the matching rows that were not taken, and why every other
+/// row failed.
 #[derive(Debug, Clone)]
 pub struct Answer<'t> {
     table: &'t Table,
     /// The inputs, in the order of their columns.
     inputs: Few<InputValue, 6>,
-    /// The rows that apply, under the hit policy.
+    /// The rows that apply, by the hit policy.
     winners: Few<u32, 1>,
-    /// Rows that match but that the hit policy does not take.
+    /// Matching rows that the hit policy does not take.
     passed_over: Vec<u32>,
 }
 
@@ -268,18 +268,18 @@ impl Table {
         self.index.get_or_init(|| Index::build(self))
     }
 
-    /// Asks a decision table. Inputs with a default may be left out.
+    /// Queries a decision table. Inputs with a default may be left out.
     ///
     /// # Errors
-    /// The question does not fit the table (unknown, missing, ill-typed or out-of-domain input), or
-    /// rows of the table contradict each other. No row that matches is not an error: the answer then
-    /// has no winner and says why each row lost.
+    /// The question does not fit the table (unknown, missing, ill-typed or out-of-domain input), or rows of the table
+    /// contradict each other. That no row matches is not an error: the answer then has no row and says why each row
+    /// failed.
     pub fn decide<'t>(&'t self, inputs: &[(&str, Input<'_>)]) -> Result<Answer<'t>, QueryError> {
         let given: Vec<(&str, Option<Input<'_>>)> = inputs.iter().map(|&(name, input)| (name, Some(input))).collect();
         self.decided(&given)
     }
 
-    /// As [`Self::decide`]; an input that is none is left to the table's default.
+    /// As [`Self::decide`]; for an input that is none the table's default applies.
     fn decided<'t>(&'t self, inputs: &[(&str, Option<Input<'_>>)]) -> Result<Answer<'t>, QueryError> {
         if self.kind != TableKind::Decision {
             return Err(QueryError::NotADecision { table: self.id.clone() });
@@ -290,7 +290,7 @@ impl Table {
         let mut used = 0;
         for (at, compiled) in index.columns.iter().enumerate() {
             let column = &self.columns[compiled.column];
-            // Most questions name the inputs in the order of the columns.
+            // Most questions have the inputs in the order of the columns.
             let in_order = inputs.get(at).filter(|(name, _)| *name == column.name);
             let rank = match in_order.or_else(|| inputs.iter().find(|(name, _)| *name == column.name)) {
                 Some((_, Some(input))) => {
@@ -377,7 +377,7 @@ impl Table {
 
     fn unknown_input(&self, inputs: &[(&str, Option<Input<'_>>)]) -> QueryError {
         let known: Vec<&str> = self.inputs().map(|(_, column)| column.name.as_str()).collect();
-        // Where all are known, one is given twice.
+        // If all are known, one is given twice.
         let names = || inputs.iter().map(|(name, _)| *name);
         let twice = || names().find(|one| names().filter(|name| name == one).count() > 1);
         let name = names().find(|name| !known.contains(name)).or_else(twice).unwrap_or_default();
@@ -400,7 +400,7 @@ pub fn describe(column: &Column) -> Note {
     }
 }
 
-/// The bits of the rows there are, of the word of that number.
+/// The bits of existing rows in one word.
 fn all_of_word(rows: usize, word: usize) -> u64 {
     match rows.saturating_sub(word * 64) {
         0 => 0,
@@ -409,7 +409,7 @@ fn all_of_word(rows: usize, word: usize) -> u64 {
     }
 }
 
-/// The rows whose bits stand in the word of that number.
+/// The rows of the bits in one word.
 fn rows_of_word(bits: u64, word: usize) -> impl Iterator<Item = u32> {
     let (mut left, first) = (bits, word as u32 * 64);
     std::iter::from_fn(move || {
@@ -444,7 +444,7 @@ impl<'t> Answer<'t> {
 
     /// Every rejected row with the first column whose test failed, column by column.
     pub fn rejected(&self) -> impl Iterator<Item = (RowRef<'t>, &'t Column)> + '_ {
-        // Made here, not when the table is asked: most answers are taken without asking why the others lost.
+        // Computed here and not in the query, because most callers do not need it.
         let (table, index) = (self.table, self.table.index());
         let mut alive: Vec<u64> = (0..index.words).map(|word| all_of_word(table.rows.len(), word)).collect();
         index.columns.iter().zip(self.inputs.iter()).flat_map(move |(compiled, given)| {
@@ -457,7 +457,7 @@ impl<'t> Answer<'t> {
         })
     }
 
-    /// The inputs as they were understood, defaults included.
+    /// The inputs as understood, with defaults.
     pub fn inputs(&self) -> impl Iterator<Item = (&'t str, String)> + '_ {
         self.table
             .inputs()
@@ -469,7 +469,7 @@ impl<'t> Answer<'t> {
 /// The answer of a table whose rows are read as `R`.
 #[derive(Debug, Clone)]
 pub struct TypedAnswer<'t, R> {
-    /// The answer itself, for those who cite what was passed over.
+    /// The answer itself, for citing the rejected rows.
     pub answer: Answer<'t>,
     rows: PhantomData<R>,
 }
@@ -478,7 +478,7 @@ impl<'t, R: TableRow<'t>> TypedAnswer<'t, R> {
     /// The row that applies, if there is one; the first of several under `collect`.
     ///
     /// # Errors
-    /// The row is not what its contract says; never of a table that was checked.
+    /// The row breaks its contract; this does not happen in a checked table.
     pub fn winner(&self) -> Result<Option<R>, TableError> {
         self.answer.winner().map(R::read).transpose()
     }
@@ -491,7 +491,7 @@ impl<'t, R: TableRow<'t>> TypedAnswer<'t, R> {
         self.answer.winners().map(R::read).collect()
     }
 
-    /// The row that must apply; `wanted` says for what, in the message of its absence.
+    /// The row that must apply; `wanted` names it in the message if there is none.
     ///
     /// # Errors
     /// No row applies.
@@ -501,7 +501,7 @@ impl<'t, R: TableRow<'t>> TypedAnswer<'t, R> {
 }
 
 impl Table {
-    /// As [`Self::decide`], with a typed question; for a table that is named by another table.
+    /// As [`Self::decide`], with a typed question; for a table whose id is in another table.
     ///
     /// # Errors
     /// As [`Self::decide`].
@@ -511,7 +511,7 @@ impl Table {
 }
 
 impl Knowledge {
-    /// Asks the table of a question.
+    /// Queries the table of a question.
     ///
     /// # Errors
     /// There is no such table, or the question does not fit it; see [`Table::decide`].
@@ -519,7 +519,7 @@ impl Knowledge {
         Ok(self.table(Q::TABLE)?.ask(question)?)
     }
 
-    /// As [`Self::ask`]; none if a figure is beyond the table's reach, which is one that the table does not have.
+    /// As [`Self::ask`]; none if a figure is outside the range of the table.
     ///
     /// # Errors
     /// As [`Self::ask`], except for that.
@@ -558,12 +558,12 @@ impl Knowledge {
     /// Every row of the one table of a row type.
     ///
     /// # Errors
-    /// There is no such table, or a row is not what its contract says; the latter never of tables that were checked.
+    /// There is no such table, or a row breaks its contract; the latter does not happen in checked tables.
     pub fn rows<'k, R: TableRow<'k>>(&'k self) -> Result<Vec<R>, TableError> {
         self.table_of::<R>()?.read()
     }
 
-    /// The first row of which `is` holds; none if there is none.
+    /// The first row for which `is` holds; none if there is none.
     ///
     /// # Errors
     /// As [`Self::rows`].
@@ -572,10 +572,10 @@ impl Knowledge {
         found.transpose()
     }
 
-    /// The first row of which `is` holds, where there must be one; `wanted` names it in the message.
+    /// The first row for which `is` holds, where there must be one; `wanted` names it in the message.
     ///
     /// # Errors
-    /// As [`Self::rows`], and that no row is the wanted one.
+    /// As [`Self::rows`], or no row is the wanted one.
     pub fn need<'k, R: TableRow<'k>>(&'k self, wanted: &str, is: impl Fn(&R) -> bool) -> Result<R, KnowledgeError> {
         let table = self.table_of::<R>()?;
         self.find(is)?.ok_or_else(|| KnowledgeError::no_row(table, wanted))

@@ -1,4 +1,4 @@
-//! Sets of whole numbers as sorted closed intervals: what every test of a cell comes down to.
+//! Sets of whole numbers as sorted closed intervals: the meaning of every test of a cell.
 //!
 //! Because table figures are exact (whole micrometres, millionths, positions in a list of values),
 //! `(15..30]` is simply 15 001 to 30 000 micrometres, and gaps, overlaps and dead rows are exact
@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A set of `i64`, as disjoint closed intervals in ascending order, none touching its neighbour.
+/// A set of `i64`, as disjoint closed intervals in ascending order that do not touch.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
 pub struct Set(Vec<(i64, i64)>);
 
@@ -66,7 +66,7 @@ impl Set {
         after > 0 && self.0[after - 1].1 >= value
     }
 
-    /// What is in both.
+    /// The members of both sets.
     pub fn intersection(&self, other: &Self) -> Self {
         let mut both = Vec::new();
         for &(a, b) in &self.0 {
@@ -76,21 +76,21 @@ impl Set {
                 }
             }
         }
-        // Ascending and none touching, because the intervals of either set are.
+        // The result is ascending and does not touch, because the intervals of both sets are so.
         Self(both)
     }
 
-    /// Whether nothing is in both.
+    /// Whether the sets have no common member.
     pub fn is_disjoint(&self, other: &Self) -> bool {
         self.0.iter().all(|&(a, b)| other.0.iter().all(|&(c, d)| b < c || d < a))
     }
 
-    /// What is in either.
+    /// The members of either set.
     pub fn union(&self, other: &Self) -> Self {
         Self::from_intervals(self.0.iter().chain(&other.0).copied().collect())
     }
 
-    /// What is in this and not in the other.
+    /// The members of this set that are not in the other.
     pub fn difference(&self, other: &Self) -> Self {
         let mut left = self.0.clone();
         for &(c, d) in &other.0 {

@@ -16,7 +16,7 @@ use crate::units::Decimal;
 use crate::value::Value;
 use crate::vocabulary::{Operation, Shank, ToolMaterial};
 
-/// A catalog says what a source says; a decision table says which row applies.
+/// A catalog repeats its source; a decision table says which row applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TableKind {
     /// Rows are looked up by their fields.
@@ -25,7 +25,7 @@ pub enum TableKind {
     Decision,
 }
 
-/// What happens when several rows match.
+/// The result if several rows match.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum HitPolicy {
     /// At most one row may match.
@@ -51,13 +51,13 @@ impl HitPolicy {
     ];
 }
 
-/// Where a row's figures come from.
+/// The origin of a row's figures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
-    /// Read off the source text as it stands.
+    /// Taken from the source text unchanged.
     Seed,
-    /// A named standard or handbook filled it.
+    /// Taken from a named standard or handbook.
     Standard,
     /// Inferred, with the reason.
     Reconstructed,
@@ -97,33 +97,33 @@ pub struct Correction {
     pub reason: String,
 }
 
-/// One row.
+/// A row of a table.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Row {
     /// Its cells, in the order of the columns.
     pub cells: Vec<Cell>,
-    /// Where its figures come from.
+    /// The origin of its figures.
     pub source: Source,
-    /// Where it stands in the source, when that is not the table's place.
+    /// Its place in the source, if not the table's place.
     pub place: Option<String>,
-    /// From what it was inferred.
+    /// The data from which it was inferred.
     pub reason: Option<String>,
     /// Why it is not fully trusted.
     pub unconfirmed: Option<String>,
     /// Figures printed wrongly.
     pub corrections: Vec<Correction>,
-    /// What a reader must know.
+    /// A remark for readers.
     pub note: Option<String>,
     /// For the hit policy `priority`: the highest wins.
     pub priority: Option<i64>,
     /// The line of the table file, from 1.
     pub line: u32,
-    /// Where each cell stands; only when read from YAML, for `lint`.
+    /// The place of each cell; only when read from YAML, for `lint`.
     #[serde(skip)]
     pub places: Vec<Option<Place>>,
 }
 
-/// A gap that the source really has.
+/// A gap that exists in the source.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Uncovered {
     /// A set per input column, in the order of [`Table::inputs`].
@@ -135,10 +135,10 @@ pub struct Uncovered {
     pub place: Option<Place>,
 }
 
-/// A law that the numbers of a table obey; `lint` holds the rows against it.
+/// A law for the numbers of a table; `lint` checks the rows against it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Law {
-    /// Which law.
+    /// The name of the law.
     pub name: String,
     /// Its parameters by name.
     pub parameters: Vec<(String, String)>,
@@ -154,18 +154,18 @@ impl Law {
     }
 }
 
-/// What a table of cutters says of all its rows.
+/// The head of a table of cutters, valid for all its rows.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ToolHead {
     /// The transitions these cutters make.
     pub operations: Vec<Operation>,
-    /// How they are held.
+    /// Their shank.
     pub shank: Shank,
     /// Tool material.
     pub material: ToolMaterial,
     /// Point angle 2φ, degrees.
     pub point_angle: Option<Decimal>,
-    /// Number of teeth, where one number holds for all.
+    /// Number of teeth, where all have the same.
     pub teeth: Option<i64>,
 }
 
@@ -178,15 +178,15 @@ pub struct Table {
     pub title: Label,
     /// Catalog or decision table.
     pub kind: TableKind,
-    /// What happens when several rows match.
+    /// The result if several rows match.
     pub hit: HitPolicy,
-    /// Where its rows stand in the source.
+    /// The place of its rows in the source.
     pub place: String,
     /// The standard it is taken from.
     pub standard: Option<String>,
-    /// What a reader of the whole table must know.
+    /// Remarks for readers of the whole table.
     pub notes: Vec<String>,
-    /// The columns a lookup answers with.
+    /// The columns of a lookup's answer.
     pub result: Vec<String>,
     /// The columns that identify a row of a catalog.
     pub key: Vec<String>,
@@ -198,7 +198,7 @@ pub struct Table {
     pub uncovered: Vec<Uncovered>,
     /// Laws its numbers obey.
     pub laws: Vec<Law>,
-    /// What it says of its cutters, for a tool table.
+    /// The head of a tool table.
     pub tool: Option<ToolHead>,
     /// The file it was read from.
     pub file: String,
@@ -207,13 +207,13 @@ pub struct Table {
     /// The compiled form of its tests.
     #[serde(skip)]
     pub(crate) index: OnceLock<Index>,
-    /// Where the fields of its row type stand among its columns, with the name of that type.
+    /// The positions of the row type's fields among its columns, with the name of that type.
     #[serde(skip)]
     pub(crate) layout: OnceLock<(&'static str, Vec<Option<usize>>)>,
 }
 
 impl Table {
-    /// The schema of which the table is a record, where it is one: by its law `record`.
+    /// The schema of which the table is a record, if any: by its law `record`.
     pub fn record_of(&self) -> Option<&str> {
         self.laws.iter().find(|law| law.name == "record")?.get("schema")
     }
@@ -241,9 +241,9 @@ impl Table {
     /// All rows, read as their row type.
     ///
     /// # Errors
-    /// A row is not what its contract says; never of a table that was checked.
+    /// A row breaks its contract; this does not happen in a checked table.
     pub fn read<'t, R: TableRow<'t>>(&'t self) -> Result<Vec<R>, TableError> {
-        // Not collected: that would not know how many there are, and copy them as the list grows.
+        // Not `collect`: that would not know the number of rows and copy them as the list grows.
         let mut rows = Vec::with_capacity(self.rows.len());
         for row in self.rows() {
             rows.push(row?);
@@ -276,7 +276,7 @@ pub struct RowRef<'t> {
     pub index: usize,
 }
 
-/// A table does not hold what the program asks of it.
+/// A table lacks something that the program requires.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableError {
     /// The table's id.
@@ -285,7 +285,7 @@ pub struct TableError {
     pub file: String,
     /// The row, for messages.
     pub row: String,
-    /// What is wrong and what to do.
+    /// The fault and the remedy.
     pub problem: Box<Note>,
 }
 
@@ -325,7 +325,7 @@ impl<'t> RowRef<'t> {
         }
     }
 
-    /// Where the row stands in the source.
+    /// The place of the row in the source.
     pub fn place(self) -> &'t str {
         self.row().place.as_deref().unwrap_or(&self.table.place)
     }

@@ -1,4 +1,4 @@
-//! What a cell of a table holds.
+//! The values in the cells of a table.
 
 use std::fmt;
 
@@ -38,7 +38,7 @@ impl Value {
         }
     }
 
-    /// The items of a list; any other value is a list of itself.
+    /// The items of a list; for any other value, the value itself.
     pub fn items(&self) -> &[Value] {
         match self {
             Self::List(items) => items,
@@ -80,7 +80,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// For people and other programs: texts, numbers and lists as such.
+/// For people and other programs: texts, numbers and lists directly.
 impl Serialize for Value {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         if !serializer.is_human_readable() {

@@ -1,6 +1,6 @@
-//! Words that many tables share, each stated once.
+//! Words shared by many tables, each defined once.
 //!
-//! What code must know word by word is an enum here; what it only passes from table to table is a table in
+//! Words that code must know are enums here; words that code only passes from table to table are tables in
 //! `catalogs/vocabularies`. An enum column of any table says `of: NAME` instead of repeating the words.
 
 use std::collections::BTreeMap;
@@ -34,7 +34,7 @@ crate::vocabulary! {
         Tap = "tap",
     }
 
-    /// How the cutters of a tool table are held.
+    /// The shank of the cutters in a tool table.
     #[derive(Serialize, Deserialize)]
     #[serde(rename_all = "lowercase")]
     pub enum Shank {
@@ -44,11 +44,11 @@ crate::vocabulary! {
         Morse = "morse",
         /// A bore, on an arbor.
         Shell = "shell",
-        /// The machine's own taper: the tool is its own holder.
+        /// The taper of the machine: the tool needs no holder.
         Taper = "taper",
     }
 
-    /// What the edges of a cutter are of.
+    /// The material of a cutter's edges.
     #[derive(Serialize, Deserialize)]
     pub enum ToolMaterial {
         /// High-speed steel.
@@ -93,7 +93,7 @@ crate::vocabulary! {
         Casting = "casting",
     }
 
-    /// Where a surface of a turned part lies, and where a tool of the lathe works.
+    /// The place of a surface of a turned part, and the place where a lathe tool works.
     #[derive(Serialize, Deserialize, JsonSchema)]
     #[serde(rename_all = "kebab-case")]
     pub enum Place {
@@ -115,7 +115,7 @@ crate::vocabulary! {
         Forged = "forged",
         /// As cast.
         Cast = "cast",
-        /// As cast and badly soiled.
+        /// As cast, with heavy soiling.
         CastDirty = "cast-dirty",
         /// As cast, of copper and aluminium alloys.
         CastCopperAluminium = "cast-copper-aluminium",
@@ -128,7 +128,7 @@ crate::vocabulary! {
         /// By the empirical formulas.
         #[default]
         Formula = "formula",
-        /// By the normative cards that the worked example uses, as far as they can be regenerated.
+        /// By the normative cards of the worked example, as far as they can be regenerated.
         Card = "card",
     }
 
@@ -158,12 +158,12 @@ impl Operation {
         matches!(self, Self::RoughBore | Self::SemiFinishBore | Self::FinishBore)
     }
 
-    /// Whether its bar is set by hand between so many passes.
+    /// Whether its bar is set by hand between its passes.
     pub const fn is_set_by_hand(self, passes: u32) -> bool {
         self.is_boring() && passes > 1
     }
 
-    /// Whether it is a transition of a scheme: what finishes the hole on another machine is none, tapping is one anywhere.
+    /// Whether it is a transition of a scheme: finishing on another machine is none, tapping is one on any machine.
     pub const fn is_of_scheme(self, elsewhere: bool) -> bool {
         !elsewhere || matches!(self, Self::Tap)
     }
@@ -173,7 +173,7 @@ impl Operation {
         matches!(self, Self::RoughReam | Self::FinishReam)
     }
 
-    /// Whether it works on the edge of a hole and leaves its cylinder as it is.
+    /// Whether it works on the edge of a hole and does not change its cylinder.
     pub const fn is_of_edge(self) -> bool {
         matches!(self, Self::Chamfer | Self::Countersink | Self::Counterbore)
     }
@@ -183,12 +183,12 @@ impl Operation {
 #[derive(Clone, Debug)]
 pub struct Vocabularies(BTreeMap<String, Words>);
 
-/// The words of a vocabulary, and their names for people, in the same order, where a table gives them.
+/// The words of a vocabulary, and their names for people in the same order, where a table gives them.
 #[derive(Clone, Debug, Default)]
 pub struct Words {
     /// The words, as tables have them.
     pub words: Vec<String>,
-    /// The names of the words; none for those of code, which the catalogue of messages names.
+    /// The names of the words; none for the words of code, whose names are in the message catalogue.
     pub names: Vec<Label>,
 }
 

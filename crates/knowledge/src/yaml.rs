@@ -1,5 +1,5 @@
-//! YAML as a tree with a place at every node, and a reader over it that collects every problem
-//! instead of stopping at the first.
+//! YAML as a tree with a place at every node, and a reader that collects all problems instead of stopping at the
+//! first.
 
 mod faults;
 mod tree;
@@ -13,7 +13,7 @@ use crate::input::has_no_width;
 pub use crate::form::{Fields, missing_key};
 pub use tree::{MOST_DEPTH, MOST_VALUES, parse};
 
-/// Characters of a name.
+/// The most characters of a name.
 pub const LONGEST_NAME: usize = 200;
 
 /// A value of a YAML file and where it stands.
@@ -28,7 +28,7 @@ pub struct Node {
 /// The three kinds of YAML values.
 #[derive(Clone, Debug)]
 pub enum NodeKind {
-    /// A scalar; `quoted` tells `"07"` from `07`.
+    /// A scalar; `quoted` distinguishes `"07"` from `07`.
     Scalar {
         /// The text without quotes.
         text: String,
@@ -88,13 +88,13 @@ impl Node {
 pub struct Problems(pub Vec<Diagnostic>);
 
 impl Problems {
-    /// Notes an error and yields nothing, so that reading can go on.
+    /// Reports an error and returns nothing, so that reading can continue.
     pub fn error<T>(&mut self, code: &'static str, message: impl Into<Note>, place: &Place) -> Option<T> {
         self.0.push(Diagnostic::error(code, message, place.clone()));
         None
     }
 
-    /// Notes an error with its remedy and yields nothing.
+    /// Reports an error with its remedy and returns nothing.
     pub fn error_help<T>(
         &mut self,
         code: &'static str,
@@ -106,7 +106,7 @@ impl Problems {
         None
     }
 
-    /// The value of a scalar through its parser; a failure is noted at the scalar.
+    /// The value of a scalar by its parser; a failure is reported at the scalar.
     pub fn scalar<T: std::str::FromStr>(&mut self, node: &Node) -> Option<T>
     where
         T::Err: Into<Note>,
@@ -128,8 +128,8 @@ impl Problems {
         Some(text)
     }
 
-    /// The text of a scalar that names something: trimmed, short enough for the cell of a table, and without zero-width
-    /// characters, by which two names could differ invisibly.
+    /// The text of a scalar that names something: trimmed, short enough for a table cell, and without zero-width
+    /// characters, which would make different names look the same.
     pub fn name<'n>(&mut self, node: &'n Node) -> Option<&'n str> {
         let text = self.text(node)?.trim();
         if let Some(sign) = text.chars().find(|sign| has_no_width(*sign)) {

@@ -1,14 +1,14 @@
-//! How many cases a property test tries, and with which seed: decided in one place.
+//! The number of cases and the seeds of property tests, decided in one place.
 //!
-//! `cargo test` draws the same cases on every machine and in every run. The seed of a law is made of its name, so that
-//! equal strategies in two laws draw different values. Two variables of the environment change that, for every law at once;
-//! `.ci/explore` sets both:
+//! `cargo test` draws the same cases on every machine and in every run. The seed of a law comes from its name, so
+//! that equal strategies in two laws draw different values. Two environment variables change that for all laws at
+//! once; `.ci/explore` sets both:
 //!
-//! - `TECHNOLOG_CASES`: how many times as many cases as usual, `10` or `0.25`;
-//! - `TECHNOLOG_SEED`: a whole number that makes all seeds others.
+//! - `TECHNOLOG_CASES`: the factor on the usual number of cases, `10` or `0.25`;
+//! - `TECHNOLOG_SEED`: a whole number that changes all seeds.
 //!
-//! What fails is printed as proptest has shrunk it and is not kept in a file of seeds, because a seed means another case as
-//! soon as its strategy changes: the printed case becomes a test of its own.
+//! A failing case is printed as proptest has shrunk it, and is not kept in a file of seeds, because a seed gives
+//! another case as soon as its strategy changes: the printed case becomes a test of its own.
 
 use std::collections::BTreeMap;
 use std::str::FromStr;
@@ -26,9 +26,9 @@ macro_rules! cases {
     }};
 }
 
-/// The configuration of a law by the path of something inside it, and the cases that are usual.
+/// The configuration of a law, by the path of something inside it and the usual number of cases.
 pub fn config(here: &str, usual: usize) -> Config {
-    // Whatever a law is called in, its crate may be renamed.
+    // A crate may be renamed by its users, so its name is left out.
     let name = here.split_once("::").map_or(here, |(_, name)| name);
     let cases = u32::try_from(count(usual)).unwrap_or(u32::MAX);
     let plain = Config::default();
@@ -42,17 +42,18 @@ pub fn config(here: &str, usual: usize) -> Config {
     }
 }
 
-/// How many of `usual` cases are tried: as many times as many as `TECHNOLOG_CASES` says, at least one.
+/// The number of cases tried for a usual number: multiplied by `TECHNOLOG_CASES`, at least one.
 pub fn count(usual: usize) -> usize {
     scaled(usual, times())
 }
 
-/// The stride through a long list that is usually `usual`: `1` tries the whole list.
+/// The stride through a long list: usually `usual`; `1` tries the whole list.
 pub fn every(usual: usize) -> usize {
     scaled(usual, 1.0 / times())
 }
 
-/// A share of every kind of a long list: with the stride of [`every`] from the first on, so that no kind is left out.
+/// A share of every kind in a long list: with the stride of [`every`], beginning at the first, so that no kind is
+/// left out.
 pub fn share<T, K: Ord>(all: impl IntoIterator<Item = T>, usual: usize, kind: impl Fn(&T) -> K) -> Vec<T> {
     let (each, mut seen) = (every(usual), BTreeMap::<K, usize>::new());
     let mut taken = |one: &T| {
@@ -63,7 +64,7 @@ pub fn share<T, K: Ord>(all: impl IntoIterator<Item = T>, usual: usize, kind: im
     all.into_iter().filter(|one| taken(one)).collect()
 }
 
-/// The seed of something drawn, by its name: another for every name and every `TECHNOLOG_SEED`.
+/// The seed by a name: different for every name and every `TECHNOLOG_SEED`.
 pub fn seed_of(name: &str) -> u64 {
     let seed: u64 = variable("TECHNOLOG_SEED").unwrap_or(0);
     // FNV-1a: the same numbers everywhere and in every version of the library.

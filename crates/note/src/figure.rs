@@ -1,4 +1,4 @@
-//! What fills the gaps of a sentence: each figure knows what it is, so that no printer has to guess from its text.
+//! The figures of a sentence. Each figure knows its kind, so that no printer must guess from its text.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -8,21 +8,21 @@ use super::Note;
 /// A figure of a [`Note`].
 #[derive(Clone, Debug)]
 pub enum Figure {
-    /// A designation, the name of a table, something the user wrote: the same in every language.
+    /// A designation, the name of a table, text of the user: the same in every language.
     Text(Cow<'static, str>),
     /// A decimal number with a point; each language has its own separator.
     Number(Cow<'static, str>),
     /// A word of the program, translated.
     Word(Word),
-    /// Several, with what stands between them.
+    /// Several figures, with a separator.
     List(Vec<Figure>, &'static str),
     /// A sentence within the sentence.
     Note(Box<Note>),
-    /// What a table calls something, such as one of its columns.
+    /// A name from a table, such as that of a column.
     Named(Named),
-    /// What a row of a table says of itself, in English; languages have their translations.
+    /// A remark of a table row, in English; languages have translations.
     Remark(String),
-    /// Read back from an answer for machines, which does not say what kind of figure it was.
+    /// Read back from JSON, which does not tell the kind of a figure.
     Stored(String),
 }
 
@@ -35,22 +35,22 @@ pub struct Word {
     pub id: Cow<'static, str>,
 }
 
-/// Something that tables name for people: they are written in few languages, and say it in each.
+/// A name from a table, given in the languages of the table.
 #[derive(Clone, Debug)]
 pub struct Named {
-    /// The vocabulary where languages look for a name that the table does not give, and its id there.
+    /// The vocabulary and id for a language that the table lacks.
     pub word: Word,
-    /// The tag of a language, and the name in it. The last is for languages that are not here.
+    /// The name by language tag. The last one serves all other languages.
     pub names: Vec<(&'static str, String)>,
 }
 
 impl Figure {
-    /// A number with so many decimals.
+    /// A number with `decimals` decimal places.
     pub fn fixed(value: f64, decimals: usize) -> Self {
         Self::Number(format!("{value:.decimals$}").into())
     }
 
-    /// A number that is written already.
+    /// A number that is already written.
     pub fn number(written: impl Into<Cow<'static, str>>) -> Self {
         Self::Number(written.into())
     }
@@ -104,7 +104,7 @@ impl Figure {
     }
 }
 
-// Two figures are the same where machines read the same.
+// Two figures are equal if machines read the same.
 impl PartialEq for Figure {
     fn eq(&self, other: &Self) -> bool {
         self.text() == other.text()
@@ -125,7 +125,7 @@ impl Ord for Figure {
     }
 }
 
-/// What a sentence can tell: it knows what kind of figure it is.
+/// A value that can be a figure of a sentence.
 pub trait Told {
     /// The figure.
     fn told(self) -> Figure;

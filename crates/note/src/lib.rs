@@ -1,7 +1,8 @@
-//! Sentences as data: a code and its figures. The words stand in one place, the message catalogue of the crate `words`.
+//! Sentences as data: a code and its figures. The words are in one place, the message catalogue of the crate `words`.
 //!
-//! A note is written and told, never read: what planning, checks and audits go by are types, of which a note is made
-//! last. `clippy.toml` forbids the methods that read its code and figures everywhere but where words are made of them.
+//! A note is written and printed, never read by code: planning, checks and audits decide by types, and notes are made
+//! of them at the end. `clippy.toml` forbids the methods that read code and figures, except where words are made of
+//! them.
 
 mod figure;
 
@@ -14,7 +15,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 pub use figure::{Figure, Named, Told, Word};
 
-/// A sentence of the program in no language: what it says, and its figures.
+/// A sentence of the program, independent of language: its code and its figures.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 pub struct Note {
     /// Stable id, kebab-case.
@@ -25,7 +26,7 @@ pub struct Note {
     params: Params,
 }
 
-/// Figures by their names, in the order of the names: a map whose names are for the most part those of the code.
+/// Figures by name, in the order of the names; most names are static.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct Params(Vec<(Cow<'static, str>, Figure)>);
 
@@ -54,7 +55,7 @@ impl Params {
     }
 }
 
-/// A figure as answers for machines have it: its text, or the sentence within the sentence.
+/// A figure in JSON: its text, or the sentence inside the sentence.
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 enum StoredFigure<'n> {
@@ -93,14 +94,14 @@ macro_rules! note {
     };
 }
 
-/// What another program says, such as the system about a file: it has no words of ours.
+/// A message from outside, such as the system's about a file: it has no words in the catalogue.
 impl From<String> for Note {
     fn from(text: String) -> Self {
         Self::new("verbatim").with("text", text)
     }
 }
 
-/// Text that is in the language of the reader already.
+/// Text that is already in the language of the reader.
 impl From<&str> for Note {
     fn from(text: &str) -> Self {
         text.to_owned().into()
@@ -113,7 +114,7 @@ impl From<std::num::ParseIntError> for Note {
     }
 }
 
-/// As machines and builds read it: `code (name = value, …)`.
+/// For machines and builds: `code (name = value, …)`.
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.code)?;
@@ -130,19 +131,19 @@ impl Note {
         Self { code: code.into(), params: Params::default() }
     }
 
-    /// Whether it says nothing: in the answer of a command that names only a row.
+    /// Whether it says nothing, as in a command's answer that only names a row.
     pub fn is_empty(&self) -> bool {
         self.code.is_empty()
     }
 
-    /// With one more figure.
+    /// Adds a figure.
     #[must_use]
     pub fn with(mut self, name: impl Into<Cow<'static, str>>, value: impl Told) -> Self {
         self.params.insert(name.into(), value.told());
         self
     }
 
-    /// Without a figure: what is left is the same of several.
+    /// Removes a figure, so that several notes may become equal.
     #[must_use]
     pub fn without(mut self, name: &str) -> Self {
         if let Ok(at) = self.params.at(name) {
@@ -151,8 +152,8 @@ impl Note {
         self
     }
 
-    /// Takes in another note that differs in nothing but the figures of these names: each becomes a list of both. Whether
-    /// it does.
+    /// Merges another note that differs only in the figures of these names: each becomes a list of both. Returns
+    /// whether it did.
     pub fn join(&mut self, other: &Self, listed: &[&str]) -> bool {
         let unlisted = |(name, _): &(&str, &Figure)| !listed.contains(name);
         let alike = self.params.iter().filter(unlisted).eq(other.params.iter().filter(unlisted));
@@ -172,7 +173,7 @@ impl Note {
         true
     }
 
-    /// How findings of one code are told: by their tables, then by the rows of each.
+    /// The order of findings of one code: by their tables, then by rows.
     pub fn in_order(&self, other: &Self) -> std::cmp::Ordering {
         let table = |note: &Self| note.params.get("table").cloned();
         let row = |note: &Self| note.params.get("row").and_then(|row| row.text().parse::<usize>().ok());

@@ -1,5 +1,5 @@
-//! An audit as a page: by sections of the plan, the most severe first, each finding with its basis and what else
-//! changes because of it.
+//! An audit as a page: by sections of the plan, the most severe findings first, each with its basis and its
+//! consequences.
 
 pub mod against;
 mod counts;
@@ -55,7 +55,7 @@ fn block(finding: &AuditFinding, audit: &Audit, lang: Lang) -> document::Finding
     }
 }
 
-/// The findings of each section that has some; an audit has them in order.
+/// The findings of each section that has any; an audit already has them in order.
 fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&AuditFinding>)> {
     let mut sections: Vec<Section> = audit.findings.iter().map(|finding| finding.section).collect();
     sections.sort_unstable();
@@ -66,7 +66,7 @@ fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&AuditFinding
     whole.into_iter()
 }
 
-/// What is wrong, in one sentence.
+/// The fault in one sentence.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 fn headline(finding: &AuditFinding, lang: Lang) -> String {
     let about = words::block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
@@ -81,7 +81,7 @@ fn headline(finding: &AuditFinding, lang: Lang) -> String {
             };
             let figures = say!(lang, "audit-of-figure", what = words::what(finding, lang), said = figures);
             match finding.note.code() {
-                // They say nothing but the figures.
+                // These notes contain only figures.
                 "audit-figure" | "audit-follows" => figures,
                 _ => say!(lang, "audit-and-so", figures = figures, said = said),
             }
@@ -96,7 +96,7 @@ fn headline(finding: &AuditFinding, lang: Lang) -> String {
     if about.is_empty() { said } else { say!(lang, "audit-about", about = about, said = said) }
 }
 
-/// What the finding rests on and what follows from it.
+/// The basis of a finding and its consequences.
 fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
     let mut lines = Vec::new();
     if !finding.formula.is_empty() {
@@ -137,7 +137,7 @@ fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
     lines
 }
 
-/// A row as a reader finds it: table, number, and whether it is unconfirmed.
+/// A row for the reader: table, number, and whether it is unconfirmed.
 fn row(because: &Because, lang: Lang) -> String {
     let table = &because.table;
     match (because.row, because.unconfirmed.is_some()) {

@@ -1,10 +1,9 @@
-//! The backplot: what a program does, seen from above, one panel for each tool.
+//! The backplot: the motions of a program seen from above, one panel for each tool.
 //!
-//! It is made of the steps of any interpreter. With a [`Frame`] the plate and its holes lie under the paths and
-//! coordinates are those of the drawing; without one they are the machine's.
+//! It is drawn from the steps of any interpreter. With a [`Frame`] the plate and its holes are drawn under the paths,
+//! in the coordinates of the drawing; without one the coordinates are those of the machine.
 //!
-//! - `read` cuts the steps into panels; `labels` finds a place for every number; `legend` says what
-//!   the signs mean.
+//! - `read` divides the steps into panels; `labels` places the numbers; `legend` explains the signs.
 
 use super::Lang;
 use super::canvas::{Anchor, At, COLOURS, Canvas, Pen, width_of};
@@ -23,14 +22,14 @@ use labels::Labels;
 use legend::{legend, zero};
 use read::{DrawnShape, Panel, PathSegment};
 
-/// Where the part lies while a program runs.
+/// The position of the part while a program runs.
 #[derive(Clone, Debug)]
 pub struct Frame<'a> {
     /// The part.
     pub part: &'a Part,
     /// Its set-ups, in order. A panel belongs to the one whose holes lie under its plunges.
     pub setups: Vec<Placed>,
-    /// The designations of tools by what a program calls T.
+    /// The designations of tools by their T numbers in the program.
     pub tools: Vec<(u32, String)>,
 }
 
@@ -39,9 +38,9 @@ pub struct Frame<'a> {
 pub struct Placed {
     /// Its number, from 1.
     pub number: u32,
-    /// The face that is up; with the back face up the part's X count the other way.
+    /// The face that is up; with the back face up the X axis of the part is reversed.
     pub face: Face,
-    /// Where the zero of the drawing is, machine coordinates.
+    /// The zero of the drawing, machine coordinates.
     pub zero: Position,
 }
 
@@ -51,7 +50,7 @@ impl<'a> Frame<'a> {
         let mut tools: Vec<(u32, String)> = Vec::new();
         for work in job.setups.iter().flat_map(|setup| &setup.works) {
             match tools.iter_mut().find(|(place, _)| *place == work.place) {
-                // A place that is filled twice names no tool.
+                // A place that is loaded twice has no tool name.
                 Some((_, known)) if *known != work.designation => known.clear(),
                 Some(_) => {}
                 None => tools.push((work.place, work.designation.clone())),
@@ -63,7 +62,7 @@ impl<'a> Frame<'a> {
 }
 
 impl Placed {
-    /// The centres of the holes with their diameters, as they lie in this set-up.
+    /// The centres of the holes with their diameters, in this set-up.
     fn holes<'p>(&self, part: &'p Part) -> impl Iterator<Item = (Point, Micrometres)> + 'p {
         let (middle, back) = (part.middle().x, self.face == Face::Back);
         let turned = move |at: Point| Point { x: if back { middle + middle - at.x } else { at.x }, y: at.y };
@@ -74,18 +73,18 @@ impl Placed {
 const MARGIN: f64 = 30.0;
 const TITLE: f64 = 46.0;
 const LEGEND: f64 = 66.0;
-/// Width of a panel where two stand side by side, and where there are too many points for that.
+/// Width of a panel where two are side by side, and where there are too many points for that.
 const WIDTHS: [f64; 2] = [620.0, 1240.0];
 const HEIGHT_MAX: f64 = 900.0;
-/// Width of a panel that has no other beside it.
+/// Width of a panel without a neighbour.
 const ALONE: f64 = 820.0;
-/// Points nearer than this on a narrow panel are shown on a wide one.
+/// Points that would be nearer than this on a narrow panel are shown on a wide one.
 const CROWDED: f64 = 26.0;
 
 const OUTLINE: Pen = Pen::solid("#444", 1.0);
 const HOLE: Pen = Pen::solid("#999", 1.0);
 
-/// The stretch of the world that every panel shows, mm.
+/// The rectangle that every panel shows, mm.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
     left: f64,
@@ -120,7 +119,7 @@ impl Extent {
     }
 }
 
-/// Where a panel stands on the page.
+/// The position of a panel on the page.
 #[derive(Clone, Copy, Debug)]
 struct View {
     extent: Extent,
@@ -143,8 +142,8 @@ impl View {
 
 /// The drawing of a program's steps.
 ///
-/// Rapids are drawn straight and dashed, whatever way each axis takes; feeds and arcs solid; plunges along Z are points
-/// with their numbers. A new panel begins with every tool and every stop for the operator.
+/// Rapids are straight dashed lines, whatever path each axis takes; feeds and arcs are solid; plunges along Z are
+/// points with numbers. A new panel begins with every tool and every stop for the operator.
 pub fn backplot(steps: &[MotionStep], frame: Option<&Frame<'_>>, lang: Lang) -> String {
     let panels = read::panels(steps, frame);
     let Some(extent) = extent(&panels, frame) else {
@@ -152,7 +151,7 @@ pub fn backplot(steps: &[MotionStep], frame: Option<&Frame<'_>>, lang: Lang) -> 
         canvas.text((20.0, 30.0), 13.0, Anchor::Start, say!(lang, "backplot-empty"));
         return canvas.page(WIDTHS[0], 60.0);
     };
-    // Two side by side, unless their numbers would then be hard to tell apart.
+    // Two side by side, unless their numbers would be too close.
     let narrow = (WIDTHS[0] - 2.0 * MARGIN) / extent.across();
     let apart = |panel: &Panel<'_>| labels::apart(&panel.plunges) * narrow;
     let crowded = panels.iter().map(apart).fold(f64::INFINITY, f64::min) < CROWDED;
@@ -176,7 +175,7 @@ pub fn backplot(steps: &[MotionStep], frame: Option<&Frame<'_>>, lang: Lang) -> 
     canvas.page(all, down + LEGEND)
 }
 
-/// The plate, everything cut, and the tool-change position where it is not far away.
+/// The plate, all cuts, and the tool-change position if it is not far away.
 fn extent(panels: &[Panel<'_>], frame: Option<&Frame<'_>>) -> Option<Extent> {
     let cut = panels.iter().flat_map(|panel| {
         let lines = panel.lines.iter().filter(|line| !line.rapid).flat_map(PathSegment::reach);
@@ -220,7 +219,7 @@ fn draw(
     if let (Some(frame), Some(placed)) = (frame, panel.placed) {
         let (datum, blank) = (frame.part.datum, frame.part.blank);
         let (left, front) = (datum.left.to_mm(), datum.front.to_mm());
-        // Turned over about its middle, the plate covers the same place.
+        // Turned over about its middle, the plate covers the same area.
         let (right, rear) = (left + blank.length.to_mm(), front + blank.width.to_mm());
         canvas.rectangle(view.at((left, front)), view.at((right, rear)), "#f4f4f4", Some(OUTLINE));
         for (at, diameter) in placed.holes(frame.part) {
@@ -241,7 +240,8 @@ fn draw(
     let mut drawn = std::collections::BTreeSet::new();
     for line in &panel.lines {
         let pen = if line.rapid { Pen::dashed(colour, 1.0) } else { Pen::solid(colour, 1.6) };
-        // Dashes there and back over the same way would fill each other's gaps: the second time only its arrow is drawn.
+        // Dashes in both directions over the same path would fill each other's gaps: the second time only the arrow
+        // is drawn.
         let again = line.way().is_some_and(|way| !drawn.insert(way));
         shape(canvas, line, view, pen, again);
         labels.avoid(view.at(line.from), view.at(line.to));
@@ -251,7 +251,7 @@ fn draw(
         let at = view.inside(change);
         canvas.rectangle((at.0 - 5.0, at.1 - 5.0), (at.0 + 5.0, at.1 + 5.0), colour, None);
         labels.take((at.0 - 6.0, at.1 - 6.0), (at.0 + 6.0, at.1 + 6.0));
-        // Far away it stands at the edge of the panel, with its place.
+        // If it is far away, it is drawn at the edge of the panel, with its coordinates.
         if at != view.at(change) {
             let place = |value: f64| mm(Micrometres::from_mm_rounded(value), lang);
             let text = format!("X{} Y{}", place(change.0), place(change.1));
@@ -265,7 +265,7 @@ fn draw(
     numbers(canvas, panel, view, colour, &mut labels);
 }
 
-/// The points where the tool goes down, each with its number; where they stand close, every tenth has one.
+/// The points where the tool plunges, each with its number; where they are close together, every tenth.
 fn numbers(canvas: &mut Canvas, panel: &Panel<'_>, view: View, colour: &'static str, labels: &mut Labels) {
     let points: Vec<At> = panel.plunges.iter().map(|&at| view.at(at)).collect();
     for &(x, y) in &points {
@@ -274,7 +274,7 @@ fn numbers(canvas: &mut Canvas, panel: &Panel<'_>, view: View, colour: &'static 
     }
     let size = labels::size(&points);
     let step = match points.len() {
-        // Thousands of numbers say nothing, and finding a place for each would take long.
+        // Thousands of numbers are useless, and placing them would take long.
         count if count > 2000 => count,
         _ if size < labels::LEAST => 10,
         _ => 1,
@@ -307,7 +307,7 @@ fn shape(canvas: &mut Canvas, line: &PathSegment, view: View, pen: Pen, again: b
         }
         DrawnShape::Arc { centre, sense, sweep } => {
             let radius = libm::hypot(line.from.0 - centre.0, line.from.1 - centre.1) * view.scale;
-            // Seen from above, with Y down the page, the sense stays what the eye sees.
+            // Seen from above, with Y down the page, the visible sense stays the same.
             let flag = u8::from(sense == Sense::Clockwise);
             let path = if sweep >= std::f64::consts::TAU - 1e-9 {
                 let far = view.at((2.0 * centre.0 - line.from.0, 2.0 * centre.1 - line.from.1));

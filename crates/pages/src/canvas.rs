@@ -1,4 +1,4 @@
-//! What every drawing is made with: lines, arrows, circles and texts of an SVG file, in units of the drawing.
+//! The elements of all drawings: lines, arrows, circles and texts of an SVG file, in units of the drawing.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ pub(super) const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7
 /// A point of the page: to the right and down.
 pub(super) type At = (f64, f64);
 
-/// How a line is drawn.
+/// The style of a line.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pen {
     pub colour: &'static str,
@@ -28,21 +28,21 @@ impl Pen {
     }
 }
 
-/// Where a text stands at its point.
+/// The alignment of a text at its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,
     Middle,
 }
 
-/// A drawing on its way.
+/// A drawing under construction.
 #[derive(Debug, Default)]
 pub(super) struct Canvas {
     text: String,
 }
 
 impl Canvas {
-    /// Anything that stands in an SVG file as it is.
+    /// Appends an SVG element unchanged.
     pub(super) fn put(&mut self, element: std::fmt::Arguments<'_>) {
         // Writing to a text cannot fail.
         let _ = self.text.write_fmt(element);
@@ -60,7 +60,7 @@ impl Canvas {
         self.put(format_args!("<path d=\"{path}\" fill=\"none\"{}/>", stroke(pen)));
     }
 
-    /// The head of an arrow that points from one point to another and ends there; nothing without a way between them.
+    /// An arrow head at the end of a line from one point to another; none if the line has no length.
     pub(super) fn head(&mut self, from: At, to: At, pen: Pen) {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let long = libm::hypot(dx, dy);
@@ -92,7 +92,7 @@ impl Canvas {
         self.put(format_args!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"{fill}\"{stroke}/>"));
     }
 
-    /// A text. A white rim under it keeps it readable over lines.
+    /// A text. A white outline keeps it readable over lines.
     pub(super) fn text(&mut self, (x, y): At, size: f64, anchor: Anchor, text: &str) {
         let anchor = match anchor {
             Anchor::Start => "start",
@@ -124,12 +124,13 @@ fn stroke(pen: Pen) -> String {
     format!(" stroke=\"{}\" stroke-width=\"{}\"{dashes}", pen.colour, pen.width)
 }
 
-/// The most that a text can be wide, in units of the drawing: by a wide letter, because the font is not known.
+/// The largest possible width of a text, in units of the drawing: estimated by a wide letter, because the font is not
+/// known.
 pub(super) fn width_of(text: &str, size: f64) -> f64 {
     text.chars().count() as f64 * size * 0.6
 }
 
-/// A text broken between words into lines that are no wider; a longer word stands alone.
+/// A text broken between words into lines of that width; a longer word has its own line.
 pub(super) fn broken(text: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {

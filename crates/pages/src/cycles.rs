@@ -1,10 +1,11 @@
-//! Diagrams of cycles: how a tool goes through the points 0 to 4, in the section of the hole.
+//! Diagrams of cycles: the path of a tool through the points 0 to 4, in a section of the hole.
 //!
-//! The points are those of the textbook's figure 3.3 (l. 2601-3060): 0 where the tool is over the hole, 1 where the feed
-//! begins, 2 the bottom, 3 the way out, 4 where the tool goes on. Letters of the levels are those of 2C42-65: U, Z, I.
-//! Heights are in the coordinates of the drawing; neither way is to scale, so that 3 mm can be read beside 150.
+//! The points are those of the textbook's figure 3.3 (l. 2601-3060): 0 the tool above the hole, 1 the beginning of
+//! the feed, 2 the bottom, 3 the end of the retract, 4 the level of the next travel. Letters of the levels are those
+//! of 2C42-65: U, Z, I. Heights are in the coordinates of the drawing; no direction is to scale, so that 3 mm is
+//! readable beside 150.
 //!
-//! - `section` the hole, the plate and the levels; `way` the tool's way through them.
+//! - `section` the hole, the plate and the levels; `toolpath` the path of the tool.
 
 use super::canvas::{Anchor, Canvas, Pen, broken, width_of};
 use super::sheet::{mm, rounded};
@@ -20,14 +21,14 @@ use section::HoleSection;
 
 /// Width of a diagram.
 const WIDTH: f64 = 350.0;
-/// The narrowest page: its foot needs so much.
+/// The least width of a page, for its foot.
 const LEAST: f64 = 560.0;
 /// Most diagrams in a row.
 const COLUMNS: usize = 4;
 const TITLE: f64 = 32.0;
 const HEAD: f64 = 92.0;
 const BODY: f64 = 400.0;
-/// The view from above, of a mill's circles.
+/// The height of the view from above, for a mill's circles.
 const ABOVE: f64 = 190.0;
 const FOOT: f64 = 34.0;
 const MARGIN: f64 = 16.0;
@@ -60,7 +61,7 @@ pub fn diagrams(job: &Job, plan: &Plan, lang: Lang) -> Vec<Diagram> {
         .collect()
 }
 
-/// All of them on one page, side by side as far as they fit.
+/// All of them on one page, side by side where they fit.
 pub fn page(job: &Job, plan: &Plan, lang: Lang) -> String {
     let mut canvas = Canvas::default();
     let (mut x, mut y, mut row, mut all) = (0.0_f64, 0.0_f64, 0.0_f64, LEAST);
@@ -92,7 +93,7 @@ fn row_height(work: &ToolWork, row: &[usize]) -> f64 {
     HEAD + BODY + if round { ABOVE } else { 0.0 }
 }
 
-/// The room that a tool takes.
+/// The size of a tool's drawing.
 fn size(work: &ToolWork) -> (f64, f64) {
     let height: f64 = rows(work).iter().map(|row| row_height(work, row)).sum();
     (WIDTH * work.cycles.len().clamp(1, COLUMNS) as f64, TITLE + height)

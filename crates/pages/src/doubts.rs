@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 
 use crate::note::{Figure, Finding, Note};
 
-/// How the rows are told that nothing confirms.
+/// How unconfirmed rows are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Doubts {
-    /// In one line, with how many they are.
+    /// In one line, with their number.
     Counted,
     /// Each with its reason.
     EachRow,
@@ -33,7 +33,7 @@ impl Doubts {
     }
 }
 
-/// Whether a finding says that nothing confirms a row.
+/// Whether a finding says that a row is not confirmed.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 pub fn is_of_row(note: &Note) -> bool {
     note.code() == "unconfirmed"

@@ -1,10 +1,11 @@
 //! The encoding sheet of a program (карта кодування інформації, GOST 3.1404-86, form 5a): transition, block, meaning.
 //!
-//! The textbook's sheet (Appendix Г, l. 10380-10505) has two columns, the content of the transition and the content of
-//! the block, under a head of equipment and special instructions. The columns of tool and corrector and of the meaning
-//! in words are ours, and marked.
+//! The textbook's sheet (Appendix Г, l. 10380-10505) has two columns, the content of the transition and that of the
+//! block, under a head of equipment and special instructions. The columns of tool and offset register and of the
+//! meaning in words are additions, and marked.
 //!
-//! - `blocks` a line as words; `dictionary` what they mean, from the tables of the control; `print` the sheet as a page.
+//! - `blocks` a line as words; `dictionary` their meaning, from the tables of the control; `print` the sheet as a
+//!   page.
 
 use serde::Serialize;
 
@@ -30,16 +31,16 @@ pub use dictionary::Dictionary;
 pub struct EncodingSheet {
     /// The form it follows.
     pub form: &'static str,
-    /// The part; absent of a program without one.
+    /// The part; absent for a program without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<String>,
     /// Machine and control.
     pub equipment: String,
-    /// What the operator sets before the start: zeros, correctors.
+    /// The operator's setting before the start: zeros, offset registers.
     pub instructions: Vec<String>,
     /// One row for each block.
     pub rows: Vec<SheetRow>,
-    /// The fields that are not in the textbook's sheet but ours.
+    /// The fields that the textbook's sheet does not have.
     pub supplied: [&'static str; 3],
     /// The language of its words.
     #[serde(skip)]
@@ -51,19 +52,19 @@ pub struct EncodingSheet {
 pub struct SheetRow {
     /// The line of the program, from 1.
     pub line: usize,
-    /// The transition that begins here, or what the operator does.
+    /// The transition that begins here, or the operator's task.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub transition: Option<String>,
-    /// The tool and the correctors that the block names: `T1`, `H01`.
+    /// The tool and the offset registers in the block: `T1`, `H01`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tool: Option<String>,
-    /// The block as it stands, with its end.
+    /// The block as written, with its end.
     pub code: String,
-    /// What it says, word by word.
+    /// Its meaning, word by word.
     pub meaning: String,
 }
 
-/// What the sheet calls its form in JSON, the same in every language.
+/// The name of the form in JSON, the same in every language.
 const FORM: &str = "ГОСТ 3.1404-86, форма 5а";
 const SUPPLIED: [&str; 3] = ["instructions", "tool", "meaning"];
 
@@ -126,7 +127,7 @@ pub fn of_text(
     Ok(EncodingSheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })
 }
 
-/// What people call a control.
+/// The name of a control for people.
 fn name(control: &str, lang: Lang) -> &str {
     match control {
         "2c42-65" => say!(lang, "encoding-2c42-65"),
@@ -136,7 +137,7 @@ fn name(control: &str, lang: Lang) -> &str {
     }
 }
 
-/// How a block ends on paper: LF on the textbook's sheet, `;` in Fanuc's manuals; LinuxCNC writes none.
+/// The end of a block on paper: LF on the textbook's sheet, `;` in Fanuc's manuals; LinuxCNC writes none.
 fn end(control: &str) -> &'static str {
     match control {
         "2c42-65" => "LF",
@@ -149,7 +150,7 @@ fn work_of(job: &Job, at: WorkRef) -> Option<&ToolWork> {
     job.setups.get(at.setup)?.works.get(at.work)
 }
 
-/// Where the part's zero is, and what the correctors hold.
+/// The zero of the part, and the values of the offset registers.
 fn instructions(job: &Job, lang: Lang) -> Vec<String> {
     let mut lines = Vec::new();
     for setup in &job.setups {
@@ -164,10 +165,10 @@ fn instructions(job: &Job, lang: Lang) -> Vec<String> {
     lines
 }
 
-/// What the sheet has said already: every transition stands at its first block only.
+/// The transitions already on the sheet: each is printed at its first block only.
 #[derive(Debug, Default)]
 struct SeenTransitions {
-    /// The cycles that blocks of the program name.
+    /// The cycles that have blocks of their own.
     named: Vec<(WorkRef, usize)>,
     works: Vec<WorkRef>,
     cycles: Vec<(WorkRef, usize)>,
@@ -175,8 +176,8 @@ struct SeenTransitions {
 }
 
 impl SeenTransitions {
-    /// What begins at a block: at the first one of a work all that has no block of its own, or all where there is one
-    /// cycle only; at the first block of a cycle what that cycle makes.
+    /// The transitions that begin at a block: at the first block of a work, all that have no block of their own, or
+    /// all if there is one cycle only; at the first block of a cycle, those of that cycle.
     fn transition(
         &mut self,
         at: WorkRef,
@@ -196,7 +197,7 @@ impl SeenTransitions {
         Some(transitions::sentence(plan, work, &begin, lang)).filter(|text| !text.is_empty())
     }
 
-    /// The pauses of a work in their order, one at each of its blocks of that role.
+    /// The pauses of a work in order, one at each of its pause blocks.
     fn pause(&mut self, at: WorkRef, work: &ToolWork, plan: &Plan, lang: Lang) -> Option<String> {
         let before = self.pauses.iter().filter(|known| **known == at).count();
         self.pauses.push(at);

@@ -1,4 +1,4 @@
-//! Reports: functions of a plan. They decide nothing.
+//! Pages: functions of a plan. They make no decisions.
 
 pub mod audit;
 pub mod backplot;
@@ -20,7 +20,8 @@ pub use technolog_core::lang::Lang;
 pub use technolog_core::words::{operation_named, operation_noun, operation_verb, unit, with_unit};
 pub use why::explain;
 
-// This room and those below, under one name each in the whole program; `audit` and `turning` are rooms of pages here.
+// The types of this crate and of others, under one name each in the whole program; `audit` and `turning` are rooms of
+// pages here.
 use crate as report;
 use technolog_core::{error, machine, material, motion, note, part, plan};
 use technolog_document as document;

@@ -12,8 +12,8 @@ use crate::part::Point;
 use crate::plan::{Plan, Stop, ToolVisit, Visiting};
 use crate::units::{Micrometres, Minutes};
 
-/// The order of a part: its tools, their points, and how the holes are visited. `not_kept` are the findings of methods
-/// of visiting that the machine cannot keep to.
+/// The order of a part: its tools, their points, and how the holes are visited. `not_kept` are the findings about
+/// visiting methods that the machine cannot follow.
 pub fn of_part(plan: &Plan, home: Point, not_kept: &[Finding], lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "order-title", part = plan.part.part.as_str()));
     let home = say!(lang, "plan-point", x = home.x, y = home.y);
@@ -65,12 +65,12 @@ fn table(visits: &[ToolVisit], lang: Lang) -> Table {
     table
 }
 
-/// By how much less, in percent.
+/// The saving, per cent.
 fn saving(now: f64, before: f64) -> f64 {
     if before > 0.0 { (1.0 - now / before) * 100.0 } else { 0.0 }
 }
 
-/// How the holes of a group are visited, with the times of each way.
+/// How the holes of a group are visited, with the times of each method.
 fn visiting(visiting: &Visiting, lang: Lang) -> Item {
     let why = Figure::List(visiting.because.iter().map(|why| (&why.note).told()).collect(), "; ");
     let mut items = vec![Item::from(say!(
@@ -92,7 +92,7 @@ fn visiting(visiting: &Visiting, lang: Lang) -> Item {
     Item { words: say!(lang, "order-method", hole = visiting.hole.as_str(), why = why).into(), items }
 }
 
-/// What stands over the path of a tool in the drawing.
+/// The title of a tool's path in the drawing.
 pub fn visit_title(visit: &ToolVisit, lang: Lang) -> String {
     say!(lang, "order-of-tool", tool = visit.tool, setup = visit.setup, time = exactly(visit.rapid_min.0, 3))
 }
@@ -102,11 +102,11 @@ pub fn visit_title(visit: &ToolVisit, lang: Lang) -> String {
 pub struct Tour {
     /// How many points it has.
     pub points: usize,
-    /// How distances are measured: `euclid` or `rapid`.
+    /// The measure of distances: `euclid` or `rapid`.
     pub metric: &'static str,
     /// Whether it returns to its first point.
     pub closed: bool,
-    /// The tries that it took: as many give it again.
+    /// The tries made: the same number gives the same path again.
     pub tries: u64,
     /// The points by their numbers in the list, from 1.
     pub order: Vec<u64>,
@@ -123,10 +123,10 @@ pub struct Tour {
     /// The lower bound of its length. Absent if axes accelerate: then the time is bounded instead.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bound_mm: Option<Micrometres>,
-    /// What no path is quicker than.
+    /// The lower bound of its time.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bound_min: Option<Minutes>,
-    /// Whether it is known that no path is shorter.
+    /// Whether it is proven that no path is shorter.
     pub optimal: bool,
 }
 
@@ -161,7 +161,7 @@ pub fn of_list(tour: &Tour, lang: Lang) -> Document {
     page
 }
 
-/// What stands over the path over a list in the drawing.
+/// The title of a list's path in the drawing.
 pub fn tour_title(tour: &Tour, lang: Lang) -> String {
     say!(lang, "order-of-list", count = tour.points, length = tour.length_mm)
 }

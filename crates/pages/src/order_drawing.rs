@@ -7,7 +7,7 @@ use crate::units::Micrometres;
 /// A path to be drawn.
 #[derive(Clone, Debug)]
 pub struct Panel {
-    /// What stands over it.
+    /// Its title.
     pub title: String,
     /// The points in order. The first is not numbered where it is the tool-change position.
     pub path: Vec<Point>,
@@ -23,7 +23,7 @@ const TITLE: f64 = 26.0;
 const MARGIN: f64 = 22.0;
 /// Sizes of the letters of a title and of a number.
 const LETTERS: (f64, f64) = (14.0, 11.0);
-/// Beyond so many points their numbers would cover each other.
+/// Above this number of points their numbers would overlap.
 const NUMBERED: usize = 150;
 
 /// The panels, two in a row, each with the plate (if there is one) and all holes under its path.
@@ -51,7 +51,7 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
     let most = |values: &[f64]| values.iter().copied().reduce(f64::max).unwrap_or_default();
     let (left, right, low, high) = (least(&xs), most(&xs), least(&ys), most(&ys));
     let (across, up) = ((right - left).max(1.0), (high - low).max(1.0));
-    // Wide and flat or narrow and tall, a panel stays on the page.
+    // The panel stays on the page, whether wide or tall.
     let scale = ((WIDTH - 2.0 * MARGIN) / across).min(900.0 / up);
     let height = TITLE + up * scale + 2.0 * MARGIN;
     let columns = panels.len().clamp(1, 2);

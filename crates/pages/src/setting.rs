@@ -1,4 +1,4 @@
-//! What the operator sets before a program runs: how the part stands, which tool hangs where, zeros and offsets.
+//! The operator's setting before a program runs: the position of the part, the places of tools, zeros and offsets.
 
 use super::Lang;
 use super::words::say;
@@ -7,7 +7,7 @@ use crate::job::{Job, SetUp};
 use crate::plan::{Plan, ToolPlan};
 use crate::program::Setting;
 
-/// The file of the setting, which `check` reads. What its figures do not say stands in its comments.
+/// The file of the setting, which `check` reads. Everything but its figures is in its comments.
 pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
     let set_ups = job.setups.iter().map(|setup| stand(setup, lang));
     let tools = plan.tools.iter().map(|tool| {
@@ -53,7 +53,7 @@ fn stand(setup: &SetUp, lang: Lang) -> String {
     say!(lang, "setting-stand", setup = setup.number, supports = setup.supports, nose = setup.nose)
 }
 
-/// The place of the magazine that a tool hangs in.
+/// The magazine place of a tool.
 fn place(tool: &ToolPlan, job: &Job) -> u32 {
     let work = job.setups.iter().flat_map(|setup| &setup.works).find(|work| work.tool == tool.number);
     work.map_or(tool.number, |work| work.place)

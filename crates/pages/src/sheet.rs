@@ -16,9 +16,9 @@ mod conditions;
 pub(crate) mod route;
 mod tools;
 
-/// The mark of a figure that rests on an unconfirmed row.
+/// The mark of a figure from an unconfirmed row.
 const MARK: &str = "*";
-/// What stands in a cell for which there is no figure.
+/// The content of a cell without a figure.
 pub(crate) const NONE: &str = "–";
 
 /// The whole page.
@@ -70,29 +70,29 @@ pub(crate) fn rounded(value: f64, places: u32) -> Figure {
     Figure::number(round_to(value, places).to_string())
 }
 
-/// A number for a sentence, with all its places.
+/// A number for a sentence, with all its decimal places.
 pub(crate) fn exactly(value: f64, places: u32) -> Figure {
     Figure::fixed(round_to(value, places), places as usize)
 }
 
-/// A number for a column: with as many places as all others of it.
+/// A number for a column: with the same number of decimal places as the others.
 pub(crate) fn cell(value: f64, places: u32, lang: Lang) -> Inlines {
     Inlines::number(lang.figure(&exactly(value, places)))
 }
 
-/// Lengths of one column, all with as many places as one of them needs; mm.
+/// Lengths of one column, all with the number of decimal places that one of them needs; mm.
 pub(crate) fn column(values: &[Micrometres], lang: Lang) -> Vec<Inlines> {
     let needs = |value: &Micrometres| value.to_string().split_once('.').map_or(0, |(_, places)| places.len());
     let places = values.iter().map(needs).max().unwrap_or(0);
     values.iter().map(|value| Inlines::number(lang.figure(&Figure::fixed(value.to_mm(), places)))).collect()
 }
 
-/// A word that may be of two alphabets, as the heading `Sхв` is.
+/// A heading that may be of two alphabets, such as `Sхв`.
 fn heading(key: &'static str, lang: Lang) -> String {
     lang.say(&Note::new(key))
 }
 
-/// What stands behind a figure that rests on an unconfirmed row.
+/// The mark after a figure from an unconfirmed row.
 fn mark(because: &[Because]) -> &'static str {
     if because.iter().any(|reason| reason.unconfirmed.is_some()) { MARK } else { "" }
 }
@@ -151,7 +151,7 @@ fn clamps(page: &mut Document, clamping: &Clamping, lang: Lang) {
     }
 }
 
-/// The parts of the time that there are, and their sum.
+/// The existing parts of the time, and their sum.
 fn time(plan: &Plan, lang: Lang) -> String {
     let time = &plan.time;
     let parts = [
@@ -177,7 +177,7 @@ fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
         let (severity, word) = match finding.severity {
             Severity::Error => (Shown::Error, say!(lang, "plan-impossible")),
             Severity::Wrong => (Shown::Wrong, say!(lang, "plan-wrong")),
-            // The mark of the tables belongs to rows that nothing confirms; other doubts are told in a word.
+            // The mark belongs to unconfirmed rows; other doubts are written as a word.
             Severity::Doubtful if is_of_row(&finding.note) => (Shown::Doubtful, MARK),
             Severity::Doubtful => (Shown::Doubtful, say!(lang, "plan-doubtful")),
             Severity::Note => (Shown::Note, say!(lang, "plan-note")),

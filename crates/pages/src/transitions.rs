@@ -1,4 +1,4 @@
-//! What a cycle of a job is for, as a technologist says it: `Свердління 6 отв. Ø10H12 (A)`.
+//! The purpose of a job's cycle in a technologist's words: `Свердління 6 отв. Ø10H12 (A)`.
 
 use crate::job::{Pause, ToolWork};
 use crate::note::Figure;
@@ -9,8 +9,8 @@ use super::Lang;
 use super::sheet::route::{finishes, size_of};
 use super::words::say;
 
-/// The transitions that a work makes with some of its cycles: each as its group, its number and how many of its holes
-/// are made, in the order of the work.
+/// The transitions that a work makes with some of its cycles: for each its group, its number and the number of its
+/// holes, in the order of the work.
 pub(super) fn of_work<'w>(work: &'w ToolWork, cycles: &[usize]) -> Vec<(&'w str, usize, usize)> {
     let mut found: Vec<(&str, usize, usize)> = Vec::new();
     for stop in work.stops.iter().filter(|stop| cycles.contains(&stop.cycle)) {
@@ -23,13 +23,13 @@ pub(super) fn of_work<'w>(work: &'w ToolWork, cycles: &[usize]) -> Vec<(&'w str,
     found
 }
 
-/// The transition of a plan that a stop names.
+/// The transition of a plan for a stop.
 pub(super) fn of_plan<'p>(plan: &'p Plan, hole: &str, number: usize) -> Option<(&'p Hole, &'p Transition)> {
     let own = plan.holes.iter().find(|own| own.name == hole)?;
     Some((plan.part.holes.iter().find(|known| known.name == hole)?, own.transitions.get(number)?))
 }
 
-/// What some cycles of a work do, in one sentence; a work done pass by pass counts a hole once.
+/// The purpose of some cycles of a work, in one sentence; a work done pass by pass counts a hole once.
 pub(super) fn sentence(plan: &Plan, work: &ToolWork, cycles: &[usize], lang: Lang) -> String {
     let mut text = String::new();
     let mut before: Option<Operation> = None;
@@ -53,7 +53,7 @@ pub(super) fn sentence(plan: &Plan, work: &ToolWork, cycles: &[usize], lang: Lan
     text
 }
 
-/// `6 отв. Ø10H12 (A)`, with the diameter reached where it is not yet the hole's own.
+/// `6 отв. Ø10H12 (A)`, with the diameter reached if it is not yet that of the hole.
 fn holes(hole: &Hole, transition: &Transition, count: usize, lang: Lang) -> String {
     let (size, name) = (size_of(hole, transition), hole.name.as_str());
     if transition.operation == Operation::CentreDrill || finishes(hole, transition) {
@@ -67,7 +67,7 @@ fn capital(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
 }
 
-/// What the operator does.
+/// The operator's task.
 pub(super) fn pause(pause: Pause, part: &Part, lang: Lang) -> String {
     match pause {
         Pause::LoadTool { tool, place } => say!(lang, "cycles-load-tool", tool = tool, place = place),

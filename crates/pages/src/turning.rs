@@ -1,4 +1,4 @@
-//! The passes of a shaft as its reader sees them: the variants side by side, and the best one pass by pass.
+//! The passes of a shaft as a page: the variants side by side, and the best one pass by pass.
 
 mod cells;
 mod drawing;
@@ -66,7 +66,7 @@ pub fn figure_of(svg: String, caption: &str, lang: Lang) -> Drawing {
     Drawing { svg, caption: caption.into(), alternative }
 }
 
-/// Begins the next section; they are numbered.
+/// Begins the next numbered section.
 fn section(page: &mut Document, title: &str) {
     let before = page.blocks.iter().filter(|block| matches!(block, Block::Heading { level: 2, .. })).count();
     page.heading(2, format!("{}. {title}", before + 1));
@@ -138,7 +138,7 @@ fn variants(found: &Sequences, lang: Lang) -> Table {
         Column::number(say!(lang, "turn-passes"), ""),
         Column::number(say!(lang, "turn-passes-along"), "").keep(Keep::Optional),
         Column::number(say!(lang, "turn-passes-across"), "").keep(Keep::Optional),
-        // Without rates no time is known.
+        // Without rates there are no times.
         Column::number(say!(lang, "turn-time"), min).keep(Keep::Useful),
         Column::number(say!(lang, "turn-above-optimum"), "%"),
     ];

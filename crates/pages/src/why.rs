@@ -1,4 +1,4 @@
-//! Why one hole is made as it is: every decision with its row, and what was passed over.
+//! The reasons for the plan of one hole: every decision with its row and its rejected candidates.
 
 use crate::document::{Block, Document, Inlines, Item};
 use crate::knowledge::Source;

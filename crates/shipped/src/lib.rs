@@ -1,5 +1,5 @@
-//! The knowledge the program carries in itself: compiled tables for planning, and the YAML they were
-//! compiled from for `lint`, which wants the place of every cell.
+//! The knowledge base inside the program: compiled tables for planning, and their YAML for `lint`, which needs the
+//! place of every cell.
 
 use technolog_knowledge::{Knowledge, SourceFile};
 

@@ -7,13 +7,13 @@ use technolog_knowledge::{rows, vocabulary};
 use crate::quantity::Quantity;
 
 vocabulary! {
-    /// A constant people compute with.
+    /// A constant used in calculations by hand.
     pub enum Constant {
-        /// π, as exactly as somebody took it.
+        /// π, with the precision that the author used.
         Pi = "pi",
     }
 
-    /// Which figures of a quantity there can be.
+    /// The possible range of a quantity.
     pub enum Range {
         /// Above zero.
         Positive = "positive",
@@ -23,25 +23,25 @@ vocabulary! {
         Any = "any",
     }
 
-    /// What a plan by hand takes from tables.
+    /// Values that a plan by hand takes from tables.
     pub enum Tabulated {
         /// A feed.
         Feed = "feed",
-        /// Of centring.
+        /// A feed of centring.
         SpotFeed = "spot-feed",
         /// A point of the cards.
         Card = "card",
         /// A factor of the cards.
         Factor = "factor",
-        /// The time of rapids, which a table does not have but our own order does.
+        /// The time of rapids, which comes from the program's own order and not from a table.
         Rapid = "rapid",
     }
 
-    /// How a load stands to the formula.
+    /// How a load compares with the formula.
     pub enum Judgement {
         /// Too low.
         Low = "low",
-        /// As it should be.
+        /// Right.
         Fine = "fine",
         /// Too high.
         High = "high",
@@ -49,7 +49,7 @@ vocabulary! {
 }
 
 impl Range {
-    /// Whether a figure is in it.
+    /// Whether a figure is within the range.
     pub fn holds(self, value: f64) -> bool {
         match self {
             Self::Positive => value > 0.0,
@@ -60,13 +60,14 @@ impl Range {
 }
 
 rows! {
-    /// Constants people compute with, each as often as there are values of it.
+    /// Constants used in calculations by hand, one row for each value in use.
     pub struct Constants of One("audit-constants") complete name {
         name: Constant,
         value: f64,
     }
 
-    /// What of a program has one cause: the codes of two findings, and the figures in which they must agree.
+    /// Findings about a program with a common cause: the codes of two findings, and the figures in which they must
+    /// agree.
     pub struct ProgramCauses of One("audit-program-causes") {
         cause: &'t str,
         consequence: &'t str,
@@ -81,7 +82,7 @@ rows! {
         severity: Severity,
     }
 
-    /// What may be rounded how.
+    /// The rounding tolerance of each quantity.
     pub struct Tolerance of One("audit-tolerance") complete quantity {
         quantity: Quantity,
         half_places: f64,
@@ -93,7 +94,7 @@ rows! {
         whole: bool,
     }
 
-    /// A figure taken from a table beside the table.
+    /// A figure from a table, compared with the table.
     pub struct AuditByTable of One("audit-by-table") asked by AuditByTableFor {
         quantity: Tabulated,
         of_table: Percent,
@@ -101,7 +102,7 @@ rows! {
         severity: Severity,
     }
 
-    /// A stated figure beside the handbook's formula.
+    /// A stated figure, compared with the handbook's formula.
     pub struct AuditFormula of One("audit-formula") asked by AuditFormulaFor {
         quantity: Quantity,
         of_formula: Percent,
@@ -109,14 +110,14 @@ rows! {
         severity: Severity,
     }
 
-    /// A force or torque beside the handbook's formula.
+    /// A force or torque, compared with the handbook's formula.
     pub struct AuditLoad of One("audit-load") asked by AuditLoadFor {
         of_formula: Percent,
     } {
         judgement: Judgement,
     }
 
-    /// A spindle speed that is not the rule's.
+    /// A spindle speed that differs from the rule's.
     pub struct AuditSpindle of One("audit-spindle") asked by AuditSpindleFor {
         excess: Percent,
     } {

@@ -23,7 +23,7 @@ impl FromValue<'_> for Letter {
 }
 
 vocabulary! {
-    /// When in its block an M function acts.
+    /// When an M function acts within its block.
     pub enum Acts {
         /// Before the motion.
         Start = "start",
@@ -33,27 +33,27 @@ vocabulary! {
 
     /// A figure of `program-conventions`.
     pub enum Convention {
-        /// How high over the entry face a tool goes from point to point, mm.
+        /// The height above the entry face at which a tool moves from point to point, mm.
         Withdrawal = "withdrawal",
-        /// To what the height of the knee is set, mm.
+        /// The step to which the height of the knee is set, mm.
         KneeStep = "knee-step",
-        /// By how much the numbers of blocks grow.
+        /// The increment of block numbers.
         BlockNumberStep = "block-number-step",
-        /// In what steps programs count feeds, mm/min.
+        /// The step in which programs give feeds, mm/min.
         FeedStep = "feed-step",
-        /// How many times the planned speed or feed somebody else may have chosen.
+        /// The factor on the planned speed or feed that is still another choice.
         Overload = "overload",
-        /// How many times the planned feed of a centring tool somebody else may have chosen.
+        /// The same factor for the feed of a centring tool.
         SpotOverload = "spot-overload",
-        /// In what steps dwells are counted, s.
+        /// The step in which dwells are given, s.
         DwellStep = "dwell-step",
-        /// How many times the planned dwell is no choice any more.
+        /// The factor on the planned dwell from which it is a mistake.
         Overlong = "overlong",
-        /// What it takes to put a tool into the magazine by hand, min.
+        /// The time to put a tool into the magazine by hand, min.
         LoadToolTime = "load-tool-time",
-        /// What it takes to set the bar of a boring tool to a diameter, min.
+        /// The time to set the bar of a boring tool to a diameter, min.
         SetBarTime = "set-bar-time",
-        /// What it takes to turn the part over and clamp it again, min.
+        /// The time to turn the part over and clamp it again, min.
         TurnOverTime = "turn-over-time",
     }
 }

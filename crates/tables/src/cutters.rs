@@ -1,5 +1,5 @@
-//! Proof: every cutter has what planning asks of it. Which columns these are depends on what its table is for and how it is
-//! held, so that [`CutterRow`] can leave out any of them.
+//! Check: every cutter has the figures that planning needs. They depend on the operations and the shank of its table,
+//! so [`CutterRow`] has all of them as optional.
 
 use technolog_knowledge::lint::row_place;
 use technolog_knowledge::table::{Table, ToolHead};
@@ -10,11 +10,11 @@ use technolog_note::{Note, note};
 use crate::rules::ToolTables;
 use crate::tools::CutterRow;
 
-/// Cutters that lack a figure, and tables that the rule `tool-tables` names and that are none of cutters.
+/// Reports cutters that lack a figure, and tables that the rule `tool-tables` names but that have no cutters.
 pub fn check(knowledge: &Knowledge) -> Vec<Diagnostic> {
     let of_cutters = knowledge.tables().filter_map(|table| Some((table, table.tool.as_ref()?)));
     let mut findings: Vec<Diagnostic> = of_cutters.flat_map(|(table, head)| lacking(table, head)).collect();
-    // What is no row by its contract was found there.
+    // A row that breaks its contract has been reported there.
     for rule in knowledge.rows::<ToolTables<'_>>().unwrap_or_default() {
         let named = rule.tables.iter().filter_map(|id| knowledge.table(id).ok());
         findings.extend(named.filter(|table| table.tool.is_none()).map(|table| {
@@ -49,7 +49,7 @@ fn column(name: &str) -> Note {
     note!("lint-column-named", name = name)
 }
 
-/// What a cutter must have, in words of columns, and whether it has it.
+/// The required figures of a cutter, by column, and whether the cutter has each.
 fn needed(row: &CutterRow<'_>, head: &ToolHead) -> Vec<(Note, bool)> {
     let makes = |operation: &[Operation]| head.operations.iter().any(|own| operation.contains(own));
     let bores = makes(&[Operation::RoughBore, Operation::SemiFinishBore, Operation::FinishBore]);

@@ -10,7 +10,7 @@ use technolog_knowledge::vocabulary::{Operation, ToolMaterial};
 use technolog_knowledge::{rows, vocabulary};
 
 vocabulary! {
-    /// What the coefficients of speed, load and tool life are of.
+    /// The operation of the coefficients of speed, load and tool life.
     pub enum Coefficients {
         /// Drilling in solid metal.
         Drill = "drill",
@@ -20,7 +20,7 @@ vocabulary! {
         CoreDrill = "core-drill",
         /// Reaming.
         Ream = "ream",
-        /// Milling, which only `tool-life-beyond` has among them.
+        /// Milling; only `tool-life-beyond` has it.
         Mill = "mill",
     }
 
@@ -34,7 +34,7 @@ vocabulary! {
         Milling = "milling",
     }
 
-    /// What is done on a lathe, where the coefficients depend on it.
+    /// The process on a lathe, where the coefficients depend on it.
     pub enum LatheProcess {
         /// Turning.
         Turning = "turning",
@@ -46,13 +46,13 @@ vocabulary! {
     pub enum Component {
         /// Pz, along the cutting speed.
         Main = "pz",
-        /// Py, which pushes the tool out of the cut, across the feed.
+        /// Py, which pushes the tool out of the cut, perpendicular to the feed.
         Radial = "py",
         /// Px, against the feed.
         Axial = "px",
     }
 
-    /// What a material is compared with, for its factor.
+    /// The reference material for a material factor.
     pub enum Reference {
         /// A strength of 750 MPa: of steel.
         Strength750 = "strength-750",
@@ -84,11 +84,11 @@ vocabulary! {
     pub enum BoringConstant {
         /// The tool life of a single-point tool.
         ToolLife = "tool-life",
-        /// What the speed of turning is multiplied by in a bore.
+        /// The factor on the turning speed inside a bore.
         InternalFactor = "internal-factor",
     }
 
-    /// What of the cards is a ratio to the formulas.
+    /// Quantities of the cards given as a ratio to the formulas.
     pub enum CardRatio {
         /// The speed.
         Speed = "speed",
@@ -98,7 +98,7 @@ vocabulary! {
         Power = "power",
     }
 
-    /// What the worked example corrects the speed of the cards for.
+    /// The corrections of the card speed in the worked example.
     pub enum CardFactor {
         /// The material: feed, force and power are corrected for it too.
         Material = "material",
@@ -106,7 +106,7 @@ vocabulary! {
         PointGrinding = "point-grinding",
         /// Coolant.
         Coolant = "coolant",
-        /// The tool life that is asked for.
+        /// The required tool life.
         ToolLife = "tool-life",
         /// The coating.
         Coating = "coating",
@@ -118,13 +118,13 @@ vocabulary! {
         SurfaceState = "surface-state",
     }
 
-    /// When the feed of a drill is reduced.
+    /// The condition for a reduced feed of a drill.
     pub enum FeedCondition {
         /// Before accurate finishing or tapping.
         BeforeFinishing = "before-accurate-finishing-or-tapping",
     }
 
-    /// How often the tabulated feed is taken.
+    /// The multiple of the tabulated feed.
     pub enum FeedMultiple {
         /// Once.
         Single = "single",
@@ -134,7 +134,7 @@ vocabulary! {
         WorkedExample = "worked-example",
     }
 
-    /// Of which step of milling a share of the mill's diameter is.
+    /// The step of milling for which a share of the mill's diameter is given.
     pub enum MillingStep {
         /// The depth of one pass.
         Radial = "radial",
@@ -142,7 +142,7 @@ vocabulary! {
         Axial = "axial",
     }
 
-    /// What a reamer's feed is corrected for.
+    /// The condition for a correction of a reamer's feed.
     pub enum ReamingCondition {
         /// Nothing.
         AsTabulated = "as-tabulated",

@@ -4,7 +4,7 @@ use technolog_knowledge::rows;
 use technolog_knowledge::units::{Kilograms, Micrometres};
 
 impl HolderRow<'_> {
-    /// The tables that hold such rows.
+    /// The tables with such rows.
     pub const TABLES: &'static [&'static str] = &[
         "holders-collet-chucks",
         "holders-morse-drawbar-sleeves",

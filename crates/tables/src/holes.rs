@@ -24,7 +24,7 @@ vocabulary! {
         Plain = "plain",
     }
 
-    /// The permitted position of the axis beside what the machine holds.
+    /// The permitted position of the axis compared with the accuracy of the machine.
     pub enum PositionAsked {
         Above = "above",
         NotAbove = "not-above",
@@ -46,7 +46,7 @@ vocabulary! {
         CountersinkOther = "countersink-other",
     }
 
-    /// A way of drilling, as the position of the axis depends on it.
+    /// A method of drilling, for the position of the axis.
     pub enum DrillingWay {
         WithoutCentring = "drilling-without-centring",
         WithCentring = "drilling-with-centring",
@@ -111,7 +111,7 @@ rows! {
         complex: Vec<&'t str>,
     } shown { group }
 
-    /// What a complex of transitions consists of (A.5).
+    /// The transitions of a complex (A.5).
     pub struct Complex of One("A.5") {
         complex: i64,
         transitions: Vec<Operation>,
@@ -211,7 +211,7 @@ rows! {
         value: f64,
     }
 
-    /// Position accuracy of drilled holes: the error, or what is lost of another one.
+    /// Position accuracy of drilled holes: an error, or a loss of accuracy.
     pub struct PositionAccuracy of One("position-accuracy") complete name {
         name: DrillingWay,
         maximum: Option<Micrometres>,
@@ -231,7 +231,7 @@ rows! {
         rough_ream: Option<Micrometres>,
     }
 
-    /// Accuracy and roughness of a transition by itself.
+    /// Accuracy and roughness of a single transition.
     pub struct TransitionAccuracy of One("transition-accuracy") {
         operation: &'t str,
         it_coarsest: ItGrade,

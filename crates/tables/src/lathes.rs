@@ -4,7 +4,7 @@ use technolog_knowledge::contract::{Named, Use};
 use technolog_knowledge::{rows, vocabulary};
 
 vocabulary! {
-    /// What planning of turning asks of a lathe's record.
+    /// The quantities of a lathe's record that planning of turning uses.
     pub enum LatheQuantity {
         SpindleSpeeds = "spindle-speeds",
         SpindleSpeedMin = "spindle-speed-min",
@@ -58,7 +58,7 @@ rows! {
         value: f64,
     } shown { used }
 
-    /// A characteristic of a lathe. The law `record` has proven its unit.
+    /// A characteristic of a lathe. The law `record` has checked its unit.
     pub struct LatheRecord of Record("lathe-quantities") {
         name: Named<'t, LatheQuantity>,
         value: Option<Vec<f64>>,

@@ -1,7 +1,8 @@
-//! What the code reads in the tables: one row type per table, and the contract that comes of it.
+//! The tables as code reads them: one row type per table, with its contract.
 //!
-//! A crate below everything that plans, because the build script checks the shipped tables against the same contracts
-//! ([`check`]) as `--knowledge` and `lint` do. There is a module for each folder of `catalogs/`, and one for `rules/`.
+//! A crate below all planning crates, because the build script checks the shipped tables against the same contracts
+//! ([`check`]) as `--knowledge` and `lint` do. There is a module for each folder of `catalogs/`, and one for
+//! `rules/`.
 //!
 //! Architecture invariant: no other crate names a column.
 
@@ -56,21 +57,21 @@ pub fn all() -> Vec<&'static Contract> {
     .concat()
 }
 
-/// Checks every table against what the code reads in it, and every cutter against what planning needs.
+/// Checks every table against the code that reads it, and every cutter against the needs of planning.
 pub fn check(knowledge: &Knowledge) -> Vec<Diagnostic> {
     let mut findings = contracts::check(knowledge, &all());
     findings.extend(cutters::check(knowledge));
     findings
 }
 
-/// Whether a folder is one to plan with, and not a few tables of somebody's own: it has at least half of the tables that
-/// are asked by name.
+/// Whether a folder is a knowledge base for planning, and not a few separate tables: it has at least half of the
+/// tables that are required by name.
 pub fn is_to_plan_with(knowledge: &Knowledge) -> bool {
     let (there, asked) = contracts::present(knowledge, &all());
     2 * there >= asked
 }
 
-/// Reads tables that are to be planned with: each is what the code takes it for.
+/// Reads tables for planning and checks their contracts.
 ///
 /// # Errors
 /// Every problem of every file, then every broken contract.
@@ -80,18 +81,18 @@ pub fn load(files: &[SourceFile<'_>]) -> Result<Knowledge, Vec<Diagnostic>> {
     if problems.is_empty() { Ok(knowledge) } else { Err(problems) }
 }
 
-/// What of a table is for people only: nothing calculates with it.
+/// The parts of a table that are only for people: no calculation uses them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ForPeople<'k> {
     /// The table's id.
     pub table: &'k str,
-    /// Columns that steer nothing; of a table that nobody reads all of them.
+    /// Columns without use; for a table that no code reads, all of them.
     pub columns: Vec<&'k str>,
-    /// Rows that say of themselves that they are documentation, by name.
+    /// Rows that are marked as documentation, by name.
     pub rows: Vec<String>,
 }
 
-/// What is for people only, by table; a table that is read as a whole is not listed.
+/// The documentation parts of tables; a table that code reads completely is not listed.
 pub fn documentation(knowledge: &Knowledge) -> Vec<ForPeople<'_>> {
     let contracts = all();
     let listed = knowledge.tables().map(|table| {

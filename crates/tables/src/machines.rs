@@ -4,7 +4,7 @@ use technolog_knowledge::contract::{Named, Use};
 use technolog_knowledge::{rows, vocabulary};
 
 vocabulary! {
-    /// What planning, programs and audits ask of a machine's record.
+    /// The quantities of a machine's record that planning, programs and audits use.
     pub enum MachineQuantity {
         SpindleSpeeds = "spindle-speeds",
         SpindlePower = "spindle-power",
@@ -50,7 +50,7 @@ rows! {
         use_ as "use": Use,
     } shown { unit, required }
 
-    /// A characteristic of a machine. The law `record` has proven its unit.
+    /// A characteristic of a machine. The law `record` has checked its unit.
     pub struct MachineRecord of Record("machine-quantities") {
         name: Named<'t, MachineQuantity>,
         value: Option<Vec<f64>>,

@@ -1,4 +1,4 @@
-//! Row types: top.
+//! Row types: materials and clamping.
 
 use technolog_knowledge::contract::{Named, Use};
 use technolog_knowledge::units::{Brinell, Megapascals, Micrometres, Newtons};
@@ -80,7 +80,7 @@ vocabulary! {
         ColdDrawn = "cold-drawn",
     }
 
-    /// Which figure of a grade is the state of the blank.
+    /// The figure of a grade that describes the state of the blank.
     pub enum Governs {
         Strength = "strength",
         Hardness = "hardness",

@@ -1,4 +1,4 @@
-//! Row types: what shops reach, whatever a drawing asks.
+//! Row types: shop practice, whatever a drawing requires.
 
 use technolog_knowledge::contract::Named;
 use technolog_knowledge::units::{Brinell, ItGrade, Megapascals, MetresPerMinute, Micrometres, Microns};
@@ -7,7 +7,7 @@ use technolog_knowledge::{rows, vocabulary};
 use crate::rules::ReamingCase;
 
 rows! {
-    /// What a way of working reaches on an ordinary machine tool.
+    /// The accuracy of a method on an ordinary machine tool.
     pub struct ReachOfTransition of One("reach-of-transition") asked by ReachOfTransitionFor<'t> {
         way: &'t str,
         diameter: Micrometres,
@@ -18,7 +18,7 @@ rows! {
         ra_ordinary: Microns,
     } shown { thread_best, thread_ordinary, sources }
 
-    /// Position error of the axis by way of working.
+    /// Position error of the axis by method.
     pub struct HolePositionReach of One("hole-position-reach") asked by HolePositionReachFor<'t> {
         way: &'t str,
     } {
@@ -43,7 +43,7 @@ rows! {
         stock_max: Micrometres,
     } shown { american_min, american_max, european_min, european_max, soviet_min, soviet_max, pages }
 
-    /// Rows of the shop tables for a grade.
+    /// Rows of the shop tables for a material grade.
     pub struct PracticeGroup of One("practice-group") asked by PracticeGroupFor<'t> {
         material: &'t str,
         hardness: Brinell,
@@ -103,7 +103,7 @@ rows! {
         value: f64,
     } shown { used }
 
-    /// How much larger than its drill a drilled hole is.
+    /// The oversize of a drilled hole.
     pub struct DrillOversize of One("drill-oversize") asked by DrillOversizeFor {
         diameter: Micrometres,
     } {
@@ -134,12 +134,12 @@ rows! {
     /// The pages of the tables of practice.
     pub struct PracticeSource of One("practice-sources") {} shown { id, page, read }
 
-    /// What each source says that a way of working reaches.
+    /// The accuracy of a method by each source.
     pub struct ReachBySource of One("reach-by-source") {} shown {
         way, of, it_coarsest, it_finest, ra_coarsest, ra_finest,
     }
 
-    /// The sources of what is reached.
+    /// The sources of accuracies.
     pub struct ReachSource of One("reach-sources") {} shown { id, tradition, page, read }
 }
 
@@ -165,7 +165,7 @@ vocabulary! {
         FinishBoreStock = "finish-bore-stock",
     }
 
-    /// What tables of high-speed steel tell apart.
+    /// The kinds of work in tables of high-speed steel.
     pub enum HssWork {
         Turn = "turn",
         Mill = "mill",
@@ -173,7 +173,7 @@ vocabulary! {
         Ream = "ream",
     }
 
-    /// What is driven at a share of the speed of drilling or turning.
+    /// Operations whose speed is a share of the speed of drilling or turning.
     pub enum SharedWork {
         CentreDrill = "centre-drill",
         DrillOut = "drill-out",
@@ -184,7 +184,7 @@ vocabulary! {
         Bore = "bore",
     }
 
-    /// What tables of carbide tell apart.
+    /// The kinds of work in tables of carbide.
     pub enum CarbideWork {
         Turn = "turn",
         Drill = "drill",

@@ -1,10 +1,10 @@
-//! The figures a plan can state: their keys, their units and their symbols. Their names stand in the message catalogue.
+//! The figures that a plan can state: keys, units and symbols. Their names are in the message catalogue.
 
 use serde::Serialize;
 use technolog_knowledge::contract::Word;
 use technolog_knowledge::units::Unit;
 
-/// Makes the list of quantities: key of the plan file, symbol, unit, what it is.
+/// Makes the list of quantities: key in plan files, symbol, unit, description.
 macro_rules! quantities {
     ($($name:ident: $key:literal, $symbol:literal, $unit:ident, $doc:literal;)*) => {
         /// A figure of a plan.

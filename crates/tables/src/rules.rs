@@ -57,7 +57,7 @@ rows! {
         share: Option<f64>,
     }
 
-    /// The scheme with centring that stands for one without.
+    /// The scheme with centring that replaces one without.
     pub struct CentredTwin of One("centred-twin") {
         scheme: &'t str,
         centred: &'t str,
@@ -86,7 +86,7 @@ rows! {
         stock: Micrometres,
     }
 
-    /// What an empty cell of А.8 or А.9 is replaced by.
+    /// The replacement for an empty cell of А.8 or А.9.
     pub struct EmptyCell of One("empty-cell") asked by EmptyCellFor {
         own_cell: bool,
         finer_roughness: bool,
@@ -113,7 +113,7 @@ rows! {
         holders: Option<&'t str>,
     }
 
-    /// What share of the machine's limit a load may take.
+    /// The share of the machine's limit that a load may take.
     pub struct LoadMargin of One("load-margin") asked by LoadMarginFor {
         load: Load,
     } {
@@ -210,7 +210,7 @@ rows! {
         take: Neighbour,
     }
 
-    /// Whose figures stand in where a material has none.
+    /// The replacement material, where a material has no figures.
     pub struct StandInMaterial of One("stand-in-material") asked by StandInMaterialFor<'t> {
         of_table: &'t str,
         material_group: &'t str,
@@ -218,14 +218,14 @@ rows! {
         group: &'t str,
     }
 
-    /// Whose figures stand in where a transition has none.
+    /// The replacement transition, where a transition has no figures.
     pub struct StandInOperation of One("stand-in-operation") asked by StandInOperationFor {
         operation: Operation,
     } {
         instead: Operation,
     }
 
-    /// Whose figures stand in where a tool material has none.
+    /// The replacement tool material, where a tool material has no figures.
     pub struct StandInToolMaterial of One("stand-in-tool-material") asked by StandInToolMaterialFor<'t> {
         of_table: &'t str,
         tool_material: ToolMaterial,
@@ -248,7 +248,7 @@ rows! {
         surface: Surface,
     }
 
-    /// Which table of schemes a hole is looked up in.
+    /// The table of schemes for a hole.
     pub struct TableForHole of One("table-for-hole") asked by TableForHoleFor {
         it: ItGrade,
         centre_tolerance: Micrometres,
@@ -319,7 +319,7 @@ rows! {
         take: SchemeTaken,
     }
 
-    /// What way of working a transition is.
+    /// The method of a transition.
     pub struct WayOfTransition of One("way-of-transition") asked by WayOfTransitionFor {
         operation: Operation,
         centred: bool,
@@ -332,7 +332,7 @@ rows! {
 }
 
 impl MadeBy {
-    /// What a hole is made by when an operation was the last; none for those that leave its cylinder as it is.
+    /// How a hole was made if an operation was the last; none for operations that do not change its cylinder.
     pub const fn of(operation: Operation) -> Option<Self> {
         match operation {
             Operation::Drill | Operation::DrillOut => Some(Self::Drill),

@@ -52,7 +52,7 @@ rows! {
         tang_length: Micrometres,
     } shown { drawbar_length, large_diameter }
 
-    /// Rz and Ra beside each other.
+    /// Pairs of Rz and Ra.
     pub struct RaRz of One("ra-rz") {} shown { rz, ra_preferred, ra_by_class }
 
     /// Roughness classes 3 to 9.

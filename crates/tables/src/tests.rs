@@ -1,4 +1,4 @@
-//! That no column of a table which the code reads can be renamed, retyped or taken away without being found.
+//! Tests that a renamed, retyped or removed column of a table that code reads is always reported.
 
 use technolog_knowledge::contract::Contract;
 use technolog_knowledge::knowledge::Knowledge;
@@ -15,7 +15,7 @@ fn shipped() -> Knowledge {
     Knowledge::from_sources(SOURCES).unwrap()
 }
 
-/// Every shipped table with the contract of the code that reads it.
+/// All shipped tables with the contracts of the code that reads them.
 fn asked() -> Vec<(Table, &'static Contract)> {
     let contracts = all();
     let own = shipped().into_tables();
@@ -101,7 +101,7 @@ fn every_column_of_another_type_or_unit_is_found_where_it_is_read() {
     }
 }
 
-/// The shipped sources with one changed.
+/// The shipped sources with one file changed.
 fn changed(path: &str, change: impl Fn(&str) -> String) -> Knowledge {
     let files: Vec<(String, String)> = SOURCES
         .iter()

@@ -4,7 +4,7 @@ use technolog_knowledge::units::{Degrees, Kilograms, Micrometres};
 use technolog_knowledge::{rows, vocabulary};
 
 vocabulary! {
-    /// What of boring a bar is made for.
+    /// The stage of boring for which a bar is made.
     pub enum BoringStage {
         Rough = "rough",
         Finish = "finish",

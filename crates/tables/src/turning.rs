@@ -1,4 +1,4 @@
-//! Row types of turning: the rules and tables that only turned parts ask.
+//! Row types of turning: the rules and tables used only for turned parts.
 
 pub mod jobs;
 pub mod part;

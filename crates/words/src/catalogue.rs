@@ -1,4 +1,4 @@
-//! The messages of one language. The build finds where each stands in its file; it is parsed when it is first said.
+//! The messages of one language. The build finds the place of each in its file; a message is parsed at its first use.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -21,30 +21,30 @@ pub struct Folder {
     pub messages: &'static [MessageSpan],
 }
 
-/// Where a message stands: the number of its file, and its bytes there. The name is the first that stands there.
+/// The place of a message: the number of its file, and its bytes there. The text begins with the name.
 pub struct MessageSpan(pub u16, pub u32, pub u32);
 
-/// A language: its files, and its messages once they are asked for.
+/// A language: its files, and the messages used so far.
 pub struct Language {
     pub(crate) tag: &'static str,
     folders: &'static [Folder],
     messages: OnceLock<Vec<Source>>,
-    /// Has no messages: its rules of numbers and plurals fill in those that are said.
+    /// A bundle without messages: its rules of numbers and plurals format the messages in use.
     bundle: OnceLock<Bundle>,
     remarks: OnceLock<BTreeMap<&'static str, &'static str>>,
     places: OnceLock<Vec<(&'static str, &'static str)>>,
 }
 
-/// A message, once it is said.
+/// A message in use.
 #[derive(Default)]
 struct Source {
     parsed: OnceLock<FluentResource>,
-    /// Its forms without gaps that are written in several pieces, as those with a brace are.
+    /// Its texts without gaps that consist of several pieces, such as texts with a brace.
     joined: OnceLock<BTreeMap<String, String>>,
 }
 
 impl Source {
-    /// The message of that text; none if it is written wrongly, which the check of the catalogue tells.
+    /// The message of a text; none if it has a syntax error, which the check of the catalogue reports.
     fn message(&self, text: &str) -> Option<&Message<&str>> {
         let read = || match FluentResource::try_new(text.to_owned()) {
             Ok(resource) | Err((resource, _)) => resource,
@@ -106,7 +106,7 @@ impl Language {
         texts.flat_map(|(_, text)| text.lines()).filter_map(|line| line.split_once('\t'))
     }
 
-    /// A message with its figures filled in; none if this language has none of that name.
+    /// A message with its figures; none if this language lacks it.
     pub(crate) fn message(
         &self,
         key: &str,
@@ -118,7 +118,7 @@ impl Language {
         let mut arguments = FluentArgs::with_capacity(figures.len());
         for (name, figure) in figures {
             let value = match figure {
-                // As a number, so that plurals can go by it; one with its plus would lose it.
+                // As a number, for plurals; a number with a plus sign would lose the sign.
                 Figure::Number(number) if !number.starts_with('+') => {
                     number.parse::<FluentNumber>().map(FluentValue::Number).ok()
                 }
@@ -132,7 +132,7 @@ impl Language {
         Some(text)
     }
 
-    /// A message that is nothing but text.
+    /// A message without figures.
     pub(crate) fn plain(&self, key: &str, form: Option<&str>) -> Option<&str> {
         let (source, message) = self.found(key)?;
         let pattern = pattern(message, form)?;
@@ -188,7 +188,7 @@ impl Language {
         Some(gaps(self.pattern(key, None)?).contains(&figure))
     }
 
-    /// A number as people write it in this language.
+    /// A number as written in this language.
     pub(crate) fn number(&self, written: &str) -> String {
         if self.has("decimal-comma") { with_comma(written) } else { written.to_owned() }
     }
@@ -216,13 +216,13 @@ fn pattern<'m>(message: &'m Message<&'m str>, form: Option<&str>) -> Option<&'m 
     }
 }
 
-/// A number with a comma before its decimals; where that is the rule, a minus is a sign of its own and no hyphen.
+/// A number with a decimal comma; in such languages the minus is a separate character, not a hyphen.
 fn with_comma(written: &str) -> String {
     let (sign, digits) = written.strip_prefix('-').map_or(("", written), |digits| ("−", digits));
     format!("{sign}{}", digits.replace('.', ","))
 }
 
-/// The names of the figures that a pattern has gaps for.
+/// The names of the figures for which a pattern has gaps.
 pub fn gaps<'p>(pattern: &Pattern<&'p str>) -> Vec<&'p str> {
     let mut names = Vec::new();
     for element in &pattern.elements {

@@ -1,4 +1,4 @@
-//! What is wrong with the catalogue: keys that a language lacks, gaps that differ, plurals without a form, mixed alphabets.
+//! Checks the catalogue: keys that a language lacks, different gaps, plurals without a form, mixed alphabets.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,11 +7,11 @@ use fluent_syntax::parser::parse;
 
 use super::catalogue::{Language, gaps};
 
-/// One message as its file has it.
+/// One message of a file.
 pub struct Entered {
     /// The file it stands in.
     pub file: &'static str,
-    /// The figures it has gaps for; those of each of its forms under the form's name.
+    /// The figures of its gaps; those of an attribute under the attribute's name.
     pub gaps: BTreeMap<String, BTreeSet<String>>,
 }
 
@@ -58,7 +58,7 @@ pub fn entries(language: &Language) -> (BTreeMap<String, Entered>, Vec<String>) 
     (entries, faults)
 }
 
-/// What a language lacks of what English says, and what it says that English does not.
+/// The messages that a language lacks compared with English, and those that English lacks.
 pub fn differences(language: &Language, english: &Language) -> (Vec<String>, Vec<String>) {
     let ((own, _), (whole, _)) = (entries(language), entries(english));
     let lacks = whole.keys().filter(|name| !own.contains_key(*name)).cloned().collect();
@@ -73,7 +73,7 @@ pub fn differences(language: &Language, english: &Language) -> (Vec<String>, Vec
     (lacks, wrong.collect())
 }
 
-/// Messages that say something of the language itself.
+/// Messages about the language itself.
 const LOCAL: &[&str] = &["decimal-comma"];
 
 /// The plural forms that a language requires.
@@ -101,7 +101,7 @@ fn plural_faults(tag: &str, pattern: &Pattern<&str>) -> Vec<String> {
     faults
 }
 
-/// Words of both alphabets: the eye does not see a Latin `c` in a Ukrainian word, a search does.
+/// Words of both alphabets: a Latin `c` in a Ukrainian word is invisible to the eye, but not to a search.
 fn mixed_words(pattern: &Pattern<&str>) -> Vec<String> {
     let mut texts = Vec::new();
     collect_text(pattern, &mut texts);
@@ -148,7 +148,7 @@ mod tests {
         let polish = Lang::of(&POLISH);
         assert_eq!(polish.term("operation", "drill"), "wiercenie");
         assert_eq!(polish.form("operation", "drill", "verb"), "Wiercić");
-        // What it lacks is said in English, numbers too.
+        // Missing messages are in English, with English numbers.
         assert_eq!(polish.term("operation", "tap"), "tapping");
         let note = Note::new("stages").with("stages", Figure::sum_of_words(["finish-nc"])).with("delta", 0.2);
         let note = note.with("sigma", 0.05);

@@ -1,11 +1,11 @@
-//! Every word that technolog says: the message catalogue, one folder of [Fluent](https://projectfluent.org) files for each
+//! All words of technolog: the message catalogue, one folder of [Fluent](https://projectfluent.org) files for each
 //! language, in `languages/`.
 //!
-//! A message has a name, such as `no-cutter`, and gaps for figures, `{ $diameter }`. What to do about it stands in its
-//! attribute `.help`. A message that a language lacks is said in English. Keys of files, ids and what the user wrote are
-//! figures and are never translated.
+//! A message has a name, such as `no-cutter`, and gaps for figures, `{ $diameter }`. Its remedy is the attribute
+//! `.help`. A message that a language lacks is shown in English. Keys of files, ids and text of the user are figures
+//! and are never translated.
 //!
-//! Architecture invariant: nothing here knows what is planned; whoever has something to say gives a [`Note`].
+//! Architecture invariant: nothing here knows about planning; every other room gives a [`Note`].
 
 mod catalogue;
 pub mod check;
@@ -25,10 +25,10 @@ pub struct Lang(&'static Language);
 impl Lang {
     /// Ukrainian.
     pub const UK: Self = Self(&registered::UK);
-    /// English, in which is said what another language lacks.
+    /// English, the fallback for messages that another language lacks.
     pub const EN: Self = Self(&registered::EN);
 
-    /// Every registered language, the first one unless another is chosen.
+    /// All registered languages; the first one is the default.
     pub fn all() -> impl Iterator<Item = Self> {
         LANGUAGES.iter().map(|language| Self(language))
     }
@@ -44,7 +44,7 @@ impl Lang {
         Self::all().find(|lang| lang.tag().eq_ignore_ascii_case(primary)).unwrap_or(Self::UK)
     }
 
-    /// The messages that it lacks and says in English.
+    /// The messages that it lacks and shows in English.
     pub fn lacks(self) -> Vec<String> {
         check::differences(self.0, &registered::EN).0
     }
@@ -60,12 +60,12 @@ impl Lang {
         entries.into_iter().filter(|(_, entered)| !is_wording(entered.file)).map(|(name, _)| name).collect()
     }
 
-    /// A message that is nothing but text; its name where no language has it.
+    /// A message without figures; its name if no language has it.
     pub fn word(self, key: &str) -> &str {
         self.plain(key, None).unwrap_or(key)
     }
 
-    /// The message of a note. One that no language has shows its code and figures, so that nothing is lost.
+    /// The text of a note. A note without a message shows its code and figures, so that nothing is lost.
     #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
     pub fn say(self, note: &Note) -> String {
         let known = figures_of(note);
@@ -88,7 +88,7 @@ impl Lang {
         said
     }
 
-    /// What to do about what a note says.
+    /// The remedy for a note.
     #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
     pub fn remedy(self, note: &Note) -> Option<String> {
         let known = figures_of(note);
@@ -96,7 +96,7 @@ impl Lang {
         self.message(note.code(), Some("help"), &figures)
     }
 
-    /// A message that is nothing but text, where there is one.
+    /// A message without figures, if there is one.
     pub fn find(self, key: &str) -> Option<&'static str> {
         self.plain(key, None)
     }
@@ -111,7 +111,7 @@ impl Lang {
         self.plain(&format!("{of}-{id}"), Some(form)).unwrap_or(id)
     }
 
-    /// A figure by itself: a number as this language writes it, a word translated.
+    /// A single figure: a number as written in this language, a word translated.
     pub fn figure(self, figure: &Figure) -> String {
         match figure {
             Figure::Text(text) => text.to_string(),
@@ -131,14 +131,14 @@ impl Lang {
         }
     }
 
-    /// What a row of a table says of itself: from what it was inferred, why it is not confirmed. English where this
+    /// A remark of a table row: the data from which it was inferred, or why it is not confirmed. English where this
     /// language lacks it.
     pub fn remark(self, english: &str) -> Cow<'_, str> {
         with_latin_table_names(self.0.remarks().get(english).copied().unwrap_or(english))
     }
 
-    /// A place in a source, such as `textbook 1.2.1, l. 270-273`, its words in this language. Names, numbers and addresses
-    /// stay as they are.
+    /// A place in a source, such as `textbook 1.2.1, l. 270-273`, with its words in this language. Names, numbers and
+    /// addresses stay as they are.
     pub fn place(self, source: &str) -> String {
         let known = self.0.places();
         let english = with_latin_table_names(source);
@@ -146,7 +146,7 @@ impl Lang {
         let inside = |letter: char| letter.is_alphanumeric() || "_/-@".contains(letter);
         let mut said = String::with_capacity(english.len());
         let (mut rest, mut before) = (&*english, ' ');
-        // Of lines and pages a hyphen says `to`; elsewhere it belongs to a designation.
+        // Between lines and pages a hyphen means `to`; elsewhere it belongs to a designation.
         let mut in_numbers = false;
         while let Some(first) = rest.chars().next() {
             let ends = |word: &str| {
@@ -185,12 +185,12 @@ impl Lang {
     }
 }
 
-/// The textbook prints the Cyrillic letter; a table has one name on all pages, which is that of the command line.
+/// The textbook prints the Cyrillic letter; on all pages a table has one name, that of the command line.
 fn with_latin_table_names(text: &str) -> Cow<'_, str> {
     if text.contains("А.") { text.replace("А.", "A.").into() } else { text.into() }
 }
 
-/// The figures of a note, those of a stored one as what they seem to be.
+/// The figures of a note; for a stored note, of the kinds that they seem to have.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 fn figures_of(note: &Note) -> Vec<(&str, Cow<'_, Figure>)> {
     note.figures()
@@ -201,7 +201,7 @@ fn figures_of(note: &Note) -> Vec<(&str, Cow<'_, Figure>)> {
         .collect()
 }
 
-/// A figure of a stored note, of which only its name tells what it is.
+/// A figure of a stored note; only its name shows its kind.
 fn stored(name: &str, text: &str) -> Figure {
     const OPERATIONS: [&str; 7] = ["operation", "instead", "transitions", "better", "scheme", "same", "first"];
     const WORDS: [&str; 12] = [
@@ -242,13 +242,13 @@ fn is_designation(digits: &str) -> bool {
     digits.len() > 1 && digits.starts_with('0') && !digits.contains('.')
 }
 
-/// Whether the messages of a file are words of pages and commands, not what notes say.
+/// Whether the messages of a file are words of pages and commands, not sentences of notes.
 fn is_wording(file: &str) -> bool {
     file.starts_with("page-")
         || ["cli", "general", "help", "operations", "terms", "units"].contains(&file.trim_end_matches(".ftl"))
 }
 
-/// What is said in a language, without figures or with some: `say!(lang, "holes-counted", count = 5)`.
+/// The text of a message in a language, with or without figures: `say!(lang, "holes-counted", count = 5)`.
 #[macro_export]
 macro_rules! say {
     ($lang:expr, $key:literal) => { $lang.word($key) };
@@ -281,7 +281,8 @@ impl std::str::FromStr for Lang {
             .ok_or_else(|| Note::new("no-such-language").with("language", text).with("known", known()))
     }
 }
-/// Several beside each other. Where one is a number with a decimal comma, a comma between them could be one, too.
+/// A list of texts. If one of them is a number with a decimal comma, the separator is a semicolon, because a comma
+/// would be ambiguous.
 pub fn listed(told: &[String]) -> String {
     let has_comma = |one: &String| {
         let mut parts = one.split(',');

@@ -1,8 +1,8 @@
-//! Text escaped for Markdown.
+//! Escapes text for Markdown.
 
 use crate::{Inline, clean};
 
-/// A text anywhere in a line but at its beginning, see [`started`].
+/// A text anywhere but at the beginning of a line, see [`started`].
 pub(super) fn escaped(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for sign in clean::line(text).chars() {
@@ -33,7 +33,7 @@ pub(super) fn started(line: String) -> String {
     if mark && !signs.next().is_some_and(char::is_alphanumeric) { format!("{number}\\{rest}") } else { line }
 }
 
-/// Adds strong words. Between words without spaces asterisks are not always marks; tags are.
+/// Adds emphasised words. Between words without spaces asterisks are not always marks; tags are.
 pub(super) fn strong(shown: &mut String, text: &str, next: Option<&Inline>) {
     let text = clean::line(text);
     let inner = text.trim();
@@ -52,7 +52,7 @@ pub(super) fn strong(shown: &mut String, text: &str, next: Option<&Inline>) {
     shown.push_str(&format!("{begin}{}{end}{after}", escaped(inner)));
 }
 
-/// Adds code: between more backticks than it has itself; tags where that would be misread.
+/// Adds code between more backticks than it contains, or in tags where backticks would be misread.
 pub(super) fn code(shown: &mut String, text: &str, cell: bool) {
     let text = clean::line(text);
     if shown.ends_with('`') || (cell && text.contains('|')) {

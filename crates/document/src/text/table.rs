@@ -1,15 +1,15 @@
-//! Tables: ruled under a head, wrapped and without the columns that may be left out where they are too wide; what even
-//! then does not fit is written row by row.
+//! Tables: ruled under a head; wrapped and without optional columns if they are too wide; written row by row if they
+//! still do not fit.
 
 use super::wrap::{Line, Word, of_cell, of_heading, wrap};
 use super::{Page, STEP, wrap as set};
 use crate::{Align, Inlines, Table, WIDTH};
 
-/// A table with what stands under it.
+/// A table with the notes under it.
 pub(super) fn write(page: &mut Page, table: &Table) {
     let head = table.has_head();
     let grid = Grid::of(table);
-    // Each column of a ruled table has a space on both sides, and a rule stands between two.
+    // Each column of a ruled table has a space on both sides, and a vertical rule separates two columns.
     let (between, around) = if head { (3, 2) } else { (2, page.indent) };
     let room = |columns: usize| (page.width + between).checked_sub(around + between * columns);
     match grid.layout(table, &room) {
@@ -28,7 +28,7 @@ pub(super) fn write(page: &mut Page, table: &Table) {
     }
 }
 
-/// What is said under a table; `all` is the width that it needs with every column.
+/// The notes under a table; `all` is the width that it needs with every column.
 fn notes(page: &mut Page, table: &Table, left_out: Vec<Inlines>, all: usize) {
     if !left_out.is_empty() {
         let mut said = Inlines::joined(left_out, ", ");
@@ -42,7 +42,7 @@ fn notes(page: &mut Page, table: &Table, left_out: Vec<Inlines>, all: usize) {
     }
 }
 
-/// The rows one after the other, each as its cells with their headings: no width is too small for it.
+/// The rows one by one, each as its cells with their headings: it fits any width.
 fn records(page: &mut Page, table: &Table) {
     for row in table.rows() {
         let mut indent = page.indent;
@@ -59,12 +59,12 @@ fn records(page: &mut Page, table: &Table) {
 /// The columns that are shown, each with its width.
 type Layout = Vec<(usize, usize)>;
 
-/// The words of all cells, so that they are split once.
+/// The words of all cells, so that they are split only once.
 struct Grid {
     heads: Vec<Vec<Word>>,
     rows: Vec<Vec<Vec<Word>>>,
     aligns: Vec<Align>,
-    /// How wide each column would like to be, and how narrow it can be.
+    /// The preferred and the least width of each column.
     measures: Vec<(usize, usize)>,
 }
 
@@ -82,9 +82,9 @@ impl Grid {
         Self { measures, aligns: table.columns().iter().map(|column| column.align).collect(), heads, rows }
     }
 
-    /// The widest selection of columns that fits in the room that so many columns leave. Those that may be left out go
-    /// one by one, from the last; then a narrower one of them comes back where there is room for it. Nothing, when not even
-    /// the rest fits.
+    /// The widest selection of columns that fits into the room `room` gives for so many columns. Optional columns are
+    /// removed one by one, from the last; then a narrower one is put back if there is room for it. None if even the
+    /// required columns do not fit.
     fn layout(&self, table: &Table, room: &dyn Fn(usize) -> Option<usize>) -> Option<Layout> {
         let mut shown: Vec<usize> = (0..self.measures.len()).collect();
         let mut left_out = Vec::new();
@@ -114,7 +114,7 @@ impl Grid {
         (columns + around).saturating_sub(between)
     }
 
-    /// Widths that fit, by narrowing the widest column again and again.
+    /// Widths that fit, by repeatedly narrowing the widest column.
     fn fit(&self, shown: &[usize], room: usize) -> Option<Vec<usize>> {
         let mut widths: Vec<usize> = shown.iter().map(|&column| self.measures[column].0).collect();
         while widths.iter().sum::<usize>() > room {
@@ -122,7 +122,7 @@ impl Grid {
             let widest = wide.max_by_key(|&at| widths[at])?;
             widths[widest] -= 1;
         }
-        // What is wrapped seldom fills its column.
+        // Wrapped text seldom fills its column.
         let filled = |(&column, width): (&usize, &usize)| {
             let cells = self.rows.iter().map(|row| &row[column]).chain([&self.heads[column]]);
             cells.flat_map(|words| wrap(words, *width, *width)).map(|line| line.width).max().unwrap_or(0)

@@ -1,10 +1,10 @@
-//! Words and the lines they are set in: widths are those of the screen, breaks stand between words only.
+//! Words and lines: widths are those on the screen, and lines break only between words.
 
 use unicode_width::UnicodeWidthStr;
 
 use crate::{Inline, Inlines, Severity, clean};
 
-/// How words look where there are colours.
+/// The style of words on a coloured terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Style {
     Plain,
@@ -28,12 +28,12 @@ impl Style {
     }
 }
 
-/// What no line break may part, in runs of one style.
+/// A unit without line breaks, in runs of one style.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Word {
     runs: Vec<(String, Style)>,
     pub width: usize,
-    /// Whether a space stands before it on a line.
+    /// Whether a space precedes it on a line.
     spaced: bool,
 }
 
@@ -50,7 +50,7 @@ impl Word {
         self.runs.iter().map(|(run, _)| run.as_str()).collect()
     }
 
-    /// Whether the next word stays with it, as in `Ra 2.5` and `<= 6`.
+    /// Whether the next word must stay with it, as in `Ra 2.5` and `<= 6`.
     fn holds(&self, next: &Self) -> bool {
         let (own, next) = (self.plain(), next.plain());
         matches!(own.as_str(), "Ra" | "Rz" | "<" | "<=" | ">" | ">=" | "≤" | "≥" | "→")
@@ -67,7 +67,7 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// The line, with its colours where they are wanted.
+    /// The line, with its colours if `colour` is set.
     pub fn shown(&self, colour: bool) -> String {
         let mut shown = String::new();
         for (run, style) in &self.runs {
@@ -93,7 +93,7 @@ impl Line {
     }
 }
 
-/// The words of a paragraph or a cell. Code within a sentence stands in backticks, because not every screen has colours.
+/// The words of a paragraph or a cell. Code in a sentence has backticks, because not every screen has colours.
 pub(super) fn words(inlines: &Inlines) -> Vec<Word> {
     split(inlines, None, None)
 }
@@ -103,12 +103,12 @@ pub(super) fn styled(inlines: &Inlines, style: Style) -> Vec<Word> {
     split(inlines, Some(style), None)
 }
 
-/// The words of a heading of a column: long names are broken after `_`, too.
+/// The words of a column heading: long names may also be broken after `_`.
 pub(super) fn of_heading(inlines: &Inlines) -> Vec<Word> {
     split(inlines, Some(Style::Strong), Some('_'))
 }
 
-/// The words of a cell: long names are broken after a `+` inside, too.
+/// The words of a cell: long names may also be broken after a `+` inside.
 pub(super) fn of_cell(inlines: &Inlines) -> Vec<Word> {
     split(inlines, None, Some('+'))
 }
@@ -149,12 +149,12 @@ fn shown(piece: &Inline, quoted: bool) -> String {
     }
 }
 
-/// Adds a piece to the last word or begins a new one, more than one where it may be broken after a sign inside it.
+/// Adds a piece to the last word or begins a new one; several if it may be broken after a sign inside it.
 fn add(words: &mut Vec<Word>, text: &str, style: Style, mut open: bool, after: Option<char>) {
     let mut spaced = true;
     let mut rest = text;
     while !rest.is_empty() {
-        // A sign at the beginning is that of a number.
+        // A sign at the beginning belongs to a number.
         let inside = rest.char_indices().skip(1).find(|(_, sign)| Some(*sign) == after);
         let (piece, left) = rest.split_at(inside.map_or(rest.len(), |(at, sign)| at + sign.len_utf8()));
         match words.last_mut().filter(|_| open) {
@@ -169,7 +169,7 @@ fn add(words: &mut Vec<Word>, text: &str, style: Style, mut open: bool, after: O
     }
 }
 
-/// Words that belong together as one.
+/// Joins words that must stay together.
 fn held(words: Vec<Word>) -> Vec<Word> {
     let mut all: Vec<Word> = Vec::new();
     let mut last = Word::default();
@@ -187,7 +187,7 @@ fn held(words: Vec<Word>) -> Vec<Word> {
     all
 }
 
-/// Words in lines, the first so wide and the others so wide; a line is wider only for a single word.
+/// Words in lines of the width `first`, then `others`; a line is wider only for a single word.
 pub(super) fn wrap(words: &[Word], first: usize, others: usize) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     for word in words {

@@ -1,4 +1,4 @@
-//! Laws of the writers: whatever a document says, a reader of what is written reads the same.
+//! Laws of the writers: a reader of the output reads exactly what the document says.
 
 mod html;
 mod markdown;
@@ -10,7 +10,7 @@ use technolog_document::{Block, Document, Drawing, Inlines, Item, Words};
 /// Words that no sample has.
 const WORDS: Words = Words { left_out: "Left", see_all: "Wider", help: "Help", figure: "Drawing" };
 
-/// What a reader should read of a block: what kind of line it is, and its words.
+/// The expected reading of a block: the kind of each line, and its words.
 fn expected(document: &Document) -> Vec<(String, String)> {
     let mut all = vec![("h1".to_owned(), document.title.plain())];
     let mut before = None;
@@ -66,7 +66,7 @@ fn said(kind: &str, words: &Inlines) -> (String, String) {
     (kind.to_owned(), words.plain())
 }
 
-/// No format keeps more than one space, nor those at the ends of a line.
+/// No format keeps more than one space, or spaces at the ends of a line.
 fn spaced(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

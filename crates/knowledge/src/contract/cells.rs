@@ -1,4 +1,4 @@
-//! What values of tables are read as, and what a question gives as inputs.
+//! Conversions between table values and Rust types, for cells and for inputs of questions.
 
 use super::{AsInput, CellShape, FromCell, FromValue, Holds, Named, Word};
 use crate::query::Input;
@@ -100,7 +100,7 @@ impl AsInput for &str {
     }
 }
 
-/// Both directions for types that a value of a table holds as they are.
+/// Both directions for types that a table value holds directly.
 macro_rules! plain {
     ($($type:ty: $holds:expr, $variant:ident;)*) => {$(
         impl FromValue<'_> for $type {

@@ -1,6 +1,6 @@
-//! The macros by which row types and vocabularies are written.
+//! The macros that declare row types and vocabularies.
 
-/// Makes enums whose words stand in tables: the one place where a word is written.
+/// Makes enums with their words in tables: the only place where a word is written.
 ///
 /// ```text
 /// vocabulary! {
@@ -44,7 +44,7 @@ macro_rules! vocabulary {
     )*};
 }
 
-/// Makes row types: a struct whose fields are the columns that code reads, with its contract and its reading.
+/// Makes row types: a struct with the columns that code reads, its contract, and the reader of a row.
 ///
 /// ```text
 /// rows! {
@@ -61,9 +61,9 @@ macro_rules! vocabulary {
 /// }
 /// ```
 ///
-/// `field as "column": Type` names a column that is no identifier of Rust. `complete COLUMN` after the tables asks that
-/// each word of that column's type has a row and each row such a word. `shown { … }` names the columns that are for
-/// people only.
+/// `field as "column": Type` names a column that is no Rust identifier. `complete COLUMN` after the tables requires
+/// that each word of that column's type has a row and that each row has such a word. `shown { … }` names the columns
+/// that are only for people.
 #[macro_export]
 macro_rules! rows {
     ($(
@@ -76,7 +76,7 @@ macro_rules! rows {
         $(#[$meta])*
         #[derive(Clone, Debug)]
         pub struct $name<'t> {
-            /// The row itself, for those who cite it.
+            /// The row itself, for citing it.
             pub row: $crate::RowRef<'t>,
             $(pub $field: $type,)*
         }
@@ -126,7 +126,7 @@ macro_rules! question {
 
         impl $(<$life>)? $question $(<$life>)? {
             $(
-                /// The column of that input, for those who ask what it may be.
+                /// The column of that input, for querying its permitted values.
                 pub fn $input(table: &$crate::Table) -> Option<&$crate::Column> {
                     let name = $crate::column!($input $($column)?);
                     table.columns.iter().find(|column| column.name == name)

@@ -1,9 +1,9 @@
 //! The contract between a table and the code that reads it.
 //!
-//! Code never names a column by a string: each table it reads has one row type, a struct made by [`crate::rows!`]. From
-//! the struct come the reading of a row, the list of columns with their types and units, and the check that
-//! holds a table against that list when it is loaded. A column that is missing, of another type or unit, that may be
-//! left out where the code needs it, or that nobody reads, is an error before anything is planned.
+//! Code never names a column by a string: each table that it reads has one row type, a struct made by
+//! [`crate::rows!`]. The struct gives the reader of a row, the list of columns with types and units, and the check of
+//! a table against that list when it is loaded. A column that is missing, of another type or unit, optional where
+//! code needs it, or read by nobody, is an error before anything is planned.
 
 mod cells;
 mod macros;
@@ -15,7 +15,7 @@ use crate::table::{Cell, RowRef, Table, TableError};
 use crate::units::Unit;
 use crate::value::Value;
 
-/// What the cells of a column hold, for the code that reads them.
+/// The content of a column's cells, as code needs it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Holds {
     /// Any text, or any word of an enum.
@@ -36,11 +36,11 @@ pub enum Holds {
     Grade,
     /// A roughness limit.
     Roughness,
-    /// Whatever the table says: shown, and no more.
+    /// Anything: only shown.
     Anything,
 }
 
-/// What the code asks of the cells of a column.
+/// The requirements of code for the cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CellShape {
     /// What a cell, or each item of its list, holds.
@@ -63,14 +63,14 @@ pub trait Word: Copy + Eq + 'static {
     /// Every word, in the order of the variants.
     const WORDS: &'static [&'static str];
 
-    /// The word as tables write it.
+    /// The word as written in tables.
     fn word(self) -> &'static str;
 
     /// The variant of that word.
     fn from_word(word: &str) -> Option<Self>;
 }
 
-/// A name that stands in a column of names, some of which code reads.
+/// A value in a column of names, some of which code reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Named<'t, W> {
     /// A name that code reads.
@@ -87,25 +87,25 @@ impl<W: Word> Named<'_, W> {
 }
 
 crate::vocabulary! {
-    /// What a named row is for.
+    /// The purpose of a named row.
     pub enum Use {
         /// Code reads it.
         Planning = "planning",
-        /// It is for people; nothing calculates with it.
+        /// It is for people; no calculation uses it.
         Documentation = "documentation",
     }
 }
 
-/// What a cell is read as.
+/// A Rust type for a cell.
 pub trait FromCell<'t>: Sized {
-    /// What is required of the column.
+    /// The required shape of the column.
     const SHAPE: CellShape;
 
-    /// The value; none if the cell is not of that shape.
+    /// The value; none if the cell has another shape.
     fn from_cell(cell: &'t Cell) -> Option<Self>;
 }
 
-/// What one value of a cell, or one item of its list, is read as.
+/// A Rust type for one value of a cell, or one item of its list.
 pub trait FromValue<'t>: Sized {
     /// What the value is.
     const HOLDS: Holds;
@@ -114,12 +114,12 @@ pub trait FromValue<'t>: Sized {
     fn from_value(value: &'t Value) -> Option<Self>;
 }
 
-/// A value that a question gives for an input column.
+/// A Rust type that a question gives for an input column.
 pub trait AsInput {
-    /// What the column must take.
+    /// The shape that the column must accept.
     const SHAPE: CellShape;
 
-    /// The input; none if the table's default is to stand.
+    /// The input; none if the table's default applies.
     fn as_input(&self) -> Option<Input<'_>>;
 }
 
@@ -132,21 +132,21 @@ pub struct RequiredColumn {
     pub shape: CellShape,
 }
 
-/// Which tables a row type is of.
+/// The tables of a row type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
     /// One table; it must be there.
     One(&'static str),
-    /// Tables of one shape; all of them must be there. A column that a row may leave out may be left out of a table.
+    /// Tables of one shape; all of them must exist. An optional column may be missing in a table.
     Each(&'static [&'static str]),
-    /// Every table that obeys the law `record` of that schema; at least one must be there. Columns as of `Each`.
+    /// Every table that obeys the law `record` of that schema; at least one must exist. Columns as for `Each`.
     Record(&'static str),
     /// Every table of cutters, which has a `tool` head. Columns as of `Each`.
     Tools,
 }
 
 impl Which {
-    /// The id of the one table; empty of several.
+    /// The id of the single table; empty for several.
     pub const fn id(self) -> &'static str {
         match self {
             Self::One(id) => id,
@@ -155,7 +155,7 @@ impl Which {
     }
 }
 
-/// What code asks of a table: made by [`crate::rows!`].
+/// The requirements of code for a table, made by [`crate::rows!`].
 #[derive(Debug)]
 pub struct Contract {
     /// The row type, for messages.
@@ -166,22 +166,22 @@ pub struct Contract {
     pub inputs: &'static [RequiredColumn],
     /// The columns that are read.
     pub fields: &'static [RequiredColumn],
-    /// Columns for people: shown with the table and its answers, steering nothing.
+    /// Columns for people: shown with the table and its answers, used by no decision.
     pub shown: &'static [&'static str],
-    /// A column whose words must each have a row, and whose rows must each be such a word. Where it holds names
-    /// ([`Named`]), the column of [`Use`] says which rows are no such word.
+    /// A column whose words must each have a row, and whose rows must each have such a word. Where it holds names
+    /// ([`Named`]), the column of [`Use`] says which rows are exempt.
     pub complete: Option<&'static str>,
 }
 
 /// A row of a table as a value.
 pub trait TableRow<'t>: Sized {
-    /// What it asks of its table.
+    /// The requirements for its table.
     const CONTRACT: &'static Contract;
 
     /// Reads a row.
     ///
     /// # Errors
-    /// A cell is not what the contract says; never of a table that was checked.
+    /// A cell breaks the contract; this does not happen in a checked table.
     fn read(row: RowRef<'t>) -> Result<Self, TableError>;
 }
 
@@ -192,8 +192,8 @@ pub trait Question {
     /// The table.
     const TABLE: &'static str;
 
-    /// Asks with the inputs by name; `None` takes the table's default. A plan does it thousands of times, so there is
-    /// no list on the heap.
+    /// Calls `ask` with the inputs by name; `None` means the table's default. A plan does this thousands of times, so
+    /// there is no list on the heap.
     fn put<T>(&self, ask: impl FnOnce(&[(&'static str, Option<Input<'_>>)]) -> T) -> T;
 }
 
@@ -203,7 +203,7 @@ pub struct Reader<'t> {
     row: RowRef<'t>,
     cells: &'t [Cell],
     contract: &'static Contract,
-    /// Where the fields stand among the columns, if the table was first read by this contract.
+    /// The positions of the fields among the columns, if the table was first read by this contract.
     layout: Option<&'t [Option<usize>]>,
     next: usize,
 }
@@ -222,7 +222,7 @@ impl<'t> Reader<'t> {
     pub fn cell<T: FromCell<'t>>(&mut self) -> Result<T, TableError> {
         let position = self.next;
         self.next += 1;
-        // A table of a family may lack a column that its rows may leave out.
+        // A table of a family may lack an optional column.
         let column = match self.layout {
             Some(layout) => layout.get(position).copied().flatten(),
             None => self.contract.fields.get(position).and_then(|asked| self.row.table.column_index(asked.name)),
@@ -239,7 +239,7 @@ impl<'t> Reader<'t> {
 }
 
 impl Table {
-    /// Where the fields of a contract stand among its columns; none where another contract was asked first.
+    /// The positions of a contract's fields among its columns; none if another contract was used first.
     fn layout_of(&self, contract: &'static Contract) -> Option<&[Option<usize>]> {
         let find = |asked: &RequiredColumn| self.column_index(asked.name);
         let (row, positions) =

@@ -8,7 +8,7 @@ use crate::units::{Micrometres, Newtons};
 use crate::{Knowledge, SourceFile, TableRow};
 
 crate::vocabulary! {
-    /// How a face lies before the cut.
+    /// The state of a face before the cut.
     pub enum Entry {
         /// Machined before.
         Machined = "machined",

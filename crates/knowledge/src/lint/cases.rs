@@ -5,8 +5,8 @@
 //! tests:
 //!   - {given: {it: 12, diameter: 10}, expect: {centre: true}, because: textbook 1.2.1}
 //! ```
-//! `expect: none` states that no row applies. `source` says where the expectation comes from, `because` why it follows from
-//! there; one of the two must be said. Such a file is a file of cases for `technolog test` too, which knows more
+//! `expect: none` states that no row applies. `source` gives the origin of the expectation, `because` the derivation;
+//! one of the two is required. Such a file is also a file of cases for `technolog test`, which can do more
 //! (docs/cases.md).
 
 use crate::column::Column;
@@ -21,7 +21,7 @@ use technolog_note::{Note, note};
 /// One file of examples.
 #[derive(Debug)]
 pub struct CaseFile {
-    /// The table they are of.
+    /// The table of the examples.
     pub table: String,
     /// The file.
     pub file: String,
@@ -34,9 +34,9 @@ pub struct CaseFile {
 pub struct Case {
     /// Inputs by name.
     pub given: Vec<(String, String)>,
-    /// Expected outputs by name, each a list of texts; nothing when no row must apply.
+    /// Expected outputs by name, each a list of texts; none when no row may apply.
     pub expect: Option<Vec<(String, Vec<String>)>>,
-    /// Where the expectation comes from.
+    /// The origin of the expectation.
     pub because: String,
     place: Place,
 }
@@ -130,7 +130,7 @@ pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
     for table in
         knowledge.tables().filter(|table| table.kind == TableKind::Decision && table.file.starts_with("rules/"))
     {
-        // The compiled knowledge carries no examples; only sources can be held to this.
+        // The compiled knowledge has no examples; only sources can be checked for them.
         if !knowledge.cases.iter().any(|file| file.table == table.id && !file.cases.is_empty()) {
             let message = note!("lint-rule-has-no-examples", file = table.file, table = table.id);
             let help = note!("lint-put-them-beside", file = table.file.replace(".yaml", ".test.yaml"));

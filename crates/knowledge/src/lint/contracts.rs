@@ -1,7 +1,7 @@
-//! Proof: every table is what the code that reads it takes it for.
+//! Check: every table agrees with the code that reads it.
 //!
-//! Run by the build, by `--knowledge` and by `lint`, so that a column renamed, retyped or put into another unit stops
-//! there and never changes a plan.
+//! Run by the build, by `--knowledge` and by `lint`, so that a renamed or retyped column, or another unit, is
+//! reported there and never changes a plan.
 
 use crate::column::{Column, ColumnRole, ColumnType};
 use crate::contract::{Contract, Holds, RequiredColumn, Use, Which, Word};
@@ -11,7 +11,7 @@ use crate::table::{Cell, Table};
 use crate::units::Unit;
 use technolog_note::{Note, note};
 
-/// Every table against the contracts of the code; the tables that are asked and absent too.
+/// Checks every table against the contracts of the code; also reports required tables that are missing.
 pub fn check(knowledge: &Knowledge, contracts: &[&Contract]) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     for contract in contracts {
@@ -34,8 +34,8 @@ pub fn check(knowledge: &Knowledge, contracts: &[&Contract]) -> Vec<Diagnostic> 
     findings
 }
 
-/// Tables that are called as records of a schema are (`machine-…` of `machine-quantities`) and look like one, but do not say
-/// that they are: nobody finds them.
+/// Tables named like records of a schema (`machine-…` of `machine-quantities`) and with their columns, but without
+/// the law that says so: no code finds them.
 fn without_law(knowledge: &Knowledge, schema: &str, contracts: &[&Contract]) -> Vec<Diagnostic> {
     let family = schema.trim_end_matches(|letter| letter != '-');
     let is_record = |id: &&str| id.starts_with(family) && !family.is_empty();
@@ -50,20 +50,20 @@ fn without_law(knowledge: &Knowledge, schema: &str, contracts: &[&Contract]) -> 
     records.map(finding).collect()
 }
 
-/// The tables of a knowledge base that no contract is of, by id: nobody reads them.
+/// The tables of a knowledge base without a contract, by id: no code reads them.
 pub fn unread<'k>(knowledge: &'k Knowledge, contracts: &[&Contract]) -> Vec<&'k str> {
     let asked = |table: &Table| contracts.iter().any(|contract| contract.is_of(table));
     knowledge.tables().filter(|table| !asked(table)).map(|table| table.id.as_str()).collect()
 }
 
-/// How many of the tables that are asked for by name are there, and how many are asked for.
+/// The number of tables required by name that exist, and the number that are required.
 pub fn present(knowledge: &Knowledge, contracts: &[&Contract]) -> (usize, usize) {
     let ids: Vec<&str> = contracts.iter().flat_map(|contract| contract.required()).collect();
     (ids.iter().filter(|id| knowledge.table(id).is_ok()).count(), ids.len())
 }
 
 impl Contract {
-    /// The tables that must be there.
+    /// The tables that must exist.
     fn required(&self) -> impl Iterator<Item = &'static str> {
         let ids: Vec<&'static str> = match self.which {
             Which::One(id) => vec![id],
@@ -83,13 +83,13 @@ impl Contract {
         }
     }
 
-    /// Whether its tables may lack a column that their rows may leave out.
+    /// Whether its tables may lack an optional column.
     const fn is_of_family(&self) -> bool {
         !matches!(self.which, Which::One(_))
     }
 }
 
-/// One table against its contract.
+/// Checks one table against its contract.
 pub fn hold(table: &Table, contract: &Contract) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     let asked = || contract.inputs.iter().chain(contract.fields);
@@ -174,7 +174,7 @@ fn field_faults(table: &Table, column: &Column, asked: &RequiredColumn) -> Vec<N
         faults.push(note!("lint-needs-every-row-so-cannot"));
     }
     faults.extend(type_fault(column, asked.shape.holds));
-    // A text or unit that must be a known word is one in every row, or the row could not be read.
+    // A text or unit that must be a known word is one in every row; otherwise the row could not be read.
     if let (Holds::Word(words), ColumnType::Text | ColumnType::Unit) = (asked.shape.holds, column.ty) {
         faults.extend(
             texts(table, column).filter(|text| !words.contains(&text.as_str())).map(|text| unknown(&text, words)),
@@ -235,7 +235,7 @@ fn texts(table: &Table, column: &Column) -> impl Iterator<Item = String> {
         .map(ToString::to_string)
 }
 
-/// Each word of a column's type has a row; of names, those that are for planning are such words, and no others.
+/// Each word of a column's type has a row; in a column of names, exactly those for planning are such words.
 fn complete(table: &Table, contract: &Contract, name: &str, findings: &mut Vec<Diagnostic>) {
     let Some(asked) = contract.fields.iter().find(|asked| asked.name == name) else { return };
     let (Holds::Word(words) | Holds::Name(words)) = asked.shape.holds else { return };
@@ -259,7 +259,7 @@ fn complete(table: &Table, contract: &Contract, name: &str, findings: &mut Vec<D
     }
 }
 
-/// The names of a table with what each is for; none where its contract has no such columns.
+/// The names of a table with their purposes; none where the contract has no such columns.
 fn named(table: &Table, contract: &Contract) -> impl Iterator<Item = (String, String)> {
     let of = |is: fn(Holds) -> bool| {
         let asked = contract.fields.iter().find(|asked| is(asked.shape.holds))?;
@@ -270,7 +270,7 @@ fn named(table: &Table, contract: &Contract) -> impl Iterator<Item = (String, St
     columns.into_iter().flat_map(|(names, uses)| texts(table, names).zip(texts(table, uses)))
 }
 
-/// The rows of a table that say of themselves that they are documentation, by name.
+/// The rows of a table that are marked as documentation, by name.
 pub fn for_people(table: &Table, contract: &Contract) -> Vec<String> {
     let documentation = named(table, contract).filter(|(_, stated)| stated == Use::Documentation.word());
     documentation.map(|(name, _)| name).collect()

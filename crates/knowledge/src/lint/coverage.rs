@@ -1,14 +1,14 @@
-//! Proof: every input of the domain has a row or a declared gap, and no declaration is wider than its gap.
+//! Check: every input of the domain has a row or a declared gap, and no declaration is wider than its gap.
 
 use super::region::{self, Region};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::table::{Table, TableKind};
 use technolog_note::note;
 
-/// More gaps than this of one table are counted, not listed.
+/// The most gaps listed for one table; further ones are counted.
 const LISTED: usize = 5;
 
-/// Gaps with a witness input, and declarations of gaps that are not gaps. Gives the gaps.
+/// Reports gaps with a witness input, and declared gaps that are covered. Returns the gaps.
 pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) -> Vec<Region> {
     if table.kind != TableKind::Decision || table.inputs().any(|(_, column)| column.is_unbounded()) {
         return Vec::new();

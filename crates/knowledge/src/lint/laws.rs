@@ -1,4 +1,4 @@
-//! Proof: the numbers of a table obey the laws the table declares under `laws:`.
+//! Check: the numbers of a table obey the laws that it declares under `laws:`.
 //!
 //! | law | says | parameters |
 //! |---|---|---|
@@ -19,7 +19,7 @@ use crate::knowledge::Knowledge;
 use crate::table::{Cell, Law, Table};
 use crate::value::Value;
 
-/// Every declared law of a table; a tool table without laws is a finding itself.
+/// Checks every declared law of a table; a tool table without laws is a finding itself.
 pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
     if table.tool.is_some() && table.laws.is_empty() {
         let message = note!("lint-tool-table-declares-no-laws", file = table.file, table = table.id);
@@ -50,7 +50,7 @@ pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Dia
     }
 }
 
-/// Lengths of a cutter lie between a tenth of a millimetre and a metre, whatever unit its table is in.
+/// The lengths of a cutter are between a tenth of a millimetre and a metre, in any unit.
 fn plausible_lengths(table: &Table, findings: &mut Vec<Diagnostic>) {
     for (index, column) in table.columns.iter().enumerate() {
         for row in 0..table.rows.len() {
@@ -95,7 +95,7 @@ fn rising(table: &Table, law: &Law) -> Broken {
         .split_whitespace()
         .map(|name| table.column_index(name).ok_or_else(|| note!("table-no-column", name = name)))
         .collect::<Result<_, _>>()?;
-    // Per group: the rows by the other column, and for each of its values the smallest and the largest.
+    // For each group: the rows by the other column, and for each of its values the smallest and the largest.
     let mut groups: BTreeMap<Vec<String>, Vec<(i64, i64, usize)>> = BTreeMap::new();
     for row in 0..table.rows.len() {
         let key = by.iter().map(|&column| format!("{:?}", table.rows[row].cells[column])).collect();
@@ -110,7 +110,7 @@ fn rising(table: &Table, law: &Law) -> Broken {
         for same in rows.chunk_by(|a, b| a.0 == b.0) {
             let (low, high) = (same[0], same[same.len() - 1]);
             let bounds = [(largest, high), (smallest, low)];
-            // One row is its own smallest and largest; the stricter bound says it once.
+            // A single row is both smallest and largest; the stricter bound reports it once.
             let bounds = if same.len() == 1 { &bounds[..1] } else { &bounds[..] };
             for &(bound, (_, own, row)) in bounds {
                 if own < bound {
@@ -229,8 +229,8 @@ fn count(table: &Table, law: &Law) -> Broken {
         .collect())
 }
 
-/// `names` holds `printed_column:transition` pairs. A number in a printed column is the position of
-/// that transition; a `true` only says that it occurs.
+/// `names` holds `printed_column:transition` pairs. A number in a printed column is the position of that transition;
+/// `true` only says that it occurs.
 fn order(table: &Table, law: &Law) -> Broken {
     let list = column(table, law, "column")?;
     let pairs = parameter(law, "names")?

@@ -1,8 +1,8 @@
-//! Proves the tables: gaps, contradictions, dead and duplicate rows, dangling references, broken laws,
-//! and the examples beside the decision tables.
+//! Checks the tables: gaps, contradictions, dead and duplicate rows, dangling references, broken laws, and the
+//! examples beside the decision tables.
 //!
-//! Each proof is a file of its own and yields findings with a place and, where an input shows the
-//! fault, that input as a witness.
+//! Each check is a file of its own and reports findings with a place and, where an input shows the fault, that input
+//! as a witness.
 
 pub mod cases;
 pub mod contracts;
@@ -20,7 +20,7 @@ pub use rows::row_place;
 use crate::diagnostic::Diagnostic;
 use crate::knowledge::Knowledge;
 
-/// Every finding of every proof over the whole knowledge base, by file and line.
+/// All findings of all checks over the whole knowledge base, by file and line.
 pub fn lint(knowledge: &Knowledge) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     let mut gaps = Vec::new();

@@ -1,5 +1,5 @@
-//! Proof: a column name means one thing. A quantity of one name stands in one unit in every table, so
-//! that a unit mistyped in one of them shows against the others.
+//! Check: a column name has one meaning. A quantity has the same unit in every table, so that a mistyped unit differs
+//! from the others.
 
 use std::collections::BTreeMap;
 use technolog_note::note;
@@ -10,7 +10,7 @@ use crate::knowledge::Knowledge;
 use crate::table::Table;
 use crate::units::Unit;
 
-/// With at least this many tables, the majority is taken to be right.
+/// With at least so many tables, the majority is assumed to be right.
 const MANY: usize = 3;
 
 /// Columns whose unit differs from that of the same name in most other tables.

@@ -1,4 +1,4 @@
-//! Proof: rows that match the same input do not contradict each other, partial overlaps included.
+//! Check: rows that match the same input do not contradict each other, including partial overlaps.
 
 use super::region;
 use super::rows::row_place;
@@ -11,8 +11,8 @@ use technolog_note::note;
 /// - `unique`: any overlap;
 /// - `any`: an overlap with different outputs;
 /// - `priority`: an overlap with equal priority and different outputs;
-/// - `first`: an overlap with different outputs where neither row is the special case of the other,
-///   so that the order alone decides;
+/// - `first`: an overlap with different outputs where neither row is a special case of the other, so that only the
+///   order decides;
 /// - `collect`: an overlap that collects the same outputs twice.
 pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
     if table.kind != TableKind::Decision {

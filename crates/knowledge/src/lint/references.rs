@@ -1,4 +1,4 @@
-//! Proof: what a table refers to exists.
+//! Check: everything that a table refers to exists.
 
 use std::collections::BTreeSet;
 use technolog_note::note;
@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::knowledge::Knowledge;
 use crate::table::{Cell, Table};
 
-/// The name by which a column refers to the ids of the tables themselves: `refers: {table: tables, column: id}`.
+/// The name by which a column refers to ids of tables: `refers: {table: tables, column: id}`.
 const TABLES: &str = "tables";
 
 /// Ids of tables that do not exist.

@@ -1,4 +1,4 @@
-//! Boxes over the inputs of a decision table, and what is left when boxes are taken away.
+//! Boxes over the inputs of a decision table, and their differences.
 
 use crate::column::Column;
 use crate::set::Set;
@@ -28,17 +28,17 @@ pub(super) fn of_rows(table: &Table) -> Vec<Region> {
     table.rows.iter().map(|row| of_row(table, row)).collect()
 }
 
-/// Whether a box holds nothing.
+/// Whether a box is empty.
 pub(super) fn is_empty(region: &[Set]) -> bool {
     region.iter().any(Set::is_empty)
 }
 
-/// What is in both boxes.
+/// The intersection of two boxes.
 pub(super) fn intersection(a: &[Set], b: &[Set]) -> Region {
     a.iter().zip(b).map(|(a, b)| a.intersection(b)).collect()
 }
 
-/// Whether nothing is in both boxes.
+/// Whether two boxes have no common input.
 pub(super) fn is_disjoint(a: &[Set], b: &[Set]) -> bool {
     a.iter().zip(b).any(|(a, b)| a.is_disjoint(b))
 }
@@ -48,7 +48,7 @@ pub(super) fn is_inside(a: &[Set], b: &[Set]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.is_subset(b))
 }
 
-/// What is left of a box after taking others away, as disjoint boxes.
+/// The rest of a box without the other boxes, as disjoint boxes.
 pub(super) fn minus<'r>(region: &Region, others: impl IntoIterator<Item = &'r Region>) -> Vec<Region> {
     let mut left = vec![region.clone()];
     for other in others {
@@ -58,7 +58,7 @@ pub(super) fn minus<'r>(region: &Region, others: impl IntoIterator<Item = &'r Re
                 next.push(piece);
                 continue;
             }
-            // Split off, column by column, the part that lies outside the other box.
+            // Split off, column by column, the part outside the other box.
             let mut core = piece;
             for column in 0..core.len() {
                 let outside = core[column].difference(&other[column]);

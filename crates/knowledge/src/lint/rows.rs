@@ -1,5 +1,5 @@
-//! Proof: every row can be told apart, lies inside the domain, every input is bounded, and a row that says of itself
-//! that nothing confirms it bears the mark.
+//! Check: rows are distinguishable and inside the domain, every input is bounded, and a row whose reason says that
+//! nothing confirms it has the mark `unconfirmed`.
 
 use std::collections::BTreeMap;
 use technolog_note::note;
@@ -27,7 +27,7 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
 /// A reason with these words is no confirmation.
 const NOTHING: &str = "nothing at hand confirms";
 
-/// A row whose reason says that nothing confirms it, without the mark that plans show to their reader.
+/// A row whose reason says that nothing confirms it, but without the mark that plans show.
 fn marks(table: &Table, findings: &mut Vec<Diagnostic>) {
     for (row, content) in table.rows.iter().enumerate() {
         let admits = content.reason.as_deref().is_some_and(|reason| reason.contains(NOTHING));
@@ -48,12 +48,12 @@ pub fn row_place(table: &Table, row: usize) -> Place {
     Place { file: table.file.as_str().into(), line: row.line, column: first.map_or(1, |place| place.column), width: 1 }
 }
 
-/// Where the columns of a table are declared: the place of what is wrong with one of them.
+/// The place where the columns of a table are declared, for faults of a column.
 pub(super) fn head_place(table: &Table) -> Place {
     Place { file: table.file.as_str().into(), line: table.columns_line, column: 1, width: 1 }
 }
 
-/// Where a cell stands, or its row when it is left out.
+/// The place of a cell, or of its row if the cell is left out.
 pub(super) fn cell_place(table: &Table, row: usize, column: usize) -> Place {
     table.rows[row].places.get(column).cloned().flatten().unwrap_or_else(|| row_place(table, row))
 }
@@ -74,7 +74,7 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
         for (index, column) in table.inputs() {
             let Cell::Test(set, text) = &content.cells[index] else { continue };
             let outside = set.difference(&column.allowed());
-            // A one-sided test such as `> 30` reaches to infinity by its form; only stated ends count.
+            // A one-sided test such as `> 30` extends to infinity by its form; only stated ends count.
             let stated = outside.intervals().iter().any(|&(low, high)| {
                 (low != i64::MIN && high != i64::MAX) || set.intersection(&column.allowed()).is_empty()
             });
@@ -113,7 +113,7 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A row that can never win under the table's hit policy.
+/// A row that can never apply under the table's hit policy.
 fn dead(table: &Table, row: usize, boxes: &[Region], findings: &mut Vec<Diagnostic>) {
     let stronger = |other: usize| match table.hit {
         HitPolicy::First => other < row,

@@ -1,4 +1,4 @@
-//! Every proof against a small knowledge base that is sound, with one thing spoilt at a time.
+//! Every check on a small sound knowledge base with one fault at a time.
 
 use super::lint;
 use crate::knowledge::{Knowledge, SourceFile};
@@ -77,7 +77,7 @@ rows:
   - {morse: 1, tang_length: 62, source: standard}
 "#;
 
-/// Codes and lines of what is found when one text is replaced in one of the files.
+/// Codes and lines of the findings when one text is replaced in one of the files.
 fn found(file: &str, from: &str, to: &str) -> Vec<(&'static str, u32)> {
     let files = [
         ("rules/rule.yaml", RULE),
@@ -112,7 +112,7 @@ fn a_sound_base_has_no_findings() {
 fn every_planted_defect_is_found_at_its_line() {
     let rule = "rules/rule.yaml";
     for (file, from, to, expected) in [
-        // A widened row overlaps its neighbour, and the gap that it covers is no longer one.
+        // A widened row overlaps its neighbour, and the gap that it covers is no gap any more.
         (rule, "\"<= 10\"", "\"<= 12\"", &[("overlap", 14), ("overlap", 15)][..]),
         // A removed row leaves a gap.
         (rule, "  - {diameter: \"> 50\", through: \"true\", scheme: \"03\", source: seed}\n", "", &[("gap", 13)]),
@@ -227,16 +227,16 @@ fn partial_overlaps_contradict_under_every_hit_policy() {
     assert_eq!(base("priority", &crossing([", priority: 1", ", priority: 1"])), 1);
     assert_eq!(base("priority", &crossing([", priority: 1", ", priority: 2"])), 0);
     assert_eq!(base("collect", &crossing(["", ""])), 0);
-    // Saying the same: allowed under `any`, a repeated result under `collect`.
+    // The same outputs: allowed under `any`, a repeated result under `collect`.
     let same = row("[0..5]", "-", 1, "") + &row("-", "[0..5]", 1, "");
     assert_eq!(base("any", &same), 0);
     assert_eq!(base("collect", &same), 1);
-    // The exception before the general row is what `first` is for.
+    // An exception before the general row is the purpose of `first`.
     let nested = row("[0..5]", "[0..5]", 1, "") + &row("-", "-", 2, "");
     assert_eq!(base("first", &nested), 0);
 }
 
-/// A vocabulary of three words, and tables that answer for two of them: one leaves the third out, one answers it in part.
+/// A vocabulary of three words, and tables for two of them: one lacks the third, one covers it partly.
 #[test]
 fn a_word_that_no_row_names_is_listed_with_every_table_that_it_leaves_a_gap_in() {
     const WORDS: &str = r#"table: groups

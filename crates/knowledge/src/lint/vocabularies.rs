@@ -1,7 +1,7 @@
-//! Proof: every word of a vocabulary is answered by the tables that are queried with it.
+//! Check: the tables that are queried with a vocabulary have an answer for each of its words.
 //!
-//! The gaps themselves are found table by table ([`super::coverage`]); this is the one finding that lists the tables, for
-//! whoever adds a word.
+//! The gaps themselves are found table by table ([`super::coverage`]); this finding lists all tables of a word, for
+//! an author who adds one.
 
 use super::region::Region;
 use super::rows::row_place;
@@ -10,7 +10,7 @@ use crate::knowledge::Knowledge;
 use crate::table::{Cell, Table};
 use technolog_note::note;
 
-/// Words for which tables with such an input have a gap and no row that names them, one finding for each word.
+/// Words for which tables with such an input have a gap and no row that names them; one finding for each word.
 pub(super) fn check(knowledge: &Knowledge, gaps: &[(&Table, Vec<Region>)], findings: &mut Vec<Diagnostic>) {
     for vocabulary in knowledge.tables() {
         let Some(column) = vocabulary.column_index(WORD) else { continue };
@@ -41,7 +41,7 @@ pub(super) fn check(knowledge: &Knowledge, gaps: &[(&Table, Vec<Region>)], findi
 /// The column of a vocabulary that holds its words.
 const WORD: &str = "word";
 
-/// Whether a table takes the words of a vocabulary, has a gap for this one and no row that names it.
+/// Whether a table uses the words of a vocabulary, has a gap for this one and no row that names it.
 fn lacks(table: &Table, gaps: &[Region], vocabulary: &str, word: &str) -> bool {
     let inputs = table.inputs().enumerate().filter(|(_, (_, column))| column.vocabulary.as_deref() == Some(vocabulary));
     inputs.filter_map(|(position, (index, column))| Some((position, index, column.rank_of_text(word)?))).any(

@@ -57,12 +57,12 @@ impl fmt::Display for Decimal {
 }
 
 impl Decimal {
-    /// Appends it to a text, as it is shown. Traces write thousands of positions with it.
+    /// Appends the number to a text, as it is shown. Traces write thousands of positions with it.
     pub fn put(self, text: &mut String) {
         text.push_str(self.written(&mut [0; ROOM]));
     }
 
-    /// Its digits, written backwards into a room.
+    /// Its digits, written backwards into a buffer.
     fn written(self, text: &mut [u8; ROOM]) -> &str {
         let mut at = text.len();
         let mut put = |digit: u8| {

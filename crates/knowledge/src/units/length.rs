@@ -18,7 +18,7 @@ use super::{Decimal, ParseError};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Micrometres(i64);
 
-/// The most millimetres that are read, in either direction: a path over all points of a part still fits.
+/// The largest length that is read, mm: a path over all points of a part still fits.
 const MOST_MM: i64 = 1_000_000_000;
 
 impl Micrometres {
@@ -55,7 +55,7 @@ impl Micrometres {
         Self(self.0.abs())
     }
 
-    /// Half of it, rounded down to a whole micrometre.
+    /// Half of the length, rounded down to a whole micrometre.
     pub const fn half(self) -> Self {
         Self(self.0.div_euclid(2))
     }

@@ -1,8 +1,7 @@
-//! Quantities as types: nothing that has a unit travels as a bare `f64`.
+//! Quantities as types: no value with a unit is passed as a bare `f64`.
 //!
-//! Lengths are whole micrometres and table figures are exact decimals, so that a comparison with an
-//! interval's end is exact. Results of formulas are floating-point numbers inside a type that names
-//! their unit ([`quantity`]).
+//! Lengths are whole micrometres and table figures exact decimals, so that a comparison with the end of an interval
+//! is exact. Results of formulas are floating-point numbers in a type that names their unit ([`quantity`]).
 
 mod decimal;
 mod grade;
@@ -27,7 +26,7 @@ use technolog_note::Note;
 technolog_note::told_as_number!(Decimal, ItGrade, Micrometres);
 technolog_note::told_as_text!(Unit);
 
-/// Why a text is not the quantity it should be: says what was read and what is expected.
+/// Why a text is no valid quantity: what was read and what is expected.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct ParseError(pub Note);

@@ -18,7 +18,7 @@ macro_rules! quantities {
                 Self(self.0.max(other.0))
             }
 
-            /// Rounded to so many decimal places, half away from zero.
+            /// Rounded to `places` decimal places, half away from zero.
             pub fn rounded(self, places: u32) -> Self {
                 Self(round_to(self.0, places))
             }
@@ -80,7 +80,7 @@ pub struct Brinell(pub Decimal);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Megapascals(pub Decimal);
 
-/// The one rounding of printed figures: to so many decimal places, half away from zero.
+/// The rounding of all printed figures: to `places` decimal places, half away from zero.
 pub fn round_to(value: f64, places: u32) -> f64 {
     let scale = 10_f64.powi(i32::try_from(places).unwrap_or(0));
     (value * scale).round() / scale

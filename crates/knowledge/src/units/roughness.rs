@@ -18,8 +18,7 @@ pub struct Roughness {
     rz_nanometres: Option<u32>,
 }
 
-/// Rz and the Ra that stands for it on drawings, nanometres (facts 5.5; a test holds this against
-/// the table `ra-rz`).
+/// Rz with the equivalent Ra on drawings, nanometres (facts 5.5; a test compares this with the table `ra-rz`).
 pub const PREFERRED_PAIRS: [(u32, u32); 6] =
     [(80_000, 12_500), (40_000, 6_300), (20_000, 3_200), (10_000, 2_500), (6_300, 1_250), (3_200, 630)];
 
@@ -99,7 +98,7 @@ impl FromStr for Roughness {
 
     fn from_str(text: &str) -> Result<Self, ParseError> {
         let bad = || ParseError(note!("unit-roughness-write-ra-rz-micrometres", text = text));
-        // Keyboards of the users write the letters in Cyrillic as often as in Latin.
+        // Users type the letters in Cyrillic as often as in Latin.
         let rest = text.trim().strip_prefix(['R', 'r']).ok_or_else(bad)?;
         let (is_rz, digits) = match rest.chars().next() {
             Some('a' | 'A' | 'а' | 'А') => (false, &rest[rest.chars().next().map_or(0, char::len_utf8)..]),

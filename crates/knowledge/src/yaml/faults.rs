@@ -1,6 +1,6 @@
-//! Messages for broken YAML that say what to do. They replace the parser's own, which are English and technical.
+//! Messages for broken YAML with a remedy. They replace those of the parser, which are English and technical.
 
-/// Phrases of the parser's messages, our message for them, and our remedy. The first match is used.
+/// Phrases of the parser's messages, the message shown instead, and its remedy. The first match is used.
 pub(super) const FAULTS: &[(&[&str], &str, &str)] = &[
     (&["tab"], "yaml-broken-tab", "yaml-mend-tab"),
     (&["mapping values are not allowed", "illegal placement of ':'"], "yaml-broken-colon", "yaml-mend-colon"),

@@ -1,4 +1,4 @@
-//! The tree of a text, built from the events of the parser within bounds.
+//! Builds the tree of a text from the events of the parser, within limits.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -13,15 +13,15 @@ use crate::input::{MOST_BYTES, too_large, unseen};
 /// The deepest nesting of lists and mappings. Files of the program have at most ten levels; code that walks a tree
 /// recurses once per level.
 pub const MOST_DEPTH: usize = 64;
-/// The most values of a file, keys and lists included. A plan of 20,000 points in JSON has half a million for each
-/// tool.
+/// The most values of a file, with keys and lists. A plan of 20,000 points in JSON has half a million for each tool.
 pub const MOST_VALUES: usize = 2_000_000;
 
-/// How the parser's message about too deeply nested brackets begins. It reads ahead of the events that it returns.
+/// The beginning of the parser's message about too deep nesting. The parser reads ahead of the events that it
+/// returns.
 const TOO_DEEP: &str = "recursion";
 
-/// Reads one YAML document. The tree is there unless the text is broken beyond reading or empty;
-/// duplicate keys are reported. Aliases are refused: their targets have other places.
+/// Reads one YAML document. There is a tree unless the text is unreadable or empty; duplicate keys are reported.
+/// Aliases are refused, because their targets have other places.
 pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
     parse_within(MOST_VALUES, file, text)
 }
@@ -80,10 +80,10 @@ fn parse_within(most_values: usize, file: &str, text: &str) -> (Option<Node>, Ve
     (builder.root, builder.problems)
 }
 
-/// The words for a bracket left open above the line where reading stopped; they replace what the parser says of that
-/// line.
+/// The message for a bracket left open above the line where reading stopped; it replaces the parser's message about
+/// that line.
 const OPEN_BRACKET: &str = "flow";
-/// Words for what is wrong in the line itself.
+/// The words for faults in the line itself.
 const OF_LINE: [&str; 5] = ["quoted", "tab", "escape", "anchor", "trailing"];
 
 fn broken(said: &str, place: Place) -> Diagnostic {
@@ -98,13 +98,13 @@ fn too_deep(place: Place) -> Diagnostic {
     Diagnostic::error("too-deep", message, place).help(note!("yaml-check-brackets-and-indents"))
 }
 
-/// A text where one of one line belongs.
+/// The fault of a text with several lines where one is permitted.
 pub(super) fn several_lines(place: &Place) -> Diagnostic {
     Diagnostic::error("line-break", note!("yaml-one-line-expected"), place.clone())
         .help(note!("yaml-write-in-one-line"))
 }
 
-/// A text with a sign that must not stand in it.
+/// The fault of a text with a forbidden character.
 pub(super) fn unseen_sign(sign: char, place: &Place) -> Diagnostic {
     let message = note!("yaml-sign-nobody-sees", sign = format!("U+{:04X}", u32::from(sign)));
     Diagnostic::error("control-character", message, place.clone()).help(note!("yaml-remove-the-sign"))
@@ -121,10 +121,10 @@ struct Builder<'a> {
     lines: Vec<&'a str>,
     stack: Vec<OpenNode>,
     root: Option<Node>,
-    /// How many values there are so far.
+    /// The number of values so far.
     values: usize,
     most_values: usize,
-    /// Whether what follows cannot be understood.
+    /// Whether the rest cannot be understood.
     broken: bool,
     problems: Vec<Diagnostic>,
 }
@@ -147,7 +147,8 @@ impl Builder<'_> {
         }
     }
 
-    /// The place to fix: where reading stopped, or, for what is still open at the end of the file, where it was opened.
+    /// The place to correct: where reading stopped or, for anything still open at the end of the file, where it was
+    /// opened.
     fn broken_at(&self, marker: Marker) -> Place {
         match self.stack.last() {
             Some(OpenNode::Seq(_, opened) | OpenNode::Map(_, _, opened)) if marker.line() > self.lines.len() => {
@@ -209,7 +210,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What is wrong with a value that would be one too many, or too deep.
+    /// The fault of a value that exceeds the limits of number or depth.
     fn beyond_bounds(&mut self, event: &Event<'_>, place: &Place) -> Option<Diagnostic> {
         let opens = matches!(event, Event::SequenceStart(..) | Event::MappingStart(..));
         self.values += usize::from(opens || matches!(event, Event::Scalar(..)));

@@ -1,4 +1,4 @@
-//! Two plans beside each other, as a page: what they state otherwise, then what that costs.
+//! A comparison of two plans as a page: the differences, then the costs.
 
 use crate::note::Figure;
 use technolog_audit::{Comparison, Cost, Difference};
@@ -14,7 +14,7 @@ use super::{heading, keys, name, subject};
 pub fn page(comparison: &Comparison, lang: Lang) -> Document {
     let (a, b) = (lang.word("audit-first-plan"), lang.word("audit-second-plan"));
     let mut page = Document::new(lang.tag(), say!(lang, "audit-against", a = &comparison.a, b = &comparison.b));
-    // Files have names that are too long for a head.
+    // File names are too long for a table head.
     let file = |plan, file: &str| Field::new(plan, Inlines::default().code(file));
     page.push(Block::Fields(vec![file(a, &comparison.a), file(b, &comparison.b)]));
     for section in comparison.differences.chunk_by(|a, b| a.section == b.section) {
@@ -42,7 +42,7 @@ pub fn page(comparison: &Comparison, lang: Lang) -> Document {
     page
 }
 
-/// What stands where a plan says nothing.
+/// The text where a plan states nothing.
 fn none() -> String {
     "–".to_owned()
 }
@@ -52,12 +52,12 @@ fn value(difference: &Difference, said: &str, lang: Lang) -> String {
         _ if difference.quantity.is_some() => figure(said, lang),
         "shank" => lang.term("word", said).to_owned(),
         "scheme" => lang.figure(&Figure::scheme(said)),
-        // A designation has points too, which are no decimal ones.
+        // Points in a designation are no decimal points.
         _ => said.to_owned(),
     }
 }
 
-/// What it is, with its unit.
+/// The quantity with its unit.
 fn what(difference: &Difference, lang: Lang) -> String {
     let Some(quantity) = difference.quantity else {
         return keys::words(&difference.what, lang).unwrap_or_else(|| difference.what.clone());
@@ -70,7 +70,7 @@ fn what(difference: &Difference, lang: Lang) -> String {
     }
 }
 
-/// What it costs in both and how much more.
+/// The cost in both plans, and the difference.
 fn costs(cost: &Cost, lang: Lang) -> [Inlines; 4] {
     let said = |value: Option<f64>| value.map_or_else(none, |value| lang.figure(&number(value)));
     let more = match cost.more {

@@ -1,4 +1,4 @@
-//! How many findings each section of a plan has, by severity.
+//! The number of findings in each section of a plan, by severity.
 
 use technolog_audit::{Audit, Counts};
 use technolog_document::{Column, Inlines, Keep, Table};

@@ -1,18 +1,18 @@
-//! The keys of plan files in words: of plans by hand and of those that `technolog plan` writes.
+//! The names of keys in plan files: hand-written plans and those of `technolog plan`.
 
 use technolog_audit::quantity::Quantity;
 
 use super::super::Lang;
 use super::words::name;
 
-/// The last key of a path in words: `діаметр D` of `route.2.diameter`. Nothing where it is no key.
+/// The name of the last key of a path: `діаметр D` for `route.2.diameter`. None if it is no key.
 pub(super) fn words(path: &str, lang: Lang) -> Option<String> {
     let number = |key: &&str| !key.is_empty() && key.bytes().all(|letter| letter.is_ascii_digit());
     let mut parts = path.split('.').rev().skip_while(number);
     let (key, before) = (parts.next()?, parts.next());
     let text = |key: &str| lang.find(&format!("audit-key-{key}")).map(str::to_owned);
     let figure = |quantity| Some(name(quantity, lang));
-    // The same word means another thing there.
+    // In this place the word has another meaning.
     match (before, key) {
         (Some("clamping"), "force") => return figure(Quantity::ClampForce),
         (Some("clamping"), "clamps") if !path.ends_with(key) => return text("clamp-place"),
@@ -34,7 +34,7 @@ pub(super) fn words(path: &str, lang: Lang) -> Option<String> {
     text(key)
 }
 
-/// Figures of a plan of ours.
+/// Figures of a plan written by the program.
 const OWN: &[(&str, Quantity)] = &[
     ("diameter_mm", Quantity::Diameter),
     ("from_diameter_mm", Quantity::From),

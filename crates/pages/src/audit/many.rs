@@ -1,4 +1,4 @@
-//! Audits of many plans as a table: a line for each, where to begin in it.
+//! Audits of many plans as a table: one line for each, with its first finding.
 
 use technolog_audit::{Audit, Audited, Counts, Unread, total};
 use technolog_document::{Column, Document, Inlines, Keep, Table};
@@ -30,7 +30,7 @@ pub fn page(audited: &[Audited], lang: Lang) -> Document {
 fn table(audited: &[Audited], lang: Lang) -> Table {
     let marked = audited.iter().filter_map(Audited::audit).any(|audit| audit.marks.is_some());
     let mut columns = vec![Column::text(lang.word("audit-column-file"))];
-    // What passes or fails a plan stays longest.
+    // The columns that decide whether a plan passes are kept longest.
     let keeps = [Keep::Always, Keep::Always, Keep::Useful, Keep::Optional];
     columns.extend(counts::severities(lang).zip(keeps).map(|(column, keep)| column.keep(keep)));
     columns.push(Column::text(lang.word("audit-column-root")).least(24));
@@ -68,13 +68,13 @@ fn unreadable(unread: &Unread, lang: Lang) -> String {
     let place = mistake.place.as_deref().unwrap_or_default();
     let place = place.strip_prefix(&format!("{}:", unread.file)).unwrap_or(place);
     match mistake.code {
-        // The parser's message is shown when the file is audited alone.
+        // The parser's message is shown only when the file is audited alone.
         "yaml" => say!(lang, "audit-no-yaml", place = place),
         _ => say!(lang, "audit-unreadable", place = place, message = &mistake.message).trim_start().to_owned(),
     }
 }
 
-/// Where to begin: `31:5 свердління A: подача S 0,25 → 0,325`.
+/// The first finding to look at: `31:5 свердління A: подача S 0,25 → 0,325`.
 fn root(audit: &Audit, lang: Lang) -> String {
     let Some(root) = audit.first_root() else { return String::new() };
     let whereabouts = whereabouts(root, lang);

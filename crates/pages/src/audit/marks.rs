@@ -1,4 +1,4 @@
-//! Marks in words.
+//! Marks as text.
 
 use technolog_audit::Audit;
 use technolog_audit::marks::{DeductedBy, Deduction, Marks};
@@ -20,7 +20,7 @@ pub fn headline(marks: &Marks, lang: Lang) -> String {
     }
 }
 
-/// What costs points, a row each; what is free only in numbers.
+/// The findings that cost points, one row each; the others only as a number.
 pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
     let text = |head: &str| Column::text(lang.word(head));
     let mut table = Table::new([
@@ -30,7 +30,7 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
         text("audit-column-about"),
         text("audit-column-ground").keep(Keep::Optional),
     ]);
-    // Deductions stand in the order of the findings, one for each.
+    // The deductions have the order of the findings, one for each.
     for (one, finding) in marks.deductions.iter().zip(&audit.findings).filter(|(one, _)| one.points > 0.0) {
         table.row([
             Inlines::number(figure(&format!("-{}", one.points), lang)),
@@ -55,7 +55,7 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
     table
 }
 
-/// By what of the scheme points are taken off.
+/// The entry of the scheme that gives a deduction.
 fn ground(deduction: &Deduction, lang: Lang) -> String {
     let by = match deduction.by {
         DeductedBy::Consequence => say!(lang, "audit-by-consequence").to_owned(),

@@ -1,4 +1,4 @@
-//! The words of an audit: a plan's parts, figures and keys as people call them. Paths of a plan file are for programs.
+//! The words of an audit: the names of a plan's parts, figures and keys. Paths of a plan file are for programs.
 
 use crate::note::{Figure, Note, Severity};
 use technolog_audit::quantity::Quantity;
@@ -25,7 +25,7 @@ pub(super) fn heading(section: Section, lang: Lang) -> &'static str {
     })
 }
 
-/// How grave a finding is, in a word.
+/// The severity of a finding as a word.
 pub fn severity(severity: Severity, lang: Lang) -> &'static str {
     lang.word(match severity {
         Severity::Error => "audit-severity-error",
@@ -35,7 +35,7 @@ pub fn severity(severity: Severity, lang: Lang) -> &'static str {
     })
 }
 
-/// How grave a finding is, as its colour.
+/// The severity of a finding as a colour.
 pub(super) const fn colour(severity: Severity) -> document::Severity {
     match severity {
         Severity::Error => document::Severity::Error,
@@ -45,18 +45,18 @@ pub(super) const fn colour(severity: Severity) -> document::Severity {
     }
 }
 
-/// A figure that is written already, or a formula with its figures: with the signs of print.
+/// A figure that is already written, or a formula with its figures, with typographic signs.
 pub(super) fn figure(written: &str, lang: Lang) -> String {
     let (mut printed, mut before) = (String::with_capacity(written.len()), ' ');
     for sign in written.replace("<=", "≤").replace(">=", "≥").chars() {
-        // A minus stands before a number, not within a name.
+        // A minus precedes a number; inside a name it is a hyphen.
         printed.push(if sign == '-' && !before.is_alphanumeric() { '−' } else { sign });
         before = sign;
     }
     lang.figure(&Figure::number(printed))
 }
 
-/// A figure as it is.
+/// A figure unchanged.
 pub(super) fn number(value: f64) -> Figure {
     Figure::number(value.to_string())
 }
@@ -66,7 +66,7 @@ pub(super) fn change(stated: &str, right: &str, lang: Lang) -> String {
     say!(lang, "audit-change", stated = figure(stated, lang), right = figure(right, lang))
 }
 
-/// `12:5`, with the file where it is another than the plan's.
+/// `12:5`, with the file if it is not the plan's.
 pub(super) fn place(finding: &AuditFinding, file: &str) -> Option<String> {
     let at = format!("{}:{}", finding.line?, finding.column?);
     match &finding.file {
@@ -91,19 +91,19 @@ pub(super) fn subject(subject: &Subject, lang: Lang) -> String {
     parts.join(" ")
 }
 
-/// The block of the program that a finding is about: in a program people look for that.
+/// The block of the program for a finding: readers of a program look for it.
 pub(super) fn block(finding: &AuditFinding) -> Option<&str> {
     let block = finding.field.strip_prefix("program.").filter(|_| finding.section == Section::Program);
     block.filter(|block| !block.starts_with("setting."))
 }
 
-/// Whom a finding is about: `свердління A`, `T2`, else its section.
+/// The subject of a finding: `свердління A`, `T2`, otherwise its section.
 fn about(finding: &AuditFinding, lang: Lang) -> String {
     let said = block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
     if !said.is_empty() {
         return said;
     }
-    // A tool whose name was exchanged is told by its place alone.
+    // A tool whose name was changed is identified by its place only.
     let tool = finding.field.strip_prefix("tools.").and_then(|rest| rest.split('.').next());
     match tool.filter(|tool| tool.starts_with('T')) {
         Some(tool) => tool.to_owned(),
@@ -111,13 +111,13 @@ fn about(finding: &AuditFinding, lang: Lang) -> String {
     }
 }
 
-/// What of it: `подача S`, `позначення`; none if it is about the whole.
+/// The quantity of a finding: `подача S`, `позначення`; none if it concerns the whole subject.
 pub(super) fn what(finding: &AuditFinding, lang: Lang) -> String {
     match finding.quantity {
         Some(quantity) => {
             finding.factor.as_ref().map_or_else(|| name(quantity, lang), |own| factor(quantity, own, lang))
         }
-        // About a section as a whole, which is said already; what is not stated says of which.
+        // About a section as a whole, which is named already; for missing figures, which of them.
         None if finding.section == Section::Program => String::new(),
         None if finding.section != Section::Missing && !finding.field.contains('.') => String::new(),
         None => keys::words(&finding.field, lang).unwrap_or_default(),
@@ -129,18 +129,18 @@ pub(super) fn factor(quantity: Quantity, factor: &Figure, lang: Lang) -> String 
     say!(lang, "audit-factor", quantity = name(quantity, lang), factor = factor)
 }
 
-/// Where a finding is, in words: `T1: довжина комплекту Lк`.
+/// The place of a finding in words: `T1: довжина комплекту Lк`.
 pub(super) fn whereabouts(finding: &AuditFinding, lang: Lang) -> String {
     let (about, what) = (about(finding, lang), what(finding, lang));
     if what.is_empty() { about } else { say!(lang, "audit-about", about = about, said = what) }
 }
 
-/// Figures and choices of a plan by their paths, each with what is said of it; those of one tool or of one transition
-/// stand together: `T1: виліт lв, довжина lопр; закріплення: nпр 500 → 315`.
+/// Figures and choices of a plan by their paths, each with a remark; those of one tool or transition are joined: `T1:
+/// виліт lв, довжина lопр; закріплення: nпр 500 → 315`.
 pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit: &Audit, lang: Lang) -> String {
     let mut groups: Vec<(String, Vec<String>)> = Vec::new();
     for (field, said) in fields {
-        // What another finding follows from or changes is a finding itself.
+        // Causes and consequences of a finding are findings themselves.
         let Some(finding) = audit.findings.iter().find(|one| one.field == field) else { continue };
         let what =
             [what(finding, lang), said].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ");
@@ -157,7 +157,7 @@ pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit:
     groups.iter().map(group).collect::<Vec<_>>().join("; ")
 }
 
-/// What a finding says, with what its note has for programs put into words.
+/// The text of a finding; figures of its note that are meant for programs are put into words.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 pub(super) fn said(finding: &AuditFinding, lang: Lang) -> String {
     let note = match finding.note.code() {
@@ -173,7 +173,7 @@ pub(super) fn said(finding: &AuditFinding, lang: Lang) -> String {
     lang.say(&note)
 }
 
-/// What is not stated, by what lacks the same: `рядки 2, 3 - діаметр D; T1, T2 - виліт lв`.
+/// Missing keys, grouped by those that lack the same: `рядки 2, 3 - діаметр D; T1, T2 - виліт lв`.
 fn missing(missing: &[MissingKeys], section: &str, lang: Lang) -> String {
     let mut groups: Vec<(&[&str], Vec<String>)> = Vec::new();
     for lack in missing {
@@ -198,7 +198,7 @@ fn missing(missing: &[MissingKeys], section: &str, lang: Lang) -> String {
         }
         let whose = match (section, whose.len()) {
             ("route", count) => say!(lang, "audit-lacking-rows", count = count, rows = whose.join(", ")),
-            // A transition has commas of its own: `свердління A, B`.
+            // A transition contains commas itself: `свердління A, B`.
             ("conditions", _) => whose.join("; "),
             _ => whose.join(", "),
         };

@@ -1,24 +1,24 @@
-//! Places for numbers: beside their points, over no other number and, where there is room, over no line.
+//! Places numbers beside their points, not over another number and, if there is room, not over a line.
 
 use crate::report::canvas::{At, width_of};
 
-/// The smallest and greatest letters.
+/// The smallest and largest letter height.
 pub(super) const LEAST: f64 = 6.5;
 const MOST: f64 = 11.0;
 
-/// So many neighbours of a point are looked at on each side.
+/// The number of neighbours checked on each side of a point.
 const NEIGHBOURS: usize = 400;
-/// So many lines are looked at.
+/// The number of lines checked.
 const LINES: usize = 3000;
 
-/// How large numbers can be so that neighbours leave room for each other.
+/// The size of numbers with which neighbours leave room for each other.
 pub(super) fn size(points: &[At]) -> f64 {
-    // Three digits and the point itself have to stand in that distance.
+    // Three digits and the point itself must fit into that distance.
     (apart(points) / 2.2).min(MOST)
 }
 
-/// The distance to the nearest neighbour that most points have at least. Points that are not alone at their place are
-/// told apart by nothing and do not count.
+/// The distance to the nearest neighbour that most points have at least. Points at the same place cannot be separated
+/// and do not count.
 pub(super) fn apart(points: &[At]) -> f64 {
     let mut by_x: Vec<At> = points.to_vec();
     by_x.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
@@ -26,7 +26,7 @@ pub(super) fn apart(points: &[At]) -> f64 {
     let mut nearest: Vec<f64> = Vec::new();
     for (index, a) in by_x.iter().enumerate() {
         let mut least = f64::INFINITY;
-        // Sorted along X, the search ends where X alone is further away.
+        // Sorted along X, the search ends when the difference in X alone is larger.
         for b in by_x[..index].iter().rev().take(NEIGHBOURS) {
             if a.0 - b.0 > least {
                 break;
@@ -45,7 +45,7 @@ pub(super) fn apart(points: &[At]) -> f64 {
     nearest.get(nearest.len() / 4).copied().unwrap_or(f64::INFINITY)
 }
 
-/// What is taken on a panel.
+/// The occupied areas of a panel.
 #[derive(Debug, Default)]
 pub(super) struct Labels {
     boxes: Vec<(At, At)>,
@@ -53,7 +53,7 @@ pub(super) struct Labels {
 }
 
 impl Labels {
-    /// A line that numbers should not stand on.
+    /// A line that numbers should avoid.
     pub(super) fn avoid(&mut self, from: At, to: At) {
         // A number cannot avoid a contour of thousands of pieces.
         if from != to && self.lines.len() < LINES {
@@ -61,16 +61,16 @@ impl Labels {
         }
     }
 
-    /// A place where no number can stand, by two opposite corners.
+    /// An area where no number may be, by two opposite corners.
     pub(super) fn take(&mut self, a: At, b: At) {
         self.boxes.push((a, b));
     }
 
-    /// The place of a number, its middle at the foot of its letters: of the eight places around its point the one that
-    /// the fewest lines cross. Nothing where every one is taken.
+    /// The place of a number (the middle of its base line): of eight places around its point, the one crossed by the
+    /// fewest lines. None if all are occupied.
     pub(super) fn place(&mut self, at: At, text: &str, size: f64) -> Option<At> {
         let (half, high) = (width_of(text, size) / 2.0, size * 0.75);
-        // Two numbers side by side must not read as one.
+        // Two adjacent numbers must not be read as one.
         let half = half + 1.0;
         let (dx, dy) = (half + 3.0, high / 2.0 + 5.0);
         let around =
@@ -94,7 +94,7 @@ impl Labels {
     }
 }
 
-/// Whether a line goes through a box: the line is cut by each side in turn (Liang and Barsky, 1984).
+/// Whether a line passes through a box: the line is clipped by each side in turn (Liang and Barsky, 1984).
 fn crosses(from: At, to: At, a: At, b: At) -> bool {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
@@ -132,7 +132,7 @@ mod tests {
         let first = labels.place((50.0, -50.0), "1", 10.0);
         let second = labels.place((50.0, -50.0), "2", 10.0);
         assert!(first.is_some() && second.is_some() && first != second);
-        // Up to the right the line runs: the numbers are elsewhere.
+        // The line goes up to the right: the numbers must be elsewhere.
         assert!(first.is_some_and(|(x, _)| x < 50.0));
     }
 }

@@ -1,4 +1,4 @@
-//! Under the panels: what the signs mean, and how long a length is.
+//! The legend under the panels: the meaning of the signs, and a scale bar.
 
 use crate::report::Lang;
 use crate::report::canvas::{Anchor, At, Canvas, Pen, width_of};

@@ -1,4 +1,4 @@
-//! From the steps of a program to its panels.
+//! Turns the steps of a program into panels.
 
 use crate::motion::geometry::{Point, in_plane, sweep};
 use crate::motion::{Axis, Motion, MotionStep, Plane, Position, Sense};
@@ -9,22 +9,22 @@ use super::{Frame, Placed};
 /// A point of the drawing, mm.
 pub(super) type DrawingPoint = (f64, f64);
 
-/// What one tool does until the next tool or stop.
+/// The work of one tool until the next tool or stop.
 #[derive(Debug, Default)]
 pub(super) struct Panel<'f> {
     /// T.
     pub tool: Option<u32>,
-    /// The set-up whose holes lie under it.
+    /// The set-up with holes at its plunges.
     pub placed: Option<&'f Placed>,
-    /// The way seen from above.
+    /// The path seen from above.
     pub lines: Vec<PathSegment>,
-    /// Where the tool goes down at feed, each place once.
+    /// Where the tool plunges at feed, each place once.
     pub plunges: Vec<DrawingPoint>,
     /// Where the tool was changed.
     pub change: Option<DrawingPoint>,
 }
 
-/// A stretch of the way.
+/// A segment of the path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PathSegment {
     pub from: DrawingPoint,
@@ -41,7 +41,7 @@ pub(super) enum DrawnShape {
 }
 
 impl PathSegment {
-    /// A box that contains it: its ends, and for an arc the whole circle.
+    /// Points of its bounding box: its ends, and for an arc the whole circle.
     pub(super) fn reach(&self) -> Vec<DrawingPoint> {
         match self.shape {
             DrawnShape::Straight => vec![self.from, self.to],
@@ -71,7 +71,7 @@ impl PathSegment {
     }
 }
 
-/// The panels of a program; what cuts nothing is no panel.
+/// The panels of a program; without a cut there is no panel.
 pub(super) fn panels<'f>(steps: &[MotionStep], frame: Option<&'f Frame<'_>>) -> Vec<Panel<'f>> {
     let mut panels: Vec<Panel<'f>> = Vec::new();
     let mut panel = Panel::default();
@@ -86,7 +86,7 @@ pub(super) fn panels<'f>(steps: &[MotionStep], frame: Option<&'f Frame<'_>>) -> 
                 }
                 panel = Panel { tool: Some(*tool), change: Some(spot(step.at)), ..Panel::default() };
             }
-            // From here on the operator may have done anything: turned the part over, set a boring bar.
+            // After this stop the operator may have done anything: turned the part over, set a boring bar.
             Motion::Stop { optional: false } if panel.cuts() => {
                 let next = Panel { tool: panel.tool, change: panel.change, ..Panel::default() };
                 panels.push(std::mem::replace(&mut panel, next));
@@ -120,8 +120,8 @@ impl<'f> Panel<'f> {
         match motion {
             Motion::Rapid if moves => self.lines.push(straight(true)),
             Motion::Feed { .. } if moves => self.lines.push(straight(false)),
-            // Down at feed, and deeper than the approach of a program that goes there at feed: a further stretch down
-            // at the same place is the same plunge.
+            // Down at feed, deeper than the approach of a program that approaches at feed. A further feed down at the
+            // same place is the same plunge.
             Motion::Feed { .. } if to.z < from.z && self.plunges.last() != Some(&spot(to)) => {
                 self.plunges.push(spot(to));
             }
@@ -132,13 +132,13 @@ impl<'f> Panel<'f> {
                 let shape = DrawnShape::Arc { centre: (centre[0], centre[1]), sense: *sense, sweep: whole };
                 self.lines.push(PathSegment { shape, ..straight(false) });
             }
-            // From above an arc across the table is the straight line between its ends.
+            // Seen from above, an arc in a vertical plane is a straight line between its ends.
             Motion::Arc { .. } if moves => self.lines.push(straight(false)),
             _ => {}
         }
     }
 
-    /// Puts the panel into the coordinates of the set-up whose holes lie under most of its plunges.
+    /// Converts the panel to the coordinates of the set-up with holes at most of its plunges.
     fn put_on(&mut self, frame: &'f Frame<'_>) {
         let hits = |placed: &Placed| {
             let holes: Vec<DrawingPoint> =
@@ -149,7 +149,7 @@ impl<'f> Panel<'f> {
             };
             self.plunges.iter().filter(|plunge| on(plunge)).count()
         };
-        // The first of those with most.
+        // Among equals the first.
         let best = frame.setups.iter().rev().max_by_key(|placed| hits(placed));
         let Some(placed) = best else { return };
         let shift = (-placed.zero.get(Axis::X).to_mm(), -placed.zero.get(Axis::Y).to_mm());

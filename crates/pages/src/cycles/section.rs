@@ -1,4 +1,4 @@
-//! The section of the hole: plate, hole before and after, and the levels of the cycle.
+//! The section of the hole: the plate, the hole before and after, and the levels of the cycle.
 
 use crate::job::{Cycle, CycleKind, ToolWork};
 use crate::part::Hole;
@@ -12,25 +12,25 @@ use crate::units::Micrometres;
 
 use super::{BODY, GREY, INK, MARGIN};
 
-/// Of the body: room over the face, and down to the lowest level.
+/// Heights of the diagram body: above the face, and down to the lowest level.
 const OVER: f64 = 110.0;
 const UNDER: f64 = 215.0;
-/// The widest diameter of a section, and how far the plate reaches on both sides.
+/// The width of the widest diameter in a section, and of the plate on both sides.
 const BORE: f64 = 120.0;
 const PLATE: f64 = 92.0;
 /// Height of a point of 118° over its diameter: 1/(2·tan 59°).
 const POINT: f64 = 0.300_4;
 
-/// A hole in its section, and how heights and widths become places on the page.
+/// A hole in its section, with the conversion of heights and widths to the page.
 pub(super) struct HoleSection<'p> {
     hole: &'p Hole,
     pub transition: &'p Transition,
-    /// Z of the face that is up, of the opposite one, of the highest and of the lowest level shown.
+    /// Z of the upper face, of the opposite face, of the highest and of the lowest shown level.
     top: f64,
     bottom: f64,
     high: f64,
     low: f64,
-    /// How deep the hole before it goes, as Z; absent in solid metal.
+    /// The depth of the hole before the cycle, as Z; absent in solid metal.
     before: Option<f64>,
     /// The axis, and the upper left corner of the body.
     pub axis: f64,
@@ -39,7 +39,7 @@ pub(super) struct HoleSection<'p> {
 }
 
 impl<'p> HoleSection<'p> {
-    /// The section for a cycle: of the first hole it makes.
+    /// The section for a cycle: the first hole that it makes.
     pub(super) fn of(plan: &'p Plan, work: &ToolWork, index: usize, corner: At) -> Option<Self> {
         let cycle = work.cycles.get(index)?;
         let (hole, number, _) = transitions::of_work(work, &[index]).into_iter().next()?;
@@ -47,7 +47,7 @@ impl<'p> HoleSection<'p> {
         let (datum, blank) = (plan.part.datum, plan.part.blank);
         let (top, bottom) = (datum.top.to_mm(), (datum.top - blank.thickness).to_mm());
         let (high, end) = (cycle.out.to_mm(), cycle.end.to_mm());
-        // Down to the bottom of the plate, but no further than makes the hole readable.
+        // Down to the bottom of the plate, but no further than leaves the hole readable.
         let low = end.min(bottom.max(end - 0.8 * (top - end).max(1.0)));
         let own = plan.holes.iter().find(|own| own.name == hole.name)?;
         let earlier = own.transitions.iter().take(number).rev();
@@ -55,7 +55,7 @@ impl<'p> HoleSection<'p> {
         let made = made.map(|depth| top - depth.to_mm()).next();
         let through = if hole.through { bottom } else { top - hole.depth.to_mm() };
         let depth = match made {
-            // What is drilled through goes through.
+            // A hole drilled through is open at the bottom.
             Some(depth) if depth > bottom || !hole.through => depth,
             _ => through,
         };
@@ -65,7 +65,7 @@ impl<'p> HoleSection<'p> {
         Some(Self { hole, transition, top, bottom, high, low, before, axis, corner, across: BORE / widest })
     }
 
-    /// Where a height stands on the page. Over the face and under it the scales differ.
+    /// The position of a height on the page. Above and below the face the scales differ.
     pub(super) fn y(&self, z: f64) -> f64 {
         let face = self.corner.1 + 14.0 + OVER;
         if z >= self.top {
@@ -75,17 +75,17 @@ impl<'p> HoleSection<'p> {
         }
     }
 
-    /// How wide a length across the axis is.
+    /// The width of a length perpendicular to the axis.
     pub(super) fn across(&self, mm: f64) -> f64 {
         mm * self.across
     }
 
-    /// Half the diameter that is there after the transition, on the page.
+    /// Half of a diameter after the transition, on the page.
     fn half(&self, diameter: Micrometres) -> f64 {
         self.across(diameter.to_mm()) / 2.0
     }
 
-    /// The plate cut open, the hole as it was and as it becomes.
+    /// The cut plate, the hole before and the hole after.
     pub(super) fn hole(&self, canvas: &mut Canvas, lang: Lang) {
         let (left, right) = (self.axis - PLATE, self.axis + PLATE);
         let (face, floor) = (self.y(self.top), self.y(self.bottom.max(self.low)));
@@ -104,7 +104,7 @@ impl<'p> HoleSection<'p> {
         } else {
             broken_edge(canvas, left, right, floor);
         }
-        // The hole as it was, then as it becomes, are cut out of the hatching; the old one shows as dashes.
+        // The holes before and after are cut out of the hatching; the old one is dashed.
         let outline = Pen::solid(INK, 1.6);
         let (after, open) = self.after();
         if let Some(before) = self.before {
@@ -123,7 +123,7 @@ impl<'p> HoleSection<'p> {
             canvas.area(&after, "white", None);
         }
         if open {
-            // Its floor is the plate's: only the walls are lines.
+            // The floor belongs to the plate: only the walls are lines.
             let (left, right) = after.split_at(after.len() / 2);
             canvas.line(left, outline);
             canvas.line(right, outline);
@@ -146,15 +146,15 @@ impl<'p> HoleSection<'p> {
         self.diameters(canvas, lang);
     }
 
-    /// Half the diameter before, a little narrower than after it where both are nearly alike.
+    /// Half of the diameter before, a little narrower than after where both are nearly equal.
     fn half_before(&self) -> f64 {
         let t = self.transition;
         let (before, after) = (self.half(t.from_diameter_mm), self.half(t.diameter_mm));
         if t.from_diameter_mm < t.diameter_mm { before.min(after - 5.0) } else { before }
     }
 
-    /// The outline that the transition leaves, from the left edge over the bottom to the right one, and whether it is
-    /// open below.
+    /// The outline after the transition, from the left edge over the bottom to the right one, and whether it is open
+    /// below.
     fn after(&self) -> (Vec<At>, bool) {
         let t = self.transition;
         let (start, depth) = (self.top - t.start_mm.to_mm(), self.top - t.depth_mm.to_mm());
@@ -180,8 +180,8 @@ impl<'p> HoleSection<'p> {
         (outline, opens)
     }
 
-    /// The height of a drill's point, mm: the plan has it as the way beyond the full diameter, with the overrun where
-    /// the hole is open.
+    /// The height of a drill point, mm: in the plan, the travel beyond the full diameter; with the overrun where the
+    /// hole is open.
     fn lead(&self) -> f64 {
         let beyond = (self.transition.end() - self.transition.depth_mm).to_mm();
         match self.transition.operation {
@@ -190,7 +190,7 @@ impl<'p> HoleSection<'p> {
         }
     }
 
-    /// The tool's tip where it comes out under the plate.
+    /// The tip of the tool where it comes out below the plate.
     fn tip(&self, canvas: &mut Canvas) {
         let t = self.transition;
         let end = self.top - t.end().to_mm();
@@ -278,7 +278,7 @@ impl<'p> HoleSection<'p> {
     }
 }
 
-/// The edge of a plate that goes on: a line with a jag.
+/// The edge of a plate that continues: a broken line.
 fn broken_edge(canvas: &mut Canvas, left: f64, right: f64, y: f64) {
     let middle = left + (right - left) * 0.12;
     let points =

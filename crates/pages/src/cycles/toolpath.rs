@@ -1,4 +1,4 @@
-//! The way of the tool through the points 0 to 4.
+//! The path of the tool through the points 0 to 4.
 
 use crate::job::{Cycle, CycleKind};
 use crate::motion::Sense;
@@ -13,15 +13,15 @@ use super::{ABOVE, GREY, INK, WAY};
 
 const RAPID: Pen = Pen::dashed(WAY, 1.4);
 const FEED: Pen = Pen::solid(WAY, 2.0);
-/// How far the ways down and up stand from the axis, and the way down where steps stand side by side.
+/// The distance of the paths down and up from the axis, and of the path down where steps are side by side.
 const APART: f64 = 17.0;
 const STEPPED: f64 = 46.0;
-/// More steps than these are drawn with a break: the first ones, and the last.
+/// More steps than these are drawn with a gap: the first ones, and the last.
 const STEPS: usize = 5;
-/// A way back is drawn at least so long.
+/// The least length of a drawn retract.
 const RETREAT: f64 = 9.0;
 
-/// The way, with its points.
+/// The path with its points.
 pub(super) fn draw(canvas: &mut Canvas, section: &HoleSection<'_>, cycle: &Cycle) {
     let y = |z: Micrometres| section.y(z.to_mm());
     let (out, begin, end) = (y(cycle.out), y(cycle.begin), y(cycle.end));
@@ -62,7 +62,7 @@ pub(super) fn draw(canvas: &mut Canvas, section: &HoleSection<'_>, cycle: &Cycle
     }
     arrow(canvas, (up, end), (up, begin), way_out);
     arrow(canvas, (up, begin), (up, out), RAPID);
-    // Where two levels are close, the number of the lower one steps aside.
+    // If two levels are close, the number of the lower one moves aside.
     let close = (begin - out).abs() < 18.0;
     let aside = if close { 16.0 } else { 0.0 };
     if cycle.out != cycle.begin {
@@ -89,7 +89,7 @@ fn depths(cycle: &Cycle, step: Micrometres) -> Vec<Micrometres> {
     let mut at = cycle.begin;
     while at > cycle.end {
         at = (at - step).max(cycle.end);
-        // What is not drawn need not be counted beyond a first few hundred.
+        // Steps that are not drawn need not be counted beyond a few hundred.
         if depths.len() < 500 {
             depths.push(at);
         }
@@ -100,13 +100,13 @@ fn depths(cycle: &Cycle, step: Micrometres) -> Vec<Micrometres> {
     depths
 }
 
-/// Which steps are drawn: all, or the first ones and the last with a break between them.
+/// The steps that are drawn: all, or the first ones and the last with a gap between them.
 fn drawn(depths: &[Micrometres]) -> (Vec<usize>, bool) {
     let count = depths.len();
     if count <= STEPS { ((0..count).collect(), false) } else { (vec![0, 1, 2, count - 1], true) }
 }
 
-/// G83: after each step out of the hole, and back to a little before the metal.
+/// G83: after each step out of the hole, and back to a clearance above the metal.
 fn pecks(
     canvas: &mut Canvas,
     section: &HoleSection<'_>,
@@ -143,7 +143,7 @@ fn pecks(
     }
 }
 
-/// G86: after each step a little way back, inside the hole.
+/// G86: after each step a small retract, inside the hole.
 fn breaks(
     canvas: &mut Canvas,
     section: &HoleSection<'_>,
@@ -177,20 +177,20 @@ fn breaks(
     }
 }
 
-/// The columns of steps side by side, from the way down to left of the way up.
+/// The columns of steps side by side, from the path down to the left of the path up.
 fn columns(section: &HoleSection<'_>, count: usize) -> Vec<f64> {
     let (first, room) = (section.axis - STEPPED, STEPPED + 4.0);
     (0..count).map(|index| first + room * index as f64 / (count.max(2) - 1) as f64).collect()
 }
 
-/// Steps that are left out.
+/// The mark for steps that are left out.
 fn dots(canvas: &mut Canvas, (x, y): At) {
     for shift in [-7.0, 0.0, 7.0] {
         canvas.circle((x, y + shift), 1.6, WAY, None);
     }
 }
 
-/// A stretch of the way with the head of its arrow in the middle; none if it has no length.
+/// A segment of the path with an arrow head in the middle; none if it has no length.
 fn arrow(canvas: &mut Canvas, from: At, to: At, pen: Pen) {
     let long = libm::hypot(to.0 - from.0, to.1 - from.1);
     if long < 0.5 {
@@ -208,7 +208,7 @@ fn point(canvas: &mut Canvas, (x, y): At, name: &str) {
     canvas.text((x, y + 3.8), 10.5, Anchor::Middle, name);
 }
 
-/// The circles of a mill from above: the hole before and after, the mill, and the way of its middle.
+/// The circles of a mill from above: the hole before and after, the mill, and the path of its centre.
 pub(super) fn from_above(
     canvas: &mut Canvas,
     middle: At,
@@ -227,7 +227,7 @@ pub(super) fn from_above(
         let next = (middle.0 + radius, middle.1);
         canvas.line(&[at, next], FEED);
         canvas.circle(middle, radius, "none", Some(FEED));
-        // The head at the top of the circle, along its sense as the eye sees it.
+        // The arrow head at the top of the circle, in its visible direction.
         let (top, way) = ((middle.0, middle.1 - radius), if sense == Sense::Counterclockwise { -1.0 } else { 1.0 });
         canvas.head((top.0 - way * 10.0, top.1), (top.0 + way * 4.0, top.1), FEED);
         at = next;

@@ -1,21 +1,21 @@
-//! A line of any control as words: letters with what stands behind them, comments, and what is neither.
+//! Divides a line for any control into words: letters with their values, comments, and other statements.
 
 /// A piece of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Word {
     /// An address and its number, as written: `X`, `-200.`; the number may be an expression of the control.
     Address(char, String),
-    /// What stands in brackets or behind a semicolon: the control reads over it.
+    /// A comment in brackets or after a semicolon: the control ignores it.
     Comment(String),
-    /// `/`: what follows is left out when the operator requires it.
+    /// `/`: the rest is skipped when the operator has switched the block skip on.
     Skip,
-    /// `%`: a tape or file begins or ends.
+    /// `%`: the beginning or end of a tape or file.
     Tape,
     /// A statement that is no word: `o100 sub`, `#1 = 5`.
     Statement(String),
 }
 
-/// The words of a line. Nothing is refused: a sheet shows also what its control would not take.
+/// The words of a line. Nothing is refused: a sheet also shows what its control would reject.
 pub(super) fn of_line(line: &str) -> Vec<Word> {
     let letters: Vec<char> = line.trim().chars().collect();
     let mut words = Vec::new();
@@ -55,14 +55,14 @@ pub(super) fn of_line(line: &str) -> Vec<Word> {
     words
 }
 
-/// Whether an O begins a statement of LinuxCNC and not the number of a program: a name, or a word behind its number.
+/// Whether an O begins a LinuxCNC statement and not a program number: it has a name, or a word after its number.
 fn is_statement(behind: &[char]) -> bool {
     let rest: String = behind.iter().collect();
     let rest = rest.trim_start_matches(|letter: char| letter.is_ascii_digit()).trim_start();
     rest.starts_with('<') || rest.starts_with(|letter: char| letter.is_ascii_lowercase())
 }
 
-/// The place behind the number, variable or bracketed expression of an address.
+/// The end of the number, variable or bracketed expression of an address.
 fn number_end(letters: &[char], from: usize) -> usize {
     let mut depth = 0_usize;
     let mut end = from;

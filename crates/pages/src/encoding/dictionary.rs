@@ -1,7 +1,7 @@
-//! What the words of a control mean: one dictionary from its tables.
+//! The meanings of the words of a control: one dictionary from its tables.
 //!
-//! What the words of 2C42-65 mean stands in the tables of its manual; of another control `NAME` all of it stands in one,
-//! `NAME-words`. A row with cycles is a parameter of those.
+//! The meanings for 2C42-65 are in several tables of its manual; those of another control `NAME` are in one,
+//! `NAME-words`. A row with cycles is a parameter of those cycles.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,7 +17,7 @@ use crate::words::{Note, say};
 
 use super::blocks::Word;
 
-/// Functions whose block uses axis words for something other than motion: a setting or a wait.
+/// Functions whose block uses axis words for a setting or a wait, not for motion.
 const NO_WAY: [&str; 4] = ["G04", "G10", "G52", "G92"];
 
 /// A meaning in both languages.
@@ -25,7 +25,7 @@ const NO_WAY: [&str; 4] = ["G04", "G10", "G52", "G92"];
 struct Meaning {
     uk: String,
     en: String,
-    /// With G91, where it is another one.
+    /// The meaning with G91, if it differs.
     incremental: Option<(String, String)>,
     unit: Option<String>,
     /// Whether the number counts tenths of its unit.
@@ -37,13 +37,13 @@ struct Meaning {
 pub struct Dictionary {
     /// By code (`G81`, `M06`) or address (`X`).
     words: BTreeMap<String, Meaning>,
-    /// Of cycles: by the cycle and the address of the parameter.
+    /// Parameters of cycles: by the cycle and the address.
     parameters: BTreeMap<(String, String), Vec<Meaning>>,
     /// The codes that begin a cycle.
     cycles: BTreeSet<String>,
 }
 
-/// What stays from block to block and changes a meaning.
+/// Modal state that changes a meaning.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Modes {
     incremental: bool,
@@ -79,7 +79,7 @@ impl Dictionary {
         for row in knowledge.rows::<MFunctions<'_>>()? {
             self.take(row.code, &[], Meaning::new(row.meaning_uk, row.meaning_en, None));
         }
-        // The table of actions says only what the others leave out.
+        // The table of actions has only what the other tables lack.
         for row in knowledge.rows::<MActions<'_>>()? {
             if let (Some(uk), Some(en)) = (row.meaning_uk, row.meaning_en) {
                 self.take(row.code, &[], Meaning::new(uk, en, None));
@@ -99,7 +99,7 @@ impl Dictionary {
         Ok(())
     }
 
-    /// Takes a word, or where there are cycles a parameter of these.
+    /// Adds a word, or for given cycles a parameter of these.
     fn take(&mut self, word: &str, cycles: &[&str], meaning: Meaning) {
         for cycle in cycles {
             self.cycles.insert((*cycle).to_owned());
@@ -111,7 +111,7 @@ impl Dictionary {
         }
     }
 
-    /// What a block says, word by word; its number says nothing.
+    /// The meaning of a block, word by word; its number has none.
     pub(super) fn meaning(&self, words: &[Word], modes: &mut Modes, lang: Lang) -> String {
         let codes: Vec<String> = words.iter().filter_map(code).collect();
         for code in &codes {
@@ -141,7 +141,7 @@ impl Dictionary {
         said.join("; ")
     }
 
-    /// The tool and the correctors that a block names, not the parameters of a cycle: `T1`, `H01`.
+    /// The tool and the offset registers in a block, without parameters of a cycle: `T1`, `H01`.
     pub(super) fn tool(&self, words: &[Word]) -> Option<String> {
         let mut cycle: Option<String> = None;
         let mut named = Vec::new();
@@ -157,7 +157,7 @@ impl Dictionary {
         (!named.is_empty()).then(|| named.join(", "))
     }
 
-    /// What a word means, behind the G function of a cycle as its parameter.
+    /// The meaning of a word; after the G function of a cycle, as its parameter.
     #[allow(clippy::too_many_arguments, reason = "the word, what stands around it, and the language")]
     fn word(
         &self,
@@ -173,7 +173,8 @@ impl Dictionary {
         let parameter =
             |letter: char| cycle.and_then(|cycle| self.parameters.get(&(cycle.to_owned(), letter.to_string())));
         if let Some(meanings) = parameter(letter) {
-            // What another word of the block says alone, this one does not say: F of a way out that has its own H.
+            // If another word of the block has this meaning alone, this word does not have it: F beside a retract
+            // with its own H.
             let elsewhere = |meaning: &Meaning| {
                 block.iter().any(|word| match word {
                     Word::Address(other, _) if *other != letter => {
@@ -208,7 +209,7 @@ impl Dictionary {
         valued(text, between, number, meaning.unit.as_ref(), meaning.tenths, lang)
     }
 
-    /// The unit of the address that means the same in a cycle: H of a way out is a feed as F is.
+    /// The unit of the address with the same meaning in a cycle: H of a retract is a feed, like F.
     fn unit_alike(&self, cycle: &str, meanings: &[Meaning]) -> Option<&String> {
         let alike = |others: &[Meaning]| others.iter().any(|other| meanings.iter().any(|own| own.uk == other.uk));
         let of_cycle = self.parameters.iter().filter(|((own, _), _)| own == cycle);
@@ -227,7 +228,7 @@ impl Meaning {
         Self { uk: uk.to_owned(), en: en.to_owned(), incremental, ..Self::default() }
     }
 
-    /// What the table says: it says it in both languages itself.
+    /// The text of the table, which is in both languages.
     fn text(&self, incremental: bool, lang: Lang) -> &str {
         let (uk, en) = match &self.incremental {
             Some((uk, en)) if incremental => (uk, en),
@@ -241,7 +242,7 @@ fn unknown(lang: Lang) -> String {
     say!(lang, "encoding-unknown").to_owned()
 }
 
-/// A meaning with its number, where the number has a unit: others say all that is to say by themselves.
+/// A meaning with its number, if the number has a unit; other meanings are complete.
 fn valued(text: &str, said: &'static str, number: &str, unit: Option<&String>, tenths: bool, lang: Lang) -> String {
     let Some(unit) = unit else { return text.to_owned() };
     let shown = match number.parse::<f64>() {

@@ -1,4 +1,4 @@
-//! The sheet for people, as a page, and for other programs, as CSV. JSON is the sheet itself.
+//! The sheet as a page for people, and as CSV for other programs. JSON is the sheet itself.
 
 use crate::document::{Block, Column, Document, Field, Inlines, Keep, Table};
 use crate::words::say;
@@ -6,7 +6,7 @@ use crate::words::say;
 use super::{EncodingSheet, SheetRow};
 
 impl EncodingSheet {
-    /// The sheet as a page. What the textbook's sheet does not have carries a `†`.
+    /// The sheet as a page. Additions to the textbook's sheet have a `†`.
     pub fn page(&self) -> Document {
         let lang = self.lang;
         let mut page = Document::new(lang.tag(), say!(lang, "encoding-title"));
@@ -32,7 +32,7 @@ impl EncodingSheet {
         page
     }
 
-    /// The rows as CSV (RFC 4180), with the number of the line in front.
+    /// The rows as CSV (RFC 4180), with the line number first.
     pub fn csv(&self) -> String {
         let mut text = String::from("line,transition,tool,code,meaning\r\n");
         for row in &self.rows {

@@ -1,4 +1,4 @@
-//! The cutting conditions of a plan: a row for each transition, and what held it back.
+//! The cutting conditions of a plan: a row for each transition, and what limits it.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep, Table};
 use crate::note::Figure;
@@ -8,13 +8,13 @@ use super::super::words::say;
 use super::{Lang, MARK, NONE, cell, exactly, heading, mark, mm, rounded};
 use crate::report::operation_noun;
 
-/// The table, and under it what its cells cannot say.
+/// The table, and notes under it.
 pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     let mut rows: Vec<(Vec<&str>, Vec<Inlines>)> = Vec::new();
     for hole in &plan.holes {
         for transition in &hole.transitions {
             let row = cells(transition, lang);
-            // Groups that share a transition in all its figures share its line.
+            // Groups with exactly the same transition share its line.
             match rows.iter_mut().find(|(_, known)| *known == row) {
                 Some((names, _)) if names.contains(&hole.name.as_str()) => {}
                 Some((names, _)) => names.push(&hole.name),
@@ -39,7 +39,7 @@ pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     }
 }
 
-/// On a narrow screen forces and power are left out first, then the transition: tool and diameter tell which it is.
+/// On a narrow screen forces and power are left out first, then the transition: tool and diameter identify the row.
 fn table(lang: Lang) -> Table {
     let column = |key, unit| Column::number(heading(key, lang), lang.word(unit));
     Table::new([
@@ -62,14 +62,14 @@ fn table(lang: Lang) -> Table {
 
 fn cells(transition: &Transition, lang: Lang) -> Vec<Inlines> {
     let conditions = &transition.conditions;
-    // Programs count it in whole steps, rounded down: 283.5 is F283, and must not be read as 284.
+    // Programs use whole steps, rounded down: 283.5 is F283, and must not be read as 284.
     let whole = conditions.feed_mm_per_min.0.fract().abs() < 0.05;
     let optional = |value: Option<f64>, places| value.map_or_else(|| NONE.into(), |value| cell(value, places, lang));
     vec![
         format!("{}{}", super::route::place(transition), mark(&conditions.because)).into(),
         operation_noun(transition.operation.name(), lang).into(),
         Inlines::number(mm(transition.diameter_mm, lang)),
-        // The way of a mill is its circles, not the way along the axis.
+        // The path of a mill is its circles, not the travel along the axis.
         optional(conditions.rounds.is_none().then(|| transition.travel_mm.to_mm()), 1),
         cell(conditions.depth_of_cut_mm, 2, lang),
         cell(conditions.feed_mm_per_rev.0, 3, lang),
@@ -83,7 +83,7 @@ fn cells(transition: &Transition, lang: Lang) -> Vec<Inlines> {
     ]
 }
 
-/// Which transitions the speeds take coolant for; the tables do not say it of every transition.
+/// The transitions whose speeds are for coolant; the tables do not say it of every transition.
 fn coolant(plan: &Plan, lang: Lang) -> Option<Inlines> {
     let mut names: Vec<&str> = Vec::new();
     for transition in plan.holes.iter().flat_map(|hole| &hole.transitions).filter(|own| !own.elsewhere) {
@@ -95,7 +95,7 @@ fn coolant(plan: &Plan, lang: Lang) -> Option<Inlines> {
     (!names.is_empty()).then(|| say!(lang, "plan-coolant", operations = Figure::operations(names)).into())
 }
 
-/// What held the conditions back, where it is not simply the cutting speed; and the card's own figures.
+/// The limits other than the cutting speed, and the figures of the card.
 fn limits(plan: &Plan, lang: Lang) -> Vec<Item> {
     let mut lines: Vec<String> = Vec::new();
     for hole in &plan.holes {

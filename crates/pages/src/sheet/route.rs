@@ -1,5 +1,5 @@
-//! The route section of the page: transitions in the order of work, what each achieves, the order over the
-//! holes, and what every route was weighed against.
+//! The route section of the page: transitions in the order of work, the accuracy of each, the order over the holes,
+//! and the rejected candidates.
 
 use crate::document::{Align, Block, Column, Document, Field, Inlines, Item, Table};
 use crate::note::{Figure, Note, Told};
@@ -15,7 +15,7 @@ use crate::report::operation_verb;
 pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     page.heading(3, say!(lang, "plan-operation"));
     let rows = rows(plan, lang);
-    // Without transitions there is nothing but loading and unloading the part.
+    // Without transitions there is only loading and unloading of the part.
     if rows.len() > 2 {
         let mut table = Table::new([
             Column { align: Align::Right, ..Column::text(lang.word("cli-row-number")) },
@@ -81,7 +81,7 @@ fn hole<'p>(plan: &'p Plan, name: &str) -> Option<&'p Hole> {
     plan.part.holes.iter().find(|hole| hole.name == name)
 }
 
-/// The size that a transition works towards: a thread, a step, or the hole itself.
+/// The size towards which a transition works: a thread, a step, or the hole itself.
 pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     let step = transition.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
     let thread = hole.thread_at(transition.step).filter(|_| transition.operation == Operation::Tap);
@@ -100,7 +100,7 @@ pub(crate) fn finishes(hole: &Hole, transition: &Transition) -> bool {
         || (matches!(transition.feature, Feature::Bore | Feature::Step) && own == transition.diameter_mm)
 }
 
-/// The place of its tool in the magazine; what is done on another machine has none.
+/// The place of its tool in the magazine; work on another machine has none.
 pub(super) fn place(transition: &Transition) -> String {
     if transition.elsewhere { NONE.to_owned() } else { format!("T{}", transition.tool.number) }
 }
@@ -115,7 +115,7 @@ fn step(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> Vec
     ]
 }
 
-/// What a transition does, as a route card says it.
+/// The content of a transition, as on a route card.
 fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> String {
     let Some(hole) = hole(plan, &own.name) else { return String::new() };
     let key = match transition.operation {
@@ -164,7 +164,7 @@ fn of_route(route: &Route, lang: Lang) -> String {
     route_name(route.way, &route.table, &route.scheme, lang)
 }
 
-/// Where a route was found: `A.9 07`, `A.5 комплекс 13`, or the search.
+/// The source of a route: `A.9 07`, `A.5 комплекс 13`, or the search.
 fn route_name(way: RouteSource, table: &str, scheme: &str, lang: Lang) -> String {
     if scheme.is_empty() {
         return table.to_owned();
@@ -180,7 +180,7 @@ fn route_name(way: RouteSource, table: &str, scheme: &str, lang: Lang) -> String
     }
 }
 
-/// What a group requires, the route taken, and the runner-up with what it would cost.
+/// The requirements of a group, the route taken, and the runner-up with its cost.
 fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
     let route = own.route.as_ref()?;
     let against = match route.runner_up() {
@@ -198,7 +198,7 @@ fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
     Some(Field::new(own.name.as_str(), said))
 }
 
-/// What the drawing requires of a group: grade, roughness, centre tolerance.
+/// The requirements of the drawing for a group: grade, roughness, centre tolerance.
 fn requirement(hole: &Hole, centre: Micrometres, lang: Lang) -> String {
     match &hole.thread {
         Some(thread) => say!(lang, "plan-required-thread", thread = thread.written.as_str(), centre = centre),
@@ -212,7 +212,7 @@ fn runner_up(other: &Alternative, lang: Lang) -> String {
     say!(lang, "plan-runner-up", route = route, operations = operations, why = other.why.clone())
 }
 
-/// The routes that were not taken, each with why it lost, for `explain`.
+/// The rejected routes, each with the reason, for `explain`.
 pub(crate) fn alternatives(route: &Route, lang: Lang) -> Vec<Item> {
     let item = |other: &Alternative| {
         let made = other.operations.iter();

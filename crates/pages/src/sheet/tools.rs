@@ -1,4 +1,4 @@
-//! The tools of a plan: what is ordered and put together, and what the offset registers hold.
+//! The tools of a plan: assemblies to order and mount, and the values of the offset registers.
 
 use crate::document::{Column, Inlines, Keep, Table};
 use crate::plan::{Plan, ToolPlan};
@@ -43,7 +43,7 @@ pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
     table
 }
 
-/// A tool as it is ordered, and to what it is ground where no catalog has its size.
+/// A tool as ordered, and the size to which it is ground where no catalog has its size.
 fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
     let designation = format!("{}{mark}", tool.designation);
     match tool.ground_from_mm {
@@ -54,7 +54,7 @@ fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
     }
 }
 
-/// What a tool does, over all holes.
+/// The work of a tool, over all holes.
 fn does(plan: &Plan, tool: &ToolPlan, lang: Lang) -> String {
     let mut names: Vec<&str> = Vec::new();
     for transition in plan.holes.iter().flat_map(|hole| &hole.transitions) {
@@ -66,7 +66,7 @@ fn does(plan: &Plan, tool: &ToolPlan, lang: Lang) -> String {
     names.join(", ")
 }
 
-/// What the offset registers hold.
+/// The values of the offset registers.
 pub(super) fn corrections(plan: &Plan, lang: Lang) -> Table {
     let mm = lang.word("unit-mm");
     let mut table = Table::new([

@@ -11,7 +11,7 @@ use super::Lang;
 /// A cell of a table.
 pub(super) enum Cell {
     Words(Inlines),
-    /// A figure, and how many decimals it is shown with at most.
+    /// A figure, and its largest number of decimals.
     Figure(f64, usize),
 }
 
@@ -35,7 +35,7 @@ impl Cell {
     }
 }
 
-/// A table, without those of its columns that may be left out and say nothing.
+/// A table, without optional columns that are empty.
 pub(super) fn table(columns: impl IntoIterator<Item = Column>, rows: Vec<Vec<Cell>>, lang: Lang) -> Table {
     let columns: Vec<Column> = columns.into_iter().collect();
     let says = |at: usize| rows.iter().any(|row| row.get(at).is_some_and(|cell| !cell.is_empty()));
@@ -54,7 +54,7 @@ pub(super) fn table(columns: impl IntoIterator<Item = Column>, rows: Vec<Vec<Cel
     table
 }
 
-/// A column of several figures in a cell, such as `0 → 42`: they stay on one line.
+/// A column with several figures in a cell, such as `0 → 42`: they stay on one line.
 pub(super) fn span(heading: impl Into<Inlines>, unit: &str) -> Column {
     Column::number(heading, unit).least(16)
 }
@@ -64,7 +64,7 @@ pub(super) fn figure(value: impl Display, lang: Lang) -> String {
     lang.figure(&Figure::number(value.to_string())).replace('-', "−")
 }
 
-/// A figure with so many decimals.
+/// A figure with that number of decimals.
 pub(super) fn fixed(value: f64, decimals: usize, lang: Lang) -> String {
     // Not −0.
     let value = round_to(value, u32::try_from(decimals).unwrap_or_default()) + 0.0;

@@ -1,4 +1,4 @@
-//! The passes of each variant drawn on the half section: what each pass takes in its colour, with its number and its
+//! The passes of each variant, drawn on the half section: the metal of each pass in its colour, with its number and
 //! direction (the paper's figure 6, for any shaft).
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
@@ -14,17 +14,17 @@ use technolog_words::say;
 
 /// Width of a panel, in units of the drawing.
 pub(super) const PANEL: f64 = 600.0;
-/// The tallest section of a panel.
+/// The greatest height of a section in a panel.
 pub(super) const TALL: f64 = 420.0;
 pub(super) const MARGIN: f64 = 34.0;
 pub(super) const TITLE: f64 = 30.0;
 /// Fills of longitudinal and of transverse passes, two of each in turn so that neighbours differ.
 pub(super) const FILLS: [[&str; 2]; 2] = [["#9fc8e8", "#cfe3f3"], ["#f6c69a", "#fbe0c6"]];
 const STEEL: &str = "#d9d9d9";
-/// The smallest side of a rectangle that still takes a number, in units of the drawing.
+/// The least side of a rectangle that can hold a number, in units of the drawing.
 const NUMBERED: f64 = 9.0;
 
-/// One panel for each variant, two in a row; under them one for each scheme.
+/// One panel for each variant, two in a row; below them one for each scheme.
 pub fn drawing(found: &Sequences, schemes: &Schemes, lang: Lang) -> String {
     let shaft = &found.shaft;
     let (length, radius) = (shaft.blank.length.to_mm(), shaft.blank.diameter.to_mm() / 2.0);
@@ -97,7 +97,7 @@ pub(super) fn part(canvas: &mut Canvas, found: &Sequences, lang: Lang, place: &i
         z = z + Half::of(step.length);
         outline.push(Point { radius, z });
     }
-    // What is longer than the steps stays as it is, in the chuck.
+    // The bar beyond the steps stays unturned, in the chuck.
     let (bar, end) = (Half::radius_of(shaft.blank.diameter), Half::of(shaft.blank.length));
     if end > z {
         outline.extend([Point { radius: bar, z }, Point { radius: bar, z: end }]);
@@ -121,7 +121,7 @@ pub(super) fn part(canvas: &mut Canvas, found: &Sequences, lang: Lang, place: &i
     }
 }
 
-/// The way of the tool through metal, with the number of the pass beside its beginning.
+/// The path of the tool through metal, with the number of the pass beside its beginning.
 pub(super) fn arrow(canvas: &mut Canvas, pass: &Pass, number: usize, place: &impl Fn(Point) -> At) {
     let (from, to) = (place(pass.from), place(pass.to));
     let colour = if pass.kind == PassDirection::Longitudinal { "#0072b2" } else { "#d55e00" };
@@ -135,9 +135,9 @@ pub(super) fn arrow(canvas: &mut Canvas, pass: &Pass, number: usize, place: &imp
         return;
     }
     let number = number.to_string();
-    // A digit is about 0.6 of its height wide.
+    // The width of a digit is about 0.6 of its height.
     let size = 11.0_f64.min(tall).min((wide - 1.0) / (0.6 * number.len() as f64)).max(6.0);
-    // Off the middle, so that it does not stand on the arrow of a narrow pass.
+    // Beside the middle, so that it does not cover the arrow of a narrow pass.
     let at = match pass.kind {
         PassDirection::Longitudinal => (near.0 - 12.0_f64.min(wide / 2.0), (near.1 + far.1) / 2.0 + size * 0.35),
         PassDirection::Transverse => ((near.0 + far.0) / 2.0, far.1 + 12.0_f64.min(tall / 2.0 + size * 0.35)),

@@ -1,5 +1,5 @@
-//! A sequence of passes step by step: one small picture for each pass, with the metal that it takes and what is left
-//! after it (the paper's figure 6, taken apart).
+//! A sequence of passes step by step: one small picture for each pass, with the removed metal and the remaining stock
+//! (the paper's figure 6, step by step).
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
 use super::Lang;

@@ -12,7 +12,7 @@ use technolog_words::say;
 
 const NAMES: [&str; 3] = ["longitudinal", "transverse", "per-step"];
 const COLOURS: [&str; 3] = ["#0072b2", "#d55e00", "#009e73"];
-/// What is more above the optimum is drawn at the edge, per cent.
+/// Values more than this above the optimum are drawn at the edge, per cent.
 const SHOWN: f64 = 60.0;
 const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 420.0;
@@ -45,7 +45,7 @@ pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> Document {
     page
 }
 
-/// The map as a plot: length to diameter along, on a scale of powers, per cent above the optimum up.
+/// The map as a plot: length to diameter along, on a power scale; per cent above the optimum up.
 pub fn map_drawing(shaft: &Shaft, map: &[Ratio], lang: Lang) -> String {
     let mut canvas = Canvas::default();
     let place = |ratio: f64, percent: f64| -> At {

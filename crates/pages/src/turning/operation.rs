@@ -1,5 +1,5 @@
-//! A turning operation as its reader sees it: the blank, the surfaces, the allowances, the zones with their tools, the
-//! schemes side by side.
+//! A turning operation as a page: the blank, the surfaces, the allowances, the zones with their tools, the schemes
+//! side by side.
 
 mod jobs;
 mod schemes;
@@ -60,7 +60,7 @@ pub fn operation_page(
     page
 }
 
-/// The programs of an operation, one a line.
+/// The programs of an operation, one on each line.
 pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
     let line = |(index, program): (usize, &OperationProgram)| {
         let tools: Vec<String> = program.places.iter().map(|place| format!("T{place}")).collect();

@@ -1,4 +1,4 @@
-//! A turning operation drawn: for each side of a set-up the allowances with the zones, then the toolpath taken over
+//! A turning operation as a drawing: for each side of a set-up the allowances with the zones, then the toolpath over
 //! each zone.
 
 use super::super::canvas::{Anchor, Canvas, Pen, width_of};
@@ -27,7 +27,7 @@ const ALLOWANCES: [(&str, &str); 3] = [
     ("#8fd3b6", "turn-allowance-finish"),
 ];
 
-/// The whole drawing, with the toolpath taken over each zone, or with those of all schemes.
+/// The whole drawing, with the chosen toolpath over each zone, or with those of all schemes.
 pub fn operation_drawing(operation: &Operation, all: bool, lang: Lang) -> String {
     let mut canvas = Canvas::default();
     let mut top = 0.0;
@@ -46,7 +46,7 @@ pub fn operation_drawing(operation: &Operation, all: bool, lang: Lang) -> String
     canvas.page(WIDE, top.max(TITLE) + MARGIN)
 }
 
-/// The corners of what contours and the axis take.
+/// The corners of the box around contours and, with `axis`, the axis.
 fn corners(contours: &[&Contour], axis: bool) -> (Point, Point) {
     let points: Vec<Point> =
         contours.iter().flat_map(|one| one.pieces.iter().flat_map(|piece| piece.extremes())).collect();
@@ -59,7 +59,7 @@ fn corners(contours: &[&Contour], axis: bool) -> (Point, Point) {
     )
 }
 
-/// The part with its three allowances and the zones of area 1; tells where it ends.
+/// The part with its three allowances and the zones of area 1; returns its lower end.
 fn layers(canvas: &mut Canvas, set_up: &SetUpWork, side: &SideWork, top: f64, lang: Lang) -> f64 {
     let layers = &side.layers;
     let (near, far) = corners(&[&layers.blank, &layers.rough, &layers.part], true);
@@ -107,7 +107,7 @@ fn layers(canvas: &mut Canvas, set_up: &SetUpWork, side: &SideWork, top: f64, la
     bottom + 14.0
 }
 
-/// The section of the part: from an outer contour down to the axis, of a bore up to a radius.
+/// The section of the part: from an outer contour down to the axis, for a bore up to a radius.
 fn solid(part: &Contour, far: Half) -> Vec<Piece> {
     let (Some(start), Some(end)) = (part.start(), part.end()) else { return Vec::new() };
     let base = if part.side == Side::Outer { Half::ZERO } else { far };
@@ -123,7 +123,7 @@ fn axis(canvas: &mut Canvas, view: &View, near: Point, far: Point) {
     canvas.line(&[(left.0 - 14.0, left.1), (right.0 + 14.0, right.1)], Pen::dashed("#333", 0.8));
 }
 
-/// The toolpath over a zone, as large as possible; returns where it ends.
+/// The toolpath over a zone, as large as possible; returns its lower end.
 fn way(
     canvas: &mut Canvas,
     (set_up, side, zone): (&SetUpWork, &SideWork, &ZoneWork),
@@ -143,7 +143,7 @@ fn way(
         "turn-way",
         set_up = set_up.set_up.number,
         side = word(side.side.name()),
-        // As the pages name it.
+        // The same name as on the pages.
         zone = format!("{}.{}", set_up.set_up.number, zone.zone.number),
         scheme = word(transition.scheme.name()),
         depth = rounded(work.levels.depth.to_mm(), lang),
@@ -171,7 +171,7 @@ fn way(
     bottom + 14.0
 }
 
-/// The metal under a stretch of the rough contour, down to a radius.
+/// The metal under a section of the rough contour, down to a radius.
 fn footing(rough: &Contour, base: Half) -> Vec<Piece> {
     let (Some(start), Some(end)) = (rough.start(), rough.end()) else { return Vec::new() };
     let (low, back) = (Point { radius: base, z: end.z }, Point { radius: base, z: start.z });

@@ -1,4 +1,4 @@
-//! What all pages of turning share: reasons with their rows, findings, lengths along the axis.
+//! Phrases for all pages of turning: reasons with their rows, findings, lengths along the axis.
 
 use crate::document::{Column, FindingBlock, Inlines, Severity};
 use crate::knowledge::Knowledge;
@@ -15,12 +15,12 @@ pub(super) fn said(note: &Note, lang: Lang) -> Inlines {
     Inlines::sentence(&lang.say(note))
 }
 
-/// What was decided, with the row that it rests on.
+/// A decision with its row.
 pub(super) fn reasoned(because: &Because, lang: Lang) -> Inlines {
     rests_on(&lang.say(&because.note), because, lang)
 }
 
-/// A sentence with the row that it rests on.
+/// A sentence with its row.
 pub(super) fn rests_on(said: &str, because: &Because, lang: Lang) -> Inlines {
     let (table, place) = (because.table.as_str(), lang.place(&because.place));
     Inlines::sentence(&match because.row {
@@ -44,7 +44,7 @@ pub(super) fn word(id: &'static str) -> note::Figure {
     note::Figure::word(id)
 }
 
-/// A length along the axis as it is told: negative towards the chuck.
+/// A length along the axis as printed: negative towards the chuck.
 pub(super) fn z(value: Half, lang: Lang) -> String {
     figure(Half::ZERO - value, lang)
 }
@@ -54,12 +54,12 @@ pub(super) fn material(id: &str, knowledge: &Knowledge) -> String {
     Material::find(knowledge, id).map_or_else(|_| id.to_owned(), |material| material.designation().to_owned())
 }
 
-/// Words of the general vocabulary with something between them.
+/// Words of the general vocabulary with a separator.
 pub(super) fn terms<'i>(ids: impl Iterator<Item = &'i str>, between: &str, lang: Lang) -> String {
     ids.map(|id| lang.term("word", id)).collect::<Vec<_>>().join(between)
 }
 
-/// A column with the names of schemes: headings of figures are wrapped before them.
+/// A column with the names of schemes; the headings of figures are wrapped before these names.
 pub(super) fn schemes_column(heading: &str) -> Column {
     Column::text(heading).least(24)
 }

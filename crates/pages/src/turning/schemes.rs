@@ -1,4 +1,4 @@
-//! The sections about levels, zones and schemes of a shaft's page.
+//! The sections about levels, zones and schemes on a shaft's page.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep, Table};
 use technolog_tables::turning::passes::Scheme;

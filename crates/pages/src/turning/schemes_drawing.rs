@@ -1,5 +1,5 @@
-//! The tool path of each scheme on the half section: feeds solid, rapids dashed, points with their names (the lecture's
-//! figures 12.7 to 12.10, for any shaft).
+//! The toolpath of each scheme on the half section: feeds solid, rapids dashed, points with their names (the
+//! lecture's figures 12.7 to 12.10, for any shaft).
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
 use super::Lang;
@@ -19,12 +19,12 @@ const RAPID: Pen = Pen::dashed("#cc79a7", 0.9);
 /// Height of the names of points.
 const NAME: f64 = 9.0;
 
-/// One panel for each scheme, two in a row, from a height on; tells where they end.
+/// One panel for each scheme, two in a row, beginning at a height; returns the lower end.
 pub(super) fn panels(canvas: &mut Canvas, found: &Sequences, schemes: &Schemes, top: f64, lang: Lang) -> f64 {
     let shaft = &found.shaft;
     let (length, radius) = (shaft.blank.length.to_mm(), shaft.blank.diameter.to_mm() / 2.0);
     let approach = schemes.splitting.rates.approach.to_mm();
-    // Home lies off the corner of the blank by the approach.
+    // The home point is off the corner of the blank by the approach.
     let scale = ((PANEL - 2.0 * MARGIN) / (length + approach)).min(TALL / (radius + approach));
     let height = TITLE + (radius + approach) * scale + 2.0 * MARGIN;
     for (index, scheme) in schemes.schemes.iter().enumerate() {
@@ -80,7 +80,7 @@ fn stock(canvas: &mut Canvas, schemes: &Schemes, place: &impl Fn(Point) -> At) {
     }
 }
 
-/// The path with its points. A name stands where it covers no other, and is left out where it would everywhere.
+/// The path with its points. A name is placed where it covers no other name, and left out if there is no such place.
 fn way(canvas: &mut Canvas, scheme: &SchemeEntry, place: &impl Fn(Point) -> At) {
     for (before, vertex) in scheme.path.iter().zip(scheme.path.iter().skip(1)) {
         let (from, to) = (place(before.at), place(vertex.at));

@@ -1,4 +1,5 @@
-//! What the operator of a lathe sets before a program runs: the tools in the turret, the tips, where offsets are measured.
+//! The setting of a lathe before a program runs: the tools in the turret, the tips, the points where offsets are
+//! measured.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep};
 use technolog_turning::jobs::{Body, JobTool, Work};
@@ -62,13 +63,14 @@ fn row(tool: &SetTool, lang: Lang) -> Vec<Cell> {
         tool.orientation.map_or_else(Cell::empty, |number| Cell::count(usize::from(number))),
         set_ups.join(", ").into(),
         works.join(", ").into(),
-        // The operator writes what he measures.
+        // The operator writes the measured value.
         "______".into(),
         "______".into(),
     ]
 }
 
-/// What is clamped: height and width of a square shank, or the diameter of a bar; empty where the catalog has neither.
+/// The clamped part of a tool: height and width of a square shank, or the diameter of a bar; empty where the catalog
+/// has neither.
 fn shank(tool: &JobTool) -> String {
     match &tool.body {
         Body::Insert { shank_mm: Some((height, width)), .. } => format!("{height}×{width}"),

@@ -1,4 +1,4 @@
-//! How the half section lies on a page: the free end on the right, as on a lathe, the axis below.
+//! The half section on a page: the free end on the right, as on a lathe, the axis below.
 
 use std::fmt::Write;
 
@@ -11,14 +11,15 @@ use technolog_turning::toolpath::{Purpose, Toolpath};
 /// A part of the half section on the page.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
-    /// Where radius 0, Z 0 lies.
+    /// The position of radius 0, Z 0.
     origin: At,
     /// Units of the page for a millimetre.
     scale: f64,
 }
 
 impl View {
-    /// What lies between two corners, the one nearest to the axis and the free end first, within a box of the page.
+    /// The view of the rectangle between two corners (first the one nearest to the axis and the free end), within a
+    /// box of the page.
     pub(super) fn within(near: Point, far: Point, left: f64, top: f64, wide: f64, tall: f64) -> Self {
         let size = near.to(far);
         let scale = (wide / size.z.max(0.001)).min(tall / size.radius.max(0.001));
@@ -28,17 +29,17 @@ impl View {
         Self { origin, scale }
     }
 
-    /// Where a point lies.
+    /// The position of a point.
     pub(super) fn at(&self, point: Point) -> At {
         (self.origin.0 - point.z.to_mm() * self.scale, self.origin.1 - point.radius.to_mm() * self.scale)
     }
 
-    /// How long a length is on the page.
+    /// The length on the page.
     pub(super) fn long(&self, length: Half) -> f64 {
         length.to_mm() * self.scale
     }
 
-    /// Pieces as a path in the language of SVG; each chain of them begins again.
+    /// Pieces as an SVG path; each chain of them begins anew.
     fn path(&self, pieces: impl IntoIterator<Item = Piece>) -> String {
         let mut path = String::new();
         let mut here: Option<Point> = None;
@@ -53,7 +54,7 @@ impl View {
                 Curve::Line => write!(path, "L{x:.2} {y:.2}"),
                 Curve::Arc { radius, turn } => {
                     let radius = self.long(radius);
-                    // Z runs to the left here, so what turns left turns clockwise on the page.
+                    // Z goes to the left here, so a left turn is clockwise on the page.
                     let sweep = u8::from(turn == Turn::Left);
                     write!(path, "A{radius:.3} {radius:.3} 0 0 {sweep} {x:.2} {y:.2}")
                 }
@@ -79,7 +80,7 @@ impl View {
         }
     }
 
-    /// The way of a tool, each move with the pen of what it is for and an arrow in its middle.
+    /// A toolpath, each move with the pen of its purpose and an arrow in its middle.
     pub(super) fn way(&self, canvas: &mut Canvas, way: &Toolpath) {
         for (piece, purpose) in way.pieces() {
             let pen = pen_of(purpose);
@@ -93,7 +94,7 @@ impl View {
     }
 }
 
-/// How a move is drawn.
+/// The pen of a move.
 pub(super) const fn pen_of(purpose: Purpose) -> Pen {
     match purpose {
         Purpose::Rapid => Pen::dashed("#999999", 0.9),

@@ -6,7 +6,7 @@ use technolog_knowledge::{rows, vocabulary};
 use super::{Acts, Letter};
 
 vocabulary! {
-    /// What an M function makes the control do.
+    /// The action of the control for an M function.
     pub enum Action {
         Stop = "stop",
         OptionalStop = "optional-stop",
@@ -20,7 +20,7 @@ vocabulary! {
         CoolantOff = "coolant-off",
     }
 
-    /// What the number behind an address counts.
+    /// The unit of the number after an address.
     pub enum AddressUnit {
         Ones = "1",
         Millimetres = "mm",
@@ -45,7 +45,7 @@ vocabulary! {
         Z = "Z",
     }
 
-    /// The way of a cycle to point 2.
+    /// The motion of a cycle to point 2.
     pub enum Inwards {
         /// At feed.
         Feed = "feed",
@@ -53,7 +53,7 @@ vocabulary! {
         FeedInSteps = "feed-in-steps",
     }
 
-    /// The way of a cycle to point 3.
+    /// The motion of a cycle to point 3.
     pub enum Outwards {
         Rapid = "rapid",
         Feed = "feed",
@@ -67,12 +67,12 @@ vocabulary! {
         Memory = "memory",
         /// Programs and subprograms together.
         ProgramsMax = "programs-max",
-        /// How deep subprograms may call each other.
+        /// The deepest nesting of subprogram calls.
         SubprogramDepthMax = "subprogram-depth-max",
         MFunctionsPerBlockMax = "m-functions-per-block-max",
-        /// What a dwell is counted in, s.
+        /// The unit of a dwell, s.
         DwellStep = "dwell-step",
-        /// How many correctors there are.
+        /// The number of offset registers.
         Correctors = "correctors",
         /// Steps of the switch, %.
         FeedOverride = "feed-override",
@@ -165,7 +165,8 @@ rows! {
     pub struct G86Parameters of One("2c42-65-g86-parameters") {}
         shown { word, required, absolute_uk, absolute_en, incremental_uk, incremental_en }
 
-    /// What the check of programs does at the M functions of 2C42-65; a meaning where the M functions give none.
+    /// The action of each M function of 2C42-65 in the program check; a meaning where the table of M functions has
+    /// none.
     pub struct MActions of One("2c42-65-m-actions") {
         code: &'t str,
         action: Action,
@@ -198,7 +199,7 @@ rows! {
         unit: Option<&'t str>,
     } shown { text }
 
-    /// Tool offset of 2C42-65: G45...G48 have a factor, G17...G19 the words that it acts on.
+    /// Tool offset of 2C42-65: G45...G48 have a factor, G17...G19 the words that they change.
     pub struct ToolOffset of One("2c42-65-tool-offset") {
         code: &'t str,
         factor: Option<f64>,

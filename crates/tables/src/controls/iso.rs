@@ -31,7 +31,7 @@ vocabulary! {
         Retract = "retract",
     }
 
-    /// What a G function does.
+    /// The effect of a G function.
     pub enum Effect {
         Mode = "mode",
         Cycle = "cycle",
@@ -42,7 +42,7 @@ vocabulary! {
         Noted = "noted",
     }
 
-    /// What an M function makes the control do.
+    /// The action of the control for an M function.
     pub enum Action {
         Stop = "stop",
         OptionalStop = "optional-stop",
@@ -58,7 +58,7 @@ vocabulary! {
         Auxiliary = "auxiliary",
     }
 
-    /// What a comment that acts makes the control do.
+    /// The action of the control for an active comment.
     pub enum CommentAct {
         Shows = "shows",
         /// To a file.
@@ -79,23 +79,23 @@ vocabulary! {
         Other = "other",
     }
 
-    /// The way of a cycle to its bottom.
+    /// The motion of a cycle to its bottom.
     pub enum Inwards {
         Feed = "feed",
         /// After every step out of the hole.
         StepsLeaving = "in-steps-leaving",
-        /// After every step back a little.
+        /// After every step a small retract.
         StepsStaying = "in-steps-staying",
     }
 
-    /// What the spindle does at the bottom of a cycle.
+    /// The spindle at the bottom of a cycle.
     pub enum Bottom {
         Turning = "turning",
         Stopped = "stopped",
         Reversed = "reversed",
     }
 
-    /// The way of a cycle out of the hole.
+    /// The motion of a cycle out of the hole.
     pub enum Outwards {
         Rapid = "rapid",
         /// At feed to R, at rapid from there.
@@ -103,35 +103,35 @@ vocabulary! {
         FeedToTheEnd = "feed-to-the-end",
     }
 
-    /// What a record of a control holds. Yes is 1, no is 0.
+    /// The characteristics of a control in its record. Yes is 1, no is 0.
     pub enum Characteristic {
-        /// How deep subprograms may call each other.
+        /// The deepest nesting of subprogram calls.
         SubprogramDepthMax = "subprogram-depth-max",
-        /// How many correctors there are.
+        /// The number of offset registers.
         Correctors = "correctors",
-        /// Steps of the switch, %; two are the ends of all whole numbers between.
+        /// Steps of the switch, %; two figures are the ends of a range of whole numbers.
         FeedOverride = "feed-override",
-        /// Steps of the switch, %; two are the ends of all whole numbers between.
+        /// Steps of the switch, %; two figures are the ends of a range of whole numbers.
         SpindleOverride = "spindle-override",
         MFunctionsPerBlockMax = "m-functions-per-block-max",
-        /// What one of P counts, s.
+        /// The unit of P in a dwell, s.
         DwellUnit = "dwell-unit",
-        /// What the radii at start and end of an arc may differ by, mm.
+        /// The permitted difference of the radii at start and end of an arc, mm.
         ArcTolerance = "arc-tolerance",
         /// The same as a part of the radius.
         ArcToleranceRelative = "arc-tolerance-relative",
-        /// How far before the metal the rapid of G83 ends, mm.
+        /// The distance above the metal where the rapid of G83 ends, mm.
         G83Clearance = "g83-clearance",
-        /// How far G73 draws back, mm.
+        /// The retract of G73, mm.
         G73Retract = "g73-retract",
         /// Whether cycles and motions are one group, of which a block may have one.
         CyclesAreMotions = "cycles-are-motions",
         WordsInSmallLetters = "words-in-small-letters",
         /// Whether subprograms are written with o-words.
         OWords = "o-words",
-        /// Whether G43 without H takes the corrector of the tool in the spindle.
+        /// Whether G43 without H takes the offset register of the tool in the spindle.
         LengthOfToolInSpindle = "length-of-tool-in-spindle",
-        /// Whether clearance and retreat of steps are set by the operator.
+        /// Whether the operator sets clearance and retract of steps.
         PecksOfSetting = "pecks-of-setting",
     }
 }
@@ -185,7 +185,7 @@ rows! {
         acts: Acts,
     } shown { meaning_uk, meaning_en }
 
-    /// Comments that act.
+    /// Comments that the control executes.
     pub struct ActiveComments of One("iso-active-comments") {
         begins: &'t str,
         controls: Vec<IsoControl>,
@@ -194,7 +194,7 @@ rows! {
         whole: Option<bool>,
     } shown { meaning_uk, meaning_en }
 
-    /// What the words of a control mean, of one whose words stand in one table.
+    /// The meanings of the words of a control, where one table has all of them.
     pub struct Words of Each(&["fanuc-words", "linuxcnc-words"]) {
         word: &'t str,
         cycles: Option<Vec<&'t str>>,

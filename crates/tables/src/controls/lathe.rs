@@ -15,7 +15,7 @@ vocabulary! {
         Facing = "facing",
     }
 
-    /// What a field of the call of a cycle holds.
+    /// The content of a field in the call of a cycle.
     pub enum FieldContent {
         Contour = "contour",
         StartX = "start-x",
@@ -32,7 +32,7 @@ vocabulary! {
         Nothing = "nothing",
     }
 
-    /// In which order a control counts the places of a tool's tip.
+    /// The order in which a control numbers the positions of a tool tip.
     pub enum TipNumbering {
         LinuxCnc = "linuxcnc",
         Common = "common",
@@ -44,7 +44,7 @@ vocabulary! {
         Diameter = "diameter",
     }
 
-    /// What a word of a control is for.
+    /// The purpose of a word of a control.
     pub enum Use {
         Plane = "plane",
         Millimetres = "millimetres",
@@ -120,7 +120,7 @@ rows! {
         machining: Option<i64>,
     }
 
-    /// Places of the tip of a tool, from the centre of its nose.
+    /// Positions of the tip of a tool, from the centre of its nose.
     pub struct LatheTipPlaces of One("lathe-tip-places") {
         numbering: TipNumbering,
         radial: i64,

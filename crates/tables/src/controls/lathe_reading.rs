@@ -13,7 +13,7 @@ vocabulary! {
         Sinumerik = "sinumerik",
     }
 
-    /// Groups of functions, of which one holds.
+    /// Groups of modal functions; one function of each is in force.
     pub enum LatheGroup {
         OneShot = "one-shot",
         Motion = "motion",
@@ -30,14 +30,14 @@ vocabulary! {
         Free = "free",
     }
 
-    /// Which block of a cycle.
+    /// The block of a cycle, where it has several.
     pub enum Form {
         One = "one",
         First = "first",
         Second = "second",
     }
 
-    /// What a word does.
+    /// The effect of a word.
     pub enum Does {
         Rapid = "rapid",
         Line = "line",

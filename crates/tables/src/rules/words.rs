@@ -1,4 +1,4 @@
-//! Words of the rules that code goes by.
+//! Words of the rules that code uses.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -16,7 +16,7 @@ vocabulary! {
         Rough = "rough",
     }
 
-    /// What stands where a hole is to be.
+    /// The state of the blank at the place of a hole.
     pub enum BlankState {
         Solid = "solid",
         WithHole = "cast-or-pre-machined",
@@ -28,13 +28,13 @@ vocabulary! {
         NotAsked = "not-asked",
     }
 
-    /// What the centring spot is as wide as.
+    /// The width of the centring spot.
     pub enum Spot {
         Chamfer = "chamfer",
         ShareOfDrill = "share-of-drill",
     }
 
-    /// What stands for an empty cell of A.8 or A.9.
+    /// The replacement for an empty cell of A.8 or A.9.
     pub enum CellTaken {
         Own = "own-cell",
         FinerRoughness = "finer-roughness",
@@ -42,20 +42,20 @@ vocabulary! {
         Nothing = "nothing",
     }
 
-    /// What opens a large hole.
+    /// The method of opening a large hole.
     pub enum MillInstead {
         Same = "same",
         Mill = "mill",
     }
 
-    /// What stands in where no boring bar enters.
+    /// The replacement where no boring bar enters.
     pub enum BoringInstead {
         Same = "same",
         CoreDrill = "core-drill",
         Nothing = "nothing",
     }
 
-    /// What was done to a hole last, or what the blank has there.
+    /// The last work on a hole, or its state in the blank.
     pub enum HoleState {
         Solid = "solid",
         Centred = "centred",
@@ -94,11 +94,11 @@ vocabulary! {
         UpTo03 = "0.05-0.3",
     }
 
-    /// How the holes of a group are visited (textbook 1.3.1).
+    /// The method of visiting the holes of a group (textbook 1.3.1).
     #[derive(Serialize, Deserialize, JsonSchema)]
     #[serde(rename_all = "kebab-case")]
     pub enum VisitingMethod {
-        /// Each tool goes round all holes.
+        /// Each tool visits all holes.
         Parallel = "parallel",
         /// Each hole is made with all tools before the next.
         Sequential = "sequential",
@@ -106,7 +106,7 @@ vocabulary! {
         FirstParallelFinishSequential = "first-parallel-finish-sequential",
     }
 
-    /// Which of two schemes.
+    /// The choice between two schemes.
     pub enum SchemeTaken {
         First = "first",
         Second = "second",
@@ -122,13 +122,13 @@ vocabulary! {
         CoreDrilling = "core-drilling-feed",
         /// Of reamers.
         Reaming = "reaming-feed",
-        /// Of boring bars, which is asked in a way of its own.
+        /// Of boring bars; this table is queried separately.
         Boring = "boring-feed",
-        /// Of what widens the mouth of a hole.
+        /// Of tools that widen the mouth of a hole.
         Counterboring = "counterboring-feed",
     }
 
-    /// Which of two neighbours is taken.
+    /// The choice between two neighbours.
     pub enum Neighbour {
         /// The one above.
         Above = "above",
@@ -142,11 +142,11 @@ vocabulary! {
         Drill = "drill",
         /// Down and out at feed.
         FeedOut = "feed-out",
-        /// Down at feed, out at rapid with the spindle at rest.
+        /// Down at feed, out at rapid with the spindle stopped.
         BoreStop = "bore-stop",
-        /// In steps, after each out of the hole.
+        /// In steps; after each step out of the hole.
         Peck = "peck",
-        /// In steps, after each back a little.
+        /// In steps; after each step a small retract.
         ChipBreak = "chip-break",
         /// A thread.
         Tap = "tap",
@@ -162,7 +162,7 @@ vocabulary! {
         Conventional = "conventional",
     }
 
-    /// A load that the machine bears.
+    /// A load on the machine.
     pub enum Load {
         /// Along the axis.
         Thrust = "thrust",
@@ -172,9 +172,9 @@ vocabulary! {
         Power = "power",
     }
 
-    /// What a hole was made by before a transition.
+    /// How a hole was made before a transition.
     pub enum MadeBy {
-        /// Nothing: there is none.
+        /// There is no hole.
         Solid = "solid",
         /// The blank has it.
         BlankHole = "blank-hole",
@@ -186,15 +186,15 @@ vocabulary! {
         Counterbore = "counterbore",
     }
 
-    /// By which figure a size at worst is calculated.
+    /// The figure for the worst-case size.
     pub enum Worst {
-        /// What the way reaches at best.
+        /// The best value of the method.
         Best = "best",
-        /// What it reaches ordinarily.
+        /// The ordinary value of the method.
         Ordinary = "ordinary",
     }
 
-    /// Which reamer follows what.
+    /// The kind of reamer and the tool before it.
     pub enum ReamingCase {
         OneAfterDrill = "one-after-drill",
         OneAfterCoreDrill = "one-after-core-drill",
@@ -203,7 +203,7 @@ vocabulary! {
         FinishAfterRough = "finish-after-rough",
     }
 
-    /// What a lathe tool does, as far as speeds tell it apart.
+    /// The kind of cut on a lathe, for speeds.
     pub enum LatheCut {
         Rough = "rough",
         Finish = "finish",
@@ -216,7 +216,7 @@ vocabulary! {
         None = "none",
     }
 
-    /// Which speed is taken.
+    /// The choice of a speed.
     pub enum Taken {
         Formula = "formula",
         PracticeLow = "practice-low",

@@ -1,4 +1,4 @@
-//! Grooves, threads, holes on the axis and parting: how they are divided, how fast they are cut.
+//! Grooves, threads, holes on the axis and parting: passes and cutting conditions.
 
 use technolog_knowledge::units::{Degrees, MetresPerMinute, Micrometres, MillimetresPerRev};
 use technolog_knowledge::{rows, vocabulary};
@@ -8,62 +8,62 @@ use super::part::Side;
 vocabulary! {
     /// A constant of `turning-job-limits`.
     pub enum JobLimit {
-        /// Between two plunges, over the width of the blade.
+        /// The distance between two plunges, divided by the width of the blade.
         PlungeStep = "plunge-step",
-        /// What is left for finishing a groove, over the corner radius of the blade.
+        /// The finishing allowance of a groove, divided by the corner radius of the blade.
         GrooveAllowance = "groove-allowance",
-        /// The most that a blade takes sideways when it finishes.
+        /// The largest depth that a blade finishes sideways.
         GrooveFinishDepth = "groove-finish-depth",
-        /// From which depth a blade is drawn back on its way, over its width.
+        /// The depth from which a blade is retracted during a plunge, divided by its width.
         PeckFrom = "peck-from",
-        /// A step of such a way, over the width of the blade.
+        /// A step of such a plunge, divided by the width of the blade.
         PeckStep = "peck-step",
-        /// How far it is drawn back.
+        /// The distance of the retract.
         PeckRetract = "peck-retract",
-        /// Feed along a side, over the width of the blade.
+        /// Feed along a side, divided by the width of the blade.
         SideFeed = "side-feed",
-        /// Depth times feed along a side, over the square of the width of the blade.
+        /// Depth times feed along a side, divided by the square of the width of the blade.
         SideLoad = "side-load",
-        /// What the speed of grooving is multiplied by in a bore and in a face.
+        /// The factor on the speed of grooving in a bore and in a face.
         InnerGroovingSpeed = "inner-grooving-speed",
         /// The least depth of a pass of a thread.
         ThreadLastPass = "thread-last-pass",
-        /// Passes at the whole depth of a thread after the last.
+        /// The number of passes at full depth after the last pass of a thread.
         ThreadSpringPasses = "thread-spring-passes",
-        /// The least way before a thread, in pitches.
+        /// The least run-in of a thread, in pitches.
         ThreadEntry = "thread-entry",
         /// Run-out of a thread: spindle speed times pitch, divided by this.
         ThreadRunOut = "thread-run-out",
-        /// The way before a thread, in run-outs.
+        /// The run-in of a thread, in run-outs.
         ThreadRunIn = "thread-run-in",
         /// From the tip of a threading insert to its side.
         ThreadInsertSide = "thread-insert-side",
-        /// From the crests to where the tool goes back.
+        /// The distance from the crests at which the tool returns.
         ThreadLift = "thread-lift",
-        /// The deepest parting, over the width of the blade.
+        /// The greatest depth of parting, divided by the width of the blade.
         PartingDepth = "parting-depth",
         /// The radius at which the feed of parting is reduced.
         PartingSlowFrom = "parting-slow-from",
-        /// The feed from there, over that before.
+        /// The reduced feed, divided by the feed before.
         PartingSlowFeed = "parting-slow-feed",
         /// From the jaws to the parting tool.
         PartingJawGap = "parting-jaw-gap",
-        /// How far the full diameter of a drill comes out of a hole that goes through.
+        /// The distance by which the full diameter of a drill comes out of a through hole.
         DrillBreakthrough = "drill-breakthrough",
-        /// How wide a centre drill spots, over the drill that follows.
+        /// The diameter of a centring spot, divided by that of the next drill.
         SpotShare = "spot-share",
     }
 }
 
 rows! {
-    /// Constants of grooves, threads, holes and parting; each has one of the two.
+    /// Constants of grooves, threads, holes and parting; each has one of the two values.
     pub struct JobLimits of One("turning-job-limits") complete name {
         name: JobLimit,
         ratio: Option<f64>,
         length: Option<Micrometres>,
     }
 
-    /// Feed and speed of grooving by a maker, by the width of the blade.
+    /// Feed and speed of grooving by a tool maker, by the width of the blade.
     pub struct GroovingPractice of One("grooving-practice") asked by GroovingPracticeFor<'t> {
         material_group: &'t str,
         width: Micrometres,
@@ -81,7 +81,7 @@ rows! {
         passes: i64,
     } shown { depth, first }
 
-    /// From where a metric thread is fed into the metal.
+    /// The infeed of a metric thread.
     pub struct ThreadingInfeed of One("threading-infeed") asked by ThreadingInfeedFor<'t> {
         pitch: Micrometres,
         material_group: &'t str,
@@ -89,7 +89,7 @@ rows! {
         angle: Degrees,
     }
 
-    /// The deepest first pass of a thread, and how many passes are added to those of the table.
+    /// The deepest first pass of a thread, and the number of passes added to those of the table.
     pub struct ThreadingFirstPass of One("threading-first-pass") asked by ThreadingFirstPassFor<'t> {
         material_group: &'t str,
     } {

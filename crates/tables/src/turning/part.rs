@@ -1,4 +1,4 @@
-//! The turned part and its blank: surfaces, elements, what is done before and after the lathe, allowances.
+//! The turned part and its blank: surfaces, elements, operations before and after the lathe, allowances.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,7 +9,7 @@ use technolog_knowledge::{rows, vocabulary};
 use crate::cutting::Surface;
 
 vocabulary! {
-    /// On which side of a contour the metal lies.
+    /// The side of a contour where the metal is.
     #[derive(Serialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum Side {
@@ -19,32 +19,32 @@ vocabulary! {
         Inner = "inner",
     }
 
-    /// What a surface is, by how the drawing names it (lecture, fig. 12.1). Whether it is a main or an additional element of the
-    /// contour is not said here: that follows from the tool.
+    /// The kind of a surface, as the drawing names it (lecture, fig. 12.1). Whether it is a main or an additional
+    /// element of the contour depends on the tool and is not part of the kind.
     #[derive(Serialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum SurfaceKind {
-        /// Across the axis.
+        /// Perpendicular to the axis.
         Face = "face",
-        /// Along it.
+        /// Parallel to the axis.
         Cylinder = "cylinder",
-        /// Aslant.
+        /// Inclined to the axis.
         Cone = "cone",
         /// A cone that breaks an edge.
         Chamfer = "chamfer",
-        /// An arc that bulges from the metal: a ball, a rounded edge.
+        /// A convex arc: a ball, a rounded edge.
         Ball = "ball",
-        /// An arc that is hollow: a fillet, a radius face.
+        /// A concave arc: a fillet, a radius face.
         Fillet = "fillet",
-        /// A thread, which is turned as a cylinder or cone first.
+        /// A thread, turned first as a cylinder or cone.
         Thread = "thread",
         /// A relief for the grinding wheel.
         GrindingRelief = "grinding-relief",
         /// A relief at the end of a thread.
         ThreadRelief = "thread-relief",
-        /// A groove with upright walls.
+        /// A groove with perpendicular walls.
         RectangularGroove = "rectangular-groove",
-        /// A groove with slanting walls.
+        /// A groove with inclined walls.
         TrapezoidGroove = "trapezoid-groove",
         /// A groove in a face.
         FaceGroove = "face-groove",
@@ -52,11 +52,11 @@ vocabulary! {
         PulleyGroove = "pulley-groove",
     }
 
-    /// Why an element is what it is.
+    /// The reason for the class of an element.
     #[derive(Serialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum ElementReason {
-        /// Both edges clear it.
+        /// Both edges of the tool clear it.
         Reach = "reach",
         /// By its kind, whatever its angles.
         Kind = "kind",
@@ -64,15 +64,15 @@ vocabulary! {
         Rise = "rise",
         /// It falls more steeply than φ1.
         Fall = "fall",
-        /// It leads back towards the free end, or lies under what does.
+        /// It leads back towards the free end, or lies under an element that does.
         Back = "back",
-        /// It lies in the shadow of what falls before it.
+        /// It is in the shadow of a falling element before it.
         Shadow = "shadow",
         /// It lies before a rise steeper than φ.
         Corner = "corner",
         /// It lies in a valley whose floor is not reached.
         Valley = "valley",
-        /// It lies behind a fall that never rises again.
+        /// It is behind a falling element that never rises again.
         Beyond = "beyond",
     }
 
@@ -96,27 +96,27 @@ vocabulary! {
         SteadyRest = "steady-rest",
     }
 
-    /// What an element of the contour is to a tool.
+    /// The class of a contour element for a tool.
     #[derive(Serialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum Element {
-        /// The tool makes all of it.
+        /// The tool makes it completely.
         Main = "main",
         /// It needs another tool.
         Additional = "additional",
-        /// It falls away behind the largest radius and never rises again: for the other set-up.
+        /// It falls behind the largest radius and never rises again: it belongs to the other set-up.
         OtherSide = "other-side",
     }
 
     /// The shape of a blank.
     pub enum BlankShape {
-        /// As it is rolled.
+        /// As rolled.
         Bar = "bar",
-        /// Nearly that of the part.
+        /// Near the shape of the part.
         NearPart = "near-part",
     }
 
-    /// For how many parts a blank is.
+    /// The number of parts in a blank.
     pub enum PartsOfBlank {
         /// For one.
         One = "one",
@@ -124,7 +124,7 @@ vocabulary! {
         Several = "several",
     }
 
-    /// How the blank is held.
+    /// The clamping of the blank.
     #[derive(Default, Serialize, Deserialize, JsonSchema)]
     #[serde(rename_all = "kebab-case")]
     pub enum Holding {
@@ -148,7 +148,7 @@ vocabulary! {
         After = "after",
     }
 
-    /// What a surface is to a later operation.
+    /// The kind of a surface for a later operation.
     pub enum FinishedSurface {
         /// Turned from outside.
         Outer = "outer",
@@ -160,11 +160,11 @@ vocabulary! {
         Additional = "additional",
     }
 
-    /// What finishes a surface after the lathe.
+    /// The operation that finishes a surface after the lathe.
     #[derive(Serialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum LaterOperation {
-        /// Nothing: the lathe does.
+        /// None: the lathe finishes it.
         None = "none",
         /// Cylindrical grinding.
         OuterGrinding = "outer-grinding",
@@ -172,7 +172,7 @@ vocabulary! {
         InnerGrinding = "inner-grinding",
         /// Face grinding.
         FaceGrinding = "face-grinding",
-        /// Something that no rule names.
+        /// An operation that no rule names.
         Unknown = "unknown",
     }
 
@@ -186,7 +186,7 @@ vocabulary! {
 }
 
 impl SurfaceKind {
-    /// Additional by its kind, whatever its angles: threads and grooves have tools of their own.
+    /// Additional by its kind, at any angle: threads and grooves have tools of their own.
     pub const fn is_additional(self) -> bool {
         matches!(
             self,
@@ -222,7 +222,7 @@ impl From<Place> for FinishedSurface {
 }
 
 rows! {
-    /// The drill before a solid blank is bored; no stock and no step where the bore is too narrow for one.
+    /// The drill before boring of a solid blank; no stock and no step where the bore is too narrow for one.
     pub struct BoreDrill of One("bore-drill") asked by BoreDrillFor {
         diameter: Micrometres,
     } {
@@ -257,7 +257,7 @@ rows! {
         damaged_layer: Microns,
     }
 
-    /// The blank of a turned part: for how many parts, and how exact its length.
+    /// The blank of a turned part: the number of parts, and the tolerance of its length.
     pub struct TurningBlank of One("turning-blank") asked by TurningBlankFor {
         stock: StockKind,
         diameter: Micrometres,
@@ -287,7 +287,7 @@ rows! {
         tool: &'t str,
     }
 
-    /// What is finished elsewhere than on the lathe.
+    /// Surfaces that are finished on another machine.
     pub struct TurningFinishElsewhere of One("turning-finish-elsewhere") asked by TurningFinishElsewhereFor {
         surface: FinishedSurface,
         grade_held: bool,

@@ -22,7 +22,7 @@ vocabulary! {
         Combined = "combined",
     }
 
-    /// What kinds of zones a zone consists of.
+    /// The kinds of zones in a combined zone.
     pub enum ZoneParts {
         /// Of one kind.
         Alone = "alone",
@@ -36,7 +36,7 @@ vocabulary! {
         AllThree = "all-three",
     }
 
-    /// What a contour is made of.
+    /// The elements of a contour.
     pub enum ContourShape {
         /// Cylinders and faces.
         Stepped = "stepped",
@@ -44,35 +44,36 @@ vocabulary! {
         Shaped = "shaped",
     }
 
-    /// The seven schemes of roughing passes (lecture 12.4, l. 273-296); the table `turning-schemes` tells what each is for.
+    /// The seven schemes of roughing passes (lecture 12.4, l. 273-296); the table `turning-schemes` gives the use of
+    /// each.
     #[derive(Serialize, Deserialize, JsonSchema)]
     #[serde(rename_all = "kebab-case")]
     pub enum Scheme {
-        /// Back through the air after each pass.
+        /// Return through the air after each pass.
         Loop = "loop",
-        /// Cutting there and back.
+        /// Cutting in both directions.
         Zigzag = "zigzag",
-        /// Cutting across.
+        /// Cutting perpendicular to the axis.
         Descent = "descent",
-        /// Each pass cleans the contour up to the pass before.
+        /// Each pass cleans the contour up to the previous pass.
         PickUp = "pick-up",
         /// A pass along the whole contour after the others.
         SemiFinishing = "semi-finishing",
-        /// Passes at even distances from the contour.
+        /// Passes at equal distances from the contour.
         Equidistant = "equidistant",
-        /// The contour again and again, shifted.
+        /// The contour repeatedly, shifted.
         Contour = "contour",
     }
 
-    /// How the parts of a combined zone are worked.
+    /// The order of work in a combined zone.
     #[derive(Serialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum PartsWorked {
-        /// All of it at once.
+        /// The whole zone at once.
         Whole = "whole",
         /// Part after part.
         Each = "each",
-        /// All but the closed parts as one, these by themselves.
+        /// All parts but the closed ones together, the closed ones separately.
         Joined = "joined",
     }
 
@@ -84,34 +85,34 @@ vocabulary! {
         Verticals = "verticals",
         /// Cycles of levels: level after level over all cylinders (fig. 12.8).
         Levels = "levels",
-        /// Cycles of horizontals: straight passes, which leave at most one depth over each cylinder, then one pass along
-        /// the contour (fig. 12.9 a).
+        /// Cycles of horizontals: straight passes that leave at most one depth over each cylinder, then one pass
+        /// along the contour (fig. 12.9 a).
         HorizontalsA = "horizontals-a",
-        /// The same, but what is left for the pass along the contour is less than the depth everywhere (fig. 12.9 b).
+        /// As above, but the stock for the pass along the contour is less than the depth everywhere (fig. 12.9 b).
         HorizontalsB = "horizontals-b",
     }
 
-    /// Which passes rough a stepped shaft.
+    /// The roughing passes of a stepped shaft.
     pub enum Passes {
         /// Along the axis.
         Lengthwise = "lengthwise",
-        /// Along and across, whichever is shorter.
+        /// Along or across, whichever is shorter.
         Searched = "searched",
         /// Along the contour.
         Contour = "contour",
     }
 
-    /// What the table `turning-motion` has figures of.
+    /// The quantities of the table `turning-motion`.
     pub enum Motion {
         /// The feed along the axis.
         LongitudinalFeed = "longitudinal-feed",
-        /// The feed across it.
+        /// The feed perpendicular to the axis.
         TransverseFeed = "transverse-feed",
         /// The rapid.
         Rapid = "rapid",
-        /// How far before the metal the feed begins.
+        /// The distance before the metal where the feed begins.
         Approach = "approach",
-        /// How far the tool draws back.
+        /// The retract of the tool.
         Retract = "retract",
     }
 }
@@ -125,7 +126,7 @@ rows! {
         direction: Passes,
     }
 
-    /// Schemes that remove the rough stock of stepped shafts: which among equals, the first first.
+    /// Schemes that remove the rough stock of stepped shafts: their order among equals.
     pub struct RemovalScheme of One("removal-scheme") asked by RemovalSchemeFor {
         scheme: Removal,
     } {

@@ -1,4 +1,4 @@
-//! Turning tools: their tables, their order, how fast they feed and what bounds them.
+//! Turning tools: their tables, their order, feeds and limits.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -23,7 +23,7 @@ vocabulary! {
         Threading = "threading",
     }
 
-    /// Which way a tool cuts.
+    /// The cutting direction of a tool.
     #[derive(Serialize, Deserialize, JsonSchema)]
     pub enum Hand {
         /// Right: towards the chuck.
@@ -34,7 +34,7 @@ vocabulary! {
         N = "N",
     }
 
-    /// What tools that fit are put in order by.
+    /// The order of tools that fit.
     pub enum Preference {
         /// The smallest φ1 first.
         LeastTrailAngle = "least-trail-angle",
@@ -46,43 +46,43 @@ vocabulary! {
 
     /// A constant of `turning-limits`.
     pub enum Limit {
-        /// What the shank bears in bending.
+        /// The permitted bending stress of the shank.
         ShankStress = "shank-stress",
         /// Its modulus of elasticity.
         ShankModulus = "shank-modulus",
-        /// How far its tip may give way.
+        /// The permitted deflection of the tip.
         ShankDeflection = "shank-deflection",
-        /// Overhang of a tool over the height of its shank.
+        /// Overhang of a tool, divided by the height of its shank.
         OverhangRatio = "overhang-ratio",
-        /// Overhang of a bar over its diameter.
+        /// Overhang of a bar, divided by its diameter.
         BarOverhangRatio = "bar-overhang-ratio",
         /// Share of the motor's power that reaches the spindle.
         DriveEfficiency = "drive-efficiency",
-        /// What of a boring bar stands out beyond the depth of the bore.
+        /// The overhang of a boring bar beyond the depth of the bore.
         BarClearance = "bar-clearance",
-        /// How far the axis of a part may give way in roughing.
+        /// The permitted deflection of a part in roughing.
         PartDeflection = "part-deflection",
-        /// How far it may in finishing, over the tolerance of the diameter.
+        /// The permitted deflection in finishing, divided by the tolerance of the diameter.
         PartDeflectionShare = "part-deflection-share",
-        /// Bending stress of a part over its strength.
+        /// Bending stress of a part, divided by its strength.
         PartStressShare = "part-stress-share",
-        /// The shallowest pass worth roughing with.
+        /// The least depth of a useful roughing pass.
         LeastSensibleDepth = "least-sensible-depth",
-        /// Real roughness over the one that follows from feed and nose.
+        /// Real roughness, divided by the theoretical one from feed and nose radius.
         RoughnessPracticeFactor = "roughness-practice-factor",
-        /// The least depth of finishing over the radius of the nose.
+        /// The least depth of finishing, divided by the nose radius.
         FinishDepthShare = "finish-depth-share",
-        /// The least feed of finishing, for each turn.
+        /// The least feed of finishing, per revolution.
         FinishFeedLeast = "finish-feed-least",
-        /// Between the jaws and the end of the tool's way.
+        /// Clearance between the jaws and the end of the toolpath.
         JawClearance = "jaw-clearance",
-        /// The least of it, where little is left to grip.
+        /// The least clearance, where little is left for gripping.
         JawClearanceLeast = "jaw-clearance-least",
-        /// How much of its edge a tool brings into a wall on its way up.
+        /// The share of its edge that a tool brings into a wall while it rises.
         WallShare = "wall-share",
-        /// To what depths are told.
+        /// The step to which depths are rounded.
         DepthStep = "depth-step",
-        /// Where feeds and formulas end.
+        /// The limit of feeds and formulas.
         DepthMax = "depth-max",
     }
 }
@@ -94,7 +94,7 @@ rows! {
         rake: Degrees,
     }
 
-    /// Insert shapes and their included angle: φ1 of a row follows from it, and a test holds the rows to that.
+    /// Insert shapes and their included angle: φ1 of a row follows from it, and a test checks the rows.
     pub struct InsertShapes of One("insert-shapes") {} shown { shape, included_angle }
 
     /// The share of an insert's edge that may cut, by its shape, the first letter by ISO 1832.
@@ -127,7 +127,7 @@ rows! {
         pitch_max: Option<Micrometres>,
     } shown { length }
 
-    /// Which of the turning tools that fit.
+    /// The choice among turning tools that fit.
     pub struct TurningToolOrder of One("turning-tool-order") asked by TurningToolOrderFor {
         kind: ToolKind,
     } {
@@ -141,7 +141,7 @@ rows! {
         cuts_back: bool,
     }
 
-    /// Roughness that the drawing does not say.
+    /// Roughness where the drawing gives none.
     pub struct TurningRoughnessUnsaid of One("turning-roughness-unsaid") asked by TurningRoughnessUnsaidFor {
         it: Option<ItGrade>,
     } {
@@ -197,6 +197,6 @@ rows! {
     }
 }
 
-/// The tables of tools, in the order in which they are asked.
+/// The tables of tools, in the order of queries.
 pub const TOOL_TABLES: [&str; 4] =
     ["turning-outer-tools", "turning-boring-bars", "turning-grooving-tools", "turning-threading-tools"];

@@ -1,4 +1,4 @@
-//! The jobs of an operation, tool by tool: what an operator reads first.
+//! The jobs of an operation, tool by tool: the page that an operator reads first.
 
 use crate::document::{Block, Column, Document, Item};
 use crate::units::{Micrometres, MillimetresPerRev, Minutes};
@@ -74,7 +74,7 @@ fn row(job: &Job, set_up: &SetUpWork, place: Option<u32>, lang: Lang) -> Vec<Cel
     ]
 }
 
-/// The feed of a job that has no conditions of its own: straight in, or the pitch.
+/// The feed of a job without conditions of its own: that of the plunge, or the pitch.
 fn main_feed(job: &Job) -> Option<MillimetresPerRev> {
     let feeds = job.pace.feeds()?;
     Some(match job.work {
@@ -85,7 +85,7 @@ fn main_feed(job: &Job) -> Option<MillimetresPerRev> {
     })
 }
 
-/// The largest diameter that such a job cuts; none of a centre hole, which has no one diameter.
+/// The largest diameter cut by such a job; none for a centre hole, which has several.
 fn diameter(job: &Job, set_up: &SetUpWork) -> Option<Micrometres> {
     match (job.work, &job.tool.body, &job.thread) {
         (Work::Drill, Body::Drill { diameter_mm, .. }, _) => Some(*diameter_mm),

@@ -1,4 +1,4 @@
-//! The schemes over each zone side by side.
+//! The schemes for each zone side by side.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep, Table};
 use technolog_turning::operation::work::{Work, ZoneWork};
@@ -41,7 +41,7 @@ pub(super) fn schemes(
     page.blocks.push(Block::List(told.into_iter().map(Item::from).collect()));
 }
 
-/// Feed, speed and what they take; none if they are not known.
+/// Feed and speed with the loads; empty if they are not known.
 fn conditions(work: &Work, lang: Lang) -> String {
     let Some(found) = &work.pace.conditions else { return String::new() };
     let feed = figure(round_to(found.feed_mm_per_rev.0, 3), lang);
@@ -85,7 +85,7 @@ fn compared(work: &Work, lang: Lang) -> Table {
             Cell::Figure(one.measures.beside_mm, 1),
             Cell::Figure(one.measures.rapid_mm, 1),
             Cell::Figure(one.measures.time_min.0, 3),
-            // As fine as they are: 0 is an even allowance.
+            // With three decimals: 0 means an even allowance.
             Cell::Figure(one.ridges_mm.to_mm(), 3),
         ]
     };

@@ -1,4 +1,4 @@
-//! The surfaces of each set-up: what the drawing says of them, main or additional, and their allowances.
+//! The surfaces of each set-up: their data from the drawing, their class (main or additional), and their allowances.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep};
 use crate::note::Told;
@@ -43,7 +43,7 @@ fn elements(page: &mut Document, operation: &Operation, stretch: &TurnedSide, wo
         let ends = surface.pieces.first().zip(surface.pieces.last());
         let (from, to) = ends.map(|(first, last)| (first.from, last.to)).unwrap_or_default();
         let allowance = work.and_then(|work| work.layers.allowances.get(index)).and_then(|one| one.allowance_mm);
-        // Why it is not a main element, where it is not.
+        // The reason, if it is not a main element.
         under.extend((class.element != Element::Main).then(|| said(&class.because.note, lang)));
         if let Some(later) = operation.elsewhere.iter().find(|one| one.surface == surface.name) {
             let (operation, allowance) = (word(later.operation.name()), later.allowance_mm);

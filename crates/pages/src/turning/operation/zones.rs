@@ -67,7 +67,8 @@ pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
     }
 }
 
-/// The section of the zones under the bridges; where no tool fits, why not each of them. Nothing where there are none.
+/// The section of the zones under the bridges; where no tool fits, with the reason for each. None if there are no
+/// such zones.
 pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang) {
     let mm = say!(lang, "unit-mm");
     let columns = [
@@ -120,7 +121,7 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
     }
 }
 
-/// Where a zone lies, and the angles that it needs, before those that its tool has.
+/// The position of a zone, and the angles it requires, before those of its tool.
 fn bounds(one: &ZoneWork, lang: Lang) -> [Cell; 4] {
     let zone = &one.zone;
     let diameter = |radius: Half| rounded(2.0 * radius.to_mm(), lang);
@@ -131,7 +132,7 @@ fn bounds(one: &ZoneWork, lang: Lang) -> [Cell; 4] {
     let has = one.tool.as_ref().filter(|tool| tool.width_mm.is_none());
     [
         format!("{} → {}", z(zone.from_z, lang), z(zone.to_z, lang)).into(),
-        // The nose passes the axis, the metal does not.
+        // The nose passes the axis, but there is no metal beyond it.
         format!("{}…{}", diameter(zone.least_radius.max(Half::ZERO)), diameter(zone.greatest_radius)).into(),
         angle(zone.needs.main.0, has.map(|tool| tool.main_angle_deg.0)).into(),
         angle(zone.needs.secondary.0, has.map(|tool| tool.secondary_angle_deg.0)).into(),
@@ -142,7 +143,7 @@ fn schemes(one: &ZoneWork, lang: Lang) -> String {
     terms(one.works.iter().filter_map(|work| Some(work.taken?.name())), " + ", lang)
 }
 
-/// The depths that each bound allows.
+/// The depth that each limit permits.
 fn limits(zone: &str, limit: &LimitingDepth, lang: Lang) -> String {
     let bounds = limit.bounds.iter().map(|bound| {
         let depth = bound.depth_mm.map_or_else(|| Figure::number("0"), |depth| Figure::number(depth.to_string()));
@@ -165,7 +166,7 @@ fn refused_tool(zone: &str, tool: &str, why: &[Note], lang: Lang) -> Item {
     Inlines::sentence(&say!(lang, "turn-tool-refused", zone = zone, tool = tool, why = why.join("; "))).into()
 }
 
-/// `1.2`: the second zone of the first set-up; of a bore with its side.
+/// `1.2`: the second zone of the first set-up; for a bore with its side.
 pub(super) fn place(set_up: &SetUpWork, side: &SideWork, zone: &ZoneWork, lang: Lang) -> String {
     let place = format!("{}.{}", set_up.set_up.number, zone.zone.number);
     match side.side {
