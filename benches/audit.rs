@@ -1,4 +1,4 @@
-//! How long an audit takes. The target: 1,000 plans of the size of Appendix Г in under 2 s on two cores, so 4 ms each.
+//! The time of an audit. Target: 1,000 plans of the size of Appendix Г in under 2 s on two cores, so 4 ms each.
 
 #![allow(clippy::unwrap_used, reason = "a bench that cannot begin has nothing to measure")]
 

@@ -1,8 +1,8 @@
-//! How long the check of a program takes. The target, for one core: a program that fills the control's 32 KB in under
-//! 5 ms, its trace written as text.
+//! The time of a program check. Target, on one core: a program that fills the control's 32 KB in under 5 ms, with its
+//! trace as text.
 //!
-//! Three ways to fill the memory: what programs are like; the shortest blocks, every one of which runs a cycle, which
-//! makes the most steps that 32 KB can make without repeats; and blocks as long as they may be.
+//! Three ways to fill the memory: typical programs; the shortest blocks, each of which runs a cycle, which makes the
+//! most steps that 32 KB can make without repeats; and the longest blocks.
 
 #![allow(clippy::unwrap_used, reason = "a bench that cannot begin has nothing to measure")]
 

@@ -1,4 +1,5 @@
-//! How the time of whole commands grows with their input: four sizes each, and the exponent between the least and the most.
+//! How the time of whole commands grows with their input: four sizes each, and the exponent between the smallest and
+//! the largest.
 //!
 //! `cargo bench --bench growth` prints a line for each kind of input; `-- contour` measures those of that name alone. A command
 //! that reads a large file is timed with its start, so small times are those of any command.

@@ -1,9 +1,8 @@
-//! How many explained decisions a second, how long the proof, the loading and a plan take.
+//! The number of decisions with reasons per second, and the times of the lint, of loading and of a plan.
 //!
-//! `cargo bench` runs all of it; `cargo bench -- query` one group. The targets, each for one core:
-//! a million explained decisions a second, the proof of everything under 100 ms, loading under 3 ms,
-//! a whole `technolog plan` under 20 ms, a part of a thousand holes of forty kinds under 1 s, growing linearly
-//! with the kinds.
+//! `cargo bench` runs all of it; `cargo bench -- query` one group. Targets, each on one core: a million decisions
+//! with reasons per second, the whole lint under 100 ms, loading under 3 ms, a whole `technolog plan` under 20 ms, a
+//! part of a thousand holes of forty kinds under 1 s, linear in the number of kinds.
 
 #![allow(clippy::unwrap_used, reason = "a bench that cannot begin has nothing to measure")]
 
@@ -59,8 +58,8 @@ fn main() {
     criterion.final_summary();
 }
 
-/// Asks a table every question and reads the whole answer: the winner, and for each row that lost the
-/// column it lost by.
+/// Queries a table with every question and reads the whole answer: the row that applies, and for each other row the
+/// column that failed.
 fn decisions(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, table: &Table) {
     let mut random = Random(1);
     let questions: Vec<Vec<_>> = (0..QUESTIONS).map(|_| question(table, &mut random)).collect();

@@ -1,4 +1,4 @@
-//! How short the paths are and how long finding them takes, with what no path can be shorter than.
+//! The length of paths and the time for finding them, with lower bounds.
 //!
 //! `cargo bench --bench order` prints one line per pattern, metric and effort; the clock is read here, never by the
 //! search. `-- growth` measures four sizes of scattered points, `-- tours` what one, three and ten seconds find on drilling

@@ -1,5 +1,6 @@
-//! How long the shortest sequence of passes takes to find, beside trying every order, and beside petgraph's Dijkstra; how
-//! long the schemes of a zone take; and how the time for a whole operation grows with the length of a contour.
+//! The time for finding the shortest sequence of passes, compared with trying every order and with petgraph's
+//! Dijkstra; the time of the schemes of a zone; and how the time of a whole operation grows with the length of a
+//! contour.
 //!
 //! `cargo bench --bench turning` prints a line for each shaft; the clock is read here, never by the search.
 
@@ -98,7 +99,7 @@ fn shaped(pieces: usize, levels: i64) -> (Stock, Half) {
     (Stock { rough: contour, blank, from: Half::ZERO, to: here.z }, depth)
 }
 
-/// The ways of the schemes of transitions over a zone of 50 pieces with 30 levels.
+/// The toolpaths of the schemes of transitions over a zone of 50 pieces with 30 levels.
 fn transitions() {
     let knowledge = technolog::shipped::knowledge().unwrap();
     let (stock, depth) = shaped(50, 30);
@@ -187,7 +188,7 @@ fn power(times: &[(f64, f64)]) -> f64 {
     slope / logarithms.iter().map(|one| (one.0 - x) * (one.0 - x)).sum::<f64>()
 }
 
-/// What a long contour does over and over.
+/// A repeated element of a long contour.
 #[derive(Clone, Copy, PartialEq)]
 enum Shape {
     /// It widens step by step.
@@ -196,7 +197,7 @@ enum Shape {
     Waves,
 }
 
-/// A contour under the pen; lengths and diameters are micrometres.
+/// A contour under construction; lengths and diameters are micrometres.
 struct Pen {
     items: Vec<String>,
     diameter: i64,

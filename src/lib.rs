@@ -1,23 +1,25 @@
 //! `technolog`: a knowledge base and rule engine for machining process planning.
 //!
-//! This library is the front of the house: it shows the rooms of `crates/` under one name each and has nothing of its own.
-//! The way of the data, once, left to right:
-//! `part.yaml → part → route → tooling → cutting → setup → sequence → Plan → (program | report | audit)`.
+//! This library re-exports the crates of `crates/` under one name each and has no code of its own. The flow of data,
+//! from left to right: `part.yaml → part → route → tooling → cutting → setup → sequence → Plan → (program | report |
+//! audit)`.
 //!
-//! - [`knowledge`] and [`units`] are the tables, the queries that say why, and the exact quantities;
-//! - [`shipped`] is the knowledge the program carries in itself;
+//! - [`knowledge`] and [`units`] are the tables, the queries with reasons, and the exact quantities;
+//! - [`shipped`] is the knowledge base inside the program;
 //! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
 //! - [`route`], [`tooling`], [`cutting`], [`setup`] and [`sequence`] each add their part;
-//! - [`planner`] is the one place where a refusal makes it try the next alternative;
+//! - [`planner`] is the only room that tries the next alternative after a refusal;
 //! - [`plan`] is the result, a value; [`report`] prints it; [`document`] is a page as a tree, with its writers;
-//! - [`proof`] follows every hole of a plan through its transitions at worst;
-//! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`];
-//! - [`audit`] holds a plan that anybody made against all of it;
-//! - [`cases`] are questions of every kind with what is expected of the answers;
-//! - [`turning`] is a room of its own: a shaft, and the passes that rough it;
-//! - [`turning_proof`] carries the stock of a turned part through any program and holds it against the part.
+//! - [`proof`] simulates every hole of a plan through its transitions in the worst case;
+//! - [`job`] is the plan as work of a machine, [`program`] the languages of controls, written and read back as
+//!   [`motion`];
+//! - [`audit`] checks a plan of any author;
+//! - [`cases`] are questions of every kind with their expected answers;
+//! - [`turning`] plans turned parts: a shaft, and the passes that rough it;
+//! - [`turning_proof`] simulates the in-process stock of a turned part through any program and compares the result
+//!   with the part.
 //!
-//! Architecture invariant: nothing in this library reads a file, prints or asks the time.
+//! Architecture invariant: nothing in this library reads a file, prints or reads the clock.
 
 pub use technolog_audit as audit;
 pub use technolog_cases as cases;

@@ -1,5 +1,5 @@
-//! `technolog check`: a program read and run, its mistakes, its trace and its time; with a part the proof that it makes
-//! the part (`proof.rs`).
+//! `technolog check`: reads and runs a program, and shows its mistakes, its trace and its time; with a part the proof
+//! that the program makes it (`proof.rs`).
 
 use std::borrow::Cow;
 use std::path::PathBuf;
@@ -46,13 +46,13 @@ fn controls() -> clap::builder::PossibleValuesParser {
     Language::NAMES.into_iter().chain(LatheLanguage::NAMES).collect::<Vec<_>>().into()
 }
 
-/// The answer for programs.
+/// The answer in JSON.
 #[derive(Serialize)]
 struct Answer<'a> {
     program: &'a str,
     control: &'a str,
     machine: &'a str,
-    /// What keeps any program from making the part.
+    /// Reasons why no program can make the part.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     part: Vec<String>,
     findings: Vec<FaultMessage<'a>>,
@@ -115,7 +115,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if faults.iter().any(Fault::is_error) {
         kind::refuse_other(&shown, &text, FileKind::Program, context)?;
     }
-    // Of a program that is not run nothing is known: that it makes no hole follows from its mistakes.
+    // Nothing is known of a program that is not run: that it makes no hole follows from its mistakes.
     let is_run = is_run(&faults, &steps);
     let proof = held.as_ref().filter(|_| is_run).map(|held| held.prove(&steps, &setting));
     let serious = held.as_ref().map(PlannedJob::serious).unwrap_or_default();
@@ -139,7 +139,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
-            // Words only for what is shown: a program may have a fault in every word.
+            // Only shown faults get words: a program may have a fault in every word.
             let (told, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
             let mut problems: Vec<Diagnostic> = told.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             problems.extend(proof::of_part(&serious, context));
@@ -178,7 +178,7 @@ pub(super) fn findings<'a>(faults: &'a [Fault], context: &Context) -> Vec<FaultM
     faults.iter().map(told).collect()
 }
 
-/// The answer for people: mistakes with their lines, what is made of the part, the trace, the times.
+/// The answer for people: mistakes with their lines, the result for the part, the trace, the times.
 fn page(
     program: &str,
     (counts, problems): ([usize; 3], Vec<Block>),
@@ -212,12 +212,12 @@ fn page(
     page
 }
 
-/// A line of the trace with its words in the language of the page.
+/// A line of the trace in the language of the page.
 fn motion(step: &MotionStep, lang: Lang) -> String {
     trace::line_in(step, &|word| lang.find(&format!("trace-{word}")).unwrap_or(word))
 }
 
-/// How many findings there are of each severity.
+/// The number of findings by severity.
 pub(super) fn total(counts: [usize; 3], lang: Lang) -> String {
     let codes = ["check-errors", "check-warnings", "check-notes"];
     let some = codes.into_iter().zip(counts).filter(|(_, count)| *count > 0);

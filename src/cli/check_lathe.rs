@@ -1,4 +1,4 @@
-//! `technolog check` of a program of a lathe: its mistakes, its trace and its time.
+//! `technolog check` for a lathe program: its mistakes, its trace and its time.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -20,7 +20,7 @@ use super::check::{Args, FaultMessage, diagnostic, findings, total};
 use super::diagnostics::Texts;
 use super::{CliError, Context, Format, Lang, Outcome, knowledge, problems, proof, turn, turn_operation};
 
-/// The answer for programs.
+/// The answer in JSON.
 #[derive(Serialize)]
 struct Answer<'a> {
     program: &'a str,
@@ -30,10 +30,10 @@ struct Answer<'a> {
     time: LatheTimes,
 }
 
-/// Checks a program of a lathe.
+/// Checks a lathe program.
 ///
 /// # Errors
-/// The program, a contour beside it or the lathe cannot be used.
+/// The program, one of its contour files or the lathe cannot be used.
 pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("check", &[Format::Text, Format::Json, Format::Markdown, Format::Html])?;
     let knowledge = knowledge::load(context)?;
@@ -71,12 +71,12 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
             context.emit_document(&problems::untitled(page, format), format)?;
         }
     }
-    // Who asks for the part is not told "done" of a program that was not held against it.
+    // With `--part` the command must not end as done if the program was not compared with the part.
     let unproven = args.part.is_some() && run.faults.iter().all(|fault| fault.code != turned::HELD);
     Ok(if unproven || run.faults.iter().any(is_serious) { Outcome::Findings } else { Outcome::Done })
 }
 
-/// The contours that CYCLE95 names and that stand in files of their own beside the program: `NAME.SPF`.
+/// The contours of CYCLE95 in files of their own beside the program: `NAME.SPF`.
 fn contours(program: &Path, text: &str, context: &Context) -> Result<Vec<(String, String)>, CliError> {
     let mut found: Vec<(String, String)> = Vec::new();
     for call in text.split("CYCLE95").skip(1) {

@@ -1,4 +1,4 @@
-//! Which machine is meant, and which control a program is for.
+//! Finds the machine, and the control of a program.
 
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::Machine;
@@ -7,7 +7,7 @@ use technolog::words::say;
 
 use super::{CliError, Context, words};
 
-/// The control that is given, else that of the machine's record.
+/// The given control, otherwise that of the machine's record.
 ///
 /// # Errors
 /// None is given, and the record names none, or one whose language is not known.
@@ -29,7 +29,7 @@ fn unknown(message: String, context: &Context) -> CliError {
 /// The machine of that id.
 ///
 /// # Errors
-/// There is none, which names those that are, or its tables lack something.
+/// There is none (the error lists the existing ones), or its tables lack something.
 pub fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
     let known: Vec<&str> = Machine::ids(knowledge).collect();
     if !known.contains(&id) {

@@ -1,5 +1,4 @@
-//! Diagnostics for people: file, line and column, the line itself, a caret under what is meant, and
-//! what to do.
+//! Diagnostics for people: file, line and column, the line itself with a caret under the fault, and the remedy.
 
 mod lines;
 
@@ -18,7 +17,7 @@ use technolog::report::Doubts;
 use self::lines::{Lines, Stretch};
 use super::words::Lang;
 
-/// Lines of files are shown no wider than this.
+/// The greatest width of shown lines.
 const WIDTH: usize = 120;
 /// The most characters of a sentence that are shown: it may quote a whole file of the user.
 const LONGEST: usize = 4_000;
@@ -28,14 +27,14 @@ const MOST_SHOWN: usize = 50;
 /// How many of many problems are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Amount {
-    /// The gravest [`MOST_SHOWN`].
+    /// The most severe [`MOST_SHOWN`].
     Some,
     /// All of them.
     All,
 }
 
 impl Amount {
-    /// How a page tells the rows that nothing confirms.
+    /// How a page shows unconfirmed rows.
     pub const fn doubts(self) -> Doubts {
         match self {
             Self::Some => Doubts::Counted,
@@ -43,7 +42,7 @@ impl Amount {
         }
     }
 
-    /// Those that are shown, in their order, and how many are not. Of equally grave ones the first are.
+    /// The shown ones, in order, and the number of others. Among equally severe ones the first are shown.
     pub fn of<T, G: Ord>(self, all: Vec<T>, grave: impl Fn(&T) -> G) -> (Vec<T>, usize) {
         if self == Self::All || all.len() <= MOST_SHOWN {
             return (all, 0);
@@ -57,7 +56,7 @@ impl Amount {
     }
 }
 
-/// What stands below those that are shown; none if these are all.
+/// The line below the shown ones; none if all are shown.
 pub fn hidden(count: usize, lang: Lang) -> Option<String> {
     (count > 0).then(|| say!(lang, "cli-problems-hidden", count = count))
 }
@@ -73,7 +72,7 @@ struct Text {
 }
 
 impl Texts {
-    /// With one more text; `shown` is the name by which the user knows the file.
+    /// Adds a text; `shown` is the name by which the user knows the file.
     #[must_use]
     pub fn with(mut self, file: &str, shown: String, content: Cow<'static, str>) -> Self {
         self.0.insert(file.to_owned(), Text { shown, content });
@@ -91,23 +90,23 @@ impl Texts {
     }
 }
 
-/// The problems that are to be shown, as [`render_all`] shows them, and how many there are beside them.
+/// The shown problems, as in [`render_all`], and the number of others.
 pub fn render(problems: Vec<Diagnostic>, texts: &Texts, amount: Amount, lang: Lang) -> String {
     let (shown, more) = amount.of(problems, |problem| problem.severity);
     render_all(&shown, texts, lang) + &below(more, lang)
 }
 
-/// What stands below problems on a terminal where there are so many beside them.
+/// The line below problems on a terminal if there are more.
 pub fn below(more: usize, lang: Lang) -> String {
     hidden(more, lang).map(|more| format!("\n{more}\n")).unwrap_or_default()
 }
 
-/// Every problem, one under the other, with an empty line between, in the language of the reader.
+/// All problems, separated by empty lines, in the language of the reader.
 pub fn render_all(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
     render_within(usize::MAX, problems, texts, lang)
 }
 
-/// As [`render_all`]; sentences wider than so many columns go on below, lines of files are cut to [`WIDTH`] as ever.
+/// As [`render_all`]; sentences wider than `width` columns are wrapped, lines of files are cut to [`WIDTH`].
 pub fn render_within(width: usize, problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
     let mut lines: BTreeMap<&str, Lines<'_>> = BTreeMap::new();
     for place in problems.iter().filter_map(|problem| problem.place.as_ref()) {
@@ -119,7 +118,7 @@ pub fn render_within(width: usize, problems: &[Diagnostic], texts: &Texts, lang:
     shown.join("\n")
 }
 
-/// A problem: what is wrong, where, the line itself with a mark under the place, and what to do.
+/// A problem: fault, place, the line itself with a mark under the place, and the remedy.
 fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, width: usize, lang: Lang) -> String {
     let level = lang.word(match problem.severity {
         Severity::Error => "cli-error",
@@ -130,7 +129,7 @@ fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, w
     let help = problem.help.as_ref().map(|help| format!("{}: {}", lang.word("cli-help"), said(help)));
     let title = folded(&format!("{level}[{}]: {}", problem.code, said(&problem.message)), 2, width);
     let Some(place) = &problem.place else {
-        // Below a line of a file the help belongs to its frame; without one it is a line of its own.
+        // Below a line of a file the help belongs to its frame; otherwise it is a line of its own.
         let help = help.map(|help| folded(&help, 2, width));
         return [Some(title), help].into_iter().flatten().map(|line| line + "\n").collect();
     };
@@ -150,7 +149,7 @@ fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, w
     shown.iter().map(|line| format!("{}\n", line.trim_end())).collect()
 }
 
-/// A sentence on lines of no more than so many columns, those after the first indented.
+/// A sentence wrapped to that width, with an indent after the first line.
 fn folded(sentence: &str, indent: usize, width: usize) -> String {
     let mut shown = String::with_capacity(sentence.len());
     let mut room = width;
@@ -169,7 +168,7 @@ fn folded(sentence: &str, indent: usize, width: usize) -> String {
     shown
 }
 
-/// A line of a file, and the mark under what is meant.
+/// A line of a file, and the mark under the fault.
 fn marked(stretch: &Stretch<'_>) -> [String; 2] {
     let shown = |text: &str| cleaned(&text.replace('\t', "    "));
     let dots = |cut: bool| if cut { "..." } else { "" };

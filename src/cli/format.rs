@@ -1,10 +1,10 @@
-//! The form of an answer, and what the endings of files say of it.
+//! The format of an answer, and the formats of file extensions.
 
 use std::path::Path;
 
 use clap::ValueEnum;
 
-/// The form of an answer.
+/// The format of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// For people.
@@ -15,13 +15,13 @@ pub enum Format {
     Yaml,
     /// For spreadsheets.
     Csv,
-    /// For the eye.
+    /// A drawing.
     Svg,
     /// For documents.
     Markdown,
     /// For the browser.
     Html,
-    /// A plan as somebody writes it by hand.
+    /// A plan in the form of a hand-written one.
     Hand,
     /// For continuous integration.
     Junit,
@@ -31,7 +31,7 @@ impl Format {
     const ALL: [Self; 9] =
         [Self::Text, Self::Json, Self::Yaml, Self::Csv, Self::Svg, Self::Markdown, Self::Html, Self::Hand, Self::Junit];
 
-    /// The endings of its files, the usual first.
+    /// The extensions of its files, the usual one first.
     pub const fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Text => &[".txt"],
@@ -45,7 +45,7 @@ impl Format {
         }
     }
 
-    /// What the ending of a file can mean, the usual first; none for an ending that says nothing, such as `.nc`.
+    /// The formats for a file extension, the usual one first; none for an extension without meaning, such as `.nc`.
     pub fn of_ending(file: &Path) -> Vec<Self> {
         let ending = ending(file);
         let means = |format: &Self| format.endings().contains(&ending.as_str());
@@ -68,7 +68,7 @@ impl Format {
     }
 }
 
-/// Endings of formats that no command writes: such a file would contain text.
+/// Extensions of formats that no command writes: such a file would contain text.
 const OTHERS: &[&str] = &[
     ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
     ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
@@ -76,12 +76,12 @@ const OTHERS: &[&str] = &[
     ".ini", ".js", ".py", ".sqlite", ".db", ".exe",
 ];
 
-/// The ending of a file that belongs to a form that no command has.
+/// The extension of a file, if it belongs to a format that no command has.
 pub fn of_others(file: &Path) -> Option<String> {
     Some(ending(file)).filter(|ending| OTHERS.contains(&ending.as_str()))
 }
 
-/// The ending of a file with its point, in small letters; empty where it has none.
+/// The extension of a file with its point, in small letters; empty if there is none.
 fn ending(file: &Path) -> String {
     let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     if ending.is_empty() { String::new() } else { format!(".{}", ending.to_ascii_lowercase()) }

@@ -7,7 +7,7 @@ use technolog::words::say;
 use super::Cli;
 use super::words::Lang;
 
-/// The language of help and usage, found before the arguments are read: that of `--lang`, if it stands there.
+/// The language of help and usage, found before the arguments are parsed: that of `--lang`, if it is given.
 pub fn language(default: Lang) -> Lang {
     let mut arguments = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned());
     while let Some(argument) = arguments.next() {
@@ -23,12 +23,12 @@ pub fn language(default: Lang) -> Lang {
     default
 }
 
-/// The same where nothing is known yet but the arguments and the environment.
+/// The same, from the arguments and the environment alone.
 pub fn asked() -> Lang {
     language(Lang::of_environment(std::env::var("LANG").ok().as_deref()))
 }
 
-/// The command without any words, as arguments are read.
+/// The command without any texts, for parsing arguments.
 pub fn bare() -> Command {
     Cli::command().disable_help_subcommand(true)
 }
@@ -48,7 +48,7 @@ fn told(command: Command, lang: Lang) -> Command {
     let positional: Vec<_> = command.get_positionals().map(|arg| arg.get_id().clone()).collect();
     command.about(lang.word(&format!("help-{name}")).to_owned()).help_template(template).mut_args(|arg| {
         let heading = lang.word(if arg.is_positional() { "help-arguments" } else { "help-options" });
-        // What clap adds by itself is English.
+        // The texts that clap adds itself are English.
         let more = [values(&arg, lang), default(&arg, lang)].into_iter().flatten();
         let help = more.fold(lang.word(&key(&name, &arg)).to_owned(), |help, more| format!("{help} {more}"));
         let order = positional.iter().position(|id| id == arg.get_id());
@@ -58,7 +58,7 @@ fn told(command: Command, lang: Lang) -> Command {
     })
 }
 
-/// What an argument may be, where its help does not say so itself.
+/// The possible values of an argument, where its help does not list them.
 fn values(arg: &Arg, lang: Lang) -> Option<String> {
     let shown = !arg.is_hide_possible_values_set() && arg.get_action().takes_values();
     let values: Vec<String> =
@@ -66,7 +66,7 @@ fn values(arg: &Arg, lang: Lang) -> Option<String> {
     (!values.is_empty()).then(|| say!(lang, "help-values", values = values.join(", ")))
 }
 
-/// What an argument is where it is not given.
+/// The default value of an argument.
 fn default(arg: &Arg, lang: Lang) -> Option<String> {
     let default = arg.get_default_values().first().filter(|_| arg.get_action().takes_values())?;
     Some(say!(lang, "help-default", value = default.to_string_lossy().into_owned()))

@@ -12,29 +12,29 @@ use technolog::words::say;
 use super::problems::{of_system, unreadable};
 use super::{CliError, Context};
 
-/// The files that an answer rests on.
+/// The input files of an answer.
 #[derive(Debug, Default)]
 pub struct Inputs(Mutex<Vec<PathBuf>>);
 
 impl Context {
-    /// The text of a file that the command line names. It may be a pipe of the shell: standard input, `<(…)`.
+    /// The text of a file from the command line. It may be a pipe of the shell: standard input, `<(…)`.
     ///
     /// # Errors
-    /// It cannot be read, is too large, is no text, or no file.
+    /// It cannot be read, is too large, is not text, or not a file.
     pub fn text(&self, path: &Path) -> Result<String, CliError> {
         self.uses(path);
         if is_opened(path) { read(path, self) } else { text_in_folder(path, self) }
     }
 
-    /// Remembers that the answer rests on this file.
+    /// Remembers an input file of the answer.
     pub fn uses(&self, path: &Path) {
         self.inputs.0.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
     }
 
-    /// Makes sure that `-o` overwrites no input of the answer, by whatever path or link it is named.
+    /// Checks that `-o` overwrites no input of the answer, by whatever path or link it is given.
     ///
     /// # Errors
-    /// It would.
+    /// It would overwrite one.
     pub fn spare_inputs(&self) -> Result<(), CliError> {
         let Some(output) = self.output.as_deref().filter(|output| output.exists()) else { return Ok(()) };
         let inputs = self.inputs.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -54,29 +54,29 @@ fn read(path: &Path, context: &Context) -> Result<String, CliError> {
     Ok(text_of(&shown, bytes.ok_or_else(|| too_large(&shown))?)?)
 }
 
-/// The text of a file that stands in a folder; it is not remembered, since it may be none of ours.
+/// The text of a file in a folder; it is not remembered, because it may be any file.
 ///
 /// # Errors
-/// It cannot be read, is too large, is no text, or no file but a pipe, which might never end.
+/// It cannot be read, is too large, is not text, or is a pipe, which might never end.
 pub fn text_in_folder(path: &Path, context: &Context) -> Result<String, CliError> {
     if is_regular(path) { read(path, context) } else { Err(irregular(path, context)) }
 }
 
-/// Where files that another file names may lie: below the folder of that file, below one that the command line names,
-/// or below the one that the program is run in. Otherwise the sender of a file could have any other file shown.
+/// The folders for files that another file names: below the folder of that file, below one from the command line, or
+/// below the working directory. Otherwise the author of a file could make the program show any other file.
 #[derive(Clone, Copy, Debug)]
 pub struct FileRoots<'p> {
     /// The folder that the command line names.
     pub folder: Option<&'p Path>,
-    /// Wherever they lie: the user trusts the file.
+    /// No restriction: the user trusts the file.
     pub anywhere: bool,
 }
 
 impl FileRoots<'_> {
-    /// The text of a file that another one names, relative to it.
+    /// The text of a file that another file names, relative to it.
     ///
     /// # Errors
-    /// Why not: it lies elsewhere, or as of [`named`].
+    /// It is elsewhere, or as for [`named`].
     pub fn text(self, by: &Path, name: &str, context: &Context) -> Result<String, String> {
         let own = by.parent().unwrap_or(Path::new(""));
         let path = own.join(name);
@@ -88,10 +88,10 @@ impl FileRoots<'_> {
     }
 }
 
-/// The text of a file that another one names.
+/// The text of a file that another file names.
 ///
 /// # Errors
-/// Why not, as of [`text_in_folder`].
+/// The reason, as for [`text_in_folder`].
 pub fn named(path: &Path, context: &Context) -> Result<String, String> {
     context.uses(path);
     if !is_regular(path) {
@@ -102,14 +102,15 @@ pub fn named(path: &Path, context: &Context) -> Result<String, String> {
     String::from_utf8(bytes).map_err(|_| context.word("file-not-utf8").to_owned())
 }
 
-/// Whether it may be opened: a pipe waits for a writer, and so do some files of the system. What is not there says so
-/// when it is opened.
+/// Whether it may be opened: a pipe, and some system files, would wait for a writer. For a missing file the error
+/// comes from opening it.
 fn is_regular(path: &Path) -> bool {
     let of_system = || path.canonicalize().is_ok_and(|path| path.starts_with("/proc"));
     std::fs::metadata(path).map_or(true, |file| file.is_dir() || file.is_file() && !of_system())
 }
 
-/// Whether it is a name for what this process was given opened, as `/dev/stdin` and the pipes of the shell's `<(…)` are.
+/// Whether the path is a file already opened for this process, such as `/dev/stdin` and the pipes of the shell's
+/// `<(…)`.
 fn is_opened(path: &Path) -> bool {
     path == Path::new("/dev/stdin") || ["/dev/fd", "/proc/self/fd"].iter().any(|folder| path.starts_with(folder))
 }
@@ -119,8 +120,8 @@ fn irregular(path: &Path, context: &Context) -> CliError {
     unreadable(path.display(), &error, context.lang)
 }
 
-/// Whether a file lies in a folder or in one below it, or would if it were there: what is said of a file elsewhere must not
-/// tell whether there is one.
+/// Whether a file is in a folder or below it, or would be if it existed: the answer for a file elsewhere must not
+/// reveal whether it exists.
 fn would_be_below(file: &Path, folder: &Path) -> bool {
     let mut place = file;
     loop {
@@ -130,7 +131,7 @@ fn would_be_below(file: &Path, folder: &Path) -> bool {
         if place.canonicalize().is_ok() {
             return is_below(place, folder);
         }
-        // A link that leads nowhere, and `..` behind a folder that is not there, may mean any place.
+        // A dangling link, and `..` after a missing folder, may lead anywhere.
         let leads_away = place.is_symlink() || !matches!(place.components().next_back(), Some(Component::Normal(_)));
         match place.parent() {
             Some(parent) if !leads_away => place = parent,
@@ -139,7 +140,7 @@ fn would_be_below(file: &Path, folder: &Path) -> bool {
     }
 }
 
-/// Whether a file lies in a folder or in one below it, by its true place.
+/// Whether a file is in a folder or below it, by its real path.
 pub fn is_below(file: &Path, folder: &Path) -> bool {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     match (file.canonicalize(), folder.canonicalize()) {

@@ -1,4 +1,4 @@
-//! A file of another kind than the command takes: what it seems to be, and which command takes it.
+//! A file of the wrong kind for a command: its probable kind, and the command for it.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use technolog::words::say;
 use super::diagnostics::Texts;
 use super::{CliError, Context};
 
-/// The one thing to say of a file that cannot be used because it is of another kind; else what was found in it.
+/// The single problem of a file of another kind; otherwise the problems that were found in it.
 pub fn or_other(
     file: &str,
     text: &str,
@@ -23,17 +23,17 @@ pub fn or_other(
     }
 }
 
-/// Makes sure that a text is of the wanted kind, if its kind can be recognised.
+/// Checks that a text is of the wanted kind, if its kind can be recognised.
 ///
 /// # Errors
-/// It is of another.
+/// It is of another kind.
 pub fn refuse_other(file: &str, text: &str, wanted: FileKind, context: &Context) -> Result<(), CliError> {
     let Some(problem) = told(file, text, wanted, context) else { return Ok(()) };
     let texts = Texts::default().with(file, file.to_owned(), Cow::Owned(text.to_owned()));
     Err(CliError::Unusable { problems: vec![problem], texts })
 }
 
-/// What is said of a file of another kind; none if it may be of that one.
+/// The problem of a file of another kind; none if it may be of the wanted one.
 pub fn told(file: &str, text: &str, wanted: FileKind, context: &Context) -> Option<Diagnostic> {
     let (kind, place) = other_kind(file, text, wanted)?;
     let [is, wanted] = [kind, wanted].map(|kind| context.word(kind.name()));

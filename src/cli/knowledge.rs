@@ -1,4 +1,4 @@
-//! The knowledge a command works with: the embedded tables, or those of the folder of `--knowledge`.
+//! The knowledge base of a command: the embedded tables, or those of the folder of `--knowledge`.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -11,18 +11,18 @@ use technolog::shipped;
 use super::diagnostics::Texts;
 use super::{CliError, Context, words};
 
-/// The tables to plan with: each is what the code that asks it takes it for.
+/// The tables for planning, checked against their contracts.
 ///
 /// # Errors
-/// A file cannot be read, says something that no table can say, or breaks the contract with the code that reads it.
+/// A file cannot be read, contains something that no table may, or breaks a contract.
 pub fn load(context: &Context) -> Result<&'static Knowledge, CliError> {
     loaded(context, technolog::tables::load)
 }
 
-/// The tables to look into: a folder may hold a few tables of its own, which nobody plans with.
+/// The tables for queries: a folder may contain a few tables that are not enough for planning.
 ///
 /// # Errors
-/// A file cannot be read, or says something that no table can say.
+/// A file cannot be read, or contains something that no table may.
 pub fn load_to_read(context: &Context) -> Result<&'static Knowledge, CliError> {
     loaded(context, Knowledge::from_sources)
 }
@@ -41,11 +41,11 @@ fn loaded(
             read_tables(&sources(&texts)).map_err(|problems| CliError::Unusable { problems, texts })?
         }
     };
-    // It lives as long as the process: taking thousands of rows apart at the end would cost a tenth of a plan.
+    // It lives as long as the process: freeing thousands of rows at the end would take a tenth of the time of a plan.
     Ok(Box::leak(Box::new(knowledge)))
 }
 
-/// The texts of the tables, with the places that `lint` wants.
+/// The texts of the tables, with the places that `lint` needs.
 ///
 /// # Errors
 /// A file cannot be read.
@@ -58,7 +58,7 @@ pub fn texts(context: &Context) -> Result<Texts, CliError> {
     }
 }
 
-/// The texts as the knowledge room takes them.
+/// The texts in the form that the knowledge crate takes.
 pub fn sources(texts: &Texts) -> Vec<SourceFile<'_>> {
     texts.iter().map(|(path, text)| SourceFile { path, text }).collect()
 }
@@ -85,7 +85,7 @@ pub fn table<'k>(knowledge: &'k Knowledge, typed: &str, context: &Context) -> Re
     let lower = wanted.to_ascii_lowercase();
     let ids: Vec<(String, &str)> =
         knowledge.tables().map(|table| (table.id.to_ascii_lowercase(), table.id.as_str())).collect();
-    // One table of a book may stand in several parts here, each with a letter.
+    // A table of the book may be divided into several here, each with a letter.
     let is_part = |id: &str| {
         id.strip_prefix(&lower)
             .is_some_and(|rest| rest.len() == 1 && rest.bytes().all(|sign| sign.is_ascii_alphabetic()))
@@ -102,7 +102,7 @@ pub fn table<'k>(knowledge: &'k Knowledge, typed: &str, context: &Context) -> Re
     Err(Diagnostic::error("unknown-table", words::unknown_table(context.lang, typed), None).help(help).into())
 }
 
-/// A key that orders ids as people do: `A.2` before `A.10`.
+/// A sort key for ids: `A.2` before `A.10`.
 pub fn natural(id: &str) -> Vec<(u64, String)> {
     let mut parts: Vec<(u64, String)> = Vec::new();
     let mut rest = id;

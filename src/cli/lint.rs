@@ -1,4 +1,4 @@
-//! `technolog lint`: proves the knowledge base.
+//! `technolog lint`: checks the knowledge base.
 
 use serde_json::json;
 use technolog::document::{Column, Document, Table};
@@ -18,7 +18,7 @@ pub struct Args {
 /// Shows every load problem and every finding.
 ///
 /// # Errors
-/// A file could not be used; what was found in it and in the others is shown all the same.
+/// A file could not be used; all findings are shown nevertheless.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("lint", &[Format::Text, Format::Json, Format::Markdown, Format::Html])?;
     let texts = knowledge::texts(context)?;
@@ -32,7 +32,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         problems.extend(tables::check(&knowledge));
     }
     if unusable {
-        // It may stand in the file that could not be read.
+        // It may be in the file that could not be read.
         problems.retain(|problem| problem.code != "absent-table");
     }
     let errors = problems.iter().any(is_error);
@@ -59,7 +59,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
 }
 
-/// A table a line, with its columns that no code reads and its rows that are documentation.
+/// One line for each table, with its columns that no code reads and its documentation rows.
 fn documentation(knowledge: &Knowledge, format: Format, context: &Context) -> Result<Outcome, CliError> {
     let listed = tables::documentation(knowledge);
     if format == Format::Json {

@@ -24,7 +24,7 @@ pub struct Args {
 /// Answers one query.
 ///
 /// # Errors
-/// The question does not fit the table; every slip in it is told at once.
+/// The question does not fit the table; all its mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("lookup", &[Format::Text, Format::Json, Format::Markdown, Format::Html])?;
     let knowledge = knowledge::load_to_read(context)?;
@@ -36,7 +36,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
 }
 
-/// What the table answers.
+/// The answer of the table.
 fn result(page: &mut Document, result: &str, lang: Lang) {
     page.push(Block::Fields(vec![Field::new(lang.word("cli-result"), Inlines::default().strong(result))]));
 }

@@ -2,10 +2,10 @@
 //!
 //! A command is an `Args` struct and a function `run(&Args, &Context) -> Result<Outcome, CliError>`, one line in
 //! [`Command`] and one in [`Command::run`], and its help in the message catalogue (`help.ftl`). Exit codes: 0 done, 1
-//! done and something was found wrong, 2 the input could not be used.
+//! done with something wrong found, 2 the input could not be used.
 //!
-//! Architecture invariant: nothing here decides anything; a command asks the library and shows the
-//! answer. Nothing else in the program touches arguments, environment, terminal or output files.
+//! Architecture invariant: nothing here makes decisions; a command calls the library and shows the answer. No other
+//! part of the program uses arguments, environment, terminal or output files.
 
 mod audit;
 mod check;
@@ -60,7 +60,7 @@ struct Cli {
     global: Global,
 }
 
-// What every command understands.
+// The options of every command.
 #[derive(Debug, clap::Args)]
 struct Global {
     #[arg(long, global = true, value_parser = language_named)]
@@ -79,7 +79,7 @@ struct Global {
     version: Option<bool>,
 }
 
-/// A language by its tag; which there are, else.
+/// A language by its tag; the error lists the existing ones.
 fn language_named(tag: &str) -> Result<Lang, String> {
     tag.parse().map_err(|fault: technolog::note::Note| help::asked().say(&fault))
 }
@@ -118,34 +118,34 @@ impl Command {
     }
 }
 
-/// What the global options require.
+/// The values of the global options.
 #[derive(Debug)]
 pub struct Context {
     /// The language of the answers.
     pub lang: Lang,
-    /// The knowledge folder, or nothing for the embedded knowledge.
+    /// The knowledge folder; none for the embedded knowledge.
     pub knowledge: Option<PathBuf>,
-    /// The form of the answer, if one was named.
+    /// The format of the answer, if given.
     pub format: Option<Format>,
-    /// The file for the answer, or nothing for the screen.
+    /// The file for the answer; none for the screen.
     pub output: Option<PathBuf>,
-    /// What the answer rests on.
+    /// The input files of the answer.
     pub inputs: input::Inputs,
     /// How many problems are shown.
     pub amount: Amount,
 }
 
 impl Context {
-    /// The form of the answer: the one named, else the one that the ending of `-o` means, else the first that the command
-    /// has.
+    /// The format of the answer: the given one, otherwise that of the extension of `-o`, otherwise the first of the
+    /// command.
     ///
     /// # Errors
-    /// The command does not have it, or name and ending contradict each other.
+    /// The command does not have it, or name and extension contradict each other.
     pub fn format(&self, command: &str, known: &[Format]) -> Result<Format, CliError> {
         let meant = self.output.as_deref().map(Format::of_ending).unwrap_or_default();
         if let Some(ending) = self.output.as_deref().and_then(format::of_others) {
             let message = say!(self.lang, "cli-alien-ending", command = command, ending = ending.as_str());
-            // A plan by hand has the ending of any YAML.
+            // A hand-written plan has the extension of any YAML.
             let known = known.iter().filter(|format| **format != Format::Hand || !known.contains(&Format::Yaml));
             let endings: Vec<&str> = known.flat_map(|format| format.endings()).copied().collect();
             let help = say!(self.lang, "cli-known-endings", known = endings.join(", "));
@@ -173,7 +173,7 @@ impl Context {
         }
     }
 
-    /// Gives out a page as text, Markdown or HTML.
+    /// Writes a page as text, Markdown or HTML.
     ///
     /// # Errors
     /// It cannot be written.
@@ -200,7 +200,7 @@ impl Context {
         document::write(document, format, screen.width, screen.colour, &words)
     }
 
-    /// Gives out the answer: on the screen, or in the file of `-o`.
+    /// Writes the answer to the screen, or to the file of `-o`.
     ///
     /// # Errors
     /// It cannot be written.
@@ -209,7 +209,7 @@ impl Context {
         output::write(answer.as_bytes(), self.output.as_deref(), self.lang)
     }
 
-    /// Gives out an answer that no page writer made, without signs that nobody sees.
+    /// Writes an answer that no page writer made, without invisible characters.
     ///
     /// # Errors
     /// It cannot be written.
@@ -217,7 +217,7 @@ impl Context {
         self.emit(&document::cleaned_lines(answer))
     }
 
-    /// How a file at `path` is called from beside the answer: from the folder of `-o`, else from here.
+    /// The path of a file relative to the answer: from the folder of `-o`, otherwise from the working directory.
     pub fn beside_answer(&self, path: &Path) -> String {
         let folder = self.output.as_deref().and_then(Path::parent).filter(|folder| !folder.as_os_str().is_empty());
         let absolute = |path: &Path| std::path::absolute(path).ok();
@@ -225,7 +225,7 @@ impl Context {
         seen.unwrap_or_else(|| path.to_owned()).display().to_string()
     }
 
-    /// Gives out the answer as JSON.
+    /// Writes the answer as JSON.
     ///
     /// # Errors
     /// It cannot be written.
@@ -233,7 +233,7 @@ impl Context {
         self.emit(&output::json(answer, self.lang)?)
     }
 
-    /// Gives out the answer as YAML.
+    /// Writes the answer as YAML.
     ///
     /// # Errors
     /// It cannot be written.
@@ -250,33 +250,33 @@ impl Context {
     }
 }
 
-/// How a command ended when its input could be used.
+/// The result of a command with usable input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// Done; exit code 0.
     Done,
-    /// Done, and something was found wrong; exit code 1.
+    /// Done, with something wrong found; exit code 1.
     Findings,
 }
 
-/// Why a command gave no answer; exit code 2.
+/// Why a command has no answer; exit code 2.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// Something given could not be used: a file, the question, the place for the answer.
+    /// Some input cannot be used: a file, the question, the place for the answer.
     #[error("{}", problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
     Unusable {
-        /// What, where, and what to do.
+        /// The problems with their places and remedies.
         problems: Vec<Diagnostic>,
         /// The texts that the places are in.
         texts: Texts,
     },
-    /// The command has shown the problems as its answer already.
+    /// The command has already shown the problems as its answer.
     #[error("the input could not be used")]
     Shown,
 }
 
 impl CliError {
-    /// The knowledge base lacks what is required of it.
+    /// The knowledge base lacks something that is required.
     pub fn of_knowledge(error: &KnowledgeError, lang: Lang) -> Self {
         Diagnostic::error("knowledge", technolog::note::Note::from(error), None).help(words::run_lint(lang)).into()
     }
@@ -288,12 +288,12 @@ impl From<Diagnostic> for CliError {
     }
 }
 
-/// Reads the arguments, runs the command, and turns its end into an exit code.
+/// Parses the arguments, runs the command, and converts its result into an exit code.
 pub fn main() -> ExitCode {
     let environment = std::env::var("LANG").ok();
     let default = Lang::of_environment(environment.as_deref());
     let lang = help::language(default);
-    // The words of the help are looked up only where it is shown.
+    // The texts of the help are looked up only if it is shown.
     let matches = match help::bare().try_get_matches().or_else(|_| help::command(lang).try_get_matches()) {
         Ok(matches) => matches,
         Err(error) => return refused(&error, lang),
@@ -329,7 +329,7 @@ fn refused(error: &clap::Error, lang: words::Lang) -> ExitCode {
         Some(message) => output::complain(&document::cleaned_lines(&message)),
         None => {
             let text = usage::worded(&error.render().to_string(), lang);
-            // Where not even this can be printed there is nobody to tell.
+            // If this cannot be printed either, the error is ignored.
             let _ = if error.use_stderr() {
                 output::complain(&text);
                 Ok(())

@@ -46,10 +46,10 @@ pub struct Args {
     machine: Option<String>,
 }
 
-/// The machine whose rapids are meant where none is named.
+/// The machine whose rapids are used if none is given.
 const MACHINE: &str = "gf2171";
 
-/// How long a search may take: `500ms`, `1s`, `2.5s`.
+/// The time limit of a search: `500ms`, `1s`, `2.5s`.
 fn duration(text: &str) -> Result<Duration, String> {
     let bounds = || format!("{:?} … {:?}", TIMES.0, TIMES.1);
     let (number, unit) = match text.strip_suffix("ms") {
@@ -63,7 +63,7 @@ fn duration(text: &str) -> Result<Duration, String> {
 
 const TIMES: (Duration, Duration) = (Duration::from_millis(1), Duration::from_secs(3600));
 
-/// Metrics of a list.
+/// The metrics of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum MetricName {
     Euclid,
@@ -81,7 +81,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if part { of_part(args, format, knowledge, context) } else { of_list(args, format, knowledge, context) }
 }
 
-/// The order of a part, for programs.
+/// The order of a part in JSON.
 #[derive(Serialize)]
 struct PartAnswer<'p> {
     sequence: &'p [ToolVisit],
@@ -143,7 +143,7 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
 
 fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context) -> Result<Outcome, CliError> {
     let List { form, points, names } = read(args, context)?;
-    // A machine that is not there is told also where no rapids are asked for.
+    // A missing machine is reported even if no rapids are requested.
     let rapids = machine(args.machine.as_deref().unwrap_or(MACHINE), knowledge, context)?.rapids();
     let name = args.metric.unwrap_or(MetricName::Euclid);
     let metric = match (name, form) {
@@ -156,13 +156,13 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     let book = nearest_rule(&space);
     let bound = match found.optimal {
         true => Some(found.cost),
-        // A search that may take longer gets a bound that takes longer.
+        // A longer search gets a longer computation of the bound.
         false => {
             let seconds = args.time.map_or(1, |time| time.as_secs().max(1) as usize);
             Some(bound::lower_bound(&space, found.cost, bound::rounds(space.nodes()).saturating_mul(seconds)))
         }
     };
-    // Where axes speed up the cost is a time; its length is that of the slower axis.
+    // With an acceleration the cost is a time; its length is that of the slower axis.
     let timed = matches!(metric, Metric::Rapid(rapid) if rapid.acceleration.is_some());
     let way = |order: &[usize], cost: i64| match metric {
         Metric::Rapid(rapid) if timed => {
@@ -202,7 +202,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     Ok(Outcome::Done)
 }
 
-/// The path of a list, looked for as long as the arguments say. The clock is read here, never by the search.
+/// The path of a list, searched as long as the arguments say. The clock is read here, never by the search.
 fn search(args: &Args, space: &Space<'_>) -> Path {
     let points = space.points().len();
     match args.time {

@@ -1,4 +1,4 @@
-//! Writing an answer: whole or not at all, and never with a panic.
+//! Writes an answer: completely or not at all, and never with a panic.
 
 use std::fmt::Display;
 use std::fs::{self, File, OpenOptions, Permissions};
@@ -18,7 +18,7 @@ use super::words::{self, Lang};
 /// Writes an answer to the screen, or to a file; `-` is the screen.
 ///
 /// # Errors
-/// It cannot be written. A reader of the screen that went away (`| head`) is no error.
+/// It cannot be written. A closed pipe (`| head`) is no error.
 pub fn write(answer: &[u8], file: Option<&Path>, lang: Lang) -> Result<(), CliError> {
     match file {
         Some(path) if path != Path::new("-") && is_dangling(path) => {
@@ -40,7 +40,7 @@ pub fn write(answer: &[u8], file: Option<&Path>, lang: Lang) -> Result<(), CliEr
     }
 }
 
-/// An answer as JSON. Signs that nobody sees are written as their numbers: programs get them, a terminal does not.
+/// An answer as JSON. Invisible characters are written as escapes: programs get them, a terminal does not.
 ///
 /// # Errors
 /// It cannot be printed.
@@ -51,7 +51,7 @@ pub fn json(answer: &impl Serialize, lang: Lang) -> Result<String, CliError> {
     }
     let mut escaped = String::with_capacity(text.len());
     for sign in text.chars() {
-        // All of them have no more than four figures.
+        // All of them have at most four hexadecimal digits.
         if unseen(sign.encode_utf8(&mut [0; 4])).is_some() {
             escaped.push_str(&format!("\\u{:04x}", u32::from(sign)));
         } else {
@@ -66,19 +66,19 @@ pub fn unprintable(lang: Lang, error: impl Display) -> CliError {
     Diagnostic::error("unprintable", words::cannot_print(lang, error), None).help(words::print_to_file(lang)).into()
 }
 
-/// Whether it is a dangling or circular link: where its author wanted it to lead is not known.
+/// Whether it is a dangling or circular link: its intended target is not known.
 fn is_dangling(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|file| file.is_symlink()) && fs::metadata(path).is_err()
 }
 
-/// Narrower than this nothing can be laid out.
+/// The least usable width of a page.
 #[allow(dead_code, reason = "as emit_document")]
 const NARROWEST: usize = 40;
-/// What is no terminal is as wide as this.
+/// The width where the output is no terminal.
 #[allow(dead_code, reason = "as emit_document")]
 const USUAL_WIDTH: usize = 120;
 
-/// What the answer is shown on.
+/// The properties of the output for layout.
 #[derive(Clone, Copy, Debug)]
 #[allow(dead_code, reason = "as emit_document")]
 pub struct Screen {
@@ -92,7 +92,7 @@ pub struct Screen {
 
 #[allow(dead_code, reason = "as emit_document")]
 impl Screen {
-    /// The terminal, else a file or a pipe; `COLUMNS` says how wide either is.
+    /// The terminal, otherwise a file or a pipe; `COLUMNS` gives the width of either.
     pub fn of(file: Option<&Path>) -> Self {
         let terminal = io::stdout().is_terminal() && file.is_none();
         let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse::<usize>().ok());
@@ -105,11 +105,11 @@ impl Screen {
 
 /// Prints problems to the error stream. Names of files and arguments may contain control characters.
 pub fn complain(problems: &str) {
-    // Where not even this can be printed there is nobody to tell.
+    // If this cannot be printed either, the error is ignored.
     let _ = io::stderr().lock().write_all(cleaned_lines(problems).as_bytes());
 }
 
-/// The way to a file from a folder, both absolute.
+/// The path to a file from a folder, both absolute.
 pub fn relative(file: &Path, folder: &Path) -> PathBuf {
     let shared = file.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
     let up = folder.components().skip(shared).map(|_| Component::ParentDir);
@@ -122,17 +122,18 @@ fn to_screen(answer: &[u8]) -> io::Result<()> {
     screen.flush()
 }
 
-/// Writes beside the file and renames, so that the file is the old one or the new one, whole, also after a power cut.
+/// Writes a temporary file beside the file and renames it, so that the file is completely old or completely new, even
+/// after a power cut.
 fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
-    // Through a link to the file it means; a rename would replace the link.
+    // A link is followed to its file, because a rename would replace the link.
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let old = fs::metadata(&path).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
-        // A device or a pipe cannot be replaced; a folder refuses by itself.
+        // A device or a pipe cannot be replaced; opening a folder fails here.
         return OpenOptions::new().write(true).open(&path)?.write_all(answer);
     }
     if let Some(old) = &old {
-        // The folder may allow what the file does not.
+        // The folder may permit what the file does not.
         if old.permissions().readonly() {
             return Err(ErrorKind::PermissionDenied.into());
         }
@@ -146,13 +147,13 @@ fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
     });
     let renamed = written.and_then(|()| file.sync_all()).and_then(|()| fs::rename(&temporary, &path));
     if renamed.is_err() {
-        // The first error is the one to tell of.
+        // The first error is the one to report.
         let _ = fs::remove_file(&temporary);
     }
     renamed
 }
 
-/// Permissions of the old file stay, but not set-user-id and its like: they were given to another program.
+/// The permissions of the old file, without set-user-id and the like: they were given to another program.
 #[cfg(unix)]
 fn kept(old: Permissions) -> Permissions {
     use std::os::unix::fs::PermissionsExt;
@@ -164,8 +165,7 @@ fn kept(old: Permissions) -> Permissions {
     old
 }
 
-/// Removes what a killed run left beside the file: a temporary file that is not locked. What cannot be removed harms
-/// nobody.
+/// Removes the temporary file of a killed run: one that is not locked. A failure here does no harm.
 fn remove_stale(path: &Path) {
     let (Some(name), Some(folder)) = (path.file_name(), path.parent()) else { return };
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
@@ -181,7 +181,7 @@ fn remove_stale(path: &Path) {
     }
 }
 
-/// How temporary files end; before it stand the number of the process and that of its attempt.
+/// The end of the names of temporary files; before it are the numbers of the process and of its attempt.
 const TEMPORARY: &str = ".technolog-tmp";
 
 fn is_number_of_run(text: &str) -> bool {
@@ -200,7 +200,7 @@ fn beside(path: &Path) -> io::Result<(File, PathBuf)> {
         let temporary = path.with_file_name(hidden);
         match OpenOptions::new().write(true).create_new(true).open(&temporary) {
             Ok(file) => {
-                // Where files cannot be locked they are not taken for stale either.
+                // If files cannot be locked, they are not considered stale either.
                 let _ = file.try_lock();
                 return Ok((file, temporary));
             }

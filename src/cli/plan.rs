@@ -44,13 +44,13 @@ impl Method {
 /// Plans a part.
 ///
 /// # Errors
-/// The part file cannot be used; every mistake in it is told at once.
+/// The part file cannot be used; all its mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     const FORMATS: &[Format] =
         &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml, Format::Hand];
     let format = context.format("plan", FORMATS)?;
     let knowledge = knowledge::load(context)?;
-    // As the knowledge it is not taken apart at the end of the process.
+    // As the knowledge, it is not freed at the end of the process.
     let planned = match args.prefer.as_str() {
         "tables" => planner::plan_by_tables,
         _ => planner::plan,
@@ -67,7 +67,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
 }
 
-// Why one hole is made as it is, and why not otherwise
+// Why one hole is made in this way, and not in another
 #[derive(Debug, clap::Args)]
 pub struct ExplainArgs {
     #[arg(value_name = "PART.yaml")]
@@ -107,7 +107,7 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
 /// Reads and plans a part.
 ///
 /// # Errors
-/// The part file cannot be used; every mistake in it is told at once.
+/// The part file cannot be used; all its mistakes are reported at once.
 pub fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: &Context) -> Result<Plan, CliError> {
     made(path, knowledge, context, |part| planner::plan(part, method, knowledge))
 }

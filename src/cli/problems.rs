@@ -1,4 +1,5 @@
-//! Problems within a page: framed lines of their files on a terminal, findings elsewhere; files that cannot be read.
+//! Problems within a page: framed lines of their files on a terminal, findings elsewhere; and files that cannot be
+//! read.
 
 use std::fmt::Display;
 use std::io::{self, ErrorKind};
@@ -23,18 +24,18 @@ pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError
     Diagnostic::error("unreadable", message, None).help(lang.word("cli-check-path")).into()
 }
 
-/// What the system says, in the language of the answers.
+/// The system's error message, in the language of the answers.
 pub fn of_system(error: &io::Error, lang: Lang) -> String {
     lang.say(&input::of_system(error))
 }
 
-/// A page without its title on a terminal, where the command stands above its answer.
+/// A page without its title on a terminal, where the command is above its answer.
 pub fn untitled(page: Document, format: Format) -> Document {
     if format == Format::Text { Document { title: Inlines::default(), ..page } } else { page }
 }
 
-/// The blocks of these problems, in the order in which they are given: of many the gravest, and how many there are
-/// beside them, `more` of which were left out before.
+/// The blocks of problems, in the given order: of many the most severe, with the number of others, including `more`
+/// that were left out before.
 pub fn blocks(problems: Vec<Diagnostic>, more: usize, texts: &Texts, format: Format, context: &Context) -> Vec<Block> {
     let lang = context.lang;
     let (shown, hidden_now) = context.amount.of(problems, |problem| problem.severity);

@@ -1,4 +1,4 @@
-//! `technolog program`: the NC program of a part, and what belongs to it.
+//! `technolog program`: the NC program of a part, with its sheets and drawings.
 
 use std::borrow::Cow;
 use std::path::PathBuf;
@@ -33,7 +33,7 @@ pub struct Args {
     show: Show,
 }
 
-/// What belongs to a program.
+/// The sheets and drawings of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Show {
     Program,
@@ -43,7 +43,7 @@ enum Show {
     Cycles,
 }
 
-/// The answer for programs.
+/// The answer in JSON.
 #[derive(Serialize)]
 struct Answer<'a> {
     part: &'a str,
@@ -66,10 +66,10 @@ struct FindingMessage<'a> {
     finding: &'a Finding,
 }
 
-/// Writes the program of a part and proves it by its control's own interpreter.
+/// Writes the program of a part and checks it with the interpreter of its control.
 ///
 /// # Errors
-/// The part file cannot be used; every mistake in it is told at once.
+/// The part file cannot be used; all its mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let formats: &[Format] = match args.show {
         Show::Program => &[Format::Text, Format::Json],
@@ -142,7 +142,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     })
 }
 
-/// What of the plan and the job keeps the program from making the part.
+/// Findings in the plan and the job because of which the program cannot make the part.
 fn serious<'a>(plan: &'a Plan, job: &'a Job) -> Vec<&'a Finding> {
     let of_plan = |finding: &&Finding| finding.severity <= Severity::Wrong && !job.findings.contains(finding);
     plan.findings.iter().filter(of_plan).chain(&job.findings).collect()
@@ -152,7 +152,7 @@ fn told<'a>(finding: &'a Finding, context: &Context) -> FindingMessage<'a> {
     FindingMessage { message: context.lang.say(&finding.note), finding }
 }
 
-/// What is wrong with the program, beside it: of the part, of the machine, of its blocks.
+/// Reports faults beside the program: of the part, of the machine, of its blocks.
 fn complain(findings: &[&Finding], faults: &[Fault], proof: &Proof, text: String, context: &Context) {
     const NAME: &str = "program.nc";
     let mut problems = proof::of_part(findings, context);

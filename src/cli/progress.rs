@@ -1,11 +1,11 @@
-//! A bar on the screen while many things are done.
+//! A progress bar for work on many inputs.
 
 use std::io::{IsTerminal, Write, stderr};
 
 /// Its width, in columns.
 const WIDTH: usize = 40;
 
-/// A progress bar; none if the output goes into a file.
+/// A progress bar; not shown if the output goes to a file.
 #[derive(Debug)]
 pub struct Progress {
     total: usize,
@@ -13,21 +13,21 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Of so many things.
+    /// A bar for so many inputs.
     pub fn new(total: usize) -> Self {
         Self { total, seen: stderr().is_terminal() }
     }
 
-    /// That many are done. The bar is redrawn when it grows, not every time.
+    /// Shows the number of finished inputs. The bar is redrawn only when it grows.
     pub fn show(&self, done: usize) {
         let columns = |done: usize| done * WIDTH / self.total.max(1);
         if self.seen && (columns(done) != columns(done.saturating_sub(1)) || done == self.total) {
-            // Where it cannot be drawn there is nobody to tell.
+            // If it cannot be drawn, the error is ignored.
             let _ = write!(stderr().lock(), "\r{}", bar(done, self.total));
         }
     }
 
-    /// Takes it away, so that the answer stands alone.
+    /// Removes the bar, so that only the answer remains.
     pub fn clear(&self) {
         if self.seen {
             let _ = write!(stderr().lock(), "\r\x1b[K");

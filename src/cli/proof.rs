@@ -1,4 +1,4 @@
-//! What `technolog check --part` adds: the part's plan and job, and what a program makes of them.
+//! The additions of `technolog check --part`: the part's plan and job, and what a program makes of them.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -15,7 +15,7 @@ use technolog::report::backplot::Frame;
 
 use super::{CliError, Context, Lang, plan};
 
-/// The answer for programs.
+/// The answer in JSON.
 #[derive(Serialize)]
 pub struct Answer<'a> {
     visits: &'a [MadeStop],
@@ -41,12 +41,12 @@ pub fn held(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Pla
     PlannedJob::of(plan, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
-/// The part under the motions of a program.
+/// The part below the motions of a program.
 pub fn frame(held: &PlannedJob) -> Frame<'_> {
     Frame::of(&held.job, &held.plan.part)
 }
 
-/// Transition by transition how many points are made of those that are needed.
+/// For each transition, the number of points made and required.
 pub fn table(held: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
     let [hole, transition, tool, made] =
         ["cli-hole", "cli-transition", "cli-tool", "cli-made"].map(|key| lang.word(key));
@@ -62,7 +62,7 @@ pub fn table(held: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
     for hole in &held.plan.holes {
         for (number, transition) in hole.transitions.iter().enumerate() {
             let [made, missing] = counts.get(&(hole.name.as_str(), number)).copied().unwrap_or_default();
-            // What is done on another machine is in no job.
+            // Work on another machine is in no job.
             if made + missing > 0 {
                 table.row([
                     Inlines::from(hole.name.as_str()),
@@ -76,7 +76,7 @@ pub fn table(held: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
     table
 }
 
-/// How grave a finding is, as a diagnostic.
+/// The severity of a finding as that of a diagnostic.
 pub const fn shown(severity: note::Severity) -> Severity {
     match severity {
         note::Severity::Error | note::Severity::Wrong => Severity::Error,
@@ -96,7 +96,7 @@ pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic
     findings.iter().map(told).collect()
 }
 
-/// The proof with its words.
+/// The proof with its texts.
 pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
     let said = |finding: &'a ProgramFinding| ProofMessage {
         message: context.lang.say(&finding.note),
@@ -111,7 +111,7 @@ pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
     }
 }
 
-/// The findings with the lines they are about.
+/// The findings with their lines.
 pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context) -> Vec<Diagnostic> {
     let lines: Vec<&str> = text.lines().collect();
     let one = |finding: &ProgramFinding| {

@@ -1,4 +1,4 @@
-//! Rows and cells for programs: as a query or a table writes them.
+//! Rows and cells in JSON: in the form of queries and tables.
 
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Serialize, Serializer};
@@ -6,7 +6,7 @@ use technolog::knowledge::table::Cell;
 use technolog::knowledge::{Column, ColumnRole, RowRef, Table, Value};
 use technolog::units::Unit;
 
-/// The columns that a lookup answers with: those the table names, else all that are no inputs.
+/// The columns of a lookup's answer: those that the table names, otherwise all that are no inputs.
 pub fn results(table: &Table) -> Vec<usize> {
     let named: Vec<usize> = table.result.iter().filter_map(|name| table.column_index(name)).collect();
     if named.is_empty() { table.outputs().map(|(index, _)| index).collect() } else { named }
@@ -21,7 +21,7 @@ pub fn cell(column: &Column, cell: &Cell) -> String {
     }
 }
 
-/// A value as a query would name it, without its unit.
+/// A value as written in a query, without its unit.
 pub fn bare(column: &Column, value: &Value) -> String {
     match value {
         Value::List(items) => items.iter().map(|item| bare(column, item)).collect::<Vec<_>>().join(", "),
@@ -30,7 +30,7 @@ pub fn bare(column: &Column, value: &Value) -> String {
     }
 }
 
-/// A value for programs, in the unit of its column.
+/// A value in JSON, in the unit of its column.
 #[derive(Debug)]
 pub struct ValueJson<'a>(pub &'a Column, pub &'a Value);
 
@@ -50,7 +50,7 @@ impl Serialize for ValueJson<'_> {
     }
 }
 
-/// A cell for programs: a test as written, a value, or null.
+/// A cell in JSON: a test as written, a value, or null.
 struct CellJson<'a>(&'a Column, &'a Cell);
 
 impl Serialize for CellJson<'_> {
@@ -76,7 +76,7 @@ impl<'t> Cells<'t> {
         Self { row, columns }
     }
 
-    /// Every column that is no input.
+    /// All columns that are no inputs.
     pub fn outputs(row: RowRef<'t>) -> Self {
         Self::of(row, row.table.outputs().map(|(index, _)| index).collect())
     }
@@ -103,7 +103,7 @@ impl Serialize for Inputs<'_> {
     }
 }
 
-/// What a row says beside its cells.
+/// The data of a row besides its cells.
 #[derive(Debug, Serialize)]
 pub struct About<'t> {
     source: String,
@@ -136,7 +136,7 @@ impl<'t> About<'t> {
     }
 }
 
-/// The corrections of a row as its file writes them: `{column: {printed, reason}}`.
+/// The corrections of a row, as in its file: `{column: {printed, reason}}`.
 #[derive(Debug)]
 struct Corrections<'t>(RowRef<'t>);
 
@@ -153,7 +153,7 @@ impl Serialize for Corrections<'_> {
     }
 }
 
-/// A whole row: every cell, and what the row says beside them.
+/// A whole row: every cell, and the data besides them.
 #[derive(Debug, Serialize)]
 pub struct Whole<'t> {
     #[serde(flatten)]
@@ -169,7 +169,7 @@ impl<'t> Whole<'t> {
     }
 }
 
-/// The values of the result columns: a flat list for one column, an object per row for several.
+/// The values of the result columns: a list for one column, an object per row for several.
 #[derive(Debug)]
 pub struct Results<'t>(pub Vec<RowRef<'t>>);
 
@@ -194,7 +194,7 @@ impl Serialize for Results<'_> {
     }
 }
 
-/// What a column is for, as JSON names it.
+/// The role of a column, as JSON names it.
 pub const fn role(role: ColumnRole) -> &'static str {
     match role {
         ColumnRole::Field => "field",

@@ -1,4 +1,4 @@
-//! A table as a page: its rows under their columns, and below them everything that no cell can say.
+//! A table as a page: its rows under their columns, and below them everything that does not fit into cells.
 
 use std::collections::BTreeMap;
 
@@ -11,12 +11,12 @@ use super::record::results;
 use super::shown;
 use super::{Format, Lang};
 
-/// Wider than the first, in columns of a terminal, a table has numbers for heads there, as those of the source have; wider
-/// than the second these do not help either. Pages of other formats have all the width they need.
+/// Above the first width, in terminal columns, a table has numbers as heads, like those of the source; above the
+/// second, numbers do not help either. Pages of other formats have all the width they need.
 const NARROW: usize = 80;
 const WIDE: usize = 120;
 
-/// One table: title, source, rows, then everything the rows cannot say in their cells.
+/// One table: title, source, rows, then everything that does not fit into cells.
 pub fn whole(table: &Table, lang: Lang, format: Format) -> Document {
     let all: Vec<RowRef<'_>> = table.all_rows().collect();
     let mut page = titled(table, lang);
@@ -39,8 +39,8 @@ pub fn titled(table: &Table, lang: Lang) -> Document {
     Document::new(lang.tag(), say!(lang, "table-title", table = &table.id, title = shown::title(lang, table)))
 }
 
-/// The rows under the names of the columns, or where those are too wide together under their numbers. Says whether the
-/// columns have numbers.
+/// The rows under the names of the columns or, if those are too wide together, under their numbers. Returns whether
+/// the columns have numbers.
 pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang, format: Format) -> bool {
     let first = rows.first().map(|row| row.row().source);
     let one_source = rows.iter().all(|row| Some(row.row().source) == first);
@@ -86,13 +86,13 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang,
     numbered
 }
 
-/// The columns of a page, with their places in the table: those in another language are left out.
+/// The columns of a page, with their positions in the table; those in another language are left out.
 fn columns_of(table: &Table, lang: Lang) -> impl Iterator<Item = (usize, &Column)> {
     let columns = table.columns.iter().enumerate();
     columns.filter(move |(_, column)| !shown::is_of_other_language(lang, table, column))
 }
 
-/// What a row is found by, and what it answers, is never left out.
+/// The key columns and the result columns are never left out.
 fn keep(table: &Table, index: usize) -> Keep {
     let column = &table.columns[index];
     let sought = match table.kind {
@@ -110,7 +110,7 @@ fn numbered_head(number: usize, head: &Head) -> Head {
     Head { heading: number.to_string().into(), unit: String::new(), ..head.clone() }
 }
 
-/// How wide a table is at least, before its longest words are broken.
+/// The least width of a table, before its longest words are broken.
 fn width(heads: &[Head], cells: &[Vec<Inlines>]) -> usize {
     let longest = |text: &str| text.split_whitespace().map(|word| word.chars().count()).max().unwrap_or(0);
     let column = |(index, head): (usize, &Head)| {
@@ -127,7 +127,7 @@ fn marks(row: &Row) -> String {
     format!("{corrected}{unconfirmed}")
 }
 
-/// What each column is, and what a lookup may ask of it.
+/// The description of each column, and the queries that it permits.
 pub fn columns(page: &mut Document, table: &Table, numbered: bool, lang: Lang) {
     page.heading(2, lang.word("cli-columns"));
     let text = |head: &str| Head::text(lang.word(head));
@@ -144,7 +144,7 @@ pub fn columns(page: &mut Document, table: &Table, numbered: bool, lang: Lang) {
     page.push(filled(heads, (1..).zip(columns_of(table, lang)).map(row).collect()));
 }
 
-/// A table without the columns in which nothing stands.
+/// A table without empty columns.
 pub fn filled(heads: Vec<Head>, rows: Vec<Vec<Inlines>>) -> Grid {
     let is_filled = |index: &usize| rows.iter().any(|row| row.get(*index).is_some_and(|cell| !cell.is_empty()));
     let kept: Vec<usize> = (0..heads.len()).filter(is_filled).collect();
@@ -164,7 +164,7 @@ fn symbol(column: &Column, lang: Lang) -> String {
     }
 }
 
-/// What may stand in a column, in the words of a query.
+/// The permitted values of a column, as written in a query.
 fn about(column: &Column, lang: Lang) -> Vec<String> {
     let mut about = Vec::new();
     let said = |key: &str| lang.word(key).to_owned();
@@ -184,8 +184,8 @@ fn about(column: &Column, lang: Lang) -> Vec<String> {
     about
 }
 
-/// What these rows say beside their cells: corrections, doubts, reasons, places, notes. Rows that say the same stand
-/// together.
+/// The data of rows besides their cells: corrections, doubts, reasons, places, notes. Rows with the same text are
+/// joined.
 pub fn said(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     let corrections = |row: &Row| -> Vec<String> {
         let said = row.corrections.iter().map(|it| {
@@ -218,7 +218,7 @@ fn by_rows(page: &mut Document, rows: &[RowRef<'_>], head: &str, lang: Lang, sai
     section(page, lang.word(head), said.into_iter().map(line));
 }
 
-/// A heading with its lines; nothing without lines.
+/// A heading with its lines; nothing if there are no lines.
 pub fn section(page: &mut Document, head: &str, lines: impl Iterator<Item = String>) {
     let lines: Vec<Item> = lines.map(|line| Inlines::sentence(&line).into()).collect();
     if !lines.is_empty() {

@@ -1,5 +1,5 @@
-//! Cells, columns and rows as people read them: names instead of ids, the signs and separators of the language. Programs
-//! get what `record` makes of them.
+//! Cells, columns and rows for people: names instead of ids, with the signs and separators of the language. For
+//! programs there is `record`.
 
 use std::collections::BTreeSet;
 
@@ -20,7 +20,7 @@ pub fn title(lang: Lang, table: &Table) -> &str {
     table.title.of(lang.tag())
 }
 
-/// The name of a column, where it has one beside its key.
+/// The name of a column, if it has one besides its key.
 pub fn label(lang: Lang, column: &Column) -> Option<&str> {
     let usual = || lang.find(&format!("table-column-{}", column.name));
     column.label.as_ref().map(|label| label.of(lang.tag())).or_else(usual)
@@ -35,7 +35,7 @@ pub fn head(lang: Lang, column: &Column, keep: Keep) -> Head {
     };
     // A scale such as HB is its own unit.
     let unit = Some(unit(column.unit, lang)).filter(|unit| column.symbol.as_deref() != Some(*unit)).unwrap_or_default();
-    // An input has tests, which are words.
+    // The cells of an input are tests, which are text.
     let is_figure = !column.list
         && column.role != ColumnRole::Input
         && column.ty.is_ordered()
@@ -45,13 +45,13 @@ pub fn head(lang: Lang, column: &Column, keep: Keep) -> Head {
     head.keep(keep).least(6)
 }
 
-/// With its first letter large, as heads have it.
+/// With a capital first letter, as in heads.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
-/// Whether the cells of a column stand to the right.
+/// Whether the cells of a column are aligned to the right.
 pub fn is_right(head: &Head) -> bool {
     head.align == Align::Right
 }
@@ -73,10 +73,10 @@ pub fn value(lang: Lang, column: &Column, value: &Value) -> String {
     }
 }
 
-/// One figure or id of a column as it is written in a table.
+/// One figure or id of a column, as written in a table.
 fn figure(lang: Lang, column: &Column, written: &str) -> String {
     match column.ty {
-        // Tables of machines and controls have the unit of each figure in a column of its own.
+        // Tables of machines and controls have the unit of each figure in a separate column.
         ColumnType::Unit => match written.parse() {
             Ok(own) if own != Unit::None => unit(own, lang).to_owned(),
             _ => written.to_owned(),
@@ -88,8 +88,8 @@ fn figure(lang: Lang, column: &Column, written: &str) -> String {
     }
 }
 
-/// The name of a word: its vocabulary's, this column's, that of a transition, or any column's; the word where it has none,
-/// as designations and ids of tables have not.
+/// The name of a word: by its vocabulary, by this column, as a transition, or by any column; the word itself if it
+/// has no name, as designations and ids of tables.
 fn word<'v>(lang: Lang, column: &'v Column, id: &'v str) -> &'v str {
     let of_column = || lang.find(&format!("table-value-{}-{id}", column.name));
     let of_quantity = || if column.name == "quantity" { lang.find(&format!("quantity-{id}")) } else { None };
@@ -103,11 +103,12 @@ fn word<'v>(lang: Lang, column: &'v Column, id: &'v str) -> &'v str {
         .unwrap_or(id)
 }
 
-/// Whether a column says in another language what one beside it says in this one, as `name_en` beside `name_uk`.
+/// Whether a column gives in another language what a neighbouring one gives in this language, as `name_en` beside
+/// `name_uk`.
 pub fn is_of_other_language(lang: Lang, table: &Table, column: &Column) -> bool {
     let Some((name, tag)) = column.name.rsplit_once('_') else { return false };
     let has = |tag: &str| table.column_index(&format!("{name}_{tag}")).is_some();
-    // Tables name things in English for languages that they do not speak.
+    // Tables give names in English for languages that they lack.
     let own = if has(lang.tag()) { lang.tag() } else { Lang::EN.tag() };
     LANGUAGES.iter().any(|known| known.tag() == tag) && tag != own && has(own)
 }
@@ -155,13 +156,13 @@ pub fn test(lang: Lang, column: &Column, written: &str) -> String {
 pub fn full(lang: Lang, column: &Column, value: &Value) -> String {
     let shown = self::value(lang, column, value);
     match column.ty {
-        // A roughness names its parameter, and its unit is understood.
+        // A roughness includes its parameter, and its unit is understood.
         ColumnType::Roughness => shown,
         _ => with_unit(&shown, column.unit, lang),
     }
 }
 
-/// Where the figures of a row come from.
+/// The origin of a row's figures.
 pub fn source(lang: Lang, source: Source) -> &'static str {
     lang.word(match source {
         Source::Seed => "table-source-seed",
@@ -188,7 +189,7 @@ pub fn result(lang: Lang, row: RowRef<'_>) -> String {
 
 /// `рядок 3`, `рядки 3, 5–8`: rows by their numbers.
 pub fn rows_named(lang: Lang, numbers: &[usize]) -> String {
-    // A lookup has them as near as they are to what was asked.
+    // A lookup gives them in the order of nearness.
     let sorted: BTreeSet<usize> = numbers.iter().copied().collect();
     let mut spans: Vec<(usize, usize)> = Vec::new();
     let sorted_count = sorted.len();
@@ -209,7 +210,7 @@ pub fn rows_named(lang: Lang, numbers: &[usize]) -> String {
     say!(lang, "table-rows-named", count = sorted_count, rows = shown.join(", "))
 }
 
-/// What a query may say of a column: `довжина, мм`, in the words of a query.
+/// What a query may give for a column: `довжина, мм`.
 pub fn expected(lang: Lang, column: &Column) -> String {
     let what = match column.ty {
         ColumnType::Text => "lint-a-text",
@@ -229,8 +230,7 @@ pub fn expected(lang: Lang, column: &Column) -> String {
     }
 }
 
-/// The words that an enum may have, as a query writes them, each with what it means; those of a long vocabulary stand in
-/// its own table.
+/// The permitted words of an enum in a query, each with its meaning; a long vocabulary has a table of its own.
 fn one_of(lang: Lang, column: &Column) -> String {
     const MANY: usize = 20;
     if let Some(table) = column.vocabulary.as_deref().filter(|_| column.names.len() > MANY) {

@@ -106,7 +106,7 @@ fn list_csv(tables: &[&Table], context: &Context) -> String {
     std::iter::once(head).chain(lines).collect()
 }
 
-/// A column for programs.
+/// A column in JSON.
 #[derive(Serialize)]
 struct ColumnJson<'t> {
     name: &'t str,

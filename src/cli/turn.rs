@@ -1,4 +1,5 @@
-//! `technolog turn`: the passes that rough a shaft, the shortest sequence beside those that people use.
+//! `technolog turn`: the roughing passes of a shaft, the shortest sequence compared with usual ones; and operations
+//! of turned parts.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -50,7 +51,7 @@ pub struct Args {
     spindle: Option<u32>,
 }
 
-/// What is shown.
+/// The requested output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Show {
     Passes,
@@ -65,7 +66,7 @@ enum Show {
 }
 
 impl Show {
-    /// The form of the program that is shown, if one is.
+    /// The form of the program, if one is requested.
     const fn program(self) -> Option<Form> {
         match self {
             Self::Program => Some(Form::Motions),
@@ -74,7 +75,7 @@ impl Show {
         }
     }
 
-    /// The formats that it has. A program is text, a tool table too; their endings are those of the control.
+    /// Its formats. A program and a tool table are text; their extensions are those of the control.
     const fn formats(self) -> (&'static str, &'static [Format]) {
         match self {
             Self::Program | Self::Cycle => ("turn --show=program", &[Format::Text]),
@@ -126,10 +127,10 @@ impl VariantName {
 /// The formats of its pages.
 const FORMATS: [Format; 6] = [Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml, Format::Svg];
 
-/// Shows the passes of a shaft.
+/// Shows the passes of a shaft, or an operation.
 ///
 /// # Errors
-/// The file cannot be used; every mistake in it is told at once.
+/// The file cannot be used; all its mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (command, formats) = args.show.formats();
     let format = context.format(command, formats)?;
@@ -229,7 +230,7 @@ fn by_passes(
     }
 }
 
-/// Gives out a page; HTML shows its drawing, too, under a caption of the catalogue of words.
+/// Writes a page; HTML also shows its drawing, under a caption of the message catalogue.
 ///
 /// # Errors
 /// It cannot be written.
@@ -263,7 +264,7 @@ impl<'a> Answer<'a> {
     }
 }
 
-/// What a pass adds: 0 to 100,000 mm, so that sums stay exact.
+/// The distance added by a pass: 0 to 100,000 mm, so that sums stay exact.
 fn per_pass(text: &str) -> Result<Micrometres, String> {
     const MOST: i64 = 100_000;
     let length = text.parse().ok().filter(|length| (Micrometres::ZERO..=Micrometres::from_mm(MOST)).contains(length));
@@ -281,7 +282,7 @@ fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective,
     })
 }
 
-/// What a command cannot do with what it was given, in the words of that name.
+/// The refusal with that code: the command cannot do it with the given input.
 pub fn refused(code: &'static str, context: &Context) -> CliError {
     let note = Note::new(code);
     let problem = Diagnostic::error(code, context.lang.say(&note), None);
@@ -291,7 +292,7 @@ pub fn refused(code: &'static str, context: &Context) -> CliError {
 /// Reads a shaft.
 ///
 /// # Errors
-/// The file cannot be used; every mistake in it is told at once.
+/// The file cannot be used; all its mistakes are reported at once.
 pub fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Turned, CliError> {
     let shown = path.display().to_string();
     let text = context.text(path)?;
@@ -304,7 +305,7 @@ pub fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Tur
     })
 }
 
-/// A mistake in the words of the reader.
+/// A mistake in the language of the reader.
 pub fn problem(mistake: Mistake, context: &Context) -> Diagnostic {
     match mistake {
         Mistake::Form(problem) => problem,

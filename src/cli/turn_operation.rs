@@ -1,4 +1,4 @@
-//! The part of `technolog turn` that plans contours: the page of the whole operation, its drawing and its programs.
+//! The part of `technolog turn` for contours: the page of the whole operation, its drawing and its programs.
 
 use clap::ValueEnum;
 use serde::Serialize;
@@ -49,7 +49,7 @@ struct Answer<'a> {
     times: &'a [Times],
 }
 
-/// Shows the whole operation; a drawing has the ways of all schemes where they are asked for.
+/// Shows the whole operation; a drawing has the toolpaths of all schemes if requested.
 ///
 /// # Errors
 /// The knowledge base lacks something, or the answer cannot be written.
@@ -80,12 +80,12 @@ pub fn page(
     Ok(if operation.has_errors() { Outcome::Findings } else { Outcome::Done })
 }
 
-/// Which program of an operation is wanted.
+/// The requested program of an operation.
 #[derive(Clone, Copy, Debug)]
 pub struct Wanted {
-    /// For which control.
+    /// The control.
     pub control: Control,
-    /// As motions or as cycles.
+    /// With motions or with cycles.
     pub form: Form,
     /// The number of the program, from 1.
     pub number: usize,
@@ -109,7 +109,7 @@ pub fn program(
         let (message, help) = if all.is_empty() {
             (say!(context.lang, "turn-no-programs"), context.word("turn-see-operation").to_owned())
         } else {
-            // A remedy is one sentence: what stands in lines elsewhere is strung together.
+            // A remedy is one sentence, so the lines are joined.
             let list = report::turning::programs_list(&all, context.lang);
             let known = list.lines().map(str::trim).collect::<Vec<_>>().join("; ");
             (say!(context.lang, "turn-no-such-program"), say!(context.lang, "turn-programs-are", known = known))
@@ -122,7 +122,7 @@ pub fn program(
             if let Some(why) = read.map_err(lacking)? {
                 let note = match wanted.form {
                     Form::Motions => NotWritten::Unsafe { why }.note(),
-                    // The passes of a cycle are the control's own.
+                    // The passes of a cycle are made by the control itself.
                     Form::Cycles => Note::new("turned-cycle-rejected").with("why", why),
                 };
                 return Err(not_written(written, note, context));
@@ -133,7 +133,7 @@ pub fn program(
             let texts: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
             context.emit(&texts.join("\n"))?;
             super::output::complain(&report::turning::programs_list(&all, context.lang));
-            // At the machine nobody sees the page.
+            // Nobody sees the page at the machine.
             let mut set_ups = operation.set_ups.iter().map(|one| &one.set_up);
             let is_held = set_ups.any(|one| one.number == written.set_up && one.holds_at.is_some());
             if !is_held {
@@ -145,7 +145,7 @@ pub fn program(
     }
 }
 
-/// Shows the tool list and the setting sheet that belong to the programs of an operation.
+/// Shows the tool list and the setting sheet for the programs of an operation.
 ///
 /// # Errors
 /// The knowledge base lacks something, or the answer cannot be written.

@@ -1,4 +1,4 @@
-//! Arguments that fit no command, told in the language of the answers: clap's own words are English.
+//! Arguments that fit no command, reported in the language of the answers, because clap's own texts are English.
 
 use clap::Command;
 use clap::error::{ContextKind, ContextValue, Error, ErrorKind};
@@ -9,8 +9,8 @@ use technolog::words::say;
 use super::help;
 use super::words::Lang;
 
-/// What is wrong with the arguments and what to do; none where clap's own text is to be shown: help, version, and kinds of
-/// mistakes that this command line cannot meet.
+/// The fault of the arguments and its remedy; none where clap's own text is shown: help, version, and kinds of faults
+/// that this command line cannot have.
 pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang: Lang) -> Option<String> {
     let of = |kind| error.get(kind).map(text).unwrap_or_default();
     let (argument, value) = (of(ContextKind::InvalidArg), of(ContextKind::InvalidValue));
@@ -58,7 +58,7 @@ pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang:
     Some(format!("{said}\n\n{}: {usage}\n\n{}\n", lang.word("help-usage"), lang.word("usage-more")))
 }
 
-/// The usage of the command that the arguments name, where they name one.
+/// The usage of the command in the arguments, if they name one.
 fn usage_of(command: &mut Command, arguments: &[String]) -> String {
     command.build();
     let named = arguments.iter().find(|argument| command.find_subcommand(argument).is_some());
@@ -66,16 +66,16 @@ fn usage_of(command: &mut Command, arguments: &[String]) -> String {
     inner.as_mut().unwrap_or(command).render_usage().to_string()
 }
 
-/// A whole number within bounds; which they are, else.
+/// A whole number within limits; the error gives the limits.
 ///
 /// # Errors
-/// It is none, or not within them.
+/// It is none, or outside the limits.
 pub fn whole<const LEAST: u32, const MOST: u32>(text: &str) -> Result<u32, String> {
     let number = text.parse().ok().filter(|number| (LEAST..=MOST).contains(number));
     number.ok_or_else(|| say!(help::asked(), "usage-whole-number", least = LEAST, most = MOST))
 }
 
-/// The line of usage with its two words in the language.
+/// The usage line with its two words in the language.
 pub fn worded(text: &str, lang: Lang) -> String {
     text.replace("[OPTIONS]", lang.word("usage-options")).replace("<COMMAND>", lang.word("usage-command"))
 }

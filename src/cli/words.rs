@@ -1,4 +1,4 @@
-//! What the command line says, each sentence as a function of what fills its gaps; the words stand in the message catalogue.
+//! The texts of the command line, each as a function of its figures; the words are in the message catalogue.
 
 use std::fmt::Display;
 

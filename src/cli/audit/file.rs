@@ -26,7 +26,7 @@ pub fn read(path: &Path, auditor: &Auditor<'_>, places: FileRoots<'_>, context: 
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable, context))
 }
 
-/// A file of a folder: nothing where it is no plan.
+/// A file of a folder: none where it is no plan.
 ///
 /// # Errors
 /// Every mistake of the plan.
@@ -42,10 +42,10 @@ pub fn read_any(
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable, context))
 }
 
-/// What stopped an audit: the part inside a plan of ours, at its place, or the tables.
+/// An error that stopped an audit: in the part inside a plan of the program, with its place, or in the tables.
 pub fn at_fault(stated: &Stated, error: &KnowledgeError, context: &Context) -> CliError {
     match stated.at_fault(error) {
-        // The text again, for the line that the message shows.
+        // The text is read again, for the line that the message shows.
         Some(problem) => CliError::Unusable {
             problems: vec![problem],
             texts: match input::named(Path::new(&stated.file), context) {

@@ -16,17 +16,17 @@ use super::super::progress::Progress;
 use super::super::{CliError, Context, Format, Outcome, output};
 use super::file;
 
-/// What became of a file of the folder.
+/// The result for a file of the folder.
 enum Seen {
     Plan(Audited),
-    /// It is something else.
+    /// It is no plan.
     NoPlan,
 }
 
 /// Audits every plan of a folder and of the folders in it, in the order of their names.
 ///
 /// # Errors
-/// The folder cannot be read, or holds no plan; or a plan cannot be read, which the table has said.
+/// The folder cannot be read, or has no plan; or a plan cannot be read, which the table has reported.
 pub fn run(
     folder: &Path,
     format: Format,
@@ -99,15 +99,15 @@ fn unread(path: &Path, problems: &[Diagnostic], context: &Context) -> Audited {
     Audited::Unreadable(Unread::new(&path.display().to_string(), problems, context.lang))
 }
 
-/// A folder of which nobody knows what is in it.
+/// A folder that could not be opened, so that its contents are unknown.
 fn unopened(folder: &Path, error: &io::Error, context: &Context) -> Audited {
     let error = of_system(error, context.lang);
     let message = say!(context.lang, "cli-cannot-read", path = folder.display().to_string(), error = error);
     unread(folder, &[Diagnostic::error("unreadable", message, None)], context)
 }
 
-/// The files that may be plans, and the folders in this one that cannot be read. Hidden ones are left out, and links to
-/// folders, which could go round.
+/// The files that may be plans, and the subfolders that cannot be read. Hidden files are skipped, and links to
+/// folders, which could form a cycle.
 fn collect(folder: &Path, files: &mut Vec<PathBuf>, barred: &mut Vec<(PathBuf, io::Error)>) -> io::Result<()> {
     let mut entries = std::fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
     entries.sort_by_key(std::fs::DirEntry::file_name);

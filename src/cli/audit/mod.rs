@@ -1,4 +1,4 @@
-//! `technolog audit`: a plan of any author checked against the knowledge, or a folder of them.
+//! `technolog audit`: checks a plan of any author, or a folder of plans, against the knowledge base.
 
 mod file;
 mod folder;
@@ -12,7 +12,7 @@ use technolog::report;
 use super::input::FileRoots;
 use super::{CliError, Context, Format, Outcome, knowledge};
 
-// Hold somebody's plan, or a folder of plans, against the knowledge: every figure, every choice, the program
+// Checks a plan, or a folder of plans, against the knowledge: every figure, every choice, the program
 #[derive(Debug, clap::Args)]
 pub struct Args {
     #[arg(value_name = "PLAN.yaml")]
@@ -25,14 +25,14 @@ pub struct Args {
     allow_outside: bool,
 }
 
-/// What an audit and a comparison can be given out as.
+/// The formats of an audit and of a comparison.
 const FORMATS: [Format; 5] = [Format::Text, Format::Json, Format::Yaml, Format::Markdown, Format::Html];
 
 /// Audits a plan or a folder of them.
 ///
 /// # Errors
-/// The plan file cannot be used; every mistake in it is told at once. Of a folder: it holds no plan, or some cannot be
-/// used, which its table says.
+/// The plan file cannot be used; all its mistakes are reported at once. For a folder: it has no plan, or some cannot
+/// be used, which its table reports.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("audit", &FORMATS)?;
     let knowledge = knowledge::load(context)?;

@@ -1,19 +1,19 @@
-//! Where the lines of a text are, found once: then the stretch of a line around any place costs the same, however long the
-//! text and its lines are.
+//! Finds the lines of a text once; then the part of a line around any place costs the same, however long text and
+//! lines are.
 
 use technolog::knowledge::Place;
 
-/// How many characters apart the places are that are known by their bytes.
+/// The distance in characters between places with known byte positions.
 const STEP: usize = 256;
 
-/// What the signs of cut ends take of the room for a line.
+/// The room that the marks of cut ends take in a line.
 const CUTS: usize = 2 * "...".len();
 
 /// The lines of a text.
 pub struct Lines<'t> {
     text: &'t str,
     lines: Vec<Line>,
-    /// The byte of the first of every [`STEP`] characters of the text.
+    /// The byte position of every [`STEP`]th character of the text.
     steps: Vec<usize>,
 }
 
@@ -25,23 +25,23 @@ struct Line {
     length: usize,
 }
 
-/// A stretch of a line with a place in it.
+/// A part of a line around a place.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Stretch<'t> {
-    /// What stands before the place.
+    /// The text before the place.
     pub before: &'t str,
-    /// What the place means; nothing at the end of a line.
+    /// The text of the place; empty at the end of a line.
     pub meant: &'t str,
-    /// What stands behind it.
+    /// The text after the place.
     pub behind: &'t str,
-    /// Whether the line begins before the stretch.
+    /// Whether the line begins before this part.
     pub cut_before: bool,
-    /// Whether it goes on behind it.
+    /// Whether it continues after this part.
     pub cut_behind: bool,
 }
 
 impl<'t> Lines<'t> {
-    /// Of a text.
+    /// The lines of a text.
     pub fn of(text: &'t str) -> Self {
         let mut lines = Vec::new();
         let mut before = 0;
@@ -77,7 +77,7 @@ impl<'t> Lines<'t> {
         })
     }
 
-    /// Where a character of the text begins.
+    /// The byte position of a character.
     fn byte(&self, character: usize) -> usize {
         let Some(&step) = self.steps.get(character / STEP) else { return self.text.len() };
         let on = self.text[step..].char_indices().nth(character % STEP);

@@ -1,4 +1,4 @@
-//! A query against a catalog: the rows whose fields have the values asked for.
+//! A query of a catalog: the rows with the given values.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use super::near::{self, NearRow};
 use super::question::LookupQuestion;
 use crate::cli::{CliError, Context, Format, Lang, Outcome, record, sheet, shown};
 
-/// So many values of a text column are all named where none is near.
+/// If a text column has no more values than this, all of them are named when none is near.
 const FEW: usize = 12;
 
 /// Finds the rows and shows them.
@@ -57,7 +57,7 @@ struct Missed<'a> {
     keys: Vec<Key<'a>>,
 }
 
-/// One key on its own: how many rows it finds, and the nearest values where it finds none.
+/// A single key: the number of rows that it finds, and the nearest values if it finds none.
 struct Key<'a> {
     column: &'a Column,
     wanted: &'a Value,
@@ -80,7 +80,7 @@ impl Serialize for Key<'_> {
     }
 }
 
-/// The values of a column next to the wanted one: two below and two above, or texts that may be meant.
+/// The values of a column next to the wanted one: two below and two above, or similar texts.
 fn nearest_values<'a>(table: &'a Table, index: usize, wanted: &Value) -> Vec<&'a Value> {
     let column = &table.columns[index];
     let values = table.rows.iter().filter_map(|row| match &row.cells[index] {

@@ -1,4 +1,4 @@
-//! A query against a decision table: the row that won, and why every other one lost.
+//! A query of a decision table: the row that applies, and why every other row does not.
 
 use serde::Serialize;
 use technolog::document::{Block, Column as Head, Document, Field, Inlines, Keep, Table as Grid};
@@ -11,7 +11,7 @@ use super::near::{self, NearRow};
 use super::question::LookupQuestion;
 use crate::cli::{CliError, Context, Format, Lang, Outcome, record, sheet, shown};
 
-/// More rejected rows than this are grouped by column, unless all are asked for.
+/// If there are more rejected rows, they are grouped by column, unless all are requested.
 const LISTED: usize = 12;
 
 /// Asks the table and shows its answer.
@@ -53,7 +53,7 @@ struct UnderstoodInput<'a> {
     by_default: bool,
 }
 
-/// Everything there is to tell about an answer.
+/// All data about an answer.
 struct DecisionReport<'a> {
     table: &'a Table,
     asked: Vec<UnderstoodInput<'a>>,
@@ -146,7 +146,7 @@ impl<'a> DecisionReport<'a> {
         sheet::filled(heads, self.asked.iter().map(one).collect())
     }
 
-    /// A row that won: its source, its tests against the inputs, and what it says beside the result.
+    /// A row that applies: its source, its tests with the inputs, and its remarks besides the result.
     fn winner(&self, page: &mut Document, row: RowRef<'_>, lang: Lang) {
         let source = shown::source(lang, row.row().source);
         page.heading(
@@ -230,7 +230,7 @@ impl<'a> DecisionReport<'a> {
     }
 }
 
-/// The key of a column, as a query names it.
+/// The key of a column in a query.
 fn key(column: &Column) -> Inlines {
     Inlines::default().code(&column.name)
 }

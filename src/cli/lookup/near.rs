@@ -1,4 +1,4 @@
-//! Where no row applies: the rows that come nearest, and what fails in them.
+//! If no row applies: the nearest rows, and the columns that fail in them.
 
 use serde::Serialize;
 use technolog::document::{Column as Head, Document, Inlines, Table as Grid};
@@ -7,7 +7,7 @@ use technolog::words::say;
 
 use crate::cli::{Lang, record, shown};
 
-/// More rows than this are counted, not listed.
+/// If there are more rows, they are counted, not listed.
 const LISTED: usize = 5;
 
 /// A row with the columns that fail in it.
@@ -17,7 +17,7 @@ pub struct NearRow<'t> {
     failed: Vec<usize>,
 }
 
-/// The rows with the fewest failing columns; none when in every row all that is required fails.
+/// The rows with the fewest failing columns; none if every required column fails in all rows.
 pub fn rows<'t>(
     all: impl Iterator<Item = RowRef<'t>>,
     asked: usize,

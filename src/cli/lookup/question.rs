@@ -1,4 +1,4 @@
-//! From `it=7 diameter=12` to typed values of a table's columns.
+//! Parses `it=7 diameter=12` into typed values of a table's columns.
 
 use std::borrow::Cow;
 
@@ -15,7 +15,7 @@ use crate::cli::{CliError, Context, shown};
 pub struct LookupQuestion<'t> {
     /// The table that is queried.
     pub table: &'t Table,
-    /// The position of each column that is given, and its value.
+    /// The position of each given column, and its value.
     pub given: Vec<(usize, Value)>,
 }
 
@@ -23,7 +23,7 @@ impl<'t> LookupQuestion<'t> {
     /// Reads the arguments against the columns of the table.
     ///
     /// # Errors
-    /// Every slip in the question, each with its place in the command line.
+    /// All mistakes in the question, each with its place in the command line.
     pub fn read(table: &'t Table, args: &Args, context: &Context) -> Result<Self, CliError> {
         let line = CommandLine::of(args, context);
         let mut reader =
@@ -46,14 +46,14 @@ impl<'t> LookupQuestion<'t> {
     }
 }
 
-/// Where something stands in the command line: first character and number of characters.
+/// A place in the command line: first character and number of characters.
 #[derive(Clone, Copy, Debug)]
 struct At {
     start: usize,
     width: usize,
 }
 
-/// The question as one line of text, so that a slip in it has a place like one in a file.
+/// The question as one line of text, so that a mistake in it has a place as in a file.
 struct CommandLine {
     name: &'static str,
     text: String,
@@ -99,9 +99,9 @@ struct Reader<'t, 'a> {
     context: &'a Context,
     line: &'a CommandLine,
     given: Vec<(usize, Value)>,
-    /// The columns that were named, with a sound value or not.
+    /// The columns that were named, with a valid value or not.
     named: Vec<usize>,
-    /// The columns that a misspelt key may have meant.
+    /// The columns that a misspelt key may mean.
     misspelt: Vec<usize>,
     problems: Vec<Diagnostic>,
 }
@@ -111,7 +111,7 @@ impl Reader<'_, '_> {
         self.problems.push(Diagnostic::error(code, message, self.line.place(at)).help(help));
     }
 
-    /// The columns that may be asked for, with their positions.
+    /// The columns of possible keys, with their positions.
     fn keys(&self) -> Vec<(usize, &Column)> {
         match self.table.kind {
             TableKind::Decision => self.table.inputs().collect(),
@@ -167,7 +167,7 @@ impl Reader<'_, '_> {
                 );
             }
         };
-        // A catalog simply has no row outside its bounds; a decision table says nothing there.
+        // A catalog simply has no row outside its limits; a decision table has no answer there.
         if self.table.kind == TableKind::Decision
             && let (Some(domain), Some(rank)) = (&column.domain, column.rank(&value))
             && !domain.contains(rank)
@@ -196,7 +196,7 @@ impl Reader<'_, '_> {
             Some(near) => say!(lang, "cli-no-such-key-but", near = near, known = known),
             None => say!(lang, "cli-the-keys-are", known = known),
         };
-        // One slip is one problem: what was misspelt is not missing too.
+        // One mistake is one problem: a misspelt key is not also missing.
         self.misspelt.extend(meant);
         self.problem("unknown-key", message, at, help);
     }
@@ -227,7 +227,7 @@ impl Reader<'_, '_> {
     }
 }
 
-/// A pair that a user might type for this column: the upper end of its bounds, or else the lower.
+/// An example pair for this column: the upper limit of its domain, otherwise the lower.
 fn example(column: &Column) -> String {
     let value = match column.allowed().intervals().last() {
         Some(&(low, i64::MAX)) if low > i64::MIN => column.show_rank(low),

@@ -1,4 +1,4 @@
-//! Cases that were run, for programs.
+//! Results of cases in JSON.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -46,7 +46,7 @@ struct FailureJson<'a> {
     path: &'a str,
     /// As written in the file.
     expected: &'a str,
-    /// The value that came; null where it is none.
+    /// The actual value; null where there is none.
     came: Option<&'a Value>,
     message: String,
     why: Vec<String>,

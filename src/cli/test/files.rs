@@ -14,22 +14,22 @@ use super::super::input::{self, FileRoots};
 use super::super::problems::unreadable;
 use super::super::{CliError, Context, kind};
 
-/// What a file of cases in a folder is called.
+/// The end of a case file's name in a folder.
 const ENDING: &str = ".test.yaml";
 
 /// A file of cases.
 pub struct SourceFile {
     pub path: PathBuf,
-    /// As the user knows it.
+    /// Its name for the user.
     pub shown: String,
     pub text: String,
-    /// The folder of the command line in which it was found.
+    /// The folder from the command line in which it was found.
     pub folder: Option<PathBuf>,
-    /// Why it is no text.
+    /// Why it is not text.
     pub problem: Option<Diagnostic>,
 }
 
-/// Every file of cases, each once: those that are named, and those of folders in the order of their names.
+/// All files of cases, each once: those that are given, and those in folders in the order of their names.
 ///
 /// # Errors
 /// A path cannot be read, or a folder has no cases.
@@ -67,7 +67,7 @@ pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<SourceFile>, 
     files.into_iter().map(read).collect()
 }
 
-/// Hidden files are left out, and links to folders, which could go round.
+/// Hidden files are skipped, and links to folders, which could form a cycle.
 fn walk(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     let mut entries = std::fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
     entries.sort_by_key(std::fs::DirEntry::file_name);
@@ -85,10 +85,10 @@ fn walk(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     Ok(())
 }
 
-/// Makes sure that `-o` overwrites no file of cases, and that a copy is of one file.
+/// Checks that `-o` overwrites no file of cases, and that a copy is of one file.
 ///
 /// # Errors
-/// It would, or there are several.
+/// It would overwrite one, or there are several.
 pub fn spare_inputs(found: &[SourceFile], write: bool, context: &Context) -> Result<(), CliError> {
     found.iter().for_each(|file| context.uses(&file.path));
     context.spare_inputs()?;
@@ -116,7 +116,7 @@ pub fn read(found: &SourceFile, anywhere: bool, knowledge: &Knowledge, context: 
     read
 }
 
-/// What reading cases needs.
+/// The context for reading cases.
 pub fn around<'a>(knowledge: &'a Knowledge, codes: &'a [String], files: Files<'a>) -> Around<'a> {
     Around { knowledge, codes, files }
 }

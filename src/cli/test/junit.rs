@@ -1,5 +1,5 @@
-//! Cases that were run as JUnit XML, which continuous integration reads. There are no times in it: the same cases give the
-//! same file.
+//! Results of cases as JUnit XML for continuous integration. It contains no times, so the same cases give the same
+//! file.
 
 use technolog::document::cleaned_lines;
 

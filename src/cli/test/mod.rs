@@ -1,4 +1,4 @@
-//! `technolog test`: files of cases, run and compared with what they expect.
+//! `technolog test`: runs files of cases and compares the answers with their expectations.
 
 mod answer;
 mod files;
@@ -21,7 +21,7 @@ use super::problems::untitled;
 use super::progress::Progress;
 use super::{CliError, Context, Format, Outcome, knowledge, output, turn};
 
-// Run cases: questions to tables, parts, programs, audits, with what is expected of the answers (docs/cases.md)
+// Run cases: questions to tables, parts, programs, audits, with the expected answers (docs/cases.md)
 #[derive(Debug, clap::Args)]
 pub struct Args {
     #[arg(value_name = "FILE|DIR", required = true)]
@@ -37,7 +37,7 @@ pub struct CaseFileRun {
     /// Its name, as the user knows it.
     file: String,
     cases: Vec<Ran>,
-    /// What is wrong with the file itself, and with the files it names.
+    /// Mistakes of the file itself, and of the files it names.
     mistakes: Vec<Diagnostic>,
     texts: Texts,
 }
@@ -73,11 +73,12 @@ impl CaseFileRun {
 /// Runs every case of the files.
 ///
 /// # Errors
-/// A file of cases, or one that it names, cannot be used, which the answer has said; or there are no cases at all.
+/// A file of cases, or one that it names, cannot be used, which the answer has reported; or there are no cases at
+/// all.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let found = collect(&args.paths, context)?;
     files::spare_inputs(&found, args.write, context)?;
-    // What `--write -o FILE` names is a copy of the cases, not the answer.
+    // The file of `--write -o FILE` is a copy of the cases, not the answer.
     let formats = [Format::Text, Format::Json, Format::Junit, Format::Markdown, Format::Html];
     let format = match context.format {
         None if args.write => Format::Text,
@@ -118,7 +119,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     Ok(if runs.iter().all(|run| run.failed() == 0) { Outcome::Done } else { Outcome::Findings })
 }
 
-/// Writes what a file does not expect yet; the numbers of the cases it was written for.
+/// Fills the open expectations of a file; returns the numbers of the filled cases.
 fn write(
     found: &SourceFile,
     read: &mut CaseFile,

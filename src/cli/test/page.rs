@@ -1,4 +1,4 @@
-//! Cases that were run, for people.
+//! Results of cases for people.
 
 use technolog::cases::{Came, Failure, Why, brief};
 use technolog::document::{Column, Document, FindingBlock, Inlines, Severity, Table};
@@ -13,7 +13,7 @@ const LONG: usize = 400;
 /// The most reasons that are shown; JSON has all.
 const REASONS: usize = 4;
 
-/// A line for each file, what of its cases is not as expected, and the sum.
+/// A line for each file, the differences of its cases, and the sum.
 pub fn page(runs: &[CaseFileRun], lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), lang.word("test-title"));
     let mut files = Table::new([Column::text(""), Column::text(""), Column::number("", "")]);
@@ -56,7 +56,7 @@ fn sum(runs: &[CaseFileRun], lang: Lang) -> String {
     let (files, cases) =
         (say!(lang, "test-files-counted", count = runs.len()), say!(lang, "test-cases-counted", count = cases));
     let mut said = match failed {
-        // Of a file that was not read nothing is as expected.
+        // In a file that was not read, no case passed.
         0 if unusable > 0 => say!(lang, "test-none-failed", files = files, cases = cases),
         0 => say!(lang, "test-all-as-expected", files = files, cases = cases),
         _ => say!(lang, "test-some-failed", files = files, cases = cases, failed = failed),
@@ -67,14 +67,14 @@ fn sum(runs: &[CaseFileRun], lang: Lang) -> String {
     said
 }
 
-/// Where the expectation comes from.
+/// The origin of the expectation.
 pub fn origin(ran: &Ran, lang: Lang) -> impl Iterator<Item = String> {
     let source = ran.case.source.as_ref().map(|text| say!(lang, "test-source", text = text));
     let because = ran.case.because.as_ref().map(|text| say!(lang, "test-because", text = text));
     source.into_iter().chain(because)
 }
 
-/// A failure: where it stands, what of the answer it is about, and the two values with the reasons.
+/// A failure: its place, its path in the answer, and the two values with the reasons.
 pub fn told(failure: &Failure, lang: Lang) -> Vec<String> {
     let place = &failure.place;
     let mut lines = vec![format!("{}:{} {}", place.line, place.column, failure.path)];
@@ -90,7 +90,7 @@ pub fn short(failure: &Failure, lang: Lang) -> String {
     say!(lang, "test-short", path = &failure.path, expected = expected, came = came)
 }
 
-/// What was expected.
+/// The expected value.
 pub fn expected(failure: &Failure, lang: Lang) -> String {
     match (&failure.came, failure.expected.as_str()) {
         (Came::Open(_), _) => say!(lang, "test-nothing-yet").to_owned(),
@@ -99,14 +99,14 @@ pub fn expected(failure: &Failure, lang: Lang) -> String {
     }
 }
 
-/// What came.
+/// The actual value.
 pub fn came(failure: &Failure, lang: Lang) -> String {
     match &failure.came {
         Came::Value(value) | Came::Open(Some(value)) => brief(value),
         Came::Nothing | Came::Open(None) => say!(lang, "test-nothing").to_owned(),
         Came::Without(list) => say!(lang, "test-without", list = brief(list)),
         Came::Unwanted(value) => match serde_json::from_value::<Note>(value.clone()) {
-            // A finding of an audit says its figures itself.
+            // A finding of an audit contains its figures itself.
             Ok(note) if value.get("field").is_none() => format!("{}: {}", brief(value), lang.say(&note)),
             _ => brief(value),
         },

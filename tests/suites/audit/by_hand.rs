@@ -1,5 +1,5 @@
-//! A plan of ours written down as people write one: what we plan by the formulas is right by the audit of plans by
-//! hand, too. So the formulas, reaches and lengths that are compared with such plans are those of planning.
+//! A plan of the program rewritten as a hand-written one: what the planner computes by formula must also pass the
+//! audit of hand-written plans. So the formulas, reaches and lengths used in that audit are those of planning.
 
 use technolog::audit::{by_hand, read_plan};
 use technolog::note::Severity;
@@ -8,7 +8,7 @@ use technolog::plan::CuttingMethod;
 use technolog_laws::every;
 use technolog_testing::{AUDITOR, KNOWLEDGE, planned, read};
 
-/// What the audit has against the plan of a part, notes left aside.
+/// The findings of the audit about the plan of a part, without notes.
 fn found(part_file: &str) -> Vec<String> {
     let part: Part = read(part_file);
     let plan = planned(&part, CuttingMethod::Formula);

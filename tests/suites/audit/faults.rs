@@ -1,4 +1,5 @@
-//! `technolog audit`: plans written by hand, one fault each; our own plans, which have none; Appendix Г, which has many.
+//! `technolog audit`: hand-written plans with one fault each; plans of the program, which have none; Appendix Г,
+//! which has many.
 
 use std::collections::BTreeSet;
 use std::path::Path;

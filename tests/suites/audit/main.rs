@@ -1,4 +1,4 @@
-//! Plans that others made, compared with the tables.
+//! Audits: plans of other authors compared with the tables.
 
 #![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(

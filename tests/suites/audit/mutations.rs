@@ -1,6 +1,8 @@
-//! What the audit finds in a plan of ours with one thing changed: a report of the share found by kind of change.
+//! The findings of the audit in a plan of the program with one change: a report of the share found, by kind of
+//! change.
 //!
-//! A plan made by `technolog plan` audits clean (tests/suites/audit/faults.rs), so whatever is said of a changed one is said of the change.
+//! A plan of `technolog plan` has no audit findings (tests/suites/audit/faults.rs), so all findings of a changed plan
+//! come from the change.
 
 use std::collections::BTreeMap;
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! The program of a plan: what it does otherwise than the plan says, and that one fault is one slip.
+//! The program of a plan: its differences from the plan, and that one fault is one slip.
 
 use std::path::Path;
 

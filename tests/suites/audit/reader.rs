@@ -1,4 +1,4 @@
-//! The reader of plans by hand: figures that cannot be, letters that look like others, and what makes writing easier.
+//! The reader of hand-written plans: impossible figures, letters that look alike, and short forms of writing.
 
 use std::path::Path;
 

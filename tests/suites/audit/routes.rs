@@ -1,5 +1,5 @@
-//! Routes, designations, cutters, holders, depths and allowances of plans by hand: tests/audit/routes.yaml changes them, and
-//! says what must be told.
+//! Routes, designations, cutters, holders, depths and allowances of hand-written plans: tests/audit/routes.yaml
+//! changes them and lists the expected findings.
 
 use std::collections::BTreeSet;
 use std::path::Path;

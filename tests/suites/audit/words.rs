@@ -1,4 +1,4 @@
-//! What people read of an audit is in their language: no path of a plan file, no id of a value, no English in Ukrainian.
+//! An audit for people is in their language: without paths of a plan file, ids of values, or English in Ukrainian.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

@@ -1,9 +1,10 @@
-//! `docs/adding.md` is carried out as it stands: each recipe in a copy of `catalogs/` and `rules/` of its own, block by
-//! block. Every answer on the page must come from the program, nothing new may collide with what ships, no file may change
-//! but those that the recipe lists, at the end `lint` must be clean, and what was added must show where the page says so.
+//! Carries out `docs/adding.md` as written: each recipe in its own copy of `catalogs/` and `rules/`, block by block.
+//! Every answer on the page must come from the program; nothing new may collide with the shipped tables; no file may
+//! change except those that the recipe lists; at the end `lint` must be clean, and the addition must show where the
+//! page says so.
 //!
-//! How a block says what to do with it stands at the head of the page. What is code is not carried out: the files and
-//! names that the page lists must be there, and its blocks of Rust stand in files of this room too, which compile and run.
+//! The head of the page explains what a block is for. Code is not carried out: the files and names on the page must
+//! exist, and its blocks of Rust are also in files of this folder, which compile and run.
 
 mod bench;
 mod gauge;

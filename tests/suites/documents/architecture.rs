@@ -1,4 +1,5 @@
-//! The table of crates in docs/architecture.md says which crate knows which. These tests hold it against the manifests.
+//! The table of crates in docs/architecture.md says which crate depends on which. These tests compare it with the
+//! manifests.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

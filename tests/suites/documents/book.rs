@@ -1,7 +1,7 @@
-//! docs/ as a book: its pages show what the program prints today, their examples are read, their links lead somewhere, and
-//! the pages in Ukrainian say what their English twins say.
+//! docs/ as a book: its pages show what the program prints today, their examples can be read, their links work, and
+//! the pages in Ukrainian agree with the English ones.
 //!
-//! `UPDATE_DOCS=1 cargo test --test documents book::` writes again what the pages show. Read what changed.
+//! `UPDATE_DOCS=1 cargo test --test documents book::` rewrites what the pages show. Read the changes.
 
 mod examples;
 mod links;

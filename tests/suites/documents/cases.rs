@@ -1,5 +1,5 @@
-//! Files of cases (docs/cases.md): every one of this repository passes, and none could pass by mistake: a figure that is
-//! changed fails where it stands. The command around them: what it writes, refuses and gives out.
+//! Files of cases (docs/cases.md): every one in this repository passes, and none passes by mistake: a changed figure
+//! fails at its place. Also the command: what it writes, refuses and prints.
 
 use std::collections::BTreeSet;
 use std::fs;

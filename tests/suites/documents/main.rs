@@ -1,4 +1,4 @@
-//! What docs/ and README say, compared with the program.
+//! Documents: docs/ and README compared with the program.
 
 #![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(

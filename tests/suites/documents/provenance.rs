@@ -1,13 +1,12 @@
-//! `docs/provenance.md` says of every table how many rows it has and where they come from. These tests
-//! hold the page against the shipped tables.
+//! `docs/provenance.md` gives for every table the number of rows and their origin. These tests compare the page with
+//! the shipped tables.
 //!
-//! A line of counts stands in back quotes:
-//! `A.11 · rows 135 · seed 130 · standard 5 · reconstructed 0 · unconfirmed 0 · corrected 0`.
-//! A line that begins with a folder (`catalogs/tools/`), with `catalogs/*` (the files of that folder
-//! alone) or with `all` sums up, and names its number of tables first. The section of a table reaches
-//! from its line of counts to the next one, and names every figure that the source prints wrongly.
+//! A line of counts is in back quotes: `A.11 · rows 135 · seed 130 · standard 5 · reconstructed 0 · unconfirmed 0 ·
+//! corrected 0`. A line that begins with a folder (`catalogs/tools/`), with `catalogs/*` (only the files of that
+//! folder) or with `all` is a sum, and gives its number of tables first. The section of a table extends from its line
+//! of counts to the next one, and names every figure that the source prints wrongly.
 //!
-//! `PROVENANCE=write cargo test --test documents provenance::` puts the right counts into the page.
+//! `PROVENANCE=write cargo test --test documents provenance::` writes the right counts into the page.
 
 use std::collections::BTreeMap;
 use std::fs;

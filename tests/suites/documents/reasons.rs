@@ -1,8 +1,7 @@
-//! Nothing is decided by a sentence: what planning, checks and audits go by are types, of which a note is made last.
+//! Nothing is decided by a sentence: planning, checks and audits use types, and notes are made of them at the end.
 //!
-//! Code and figures of a note are private, and clippy forbids the methods that read them (`clippy.toml`) everywhere but
-//! where words are made of them. Clippy keeps silent about a path that leads nowhere; here it is compared with the
-//! type.
+//! Code and figures of a note are private, and clippy forbids the methods that read them (`clippy.toml`) except where
+//! words are made of them. Clippy ignores a wrong path, so the paths are checked here.
 
 use std::any::type_name;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-//! The table of docs/turning-lecture.md numbers what lecture 12 states, and says what keeps each statement and which test
-//! cites its number. These tests hold the table against the tests and the rooms that it names.
+//! The table of docs/turning-lecture.md numbers the statements of lecture 12, with the code that keeps each and the
+//! test that cites its number. These tests compare the table with the tests and code that it names.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -1,4 +1,4 @@
-//! docs/testing.md: the suites that it names are there, and every law is run as it says.
+//! docs/testing.md: the suites that it names exist, and every law is run as it says.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Words stand in the message catalogue alone: no sentence in the program, and no name of a message that is not there.
+//! All words are in the message catalogue: no sentence in the program, and no name of a missing message.
 
 use std::collections::BTreeSet;
 use std::fs;

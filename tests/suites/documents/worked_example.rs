@@ -1,8 +1,8 @@
 //! The plate of the textbook's Appendix Г, through the whole command.
 //!
-//! What is expected here comes from Appendix Г, from the issue and from facts 1, 2.1, 3 and 6, not from
-//! what the program printed. The figures that follow from others are recomputed from the plan's JSON.
-//! What docs/worked-example.md shows of the program is held by `book::`; the rows that it cites, at the end of this file.
+//! The expected values come from Appendix Г, from the issue and from facts 1, 2.1, 3 and 6, not from output of the
+//! program. Figures that follow from others are recomputed from the plan's JSON. `book::` checks what
+//! docs/worked-example.md shows of the program; the end of this file checks the rows that it cites.
 
 use std::collections::BTreeSet;
 use std::f64::consts::PI;

@@ -1,8 +1,8 @@
-//! Every part of `tests/bad` is refused as the file beside it says.
+//! Every part of `tests/bad` is refused as its `.expected` file says.
 //!
-//! `<fault>.expected` begins with the exit code, `exit 2`, and then names every mistake on a line of its
-//! own: `line:column code`, and behind it, where it matters, some words that the message or the remedy
-//! must hold. A fault is added by adding two files.
+//! `<fault>.expected` begins with the exit code, `exit 2`, and then names every mistake on a line of its own:
+//! `line:column code`, followed where it matters by words that the message or the remedy must contain. To add a
+//! fault, add two files.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,17 +1,17 @@
 //! Every filled cell of the scheme tables A.8, A.9 and A.10 and every row of A.4, compared with the planner.
 //!
-//! The cells are those of the second readings in tests/readings, which were taken from the text and not from
-//! the catalogs. For each cell holes inside it are planned; the scheme of the cell must be among the routes,
-//! and, where it was carried out, its operations must be those of A.7 (A.5 for A.4) with the substitutions
-//! that section 1.2 allows:
+//! The cells are those of the second readings in tests/readings, which were taken from the text and not from the
+//! catalogs. For each cell holes inside it are planned; the scheme of the cell must be among the routes and, if it
+//! was carried out, its operations must be those of A.7 (A.5 for A.4) with the substitutions that section 1.2
+//! permits:
 //!
 //! - a hole is centred first where section 1.2.1 requires it (the centred twin of a scheme, or `NN + centre`);
 //! - above Ø30 the first boring is milling on a contouring control; a hole is drilled in two passes there,
 //!   and from Ø15 where that is better;
 //! - where no boring bar enters, semi-finish boring is core drilling and rough boring cannot be carried out;
 //! - rough boring of 2-3 mm a pass takes as many passes as the stock requires;
-//! - counterbores, countersinks and chamfers belong to the openings of the hole and stand where its order
-//!   of transitions puts them.
+//! - counterbores, countersinks and chamfers belong to the openings of the hole and have their place in its order of
+//!   transitions.
 
 use std::collections::{BTreeMap, BTreeSet};
 

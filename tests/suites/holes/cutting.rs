@@ -1,5 +1,5 @@
-//! Cutting conditions of single transitions against hand computations: the figures of the tables stand
-//! written out here, with the powers they are raised to, and the results beside them.
+//! Cutting conditions of single transitions compared with hand computations: the figures of the tables are written
+//! out here, with their exponents and the results.
 //!
 //! All in steel 45 of 600 MPa and HB 229 (table `materials`), so that by facts 1.5 the material moves the
 //! speed of HSS tools by (750/600)^0.9 = 1.2224, drilling torque and thrust by (600/750)^0.75 = 0.8459.

@@ -1,4 +1,4 @@
-//! Patterns of holes. Every kind of hole of the textbook's section 1.1 stands in tests/holes, which `cases.rs` runs.
+//! Patterns of holes. All kinds of holes of the textbook's section 1.1 are in tests/holes, which `cases.rs` runs.
 
 #[test]
 fn a_pattern_of_holes_is_planned_as_the_list_of_its_points() {

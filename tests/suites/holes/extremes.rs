@@ -1,4 +1,4 @@
-//! No figure that the reader of parts admits lies outside a table that planning asks with it.
+//! No figure that the reader of parts accepts is outside a table that planning queries with it.
 
 use std::collections::BTreeMap;
 use std::panic::catch_unwind;

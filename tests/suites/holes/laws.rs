@@ -1,8 +1,8 @@
-//! Laws that hold for every part, tried on random ones.
+//! Laws for every part, tried on random ones.
 //!
-//! - A part file is read or refused with places inside it; nothing makes the reader panic.
-//! - A part that can be read can be planned: every hole has a route whose steps follow from one another,
-//!   with tools of the catalogs and loads the machine bears, or an error that says why not.
+//! - A part file is read, or refused with places inside it; nothing makes the reader panic.
+//! - A part that can be read can be planned: every hole has a route with consistent steps, tools of the catalogs and
+//!   loads within the machine's limits, or an error that gives the reason.
 //! - A plan survives JSON and YAML.
 
 use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! Every mistake of a user's file is told in both languages.
+//! Every mistake in a user's file is reported in both languages.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! `technolog order`, through the whole command, and what holds of the order in every plan.
+//! `technolog order`, through the whole command, and laws of the order in every plan.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

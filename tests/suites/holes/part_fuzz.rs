@@ -1,7 +1,7 @@
 //! Laws of reading a part file with every key of a hole, tried on random ones.
 //!
-//! - A valid file is read, and its holes keep the order and the sizes that the format promises.
-//! - A spoilt file is read or refused with places inside it; nothing makes the reader panic.
+//! - A valid file is read, and its holes have the order and the sizes that the format promises.
+//! - A spoilt file is read, or refused with places inside it; nothing makes the reader panic.
 
 use proptest::prelude::*;
 use technolog::part::{Face, Part, read_part};

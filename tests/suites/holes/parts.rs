@@ -1,4 +1,4 @@
-//! Whole plans of parts, as their reader sees them: every file of tests/parts has its snapshot.
+//! Whole plans of parts, as a reader sees them: every file of tests/parts has its snapshot.
 
 use std::path::Path;
 use std::process::Command;

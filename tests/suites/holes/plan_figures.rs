@@ -1,4 +1,4 @@
-//! Figures of whole plans against hand computations, and what a plan says of the rows behind them.
+//! Figures of whole plans compared with hand computations, and the remarks of a plan on the rows behind them.
 
 use technolog::cutting::{self, Cut, Surface};
 use technolog::machine::Machine;

@@ -1,4 +1,4 @@
-//! Examples of files on the pages are read by the program: whole files, and pieces of them put where they belong.
+//! Examples of files on the pages are read by the program: whole files, and parts of files put into place.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! Links lead somewhere, and docs/SUMMARY.md, the contents of the book, has every page once.
+//! All links work, and docs/SUMMARY.md, the contents of the book, has every page once.
 
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};

@@ -1,4 +1,4 @@
-//! A shell in a folder of its own, where the commands of a page are run as a reader runs them.
+//! A shell in a separate folder, where the commands of a page are run as a reader would run them.
 
 use std::fs;
 use std::os::unix::fs::symlink;

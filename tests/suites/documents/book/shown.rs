@@ -1,9 +1,9 @@
-//! What pages show is what the program prints.
+//! Pages show what the program prints.
 //!
-//! - A `console` block has commands behind `$ ` and under each what it prints, errors included.
-//! - A block whose fence has the name of a file behind the language is written to that file first.
+//! - A `console` block has commands after `$ `, and under each its output, errors included.
+//! - A block with a file name after the language is written to that file first.
 //! - The lines of a `sh` block that begin with `technolog` are run, and none may be refused.
-//! - What a command writes into docs/shown/ stands in the repository as it is written.
+//! - A file that a command writes into docs/shown/ is in the repository with the same content.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,5 +1,5 @@
-//! The pages that a user needs stand in Ukrainian too, and say the same: the headings, the commands, the examples, the
-//! tables, the links and the names of things are those of the English page.
+//! The pages that a user needs exist in Ukrainian too, with the same content: headings, commands, examples, tables,
+//! links and names of things are those of the English page.
 
 use std::collections::BTreeSet;
 
