@@ -12,8 +12,8 @@ use crate::units::{At, Mm};
 /// Thinner overlaps are ignored, mm: ten times the error of a chord.
 pub const TOLERANCE: f64 = 0.005;
 
-/// So many swept pieces are collected before they are subtracted from the stock together, which is faster than one by
-/// one.
+/// The number of swept pieces that are collected before they are subtracted from the stock together, which is faster
+/// than one by one.
 const BATCH: usize = 128;
 
 /// The result after all motions.
@@ -25,11 +25,11 @@ pub struct Carried<'s> {
     pub stock: Stock,
     /// Cut, but not yet subtracted from the stock.
     waiting: Waiting,
-    /// Where passes of the tool at work have cut a thread: not off the stock, whose crests stay.
+    /// Cuts of thread passes by the current tool: not subtracted from the stock, whose crests stay.
     threaded: Vec<Convex>,
-    /// Which motions met metal, and where.
+    /// The motions that met metal, and where.
     cuts: Vec<(Window, usize)>,
-    /// The deepest pass through the middle of each thread, mm: its radius.
+    /// The radius of the deepest pass through the middle of each thread, mm.
     passes: Vec<Option<f64>>,
     pub faults: Faults,
 }
@@ -62,7 +62,7 @@ impl<'s> Carried<'s> {
         carried
     }
 
-    /// The largest nose radius that cut within reach of a piece of metal, mm; 0 where none did.
+    /// The largest nose radius that cut near a piece of metal, mm; 0 if none did.
     pub fn nose_at(&self, spots: &[Vector]) -> f64 {
         // A cut edge lies on the grid, and its chords coincide with those of the sweep.
         const TOUCH: f64 = 0.002;
@@ -129,7 +129,7 @@ impl<'s> Carried<'s> {
         }
     }
 
-    /// Where pieces meet uncut metal: the width and the place. `cut` is what the motion itself cuts.
+    /// Where pieces meet uncut metal: the width and the place. `cut` is the cut of the motion itself.
     fn overlap(&self, pieces: &[Convex], cut: &[Convex]) -> Option<(Mm, At)> {
         let window = around(pieces, self.stock.0.window());
         let metal = self.stock.0.within(window);
@@ -167,7 +167,7 @@ impl<'s> Carried<'s> {
         }
     }
 
-    /// A drill cuts on the axis and along it.
+    /// Checks that a drill cuts on the axis and along it.
     fn hold_axis(&mut self, motion: &Motion, cuts: &[Convex]) {
         let (from, to) = (motion.path.from(), motion.path.to());
         let on_axis = from.radius.0.abs() <= TOLERANCE && to.radius.0.abs() <= TOLERANCE;
@@ -178,7 +178,7 @@ impl<'s> Carried<'s> {
         }
     }
 
-    /// How deep a motion cuts into the finished part.
+    /// Checks how deep a motion cuts into the finished part.
     fn hold_profile(&mut self, motion: &Motion, cuts: &[Convex], thread: bool) {
         let keep = if thread { &self.target.keep_thread } else { &self.target.keep };
         let local = keep.within(around(cuts, keep.window()));
@@ -244,12 +244,13 @@ impl Waiting {
     }
 }
 
-/// The window of those pieces that meet another one.
+/// The window of the pieces that meet another one.
 fn around(pieces: &[Convex], of: Window) -> Window {
     pieces.iter().map(Convex::window).filter(|window| window.meets(of)).fold(Window::NONE, Window::with)
 }
 
-/// Of an overlap: the least width of its widest piece, and its middle. An overlap that is thin everywhere is a contact.
+/// For an overlap: the least width of its widest piece, and its middle. An overlap that is thin everywhere is only a
+/// contact.
 fn thickest(shared: &Region) -> Option<(Mm, At)> {
     let sized = shared.outer_pieces().filter_map(|piece| {
         let thickness = 2.0 * piece.area() / piece.around();
@@ -261,7 +262,7 @@ fn thickest(shared: &Region) -> Option<(Mm, At)> {
     sized.max_by(|a, b| a.0.0.total_cmp(&b.0.0))
 }
 
-/// Spots on the edge of a region, every 0.5 mm or at most so many on each side of it; corners are among them.
+/// Points on the edge of a region, every 0.5 mm or at most `most` on each side of it; corners are among them.
 pub fn samples(region: &Region, most: usize) -> Vec<Vector> {
     let edge = |(from, to): (Vector, Vector)| {
         let path = to.minus(from);

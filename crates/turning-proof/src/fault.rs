@@ -11,106 +11,106 @@ pub enum Fault {
     Gouge {
         /// The surface; none if its piece has no name.
         surface: Option<Figure>,
-        /// How far below the surface with its allowance, along its normal, at the deepest.
+        /// The greatest depth below the surface with its allowance, along its normal.
         depth: Mm,
-        /// Where it is deepest.
+        /// The deepest place.
         at: At,
-        /// In which block.
+        /// Its block.
         block: Block,
-        /// At how many places, motion by motion.
+        /// The number of places, motion by motion.
         count: usize,
     },
     /// A cutter moves through metal at rapid.
     RapidCut {
         /// The tool's designation.
         tool: String,
-        /// The width of what it hits, where that is narrowest.
+        /// The width of the metal it hits, where it is narrowest.
         width: Mm,
         /// The middle of it.
         at: At,
-        /// In which block.
+        /// Its block.
         block: Block,
-        /// In how many motions.
+        /// The number of motions.
         count: usize,
     },
     /// A shank, a bar or the non-cutting part of a drill moves through metal.
     Holder {
         /// The tool's designation.
         tool: String,
-        /// The width of what it hits, where that is narrowest.
+        /// The width of the metal it hits, where it is narrowest.
         width: Mm,
         /// The middle of it.
         at: At,
-        /// How the tool moves in the worst of the motions.
+        /// The kind of the worst motion.
         kind: MotionKind,
-        /// In which block.
+        /// Its block.
         block: Block,
-        /// In how many motions.
+        /// The number of motions.
         count: usize,
     },
     /// A tool collides with a jaw, a centre or a steady rest.
     Struck {
         /// The tool's designation.
         tool: String,
-        /// What it hits.
+        /// The body it hits.
         body: Figure,
-        /// How wide it is in it, where that is narrowest.
+        /// The width of the overlap, where it is narrowest.
         width: Mm,
         /// The middle of it.
         at: At,
-        /// In which block.
+        /// Its block.
         block: Block,
-        /// In how many motions.
+        /// The number of motions.
         count: usize,
     },
     /// A drill cuts off the axis or sideways.
     OffAxis {
         /// The tool's designation.
         tool: String,
-        /// Where it ends.
+        /// The end of the motion.
         at: At,
-        /// In which block.
+        /// Its block.
         block: Block,
-        /// In how many motions.
+        /// The number of motions.
         count: usize,
     },
-    /// Metal is left over a surface.
+    /// Metal remains over a surface.
     Stands {
         /// The surface; none if its piece has no name.
         surface: Option<Figure>,
-        /// How thick over the surface with its allowance, along its normal, at the thickest.
+        /// The greatest thickness over the surface with its allowance, along its normal.
         thickness: Mm,
-        /// Where it is thickest.
+        /// The thickest place.
         at: At,
-        /// The end at the free end of what is left.
+        /// The end of the remaining metal at the free end.
         from_z: Mm,
-        /// The end at the chuck.
+        /// Its end at the chuck.
         to_z: Mm,
     },
-    /// An inner corner keeps the round of the nose that made it.
+    /// An inner corner keeps the rounding of the nose that made it.
     Corner {
-        /// The surface that what is left is nearest to.
+        /// The surface nearest to the remaining metal.
         surface: Option<Figure>,
         /// The radius of the nose.
         radius: Mm,
-        /// How far the round is from the corner's sides, at the most.
+        /// The greatest distance of the rounding from the sides of the corner.
         left: Mm,
-        /// Where.
+        /// Its place.
         at: At,
-        /// At how many corners.
+        /// The number of corners.
         count: usize,
     },
     /// No pass of a thread goes down to its root.
     ThreadShallow {
         /// The thread's surface.
         surface: Option<Figure>,
-        /// How far the deepest pass ends before the root.
+        /// The distance of the deepest pass from the root.
         left: Mm,
     },
 }
 
 impl Fault {
-    /// Its stable name, which its sentence has too.
+    /// Its stable code, the same as that of its note.
     pub const fn code(&self) -> &'static str {
         match self {
             Self::Gouge { .. } => "swept-gouge",
@@ -125,7 +125,7 @@ impl Fault {
         }
     }
 
-    /// The block in which it is worst; none of what is left standing in the end.
+    /// The block of its worst place; none for metal that remains at the end.
     pub const fn block(&self) -> Option<Block> {
         match self {
             Self::Gouge { block, .. }
@@ -245,7 +245,7 @@ impl Fault {
     }
 }
 
-/// Faults, each kind once for each surface, tool or body.
+/// Faults, merged by kind and surface, tool or body.
 #[derive(Clone, Debug, Default)]
 pub struct Faults(Vec<Fault>);
 

@@ -1,4 +1,4 @@
-//! Material left on the finished part: stock, and what noses leave in inner corners.
+//! Metal remaining on the finished part: stock, and the roundings of noses in inner corners.
 
 use std::collections::BTreeMap;
 
@@ -8,26 +8,26 @@ use crate::plane::{Convex, Region, Rule, Vector, Window};
 use crate::target::Nearest;
 use crate::units::{At, Mm};
 
-/// A sample of what is left.
+/// A sample of the remaining metal.
 #[derive(Clone, Copy)]
 struct Left {
     spot: Vector,
     near: Nearest,
-    /// How thick it is, mm: from the contour, or from the round that the nose leaves in a corner.
+    /// Its thickness, mm: from the contour, or from the rounding that the nose leaves in a corner.
     thickness: f64,
 }
 
 impl Left {
-    /// Whether it tells the thickness over a surface, and not over the round of an inner or outer corner.
+    /// Whether it measures the thickness over a surface, and not over the rounding of an inner or outer corner.
     fn is_square(&self) -> bool {
         self.near.square && self.near.distance <= self.thickness + TOLERANCE
     }
 }
 
-/// How many spots of a side are looked at: enough for a shaft of half a metre.
+/// The number of points examined on a side: enough for a shaft of half a metre.
 const MOST: usize = 1000;
 
-/// Compares what the motions left with the part.
+/// Compares the stock after the motions with the part.
 pub fn hold(carried: &mut Carried<'_>) {
     let over = carried.stock.0.made(&carried.target.may_stay, Rule::Without);
     for piece in over.outer_pieces() {
@@ -49,7 +49,7 @@ pub fn hold(carried: &mut Carried<'_>) {
     }
 }
 
-/// The spots that belong to this set-up and are farther from the contour than the tolerance of findings.
+/// The points that belong to this set-up and are farther from the contour than the tolerance of findings.
 fn left(carried: &Carried<'_>, spots: &[Vector]) -> Vec<Left> {
     let target = &carried.target;
     let nearest = target.nearest(spots);
@@ -57,7 +57,7 @@ fn left(carried: &Carried<'_>, spots: &[Vector]) -> Vec<Left> {
     all.filter(|left| left.thickness > TOLERANCE && !target.is_elsewhere(left.spot, left.thickness)).collect()
 }
 
-/// The part and what no circle of a nose could reach beside it: grown by the nose and shrunk by it.
+/// The part and the area that no nose circle could reach beside it: grown by the nose and shrunk by it.
 fn unreached(carried: &Carried<'_>, window: Window, nose: f64) -> Option<Region> {
     let disc = Convex::disc(nose).filter(|_| nose > 0.0)?;
     let metal = carried.target.may_stay.within(window.grown(2.0 * nose + 1.0));
@@ -67,7 +67,7 @@ fn unreached(carried: &Carried<'_>, window: Window, nose: f64) -> Option<Region>
     Some(grown.made(&Region::pieces(&along(&grown)), Rule::Without))
 }
 
-/// How far a spot is from a region, mm; 0 in it.
+/// The distance of a point from a region, mm; 0 inside.
 fn over_region(region: &Region, spot: Vector) -> f64 {
     if region.holds(spot) {
         return 0.0;

@@ -1,24 +1,27 @@
 //! The proof of turned parts: stock is a region of the half-plane through the axis. Each tool, with its edges, nose and
 //! holder, is swept along the motions of a program, and the result is compared with the finished part.
 //!
-//! It takes the motions of a program that was read back, and shares no code with the planner, the writers or their
+//! Its input is the motions of a program that was read back; it shares no code with the planner, the writers or their
 //! geometry.
 //!
-//! - `set_up` is what is proven, `tool` the tools, `stock` the metal, `units` lengths and places;
+//! - `set_up` is the input, `tool` the tools, `stock` the metal, `units` lengths and places;
 //! - `plane` has the geometry: convex pieces, what they sweep, regions on a grid;
-//! - `target` is the finished part with its allowances; `carry` simulates the motions, `left` examines what is left;
-//! - `fault` is everything that can be wrong, as types.
+//! - `target` is the finished part with its allowances; `carry` simulates the motions, `left` examines the remaining
+//!   metal;
+//! - `fault` has all faults, as types.
 //!
-//! What is approximated, and to which side:
+//! Approximations, and their direction:
 //!
-//! - Arcs and noses are chords that lie at most 0.5 µm inside their circles, regions on a grid of 10 nm; findings begin at 5 µm.
-//! - What lies beyond the axis cuts on this side of it, because the part turns.
-//! - A motion's own cut is out of the way of its holder from its beginning.
-//! - Passes of a thread leave the crests: they are compared with its root, and take nothing off the stock.
-//! - An insert is a triangle of its nose and both edges, a holder the hull of a shank or bar and the ends of the edges.
+//! - Arcs and noses are chords at most 0.5 µm inside their circles, regions are on a grid of 10 nm; findings begin at
+//!   5 µm.
+//! - A tool beyond the axis cuts on this side of it, because the part turns.
+//! - The cut of a motion counts as removed for the holder from the beginning of that motion.
+//! - Passes of a thread leave the crests: they are compared with its root, and remove nothing from the stock.
+//! - An insert is a triangle of its nose and both edges, a holder the hull of a shank or bar and the ends of the
+//!   edges.
 //! - A piece that is cut off stays where it was.
 //!
-//! Architecture invariant: the proof does not use the planner, chooses nothing and corrects nothing.
+//! Architecture invariant: the proof does not use the planner, makes no choices and corrects nothing.
 
 mod carry;
 mod fault;
@@ -41,32 +44,32 @@ pub use stock::Stock;
 pub use tool::{Cutter, Hand, Holder, Side, Tool};
 pub use units::{At, Block, CubicMm, Degrees, Mm};
 
-/// Volumes of a set-up, within the stretch along the axis that it makes. Without faults what is removed is what was to
-/// be removed, except for what noses leave in corners.
+/// Volumes of a set-up, within its range along the axis. Without faults the removed volume is the one to be removed,
+/// except for the roundings of noses in corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Volumes {
     /// Of the stock before.
     pub before: CubicMm,
-    /// Of what is left.
+    /// Of the remaining metal.
     pub left: CubicMm,
-    /// What the motions removed.
+    /// Of the metal that the motions removed.
     pub removed: CubicMm,
-    /// What lies over the part with its allowances.
+    /// Of the stock over the part with its allowances.
     pub to_remove: CubicMm,
 }
 
-/// What a program does to the stock.
+/// The result of a program for the stock.
 #[derive(Clone, Debug)]
 pub struct Proof {
-    /// What is wrong.
+    /// The faults.
     pub faults: Vec<Fault>,
-    /// What is left: the stock of the next set-up.
+    /// The remaining metal: the stock of the next set-up.
     pub left: Stock,
     /// The volumes.
     pub volumes: Volumes,
 }
 
-/// Carries the stock of a set-up through its motions.
+/// Simulates the stock of a set-up through its motions.
 ///
 /// # Errors
 /// The set-up cannot be proven: it has no contour, a motion names no tool, a figure is out of range.

@@ -1,4 +1,4 @@
-//! What cannot be proven at all.
+//! Set-ups that cannot be proven.
 
 use crate::note::Note;
 use crate::set_up::SetUp;
@@ -10,14 +10,14 @@ use crate::units::{At, Block, Mm};
 pub enum Refused {
     /// There is no outer contour.
     NoContour,
-    /// A motion names a tool that is not there.
+    /// A motion names a missing tool.
     NoTool {
         /// Its block.
         block: Block,
     },
-    /// A place is no number, or farther away than any part.
+    /// A coordinate is no number, or farther away than any part.
     Place {
-        /// The largest distance that is proven.
+        /// The largest distance permitted.
         limit: Mm,
     },
     /// A tool has a length or an angle that no tool has.
@@ -39,7 +39,7 @@ impl Refused {
     }
 }
 
-/// The farthest place, mm: with tools, what the grid of the regions holds.
+/// The farthest place, mm: with tools, the range of the grid of regions.
 const LIMIT: f64 = 5000.0;
 /// The largest tool, mm.
 const LARGEST: f64 = 500.0;
@@ -69,7 +69,7 @@ pub fn check(set_up: &SetUp) -> Result<(), Refused> {
     }
 }
 
-/// Whether lengths are lengths and the insert's edges meet in a point.
+/// Whether lengths are possible and the edges of the insert meet in a point.
 fn is_possible(tool: &Tool) -> bool {
     let lengths = |lengths: &[Mm]| lengths.iter().all(|length| length.0 > 0.0 && length.0 <= LARGEST);
     let point = |angle: f64| angle > 0.0 && angle < 180.0;

@@ -1,4 +1,4 @@
-//! What is proven: one set-up, in its own coordinates.
+//! The input of the proof: one set-up, in its own coordinates.
 
 use crate::note::Figure;
 use crate::plane::{Vector, chords, turned};
@@ -6,7 +6,7 @@ use crate::stock::Stock;
 use crate::tool::Tool;
 use crate::units::{At, Block, Mm};
 
-/// Which way an arc turns, with Z to the right and the radius up.
+/// The direction of an arc, with Z to the right and the radius up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sense {
     /// To the right.
@@ -25,7 +25,7 @@ pub enum Piece {
         /// Its end.
         to: At,
     },
-    /// Round a centre; a whole circle where both ends are one place.
+    /// Around a centre; a whole circle if both ends are one place.
     Arc {
         /// Its beginning.
         from: At,
@@ -33,7 +33,7 @@ pub enum Piece {
         to: At,
         /// Its centre.
         centre: At,
-        /// Which way it turns.
+        /// Its direction.
         sense: Sense,
     },
 }
@@ -81,7 +81,8 @@ impl Piece {
     }
 }
 
-/// What a thread is cut between. Its passes may go down to the root over its length and a little beyond both ends.
+/// The crests and roots of a thread. Its passes may go down to the root over its length and a little beyond both
+/// ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thread {
     /// The radius of its crests, to which its cylinder is turned before.
@@ -93,11 +94,11 @@ pub struct Thread {
 /// A piece of the finished part's contour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProfilePiece {
-    /// Its form.
+    /// Its shape.
     pub path: Piece,
     /// The surface that it belongs to: a name of the user's, or a word. Findings name it.
     pub surface: Option<Figure>,
-    /// What is to stay over it for another machine, along its normal.
+    /// The allowance over it for another machine, along its normal.
     pub allowance: Mm,
     /// The thread on it, if it is a cylinder with one.
     pub thread: Option<Thread>,
@@ -110,11 +111,11 @@ impl ProfilePiece {
     }
 }
 
-/// The finished part, as far as the set-up goes: between both chains, or between the outer one and the axis.
+/// The finished part within the range of the set-up: between both chains, or between the outer one and the axis.
 ///
-/// Each chain runs from the free end towards the chuck, piece after piece. Where the outer chain begins on the axis it has the face
-/// of the free end. Where a chain ends off the axis and the other chain, the part goes on into the chuck: what stands beyond
-/// is another set-up's.
+/// Each chain runs from the free end towards the chuck, piece after piece. If the outer chain begins on the axis it
+/// includes the face of the free end. If a chain ends off the axis and off the other chain, the part continues into
+/// the chuck: metal beyond belongs to another set-up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Profile {
     /// The outer chain.
@@ -123,16 +124,16 @@ pub struct Profile {
     pub bore: Vec<ProfilePiece>,
 }
 
-/// Something that no tool may touch: jaws, a quill with its centre, a steady rest.
+/// A body that no tool may touch: jaws, a quill with its centre, a steady rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// What it is: a name of the user's, or a word.
+    /// Its name: one of the user's, or a word.
     pub name: Figure,
     /// Its outline, corner after corner.
     pub outline: Vec<At>,
 }
 
-/// How a tool moves.
+/// The kind of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionKind {
     /// At rapid.
@@ -146,22 +147,22 @@ pub enum MotionKind {
 /// A motion of a tool's reference point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
-    /// How it moves.
+    /// Its kind.
     pub kind: MotionKind,
-    /// Its way.
+    /// Its path.
     pub path: Piece,
-    /// Which of [`SetUp::tools`] moves.
+    /// The index of its tool in [`SetUp::tools`].
     pub tool: usize,
     /// Its block in the program.
     pub block: Block,
 }
 
-/// All that is proven together.
+/// The complete input of a proof.
 #[derive(Clone, Debug, Default)]
 pub struct SetUp {
     /// The finished part.
     pub profile: Profile,
-    /// The stock before: the blank, or what the previous set-up left.
+    /// The stock before: the blank, or the remaining metal of the previous set-up.
     pub stock: Stock,
     /// Obstacles: jaws, centres, steady rests.
     pub bodies: Vec<Body>,

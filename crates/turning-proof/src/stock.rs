@@ -4,12 +4,12 @@ use crate::plane::{Convex, Region, Vector};
 use crate::set_up::Piece;
 use crate::units::{At, CubicMm, Mm};
 
-/// The blank, or what motions have left of it.
+/// The blank, or the metal remaining after motions.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stock(pub(crate) Region);
 
 impl Stock {
-    /// Between an outer chain and a bore, or the axis; both chains run from the free end towards the chuck.
+    /// The metal between an outer chain and a bore, or the axis; both chains run from the free end towards the chuck.
     pub fn between(outer: &[Piece], bore: &[Piece]) -> Self {
         Self(between(&spots(outer), &spots(bore)))
     }
@@ -26,14 +26,14 @@ impl Stock {
         CubicMm(self.0.turned_volume())
     }
 
-    /// Clamped by its other end: the part is as long as this, with its free end at Z0 before and after.
+    /// Clamped by its other end: the part has this length, with its free end at Z0 before and after.
     #[must_use]
     pub fn turned_over(&self, length: Mm) -> Self {
         Self(self.0.mirrored(-length.0))
     }
 
-    /// Its outlines, for drawings: those of what it encloses run to the left with Z to the right and the radius up, those of
-    /// cavities to the right.
+    /// Its outlines, for drawings: outer ones counter-clockwise with Z to the right and the radius up, those of
+    /// cavities clockwise.
     pub fn outlines(&self) -> Vec<Vec<At>> {
         self.0.chains().map(|chain| chain.into_iter().map(At::of).collect()).collect()
     }
@@ -53,13 +53,13 @@ fn spots(chain: &[Piece]) -> Vec<Vector> {
     all
 }
 
-/// What lies between two chains that run from the free end towards the chuck; the axis stands for a bore that is not there.
+/// The region between two chains that run from the free end towards the chuck; the axis replaces a missing bore.
 pub(crate) fn between(outer: &[Vector], bore: &[Vector]) -> Region {
     let on_axis = |spot: Option<&Vector>| spot.map(|spot| Vector::new(spot.z, 0.0));
     let mut chain = outer.to_vec();
     match (bore.first(), bore.last()) {
         (Some(_), Some(end)) => {
-            // A blind bore ends on the axis, along which the metal goes on.
+            // A blind bore ends on the axis, along which the metal continues.
             if end.r <= 0.0 {
                 chain.extend(on_axis(outer.last()));
             }

@@ -1,12 +1,13 @@
-//! The finished part for comparison with the stock: what must stay, what may stay, and the nearest edge.
+//! The finished part for comparison with the stock: the metal that must stay, the metal that may stay, and the
+//! nearest edge.
 
 use crate::note::Figure;
 use crate::plane::{Convex, Region, Rule, Vector, Window};
 use crate::set_up::{Profile, ProfilePiece, Thread};
 use crate::stock::between;
 
-/// How far beyond both ends of a thread its passes may go down to the root, in depths of the thread: half a profile, and a
-/// chamfer that is as deep as the thread.
+/// How far beyond both ends of a thread its passes may go down to the root, in depths of the thread: half a profile,
+/// and a chamfer as deep as the thread.
 const RUN: f64 = 2.0;
 /// Longer than any part, mm.
 const BEYOND: f64 = 10_000.0;
@@ -19,18 +20,18 @@ struct OutlineEdge {
     piece: usize,
 }
 
-/// Where the contour is nearest to a spot.
+/// The nearest part of the contour to a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest {
-    /// Which piece of it.
+    /// The index of its piece.
     pub piece: usize,
-    /// How far, mm.
+    /// The distance, mm.
     pub distance: f64,
-    /// Whether it is along the normal, not round an outer corner.
+    /// Whether it is measured along the normal, not around an outer corner.
     pub square: bool,
 }
 
-/// A thread and where it lies.
+/// A thread and its place.
 #[derive(Clone, Debug)]
 pub struct Threaded {
     pub surface: Option<Figure>,
@@ -41,27 +42,27 @@ pub struct Threaded {
     drawn: f64,
 }
 
-/// The finished part with what is to stay on it.
+/// The finished part with its allowances.
 #[derive(Clone, Debug)]
 pub struct Target {
-    /// What no tool may cut.
+    /// The metal that no tool may cut.
     pub keep: Region,
-    /// What no pass of a thread may cut.
+    /// The metal that no pass of a thread may cut.
     pub keep_thread: Region,
-    /// What may be left: the allowances meet at corners.
+    /// The metal that may remain: the allowances meet at corners.
     pub may_stay: Region,
     /// Its threads.
     pub threads: Vec<Threaded>,
     edges: Vec<OutlineEdge>,
     surfaces: Vec<Option<Figure>>,
-    /// Lines behind which the metal is another set-up's.
+    /// Lines behind which the metal belongs to another set-up.
     open: Vec<[Vector; 2]>,
 }
 
-/// The chords of a piece with their normals, and how far they are moved.
+/// The chords of a piece with their normals and offsets.
 struct Chain {
     spots: Vec<Vector>,
-    /// +1 where the metal lies to the left of the chain.
+    /// +1 if the metal is to the left of the chain.
     outwards: f64,
     moved: f64,
 }
@@ -80,7 +81,7 @@ impl Chain {
         self.spots.windows(2).map(move |pair| (pair[0], pair[1], by(pair[0], pair[1])))
     }
 
-    /// What lies between the chords and where they are moved to, with the gaps between chords of an arc.
+    /// The bands between the chords and their offsets, with the gaps between chords of an arc.
     fn bands(&self) -> impl Iterator<Item = Convex> {
         let next = self.pairs().skip(1).map(Some).chain([None]);
         let bands = self.pairs().zip(next).flat_map(|((a, b, by), next)| {
@@ -91,8 +92,8 @@ impl Chain {
     }
 }
 
-/// An outside and a bore that end at the same place along the axis: the shorter goes on straight, for what a set-up does not
-/// make is as thick as where it begins.
+/// An outside and a bore that end at the same Z: the shorter one is extended straight, because metal that a set-up
+/// does not make is as thick as at its beginning.
 fn alike_long(mut outer: Vec<Vector>, mut bore: Vec<Vector>) -> (Vec<Vector>, Vec<Vector>) {
     if let (Some(&out), Some(&within)) = (outer.last(), bore.last()) {
         if within.z > out.z {
@@ -149,7 +150,7 @@ impl Target {
         self.surfaces.get(piece).cloned().flatten()
     }
 
-    /// The nearest edge to each of some spots.
+    /// The nearest edge to each of some points.
     pub fn nearest(&self, spots: &[Vector]) -> Vec<Nearest> {
         // An edge is nearly always close by; only if none is, all of them are searched.
         const CLOSE: f64 = 0.1;
@@ -163,12 +164,12 @@ impl Target {
         spots.iter().map(nearest).collect()
     }
 
-    /// Whether what stands at a spot, so far from the contour, belongs to another set-up.
+    /// Whether metal at a point, at that distance from the contour, belongs to another set-up.
     pub fn is_elsewhere(&self, spot: Vector, distance: f64) -> bool {
         self.open.iter().any(|[from, to]| spot.distance(*from, *to) <= distance)
     }
 
-    /// The stretch along the axis that the set-up makes, mm.
+    /// The range along the axis that the set-up makes, mm.
     pub fn stretch(&self) -> Window {
         let whole = Window { least: Vector::new(-BEYOND / 2.0, 0.0), most: Vector::new(BEYOND / 2.0, BEYOND / 2.0) };
         let edges = Window::around(self.edges.iter().flat_map(|edge| [edge.from, edge.to]));
@@ -197,12 +198,12 @@ impl Nearest {
 }
 
 impl Threaded {
-    /// What its passes may take.
+    /// The metal that its passes may remove.
     fn passes(&self) -> Option<Convex> {
         self.between(self.thread.crest.0, self.thread.root.0)
     }
 
-    /// What lies between where it is drawn and its crests, if it is turned lower than drawn.
+    /// The metal between its drawn diameter and its crests, if it is turned lower than drawn.
     fn crests(&self) -> Option<Convex> {
         let outwards = self.thread.crest.0 - self.thread.root.0;
         let sunk = (self.drawn - self.thread.crest.0) * outwards > 0.0;
@@ -226,7 +227,7 @@ fn threads(profile: &Profile) -> Vec<Threaded> {
     threaded.collect()
 }
 
-/// Where the allowances of two pieces meet over an outer corner.
+/// The area where the allowances of two pieces meet over an outer corner.
 fn corner(pair: &[Chain]) -> Option<Convex> {
     let [before, after] = pair else { return None };
     let (a, b, by) = before.pairs().last()?;
@@ -237,12 +238,12 @@ fn corner(pair: &[Chain]) -> Option<Convex> {
     if turn * before.outwards < 1e-6 || most <= 0.0 {
         return None;
     }
-    // A needle has no point of its own there.
+    // A very sharp corner is cut off.
     let far = (then.minus(by).cross(on) / turn).min(4.0 * most);
     Convex::hull([b, b.plus(by), b.plus(then), b.plus(by).plus(along.times(far))])
 }
 
-/// Lines on which the contour is open: those that close it, and straight away from its open ends.
+/// Lines where the contour is open: those that close it, and straight lines away from its open ends.
 fn open(outer: &[Vector], bore: &[Vector]) -> Vec<[Vector; 2]> {
     let mut lines = Vec::new();
     for (end, other) in [(outer.first(), bore.first()), (outer.last(), bore.last())] {

@@ -15,7 +15,7 @@ pub(crate) use outline::Outline;
 
 use crate::units::{Degrees, Mm};
 
-/// Which way an insert cuts.
+/// The cutting direction of an insert.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hand {
     /// Towards the chuck.
@@ -26,7 +26,7 @@ pub enum Hand {
     Neutral,
 }
 
-/// Where a tool works.
+/// The side where a tool works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// Its point looks towards the axis.
@@ -40,55 +40,56 @@ pub enum Side {
 pub enum Cutter {
     /// A turning insert.
     Insert {
-        /// φ, between the main edge and the feed along the axis; beyond 90° the edge leans back.
+        /// φ, between the main edge and the feed along the axis.
         lead_angle: Degrees,
-        /// φ1, between the edge behind the nose and the surface it has made.
+        /// φ1, between the secondary edge and the surface it has made.
         trail_angle: Degrees,
         /// Nose radius; 0 for a sharp point.
         nose_radius: Mm,
-        /// Length of both edges from where they would meet; what lies beyond them is the holder's.
+        /// Length of both edges from their intersection; the holder begins beyond them.
         edge_length: Mm,
-        /// Which way it cuts.
+        /// Its cutting direction.
         hand: Hand,
-        /// Where it works.
+        /// The side where it works.
         side: Side,
     },
-    /// A blade for grooves and parting, across the axis. Its corner at the chuck is its programmed point.
+    /// A blade for grooves and parting, perpendicular to the axis. Its corner towards the chuck is its programmed
+    /// point.
     Blade {
         /// Its width.
         width: Mm,
         /// The radius of its corners.
         corner_radius: Mm,
-        /// How deep it reaches.
+        /// Its usable depth.
         depth: Mm,
-        /// Where it works.
+        /// The side where it works.
         side: Side,
     },
-    /// A blade for grooves in faces, along the axis.
+    /// A blade for grooves in faces, parallel to the axis.
     FaceBlade {
         /// Its width.
         width: Mm,
         /// The radius of its corners.
         corner_radius: Mm,
-        /// How deep it reaches.
+        /// Its usable depth.
         depth: Mm,
     },
     /// A sharp point for threads.
     Thread {
-        /// Its whole angle: 60° of metric threads.
+        /// Its full angle: 60° for metric threads.
         angle: Degrees,
-        /// How far the point stands out of its holder.
+        /// The distance of the point from its holder.
         reach: Mm,
-        /// Where it works.
+        /// The side where it works.
         side: Side,
     },
     /// A drill on the axis.
     Drill {
         /// Its diameter.
         diameter: Mm,
-        /// The whole angle of its point.
+        /// The full angle of its point.
         point_angle: Degrees,
-        /// How deep it cuts.
+        /// Its usable depth.
         flute: Mm,
     },
     /// A centre drill with its 60° cone.
@@ -117,30 +118,31 @@ impl Cutter {
     }
 }
 
-/// What holds a cutter, as it lies in the plane of its edge. Cutter and holder are joined by the hull of both.
+/// The holder of a cutter, in the plane of its edge. Cutter and holder are joined by the hull of both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Holder {
     /// None that could touch anything: drills have their own shank.
     None,
-    /// A square shank across the axis. It begins as far behind the point as the edges reach.
+    /// A square shank perpendicular to the axis. It begins at the ends of the edges.
     Shank {
         /// Its width, along the axis.
         width: Mm,
-        /// From the point to its side towards the chuck, away from the chuck (for left hands: the other way round).
+        /// From the point to its side towards the chuck, away from the chuck (for left-hand tools: the other way
+        /// round).
         set_back: Mm,
     },
-    /// A bar along the axis. It begins as far behind the point as the edges reach.
+    /// A bar parallel to the axis. It begins at the ends of the edges.
     Bar {
         /// Its diameter.
         diameter: Mm,
-        /// How far the point stands out beyond its side.
+        /// The distance of the point beyond its side.
         stands_out: Mm,
     },
 }
 
 impl Holder {
-    /// The shank of an insert's holder. The point lies f from its back, which ISO 5608 makes a quarter more than its width
-    /// (16: 20, 20: 25, 25: 32, 32: 40 mm); that of a neutral one in its middle.
+    /// The shank of an insert's holder. The point is at f from its back, which ISO 5608 makes a quarter more than its
+    /// width (16: 20, 20: 25, 25: 32, 32: 40 mm); for a neutral one in its middle.
     pub fn shank(width: Mm, hand: Hand) -> Self {
         let set_back = match hand {
             Hand::Neutral => -width.0 / 2.0,
@@ -154,8 +156,9 @@ impl Holder {
         Self::Shank { width, set_back: Mm(0.0) }
     }
 
-    /// A boring bar by its diameter and the smallest bore that it enters. Of the room over in that bore four fifths are on the
-    /// side of the point, a fifth is left behind the bar (bars of ISO 6261: 3 of 4 mm for 16 in 20, 6 of 8 for 32 in 40).
+    /// A boring bar by its diameter and the smallest bore that it enters. Of the clearance in that bore four fifths
+    /// are on the side of the point, one fifth is behind the bar (bars of ISO 6261: 3 of 4 mm for 16 in 20, 6 of 8
+    /// for 32 in 40).
     pub fn bar(diameter: Mm, smallest_bore: Mm) -> Self {
         Self::Bar { diameter, stands_out: Mm((smallest_bore.0 - diameter.0).max(0.0) * 0.8) }
     }
@@ -166,8 +169,8 @@ impl Holder {
 pub struct Tool {
     /// Its designation, by which findings name it.
     pub designation: String,
-    /// What of it cuts.
+    /// The cutting part.
     pub cutter: Cutter,
-    /// What holds that.
+    /// Its holder.
     pub holder: Holder,
 }

@@ -16,7 +16,7 @@ pub struct Degrees(pub f64);
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Default)]
 pub struct CubicMm(pub f64);
 
-/// The number of a block of the program, or of its line: what a finding points to.
+/// The number of a block of the program, or of its line, for findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Block(pub usize);
 

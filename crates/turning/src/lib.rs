@@ -1,16 +1,17 @@
-//! Turning: how the stock of a shaft or of a part of any contour is roughed away, and with what.
+//! Turning: planning of the operations, tools and programs that turn a shaft or a part of any contour.
 //!
 //! - [`shaft`] reads the file of a shaft and reports all its mistakes at once;
 //! - [`workpiece`] is the same for a part of any contour, and reads both forms of the file;
 //! - [`length`] is the exact length of this crate, in halves of a micrometre, because half of a diameter is one;
-//! - [`contour`] is a section of lines and arcs, [`point`] its points, [`toolpath`] what a tool does along it;
+//! - [`contour`] is a section of lines and arcs, [`point`] its points, [`toolpath`] the motions of a tool along it;
 //! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them by the schemes of the lecture;
 //! - [`elements`] separates main elements from additional ones, [`allowances`] makes the rough contour, [`zones`]
 //!   divides the stock and decides from which end it is turned;
-//! - [`tooling`] is lathes and turning tools, [`cutting`] how deep and how fast they cut (docs/turning-tools.md);
+//! - [`tooling`] is lathes and turning tools, [`cutting`] their depths of cut and cutting conditions
+//!   (docs/turning-tools.md);
 //! - [`transitions`] clears a zone of any shape by the lecture's seven schemes of passes;
-//! - [`nose`] sees a contour as the reference point of a tool with a round nose meets it;
-//! - [`operation`] runs all of these in order, and [`jobs`] is what its tools do;
+//! - [`nose`] offsets a contour for the reference point of a tool with a round nose;
+//! - [`operation`] runs all of these in order, and [`jobs`] is the work of its tools;
 //! - [`program`] writes toolpaths and contours as programs of controls (docs/turning-programs.md);
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
 //!
@@ -39,7 +40,7 @@ pub mod transitions;
 pub mod workpiece;
 pub mod zones;
 
-// This crate and those below it, under the names that the whole program uses.
+// The types of this crate and of others, under the names that the whole program uses.
 use crate as turning;
 use technolog_core::{error, material, note, practice_speed, reason};
 use technolog_knowledge::{self as knowledge, units};

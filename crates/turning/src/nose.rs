@@ -1,13 +1,13 @@
-//! The way of a tool with a round nose: a contour as the reference point of the tool meets it.
+//! The path of a tool with a round nose: a contour as the reference point of the tool meets it.
 //!
-//! While the nose, a circle of radius r, touches a contour from outside, its centre is on the offset of the contour at r,
-//! and the reference point one [`Tip`] away from there. So the offset, moved by the tip, is to the reference point what
-//! the contour is to the nose: a point outside of it is free, a toolpath along it cuts exactly the contour, except where
-//! an inner corner is tighter than r. Cylinders and faces that rise towards the chuck stay where they are; cones and arcs
-//! move.
+//! While the nose, a circle of radius r, touches a contour from outside, its centre is on the offset of the contour
+//! at r, and the reference point one [`Tip`] away from there. So the offset, moved by the tip, is for the reference
+//! point what the contour is for the nose: a point outside it is free, and a toolpath along it cuts exactly the
+//! contour, except where an inner corner is tighter than r. Cylinders and faces that rise towards the chuck do not
+//! move; cones and arcs do.
 //!
-//! Blank and contour are both seen so, and every toolpath over them is then free of gouges by its construction. The proof
-//! of turning does not use this.
+//! Blank and contour are both converted in this way, and every toolpath over them is then free of gouges by
+//! construction. The proof of turning does not use this.
 
 use crate::turning::allowances::{EquidistantError, equidistant};
 use crate::turning::contour::{Contour, Curve, Piece, Side};
@@ -15,7 +15,7 @@ use crate::turning::jobs::Tip;
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
-/// A contour that does not end on the axis is extended straight on by so many radii before it is offset, so that its end
+/// A contour that does not end on the axis is extended straight by so many radii before it is offset, so that its end
 /// is that of a longer contour: beyond the blank the nose rolls over no corner.
 const BEYOND: f64 = 4.0;
 
@@ -24,12 +24,12 @@ const BEYOND: f64 = 4.0;
 pub struct Nose {
     /// Its radius r.
     pub radius: Half,
-    /// Where the reference point is.
+    /// The position of the reference point.
     pub tip: Tip,
 }
 
 impl Nose {
-    /// A monotone contour as the reference point meets it, over the same stretch of Z. It may reach beyond the axis by
+    /// A monotone contour as the reference point meets it, over the same range of Z. It may extend beyond the axis by
     /// r: a face is clean when the centre of the nose is on the axis.
     ///
     /// # Errors The contour has no offset at r.
@@ -46,7 +46,7 @@ impl Nose {
         Ok(self.within(&moved, start, end))
     }
 
-    /// The contour with straight ends: a line at an end is longer, an arc gets a line that goes on from it.
+    /// The contour with straight ends: a line at an end is extended, an arc is followed by a line.
     fn extended(&self, contour: &Contour) -> Contour {
         let mut pieces = contour.pieces.clone();
         let reach = BEYOND * self.radius.to_mm();
@@ -71,7 +71,7 @@ impl Nose {
         Contour { side: contour.side, pieces }
     }
 
-    /// The stretch of Z of the contour. Faces at its ends stay.
+    /// The range of Z of the contour. Faces at its ends stay.
     fn within(&self, moved: &Contour, start: Point, end: Point) -> Contour {
         let mut pieces = Vec::new();
         for piece in &moved.pieces {
@@ -90,7 +90,7 @@ impl Nose {
                 pieces.push(piece.between(from, to));
             }
         }
-        // A face at the end goes no farther than it did.
+        // A face at the end does not become longer.
         if let Some(last) = pieces.last_mut().filter(|last| last.is_face()) {
             let rises = last.to.radius > last.from.radius;
             last.to.radius = if rises { last.to.radius.min(end.radius) } else { last.to.radius.max(end.radius) };
@@ -100,7 +100,7 @@ impl Nose {
     }
 }
 
-/// A bore whose bottom is followed no nearer to the axis than this; what lies nearer stays.
+/// A bore whose bottom is followed only down to this distance from the axis; the rest stays.
 #[must_use]
 pub fn up_to(mut bore: Contour, nearest: Option<Half>) -> Contour {
     let Some(nearest) = nearest.filter(|_| bore.side == Side::Inner) else { return bore };
@@ -111,15 +111,15 @@ pub fn up_to(mut bore: Contour, nearest: Option<Half>) -> Contour {
     bore
 }
 
-/// A point moved along the axis and not beyond it: a cone that is extended ends on the axis.
+/// A point moved along the axis and not beyond it: an extended cone ends on the axis.
 fn beyond(from: Point, by: Vector) -> Point {
     let radius = from.radius.to_mm();
     let share = if by.radius < -radius { radius / -by.radius } else { 1.0 };
     from.moved(by.times(share))
 }
 
-/// The shortest radius of an inner corner or of a hollow arc of a contour that a nose fills, and the largest nose that
-/// would not; none if the nose reaches everything. Only arcs are asked: sharp inner corners always keep the nose.
+/// The least radius of an inner corner or a concave arc of a contour that a nose does not reach, and the largest nose
+/// that would; none if the nose reaches everything. Only arcs are checked: no nose reaches sharp inner corners.
 pub fn tightest(contour: &Contour) -> Option<Half> {
     let hollow = contour.pieces.iter().filter_map(|piece| match piece.curve {
         Curve::Arc { radius, turn }

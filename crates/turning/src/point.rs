@@ -78,7 +78,7 @@ impl Vector {
         libm::hypot(self.z, self.radius)
     }
 
-    /// So many times as long.
+    /// The vector multiplied by a factor.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
         Self { z: self.z * factor, radius: self.radius * factor }

@@ -1,4 +1,4 @@
-//! Reads what all files of turned parts have: names, materials, choices and lengths, with their mistakes.
+//! Reads the common parts of all files of turned parts: names, materials, choices and lengths, with their mistakes.
 
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity};
@@ -16,10 +16,9 @@ pub(super) const LARGEST: Micrometres = Micrometres::from_mm(100_000);
 /// A mistake of a file of a turned part.
 #[derive(Clone, Debug)]
 pub enum Mistake {
-    /// Of the file's form: how it is written.
+    /// In the form of the file: how it is written.
     Form(Diagnostic),
-    /// A mistake of content, with its code, which is also that of the note: `report::sentence` and `report::remedy`
-    /// have the words.
+    /// A mistake of content, with its code, which is also that of the note; the words are in the message catalogue.
     Meaning(&'static str, Note, Place),
 }
 

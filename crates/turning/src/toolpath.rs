@@ -12,11 +12,11 @@ use super::point::Point;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Purpose {
-    /// Through air, as fast as the axes go.
+    /// Through air, as fast as the axes move.
     Rapid,
     /// A straight working pass, at the main feed.
     Cut,
-    /// Straight into the metal, towards the contour, at the feed of cutting in.
+    /// Straight into the metal, towards the contour, at the infeed rate.
     Infeed,
     /// Along the contour, cutting the ridges that passes left, at the feed of pick-up.
     PickUp,
@@ -24,22 +24,22 @@ pub enum Purpose {
     SemiFinish,
     /// Along the contour at the feed of finishing.
     Finish,
-    /// At a feed, but not through metal: along a contour that is cut already, or off it.
+    /// At a feed, but not through metal: along a finished contour, or off it.
     Return,
     /// Straight into the metal with the whole edge: a blade, a drill.
     Plunge,
-    /// Along a thread: its feed is the pitch, in step with the spindle.
+    /// Along a thread: its feed is the pitch, synchronised with the spindle.
     Thread,
 }
 
 /// A move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Move {
-    /// Where it ends.
+    /// Its end.
     pub to: Point,
-    /// What it follows; a rapid is a line.
+    /// Its curve; a rapid is a line.
     pub curve: Curve,
-    /// What it is for.
+    /// Its purpose.
     pub purpose: Purpose,
 }
 

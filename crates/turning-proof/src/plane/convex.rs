@@ -1,8 +1,8 @@
-//! Convex pieces, of which tools are made, and what they sweep.
+//! Convex pieces, the elements of tools, and their sweeps.
 
 use super::{CHORD, Vector, Window};
 
-/// A convex piece: its corners to the left around it, with Z to the right and the radius up.
+/// A convex piece: its corners counter-clockwise, with Z to the right and the radius up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Convex {
     corners: Vec<Vector>,
@@ -10,7 +10,7 @@ pub struct Convex {
 }
 
 impl Convex {
-    /// The hull of some spots; `None` if they have no area.
+    /// The hull of some points; `None` if they have no area.
     pub fn hull(spots: impl IntoIterator<Item = Vector>) -> Option<Self> {
         let mut spots: Vec<Vector> = spots.into_iter().collect();
         spots.sort_by(|a, b| a.z.total_cmp(&b.z).then(a.r.total_cmp(&b.r)));
@@ -61,13 +61,13 @@ impl Convex {
         self.window
     }
 
-    /// What it sweeps along a straight line.
+    /// Its sweep along a straight line.
     pub fn swept(&self, from: Vector, to: Vector) -> Option<Self> {
         let ends = if from == to { vec![from] } else { vec![from, to] };
         Self::hull(ends.iter().flat_map(|end| self.corners.iter().map(|corner| corner.plus(*end))))
     }
 
-    /// The piece in the half-plane after a turn of the part: what lies beyond the axis cuts on this side of it.
+    /// The piece in the half-plane after a turn of the part: the part of it beyond the axis cuts on this side.
     pub fn folded(self) -> Vec<Self> {
         if self.window.least.r >= 0.0 {
             return vec![self];
@@ -90,7 +90,7 @@ impl Convex {
         Self::hull(kept)
     }
 
-    /// How far a spot is from it, mm; 0 inside.
+    /// The distance of a point from it, mm; 0 inside.
     pub fn distance(&self, spot: Vector) -> f64 {
         let mut inside = true;
         let mut least = f64::INFINITY;

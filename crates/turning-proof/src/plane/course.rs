@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{CHORD, Vector};
 
-/// The angle from one direction to another around a centre, radians: positive to the left, a whole turn where both are
+/// The angle from one direction to another around a centre, radians: positive to the left, a whole turn if both are
 /// the same place.
 pub fn turned(centre: Vector, from: Vector, to: Vector, left: bool) -> f64 {
     let (a, b) = (from.minus(centre), to.minus(centre));
@@ -25,7 +25,7 @@ pub fn chords(centre: Vector, from: Vector, to: Vector, angle: f64) -> Vec<Vecto
     let step = if radius > CHORD { 2.0 * libm::acos(1.0 - CHORD / radius) } else { TAU };
     let count = (angle.abs() / step).ceil().max(1.0);
     let begin = from.minus(centre);
-    // If the radius differs at both ends within the tolerance of the control, it changes gradually.
+    // If the radii at both ends differ within the tolerance of the control, the radius changes gradually.
     let grown = to.minus(centre).length() - radius;
     let mut ends: Vec<Vector> = (1..count as usize)
         .map(|index| {

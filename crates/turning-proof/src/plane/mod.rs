@@ -1,4 +1,4 @@
-//! The half-plane through the axis: spots, convex pieces and what they sweep, ways made of chords, regions.
+//! The half-plane through the axis: points, convex pieces and their sweeps, paths of chords, regions.
 
 mod convex;
 mod course;
@@ -10,7 +10,7 @@ pub use course::{chords, turned};
 pub use region::{Region, Rule};
 pub use window::Window;
 
-/// How far a chord may lie from its arc, mm: a tenth of what findings tolerate.
+/// The largest distance of a chord from its arc, mm: a tenth of the tolerance of findings.
 pub const CHORD: f64 = 0.0005;
 
 /// A place or a displacement, mm: z away from the chuck, r from the axis.
@@ -55,17 +55,17 @@ impl Vector {
         if length > 0.0 { self.times(1.0 / length) } else { self }
     }
 
-    /// Turned by a right angle to the right of its direction, with Z to the right and the radius up.
+    /// Turned by a right angle to the right, with Z to the right and the radius up.
     pub fn right(self) -> Self {
         Self::new(self.r, -self.z)
     }
 
-    /// In the direction of an angle, radians from +Z towards +r, so far from here.
+    /// The point at a distance in the direction of an angle, radians from +Z towards +r.
     pub fn towards(self, angle: f64, far: f64) -> Self {
         self.plus(Self::new(libm::cos(angle), libm::sin(angle)).times(far))
     }
 
-    /// Which spot between two others is the nearest to this one.
+    /// The point between two others that is nearest to this one.
     pub fn nearest_between(self, from: Self, to: Self) -> Self {
         let path = to.minus(from);
         let square = path.dot(path);
@@ -73,7 +73,7 @@ impl Vector {
         from.plus(path.times(part))
     }
 
-    /// How far it is from what lies between two others, mm.
+    /// Its distance from the line segment between two others, mm.
     pub fn distance(self, from: Self, to: Self) -> f64 {
         self.minus(self.nearest_between(from, to)).length()
     }

@@ -7,7 +7,7 @@ use i_overlay::i_float::int::point::IntPoint;
 
 use super::{Convex, Vector, Window};
 
-/// Steps of the grid in a millimetre: 10 nm, a five-hundredth of what findings tolerate.
+/// Steps of the grid in a millimetre: 10 nm, a five-hundredth of the tolerance of findings.
 const GRID: f64 = 100_000.0;
 
 /// Smaller regions are dropped, in cells of the grid: 10⁻⁶ mm², such as 5 µm by 0.2 µm.
@@ -16,7 +16,7 @@ const CRUMB: u64 = 10_000;
 /// A closed chain of corners on the grid.
 type Contour = Vec<IntPoint<i32>>;
 
-/// What is made of two regions.
+/// An operation on two regions.
 #[derive(Clone, Copy, Debug)]
 pub enum Rule {
     Both,
@@ -24,7 +24,7 @@ pub enum Rule {
     Either,
 }
 
-/// A region: contours to the left around it, those of its holes to the right.
+/// A region: its contours are counter-clockwise, those of its holes clockwise.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Region {
     contours: Vec<Contour>,
@@ -45,7 +45,7 @@ impl Region {
         Self { contours, windows }
     }
 
-    /// What closed chains enclose, whichever way they run.
+    /// The area enclosed by closed chains, in whichever direction they run.
     pub fn enclosed(chains: impl IntoIterator<Item = Vec<Vector>>) -> Self {
         let mut all = Self::default();
         for chain in chains {
@@ -59,7 +59,7 @@ impl Region {
         all
     }
 
-    /// Convex pieces together; they may overlap.
+    /// The union of convex pieces; they may overlap.
     pub fn pieces<'c>(pieces: impl IntoIterator<Item = &'c Convex>) -> Self {
         Self::of(pieces.into_iter().map(|piece| piece.corners().iter().copied().map(grid).collect()).collect())
     }
@@ -72,7 +72,7 @@ impl Region {
         self.windows.iter().fold(Window::NONE, |all, one| all.with(*one))
     }
 
-    /// Both, this without the other, or either.
+    /// The intersection, the difference, or the union with another.
     #[must_use]
     pub fn made(&self, other: &Self, rule: Rule) -> Self {
         match rule {
@@ -105,13 +105,13 @@ impl Region {
         self.contours.iter().flat_map(|contour| edges(contour))
     }
 
-    /// Each connected piece by itself, without its holes.
+    /// Each connected piece separately, without its holes.
     pub fn outer_pieces(&self) -> impl Iterator<Item = Self> {
         let outer = |contour: &&Contour| edges(contour).map(|(a, b)| a.cross(b)).sum::<f64>() > 0.0;
         self.contours.iter().filter(outer).map(|contour| Self::of(vec![contour.clone()]))
     }
 
-    /// What of it lies in a window. Along the window's edges lines may run there and back.
+    /// The part of it inside a window. Along the window's edges lines may run there and back.
     #[must_use]
     pub fn within(&self, window: Window) -> Self {
         let (least, most) = (grid(window.least), grid(window.most));
@@ -126,7 +126,7 @@ impl Region {
         Self::of(cut.collect())
     }
 
-    /// Whether a spot is in it.
+    /// Whether a point is inside it.
     pub fn holds(&self, place: Vector) -> bool {
         let mut winding = 0;
         for (a, b) in self.edges() {
@@ -172,7 +172,7 @@ fn edges(contour: &[IntPoint<i32>]) -> impl Iterator<Item = (Vector, Vector)> {
     contour.iter().zip(shifted).map(|(&a, &b)| (spot(a), spot(b)))
 }
 
-/// What of a contour lies on the side on which the measure is not negative.
+/// The part of a contour on the side where the measure is not negative.
 fn clipped(contour: &[IntPoint<i32>], measure: impl Fn(IntPoint<i32>) -> i64) -> Contour {
     let Some(&last) = contour.last() else { return Contour::new() };
     let mut kept = Contour::with_capacity(contour.len() + 4);

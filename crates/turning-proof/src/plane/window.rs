@@ -1,4 +1,4 @@
-//! Boxes along the axes.
+//! Axis-parallel boxes.
 
 use super::Vector;
 
@@ -10,7 +10,7 @@ pub struct Window {
 }
 
 impl Window {
-    /// What every spot widens.
+    /// The empty box, which every point widens.
     pub const NONE: Self = Self {
         least: Vector::new(f64::INFINITY, f64::INFINITY),
         most: Vector::new(f64::NEG_INFINITY, f64::NEG_INFINITY),

@@ -5,17 +5,17 @@ use std::f64::consts::FRAC_PI_2;
 use super::{Cutter, Hand, Holder, Side, Tool};
 use crate::plane::{Convex, Vector, chords, turned};
 
-/// The length of shanks, bars and drills, mm: the turret behind them is unknown.
+/// The length of shanks, bars and drills, mm: the turret behind them is not known.
 const FAR: f64 = 100.0;
-/// A bar reaches as deep as bores do, mm.
+/// The length of a bar, for the depth of bores, mm.
 const BAR: f64 = 500.0;
 
 /// A tool with its reference point at zero.
 #[derive(Clone, Debug, Default)]
 pub struct Outline {
-    /// What cuts.
+    /// The cutting parts.
     pub cuts: Vec<Convex>,
-    /// The part that must not touch metal.
+    /// The parts that must not touch metal.
     pub holds: Vec<Convex>,
 }
 
@@ -69,7 +69,7 @@ impl Outline {
     }
 }
 
-/// The whole angle of a centre drill's point, degrees (ГОСТ 14952).
+/// The full angle of a centre drill's point, degrees (ГОСТ 14952).
 const CENTRE_POINT: f64 = 120.0;
 
 /// The nose and both edges, and where the edges end.
@@ -77,7 +77,7 @@ fn insert([lead, trail]: [f64; 2], nose: f64, edge: f64, hand: Hand) -> (Vec<Vec
     let centre = if hand == Hand::Neutral { Vector::new(0.0, nose) } else { Vector::new(nose, nose) };
     let main = Vector::new(-libm::cos(lead), libm::sin(lead));
     let second = Vector::new(libm::cos(trail), libm::sin(trail));
-    // Outwards of the insert: the main edge looks towards the feed, the other one towards the surface.
+    // Outward normals of the insert: the main edge faces the feed, the other one the surface.
     let (ahead, below) = (main.right().times(-1.0), second.right());
     let touching = [ahead, below].map(|normal| centre.plus(normal.times(nose)));
     let sharp = centre.plus(ahead.plus(below).times(nose / (1.0 + ahead.dot(below))));
@@ -86,7 +86,7 @@ fn insert([lead, trail]: [f64; 2], nose: f64, edge: f64, hand: Hand) -> (Vec<Vec
     let mut spots = vec![touching[0]];
     if nose > 0.0 {
         spots.extend(chords(centre, touching[0], touching[1], turned(centre, touching[0], touching[1], true)));
-        // What makes cylinders and faces is no chord.
+        // The points of the nose that make cylinders and faces are exact, not on a chord.
         let makes = |path: &Vector| ahead.cross(*path) >= 0.0 && path.cross(below) >= 0.0;
         let ways = [Vector::new(-1.0, 0.0), Vector::new(0.0, -1.0)];
         spots.extend(ways.into_iter().filter(makes).map(|path| centre.plus(path.times(nose))));
@@ -135,7 +135,7 @@ fn held_blade(holder: Holder, depth: f64, root: &[Vector]) -> Vec<Vector> {
     }
 }
 
-/// Behind a blade that works along the axis: a shank goes away from the axis, a bar along it.
+/// Behind a blade parallel to the axis: a shank perpendicular to the axis, a bar parallel to it.
 fn behind_face(holder: Holder, depth: f64) -> Vec<Vector> {
     let far = match holder {
         Holder::None => return Vec::new(),

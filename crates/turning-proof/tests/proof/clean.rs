@@ -1,4 +1,4 @@
-//! Honest work, of which nothing is wrong, and its volumes.
+//! Correct work without faults, and its volumes.
 
 use technolog_turning_proof::MotionKind::{Feed, Rapid, Thread as Pass};
 use technolog_turning_proof::{

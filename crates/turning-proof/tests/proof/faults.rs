@@ -1,4 +1,4 @@
-//! An error of every kind, planted; its figures are worked by hand.
+//! One planted error of every kind; its figures are worked by hand.
 
 use technolog_note::Figure;
 use technolog_turning_proof::MotionKind::{Feed, Rapid};

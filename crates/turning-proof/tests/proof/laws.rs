@@ -1,5 +1,5 @@
-//! A law: a nose led exactly along any contour cuts nothing that is to stay, and 0.02 mm deeper it always does. The way of its
-//! centre and what it leaves are found by brute force, from samples of the contour.
+//! A law: a nose moved exactly along any contour cuts nothing that must stay, and 0.02 mm deeper it always does. The
+//! path of its centre and the remaining metal are found by brute force, from samples of the contour.
 
 use proptest::prelude::*;
 use technolog_turning_proof::MotionKind::Feed;

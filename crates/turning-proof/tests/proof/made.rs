@@ -1,4 +1,4 @@
-//! What the tests are made of.
+//! Building blocks of the tests.
 
 use technolog_note::Figure;
 use technolog_turning_proof::{

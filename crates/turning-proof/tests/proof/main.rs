@@ -1,4 +1,4 @@
-//! The proof of turned parts: by hand, by a law, and what it says.
+//! The proof of turned parts: cases worked by hand, a law, and the texts of findings.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
 

@@ -1,4 +1,4 @@
-//! How long it takes, for people: a contour of many elements, roughed in passes along the axis and finished twice.
+//! The time of a proof, for people: a contour of many elements, roughed in passes along the axis and finished twice.
 
 use std::time::Instant;
 

@@ -1,4 +1,4 @@
-//! Tools of every kind: what one plunge of each takes.
+//! Tools of every kind: the metal that one plunge of each removes.
 
 use technolog_turning_proof::MotionKind::Feed;
 use technolog_turning_proof::{Cutter, Degrees, Hand, Mm, SetUp, Side, Stock};

@@ -1,4 +1,4 @@
-//! Every finding is said in both languages, with all its figures and no gap left.
+//! Every finding has a text in both languages, with all its figures and no gap left.
 
 use technolog_note::{Figure, Note};
 use technolog_turning_proof::{Block, Fault, Mm, MotionKind, Refused};

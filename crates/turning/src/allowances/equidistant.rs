@@ -218,7 +218,7 @@ pub(super) struct Parallel {
     pub piece: Piece,
     /// Its distance; over a concave arc at most the radius, because no offset goes beyond the centre.
     pub distance: f64,
-    /// The distance that was required.
+    /// The required distance.
     pub wanted: f64,
     /// Its beginning.
     pub from: Vector,

@@ -16,11 +16,11 @@ use super::surfaces::{Place, diameter, on_side, place, query_size};
 /// The errors that an allowance must cover, each on one side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Errors {
-    /// Rz, the height of the roughness that the previous pass leaves; if none, from the table `surface-after-pass`.
+    /// Rz, the height of the roughness after the previous pass; if none, from the table `surface-after-pass`.
     pub roughness_height: Option<Half>,
-    /// T, the damaged layer that it leaves; if none, from the same table.
+    /// T, the damaged layer after the previous pass; if none, from the same table.
     pub damaged_layer: Option<Half>,
-    /// ρ, the spatial deviations that it leaves, such as bending and eccentricity.
+    /// ρ, the spatial deviations after the previous pass, such as bending and eccentricity.
     pub deviation: Half,
     /// ε, the set-up error of this pass.
     pub setting: Half,
@@ -52,7 +52,7 @@ pub struct Allowance {
     /// On one side, along the normal, mm. None if it is unknown (a finding says so) and for grooves, which are bridged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowance_mm: Option<Half>,
-    /// The row that it rests on, if it comes from a table.
+    /// Its row, if it comes from a table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub because: Option<Because>,
 }

@@ -1,4 +1,4 @@
-//! What is left for finishing, and the rough contour that leaves it (lecture 12.2).
+//! Finishing allowances, and the rough contour that leaves them (lecture 12.2).
 //!
 //! - [`mod@capability`]: the intermediate allowance where the lathe cannot finish a surface;
 //! - [`mod@finishing`]: the finishing allowance of each surface, from a table, from errors or as stated;

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
-/// To which side an arc bends, seen along it with Z to the right and the radius upwards.
+/// The side to which an arc bends, seen along it with Z to the right and the radius upwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Turn {
@@ -26,7 +26,7 @@ impl Turn {
     }
 }
 
-/// What a piece follows between its ends.
+/// The curve of a piece between its ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Curve {
@@ -49,7 +49,7 @@ pub struct Piece {
     pub from: Point,
     /// Where it ends.
     pub to: Point,
-    /// What it follows.
+    /// Its curve.
     pub curve: Curve,
 }
 
@@ -74,7 +74,7 @@ impl Piece {
         Self { from: self.to, to: self.from, curve }
     }
 
-    /// Upright: a face.
+    /// Perpendicular to the axis: a face.
     pub fn is_face(self) -> bool {
         self.curve == Curve::Line && self.from.z == self.to.z
     }

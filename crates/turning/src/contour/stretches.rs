@@ -1,20 +1,20 @@
-//! Finds what lies over a stretch of Z without a search of the whole contour.
+//! Finds the pieces over a range of Z without a search of the whole contour.
 
 use std::ops::Range;
 
 use crate::turning::length::Half;
 
-/// Stretches of Z in the order of a contour. In grooves it may run back, so they need not be sorted.
+/// Ranges of Z in the order of a contour. In grooves the contour may run back, so they need not be sorted.
 #[derive(Clone, Debug)]
 pub struct Stretches {
-    /// The greatest end of each stretch and all before it.
+    /// The greatest end of each range and all before it.
     ends: Vec<Half>,
-    /// The least beginning of each stretch and all after it.
+    /// The least beginning of each range and all after it.
     begins: Vec<Half>,
 }
 
 impl Stretches {
-    /// From where each begins and ends.
+    /// The ranges by their ends.
     pub fn new(all: &[(Half, Half)]) -> Self {
         let farthest = |end: &mut Half, (_, to): &(Half, Half)| {
             *end = (*to).max(*end);
@@ -29,7 +29,7 @@ impl Stretches {
         Self { ends: all.iter().scan(Half::new(i64::MIN), farthest).collect(), begins }
     }
 
-    /// The indices of the stretches that may have a point between two Z, these included. No other stretch has one.
+    /// The indices of the ranges that may have a point between two Z, these included. No other range has one.
     pub fn touching(&self, from: Half, to: Half) -> Range<usize> {
         let first = self.ends.partition_point(|end| *end < from);
         first..self.begins.partition_point(|begin| *begin <= to).max(first)

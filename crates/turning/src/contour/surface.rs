@@ -1,4 +1,4 @@
-//! The surfaces of a part along a contour, with what the drawing says of each.
+//! The surfaces of a part along a contour, with their data from the drawing.
 
 use std::fmt;
 
@@ -59,14 +59,14 @@ impl Told for SurfaceName {
 pub struct Surface {
     /// Its name.
     pub name: SurfaceName,
-    /// What it is.
+    /// Its kind.
     pub kind: SurfaceKind,
     /// Its pieces; a groove has several.
     pub pieces: Vec<Piece>,
     /// The IT grade of its size, if the drawing gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grade: Option<ItGrade>,
-    /// Its roughness, where the drawing gives one.
+    /// Its roughness, if the drawing gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<Roughness>,
     /// The finishing allowance that the file states, on one side.
@@ -77,7 +77,7 @@ pub struct Surface {
 /// The surfaces along one contour of the part, from the free end; each begins where the one before it ends.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Profile {
-    /// Where the metal lies.
+    /// The side of the metal.
     pub side: Side,
     /// The surfaces.
     pub surfaces: Vec<Surface>,

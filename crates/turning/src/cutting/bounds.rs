@@ -1,4 +1,4 @@
-//! What tool and lathe can carry. Every limit compares a load, which grows with the depth of cut, with a capacity.
+//! The limits of tool and lathe. Every limit compares a load, which grows with the depth of cut, with a capacity.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -15,13 +15,13 @@ use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, N
 use super::laws::{self, Component, ForceLaw};
 use super::{BarTooLong, CuttingRefusal, Direction, Flexibility, MissingFigure, TurningCut};
 
-/// What bounds the depth of cut.
+/// A limit of the depth of cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Bound {
-    /// The shank bends too far for its steel.
+    /// The bending stress of the shank is too large.
     ShankStrength,
-    /// The tip bends away too far.
+    /// The deflection of the tip is too large.
     ShankStiffness,
     /// The edge of the insert is too short.
     InsertEdge,
@@ -31,17 +31,17 @@ pub enum Bound {
     FeedForce,
     /// The drive across the feed is too weak to hold the tool.
     SideForce,
-    /// The spindle has not that torque.
+    /// The torque of the spindle is too small.
     SpindleTorque,
-    /// The main drive has not that power.
+    /// The power of the main drive is too small.
     SpindlePower,
-    /// The part bends away too far.
+    /// The deflection of the part is too large.
     PartStiffness,
-    /// The part bends too far for its material.
+    /// The bending stress of the part is too large.
     PartStrength,
-    /// The outer part has no more radius.
+    /// The depth would be more than the radius of the part.
     PartRadius,
-    /// The handbook's feeds and formulas end here.
+    /// The end of the handbook's feeds and formulas.
     Handbook,
 }
 
@@ -103,31 +103,31 @@ impl Load {
     }
 }
 
-/// A limit that could not be calculated, and the figure that was missing.
+/// A limit that could not be calculated, and the missing figure.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct UnknownBound {
     /// The bound.
     pub bound: Bound,
-    /// What is missing, and where.
+    /// The missing figure and its place.
     #[serde(rename = "note")]
     #[schemars(with = "Note")]
     pub why: MissingFigure,
 }
 
 impl UnknownBound {
-    /// As a finding: the depth is given without that limit.
+    /// As a finding: the depth is given without this limit.
     pub fn finding(&self) -> Finding {
         Finding::of_part(Severity::Doubtful, self.noted(Note::new("bound-not-reckoned")))
     }
 
-    /// A sentence with the limit, what is missing, and of what.
+    /// A sentence with the limit, the missing figure, and its owner.
     pub(super) fn noted(&self, note: Note) -> Note {
         let (of, what) = self.why.names();
         note.with("bound", Figure::word(self.bound.name())).with("of", of).with("what", what)
     }
 }
 
-/// What the load of a limit is.
+/// The load of a limit.
 #[derive(Clone, Copy, Debug)]
 enum Measure {
     Force(Component),
@@ -147,7 +147,7 @@ pub(super) struct Check {
     pub because: Vec<Because>,
 }
 
-/// The forces of a cut at a feed, as far as their figures are known.
+/// The forces of a cut at a feed, where their figures are known.
 #[derive(Clone, Debug)]
 pub(super) struct Forces {
     pub main: Result<ForceLaw, MissingFigure>,
@@ -218,7 +218,7 @@ impl Check {
     }
 }
 
-/// The limits of a cut that can be calculated, and what is missing for the others.
+/// The limits of a cut that can be calculated, and the missing figures of the others.
 pub(super) fn checks(
     cut: &TurningCut<'_, '_>,
     forces: &Forces,
@@ -281,7 +281,7 @@ pub(super) fn checks(
     Ok((checks, missing))
 }
 
-/// A constant of `turning-limits` with its reason; `of` takes the required figure from the row.
+/// A constant of `turning-limits` with its reason; `of` reads the required figure from the row.
 fn constant<T: Told + Clone>(
     knowledge: &Knowledge,
     name: Limit,
@@ -294,12 +294,12 @@ fn constant<T: Told + Clone>(
     Ok((value, Because::row(row.row, note)))
 }
 
-/// A length of `turning-limits`, and why.
+/// A length of `turning-limits`, and the reason.
 pub(super) fn constant_length(cut: &TurningCut<'_, '_>, name: Limit) -> Result<(Micrometres, Because), KnowledgeError> {
     constant(cut.knowledge, name, |row| row.length)
 }
 
-/// How far the jaws stay from the end of what a tool turns: the least, and what is wanted.
+/// The clearance of the jaws from the end of the toolpath: the least, and the wanted one.
 ///
 /// # Errors `turning-limits` does not have it.
 pub fn jaw_clearance(knowledge: &Knowledge) -> Result<[Micrometres; 2], KnowledgeError> {
@@ -307,14 +307,14 @@ pub fn jaw_clearance(knowledge: &Knowledge) -> Result<[Micrometres; 2], Knowledg
     Ok([of(Limit::JawClearanceLeast)?, of(Limit::JawClearance)?])
 }
 
-/// Which share of its edge a tool may bring into a wall on its way up.
+/// The share of its edge that a tool may bring into a wall while it rises.
 ///
 /// # Errors `turning-limits` does not have it.
 pub fn wall_share(knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
     Ok(ratio(knowledge, Limit::WallShare)?.0)
 }
 
-/// The shallowest pass worth roughing with.
+/// The least depth of a useful roughing pass.
 ///
 /// # Errors `turning-limits` does not have it.
 pub fn least_sensible_depth(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
@@ -325,12 +325,12 @@ pub(super) fn ratio(knowledge: &Knowledge, name: Limit) -> Result<(f64, Because)
     constant(knowledge, name, |row| row.ratio)
 }
 
-/// A stress of `turning-limits`, MPa, and why.
+/// A stress of `turning-limits`, MPa, and the reason.
 fn stress(cut: &TurningCut<'_, '_>, name: Limit) -> Result<(f64, Because), KnowledgeError> {
     constant(cut.knowledge, name, |row| row.stress.map(|stress| stress.0.to_f64()))
 }
 
-/// The overhang, mm: from the tool's row; of a bar the depth of the bore and a clearance; otherwise by the ratio of
+/// The overhang, mm: from the tool's row; for a bar the depth of the bore and a clearance; otherwise by the ratio of
 /// `turning-limits` to its height or diameter.
 fn overhang(cut: &TurningCut<'_, '_>, shank: Shank) -> Tried<(f64, Vec<Because>), BarTooLong> {
     if let (Shank::Round { .. }, Some(depth)) = (shank, cut.bore_depth) {
@@ -349,10 +349,10 @@ fn overhang(cut: &TurningCut<'_, '_>, shank: Shank) -> Tried<(f64, Vec<Because>)
     Ok((ratio * size.to_mm(), vec![because]))
 }
 
-/// How far a boring bar stands out to work a bore of a depth: the depth and a clearance (`turning-limits`), and why.
+/// The overhang of a boring bar for a bore of a depth: the depth and a clearance (`turning-limits`), and the reason.
 ///
 /// # Errors The bar would stand out farther than its row says, or than `turning-limits` lets a bar of steel of its
-/// diameter: overhang ≤ ratio · d. A tool without a bar has no such bound, and stands out by that sum.
+/// diameter: overhang ≤ ratio · d. A tool without a bar has no such limit, and its overhang is that sum.
 pub fn bar_overhang(
     tool: &TurningTool<'_>,
     bore_depth: Micrometres,
@@ -376,15 +376,15 @@ pub fn bar_overhang(
     }
 }
 
-/// Refuses a cut whose bar would stand out too far.
+/// Refuses a cut if the overhang of its bar would be too large.
 pub(super) fn bar_reaches(cut: &TurningCut<'_, '_>) -> Tried<(), CuttingRefusal> {
     let (Some(depth), Some(Shank::Round { .. })) = (cut.bore_depth, cut.tool.shank) else { return Ok(()) };
     let reaches = bar_overhang(cut.tool, depth, cut.knowledge);
     reaches.map(|_| ()).map_err(|refusal| refusal.map(CuttingRefusal::BarTooLong))
 }
 
-/// The component that bends the part: of turning along the axis and of plunging Py, of facing Px, which lies across it
-/// there.
+/// The component that bends the part: in longitudinal turning and plunging Py, in facing Px, which is perpendicular
+/// to the axis there.
 fn across_part(cut: &TurningCut<'_, '_>) -> Component {
     match cut.direction {
         Direction::Transverse if !cut.tool.plunges() => Component::Axial,
@@ -392,9 +392,9 @@ fn across_part(cut: &TurningCut<'_, '_>) -> Component {
     }
 }
 
-/// Bending of the part: in roughing the force of Pz and Py together ≤ f/c, with f the deflection of `turning-limits` and
-/// c the compliance of the part; in finishing Py ≤ share·T/c, because only what lies across the surface changes the
-/// diameter.
+/// Deflection of the part: in roughing the force of Pz and Py together ≤ f/c, with f the deflection of
+/// `turning-limits` and c the compliance of the part; in finishing Py ≤ share·T/c, because only a deflection
+/// perpendicular to the surface changes the diameter.
 fn part_stiffness(cut: &TurningCut<'_, '_>, part: &Flexibility, across: Component) -> Result<Check, KnowledgeError> {
     let mut because = part.because.clone();
     let (mm, measure) = match part.tolerance {
@@ -427,7 +427,7 @@ fn part_strength(
     Ok(Some(Check { bound: Bound::PartStrength, measure: Measure::Across(across), capacity, because }))
 }
 
-/// A bar that is too long is refused before its bounds are asked for; here it lacks an overhang.
+/// A bar that is too long is refused before its limits are calculated; here its overhang is missing.
 fn of_bar<T>(cut: &TurningCut<'_, '_>, tried: Tried<T, BarTooLong>) -> Tried<T, MissingFigure> {
     tried.map_err(|refusal| refusal.map(|_| cut.tool_lacks("reach")))
 }
@@ -436,7 +436,7 @@ fn shank_of(cut: &TurningCut<'_, '_>) -> Tried<Shank, MissingFigure> {
     cut.tool.shank.ok_or_else(|| Refusal::Not(cut.tool_lacks("shank_height")))
 }
 
-/// Bending of the shank: Pz · l ≤ σ · W, with W = B·H²/6 of a square shank and π·d³/32 of a bar, mm³.
+/// Bending stress of the shank: Pz · l ≤ σ · W, with W = B·H²/6 for a square shank and π·d³/32 for a bar, mm³.
 fn shank_strength(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let shank = shank_of(cut)?;
     let modulus = match shank {
@@ -452,7 +452,7 @@ fn shank_strength(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     Ok(main_force(Bound::ShankStrength, Newtons(allowed * modulus / overhang), because))
 }
 
-/// Bending of the shank: Pz ≤ 3·f·E·J / l³, with J = B·H³/12 of a square shank and π·d⁴/64 of a bar, mm⁴.
+/// Deflection of the shank: Pz ≤ 3·f·E·J / l³, with J = B·H³/12 for a square shank and π·d⁴/64 for a bar, mm⁴.
 fn shank_stiffness(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let shank = shank_of(cut)?;
     let inertia = match shank {
@@ -473,7 +473,7 @@ fn shank_stiffness(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     Ok(main_force(Bound::ShankStiffness, Newtons(force), because))
 }
 
-/// How much of the edge may cut: t ≤ share · l · sin of the angle between edge and feed.
+/// The share of the edge that may cut: t ≤ share · l · sin of the angle between edge and feed.
 fn insert_edge(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let lacks = |quantity: &str| Refusal::Not(cut.tool_lacks(quantity));
     let edge = cut.tool.edge.ok_or_else(|| lacks("edge"))?;
@@ -488,7 +488,7 @@ fn insert_edge(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     Ok(Check { bound: Bound::InsertEdge, measure: Measure::Depth, capacity: Load::DepthMm(depth), because })
 }
 
-/// A drive of the carriage: the force along it ≤ the force in its record.
+/// A drive of the carriage: the force along it ≤ the limit in its record.
 fn drive(cut: &TurningCut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> Tried<Check, MissingFigure> {
     let force = match quantity {
         Q::FeedForceZ => cut.lathe.feed_force_z,
@@ -522,14 +522,14 @@ fn spindle_power(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     Ok(Check { bound: Bound::SpindlePower, measure: Measure::Power, capacity: Load::PowerKw(power), because })
 }
 
-/// The depth at which the tables of feeds end.
+/// The depth where the tables of feeds end.
 fn handbook(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let (depth, because) = constant_length(cut, Limit::DepthMax)?;
     let capacity = Load::DepthMm(depth);
     Ok(Check { bound: Bound::Handbook, measure: Measure::Depth, capacity, because: vec![because] })
 }
 
-/// A solid part has no more than its radius.
+/// The depth in a solid part is not more than its radius.
 fn part_radius(cut: &TurningCut<'_, '_>) -> Check {
     let capacity = Load::DepthMm(cut.diameter.half());
     Check { bound: Bound::PartRadius, measure: Measure::Depth, capacity, because: Vec::new() }

@@ -33,7 +33,7 @@ pub struct TurningConditions {
     pub depth_mm: Micrometres,
     /// Feed.
     pub feed_mm_per_rev: MillimetresPerRev,
-    /// The speed of the tool's life; where no formula is for the material the usual one of practice.
+    /// The speed of the tool's life; if there is no formula for the material, the usual speed of practice.
     pub computed_speed_m_per_min: MetresPerMinute,
     /// The speed at the spindle's step.
     pub speed_m_per_min: MetresPerMinute,
@@ -41,11 +41,11 @@ pub struct TurningConditions {
     pub spindle_rpm: RevsPerMinute,
     /// The feed rate.
     pub feed_mm_per_min: MillimetresPerMinute,
-    /// Tool life at the spindle's step: T·(V/Vstep)^(1/m); absent if no formula is for the material.
+    /// Tool life at the spindle's step: T·(V/Vstep)^(1/m); absent if there is no formula for the material.
     pub tool_life_min: Option<Minutes>,
     /// Pz; absent if no figures are known.
     pub main_force_n: Option<Newtons>,
-    /// Py, across the feed, in grooving against it; absent if no figures are known.
+    /// Py, perpendicular to the feed, in grooving against it; absent if no figures are known.
     pub radial_force_n: Option<Newtons>,
     /// Px, against the feed; absent in grooving, and if no figures are known.
     pub axial_force_n: Option<Newtons>,
@@ -53,12 +53,12 @@ pub struct TurningConditions {
     pub torque_n_m: Option<NewtonMetres>,
     /// Cutting power; absent if no figures are known.
     pub power_kw: Option<Kilowatts>,
-    /// What limited them: `tool-life`, `practice`, `spindle-speed-max`, `spindle-speed-min`, `spindle-power`, `feed-max` or
-    /// `feed-min`.
+    /// The limit that applied: `tool-life`, `practice`, `spindle-speed-max`, `spindle-speed-min`, `spindle-power`,
+    /// `feed-max` or `feed-min`.
     pub limited_by: String,
     /// The limits that these conditions exceed: the depth must be reduced.
     pub exceeded: Vec<Bound>,
-    /// The bounds that could not be computed.
+    /// The limits that could not be calculated.
     pub missing: Vec<UnknownBound>,
     /// The rows behind the figures.
     pub because: Vec<Because>,
@@ -131,7 +131,7 @@ pub fn conditions(
     because.extend(forces.because());
     let speed = speed_at(rpm, cut.diameter);
     let exceeded = |check: &&Check| {
-        // The speed is already reduced to the power; what rounding adds is not an excess.
+        // The speed is already reduced to the power; an excess from rounding does not count.
         check.load(cut, &forces, depth, speed).is_some_and(|load| !load.rounded().within(check.capacity.rounded()))
     };
     let main = forces.at(Component::Main, depth, speed);
@@ -158,8 +158,8 @@ pub fn conditions(
     })
 }
 
-/// A finishing feed cut back until the part bends within its share of the tolerance, in hundredths of a millimetre, but
-/// not below the least of `turning-limits`; what is then still too much stands among the bounds exceeded.
+/// A finishing feed reduced until the part deflects within its share of the tolerance, in hundredths of a millimetre,
+/// but not below the least feed of `turning-limits`; a remaining excess is among the exceeded limits.
 fn within_part(
     cut: &TurningCut<'_, '_>,
     depth: Micrometres,
@@ -220,7 +220,7 @@ fn feed_of(
     }
 }
 
-/// The spindle speed for a wanted speed, and what limited it.
+/// The spindle speed for a wanted speed, and the limit that applied.
 fn first_speed(cut: &TurningCut<'_, '_>, wanted: RevsPerMinute, practice: bool) -> (RevsPerMinute, &'static str) {
     let (slowest, fastest) = cut.lathe.spindle.ends();
     let limited_by = if wanted.0 > fastest.0 {

@@ -14,7 +14,7 @@ use technolog_cutting::figures;
 
 use super::{CuttingRefusal, TurningCut, bounds, of_tables};
 
-/// A feed and the rows it rests on.
+/// A feed and its rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feed {
     /// The feed.
@@ -64,8 +64,8 @@ pub fn rough_feed(cut: &TurningCut<'_, '_>, depth: Micrometres) -> Tried<Feed, C
 /// `turning-finish-feed`, for steel multiplied by `turning-finish-feed-strength`. Between two columns the finer one,
 /// between two radii the smaller one is taken. It is never above what nose and roughness leave by geometry:
 ///
-/// s ≤ √(31.2·Ra·r/(1000·k)), mm/rev, with Ra in µm, r in mm and k of `turning-limits`, by which a real surface is rougher
-/// than the geometrical one (Ra = 1000·s²/(31.2·r)).
+/// s ≤ √(31.2·Ra·r/(1000·k)), mm/rev, with Ra in µm, r in mm and k of `turning-limits`, the ratio of real to
+/// theoretical roughness (Ra = 1000·s²/(31.2·r)).
 ///
 /// # Errors The roughness is finer than the table; the tool's row has no nose radius, or one below the table's;
 /// threads.
@@ -108,7 +108,7 @@ pub fn finish_feed(cut: &TurningCut<'_, '_>, roughness: Roughness) -> Tried<Feed
 /// Ra of a row of arcs: s²/(18·√3·r), so that s² = 31.18·r·Ra; tables of makers print 31.2.
 const ARC: f64 = 31.2;
 
-/// The roughness that is finished to where the drawing has none, by the grade of the surface (rule
+/// The roughness to be finished where the drawing gives none, by the grade of the surface (rule
 /// `turning-roughness-unsaid`).
 ///
 /// # Errors The knowledge base lacks the rule, or a row of it.
@@ -119,7 +119,7 @@ pub fn unsaid_roughness(grade: Option<ItGrade>, knowledge: &Knowledge) -> Result
 }
 
 /// The least depth of a finishing pass, so that the nose cuts and does not rub: a share of its radius
-/// (`turning-limits`). None of a tool whose row has no nose.
+/// (`turning-limits`). None for a tool whose row has no nose.
 ///
 /// # Errors The table does not have the share.
 pub fn least_finishing_depth(
@@ -130,8 +130,8 @@ pub fn least_finishing_depth(
     Ok(tool.nose_radius.map(|nose| (Micrometres::from_mm_rounded(share * nose.to_mm()), because)))
 }
 
-/// Whether a tool may cut on its way back (rule `turning-cut-back`): with its second edge, φ1 being its angle then. A
-/// zigzag requires it.
+/// Whether a tool may cut on its return (rule `turning-cut-back`), with its second edge, whose angle is φ1. A zigzag
+/// requires it.
 ///
 /// # Errors The knowledge base lacks the rule, or a row of it.
 pub fn cuts_back(tool: &TurningTool<'_>, knowledge: &Knowledge) -> Result<(bool, Because), KnowledgeError> {
@@ -142,7 +142,7 @@ pub fn cuts_back(tool: &TurningTool<'_>, knowledge: &Knowledge) -> Result<(bool,
     Ok((back, Because::answer(&asked.answer, note)))
 }
 
-/// The largest nose radius of the table that is not above the tool's: a smaller nose has a slower feed.
+/// The largest nose radius in the table that is not above the tool's, because a smaller nose has a slower feed.
 fn nose_of_table(knowledge: &Knowledge, nose: Micrometres) -> Result<Option<&str>, KnowledgeError> {
     let table = knowledge.table(TurningFinishFeedFor::TABLE)?;
     let radii = TurningFinishFeedFor::nose_radius(table).into_iter().flat_map(|column| &column.values);

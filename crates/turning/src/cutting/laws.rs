@@ -19,7 +19,7 @@ pub(super) use crate::tables::cutting::Component;
 
 use super::{FigureOwner, MissingFigure, TurningCut, of_tables};
 
-/// What the tools of this room are of.
+/// The material of all tools in this room.
 pub(super) const TOOL_MATERIAL: ToolMaterial = ToolMaterial::Carbide;
 
 /// `factor · t^depth · V^speed`, with t in mm and V in m/min; the feed is part of the factor.
@@ -60,8 +60,8 @@ impl ForceLaw {
 /// P = 10 · Cp · t^x · s^y · V^n · Kmp · Kφp · Kγp, N. In grooving t is the width of the blade, and there is no factor
 /// for an angle.
 ///
-/// A material whose group has no coefficients of its own is cut with the force of `specific-cutting-force`; only where
-/// its grade has no group of VDI 3323 do the figures of another group stand in, and the reason names that group.
+/// For a material whose group has no coefficients, the force comes from `specific-cutting-force`. If its grade has no
+/// group of VDI 3323 either, the figures of another group are used, and the reason names that group.
 ///
 /// # Errors A table has no figure for this material, or the tool's row has no insert, so that its rake is unknown.
 pub(super) fn force(
@@ -111,7 +111,7 @@ pub(super) fn force(
     Ok(ForceLaw { law, because })
 }
 
-/// Whether the handbook has coefficients of the force for the material's own group.
+/// Whether the handbook has force coefficients for the material's own group.
 fn has_own(cut: &TurningCut<'_, '_>, component: Component) -> Result<bool, KnowledgeError> {
     let (material_group, tool_material) = (cut.material.group, TOOL_MATERIAL);
     if component == Component::Main && !cut.tool.plunges() {
@@ -122,12 +122,12 @@ fn has_own(cut: &TurningCut<'_, '_>, component: Component) -> Result<bool, Knowl
     Ok(figures::within_reach(&question, cut.knowledge)?.is_some())
 }
 
-/// A component by the specific cutting force of VDI 3323 (`specific-cutting-force`), N; none where the grade has no
+/// A component by the specific cutting force of VDI 3323 (`specific-cutting-force`), N; none if the grade has no
 /// group there:
 ///
 /// P = share · kc1 · h^(−mc) · s · t, with the thickness of the chip h = s · sin φ, mm. The share is that of
-/// `turning-force-share`; the rake of the seat counts beside the 0° that kc1 is for. In grooving φ is 90° and t the
-/// width of the blade.
+/// `turning-force-share`; the rake of the seat is compared with 0°, for which kc1 is given. In grooving φ is 90° and
+/// t the width of the blade.
 fn specific(
     cut: &TurningCut<'_, '_>,
     component: Component,
@@ -172,8 +172,8 @@ fn material(cut: &TurningCut<'_, '_>, row: &TurningForce<'_>) -> (f64, Because) 
     (factor, Because::row(row.row, shown("material-force-factor", factor)))
 }
 
-/// Kiv: the first grade of the tool that `tool-material-factor` has for the material, relative to the grade of the
-/// coefficients. A tool without a grade, or with that very grade, needs no factor.
+/// Kiv: of the tool's grades the first that `tool-material-factor` has for the material, relative to the grade of the
+/// coefficients. A tool without a grade, or with exactly that grade, needs no factor.
 pub(super) fn grade(cut: &TurningCut<'_, '_>, reference: &str) -> Tried<Option<(f64, Because)>, MissingFigure> {
     if cut.tool.grades.is_empty() || cut.tool.grades.contains(&reference) {
         return Ok(None);
@@ -193,7 +193,7 @@ pub(super) fn grade(cut: &TurningCut<'_, '_>, reference: &str) -> Tried<Option<(
     of_tables(Err(figures::missing(ToolMaterialFactorFor::TABLE, cut)))
 }
 
-/// A factor by the angle of the edge that cuts.
+/// A factor by the angle of the cutting edge.
 pub(super) fn angle<'k, Q: Question>(
     cut: &TurningCut<'_, 'k>,
     question: &Q,
@@ -218,7 +218,7 @@ fn rake(cut: &TurningCut<'_, '_>, component: Component) -> Tried<(f64, Because),
     Ok((factor, Because::row(row.row, note)))
 }
 
-/// The factor of a component, of those of Pz, Py and Px.
+/// The factor of a component, chosen from those of Pz, Py and Px.
 const fn of_component(component: Component, [pz, py, px]: [f64; 3]) -> f64 {
     match component {
         Component::Main => pz,

@@ -1,5 +1,4 @@
-//! The limiting depth of cut: the largest depth within everything that tool and lathe can carry (lecture 12.4, l.
-//! 614-626).
+//! The limiting depth of cut: the largest depth within all limits of tool and lathe (lecture 12.4, l. 614-626).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -31,7 +30,7 @@ pub struct LimitingDepth {
     pub feed_mm_per_rev: MillimetresPerRev,
     /// The largest depth, mm, in whole steps of `turning-limits`; absent if not even one step is allowed.
     pub depth_mm: Option<Micrometres>,
-    /// The strictest limit; of equals the first of the list.
+    /// The strictest limit; among equals the first of the list.
     pub decided_by: Bound,
     /// The cutting speed at that depth (at one step if none is allowed).
     pub speed_m_per_min: MetresPerMinute,
@@ -45,16 +44,16 @@ pub struct LimitingDepth {
     pub because: Vec<Because>,
 }
 
-/// A bound of the depth of cut.
+/// A limit of the depth of cut, as printed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BoundTold {
-    /// Which.
+    /// The limit.
     pub bound: Bound,
     /// The largest depth that it allows alone, mm; absent if not even one step.
     pub depth_mm: Option<Micrometres>,
     /// The load at the limiting depth (at one step if none is allowed).
     pub load: Load,
-    /// What tool or lathe bears.
+    /// The capacity of tool or lathe.
     pub capacity: Load,
     /// The rows of the capacity.
     pub because: Vec<Because>,
@@ -67,7 +66,7 @@ impl LimitingDepth {
     }
 }
 
-/// How fast the spindle turns at a depth.
+/// The spindle speed as a function of the depth.
 struct Turns<'c, 'a, 'k> {
     cut: &'c TurningCut<'a, 'k>,
     speed: Speed,
@@ -94,7 +93,7 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
         Ok(Self { cut, speed, law, forces, power })
     }
 
-    /// What practice says of the speed at a depth.
+    /// The row of practice for the speed at a depth.
     fn opinion(&self, depth: Micrometres) -> Result<Vec<Because>, KnowledgeError> {
         let taken = self.law.as_ref().map(|law| law.at(depth.to_mm(), self.cut)).transpose()?;
         Ok(taken.map(|taken| taken.because).unwrap_or_default())

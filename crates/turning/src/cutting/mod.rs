@@ -1,15 +1,14 @@
-//! How deep, how fast and at what feed a lathe cuts: the limiting depth of cut of lecture 12.4 and the cutting
-//! conditions of a transition.
+//! The limiting depth of cut of lecture 12.4 and the cutting conditions of a transition on a lathe.
 //!
-//! - [`TurningCut`] says what cuts what on which lathe; everything here starts from it;
+//! - [`TurningCut`] is the input: tool, material, lathe and place of a cut;
 //! - `laws` makes power laws of depth and speed from the coefficient tables, for one cut and one feed;
-//! - `speed` holds the formula of the speed against what shops drive;
+//! - `speed` compares the formula of the speed with the speeds used in shops;
 //! - [`rough_feed`] and [`finish_feed`] take feeds from their tables;
-//! - `stiffness` is how far a part in chuck or centres deflects;
-//! - `bounds` is what tool and lathe can carry, [`limiting_depth`] the largest depth within all of it;
+//! - `stiffness` is the deflection of a part in chuck or centres;
+//! - `bounds` has the limits of tool and lathe, [`limiting_depth`] the largest depth within all of them;
 //! - [`conditions`] is feed, speed, spindle step and forces at a given depth.
 //!
-//! The planning of contours takes its figures from here and calculates none itself.
+//! The planning of contours takes its figures from here and calculates none of them.
 
 mod bounds;
 mod conditions;
@@ -38,7 +37,7 @@ pub use limit::{BoundTold, LimitingDepth, limiting_depth};
 pub use refusal::{BarTooLong, CuttingRefusal, FigureOwner, MissingFigure, NonPositive, Process};
 pub use stiffness::{Flexibility, HeldPart, PartSection};
 
-/// What cuts what, on which lathe.
+/// A cut: tool, material, lathe and place.
 #[derive(Clone, Copy, Debug)]
 pub struct TurningCut<'a, 'k> {
     /// Every table.
@@ -47,22 +46,22 @@ pub struct TurningCut<'a, 'k> {
     pub lathe: &'a Lathe<'k>,
     /// The tool.
     pub tool: &'a TurningTool<'k>,
-    /// What is cut.
+    /// The material.
     pub material: &'a Material<'k>,
     /// The largest diameter of the cut: the one before an outer cut, the one after an inner cut. The speed is for it.
     pub diameter: Micrometres,
-    /// Where the feed goes.
+    /// The direction of the feed.
     pub direction: Direction,
     /// The surface of the metal before the cut.
     pub surface: Surface,
-    /// How far into a bore the cut goes, from its mouth; none outside, and where it is not known. A bar then stands out as
-    /// far as `turning-limits` lets it.
+    /// The depth of the cut in a bore, from its mouth; none outside, and where it is not known. A bar then has the
+    /// largest overhang that `turning-limits` permits.
     pub bore_depth: Option<Micrometres>,
-    /// How the part deflects there; none if it is unknown or does not matter.
+    /// The deflection of the part there; none if it is unknown or does not matter.
     pub part: Option<&'a Flexibility>,
 }
 
-/// Where the feed goes.
+/// The direction of the feed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Along the axis, Z.
@@ -71,12 +70,12 @@ pub enum Direction {
     Transverse,
 }
 
-/// What the cutting speed is to be.
+/// The required cutting speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Speed {
     /// The speed for the tool life of `boring-parameters`.
     ForToolLife,
-    /// The same, reduced as far as the power of the spindle requires: the speed of [`conditions`].
+    /// The same, reduced as far as the spindle power requires: the speed of [`conditions`].
     WithinPower,
     /// A speed at the largest diameter.
     Surface(MetresPerMinute),
@@ -95,8 +94,8 @@ impl<'k> Asking<'k> for TurningCut<'_, 'k> {
 }
 
 impl TurningCut<'_, '_> {
-    /// The angle between the cutting edge and the feed, degrees: φ along the axis. Across it the edge behind the tip
-    /// cuts, which leans back from the feed by 90 + φ1.
+    /// The angle between the cutting edge and the feed, degrees: φ along the axis. In facing the edge behind the tip
+    /// cuts, at 90 + φ1 to the feed.
     fn edge_angle(&self) -> Decimal {
         match self.direction {
             Direction::Longitudinal => self.tool.lead_angle,
@@ -111,22 +110,22 @@ impl TurningCut<'_, '_> {
         self.tool.works == Place::Inner
     }
 
-    /// A refusal that names what was being done.
+    /// A refusal with the name of the process.
     fn named<T>(&self, tried: Tried<T, MissingFigure>) -> Tried<T, MissingFigure> {
         tried.map_err(|refusal| refusal.map(|lacking| lacking.during(self.process())))
     }
 
-    /// Whose coefficients apply: those of turning, or of grooving.
+    /// The process whose coefficients apply: turning or grooving.
     fn process(&self) -> Process {
         if self.tool.plunges() { Process::Grooving } else { Process::Turning }
     }
 
-    /// That the row of the tool lacks a figure.
+    /// A missing figure in the row of the tool.
     fn tool_lacks(&self, quantity: &str) -> MissingFigure {
         FigureOwner::Tool { tool: self.tool.designation.to_owned(), quantity: quantity.to_owned() }.into()
     }
 
-    /// That the record of the lathe lacks a figure.
+    /// A missing figure in the record of the lathe.
     fn lathe_lacks(&self, quantity: LatheQuantity) -> MissingFigure {
         FigureOwner::Lathe { lathe: self.lathe.id().to_owned(), quantity: quantity.name().to_owned() }.into()
     }

@@ -1,4 +1,4 @@
-//! Why cutting conditions cannot be given.
+//! Why there are no cutting conditions.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +10,7 @@ use super::bounds::UnknownBound;
 
 pub use crate::tables::cutting::LatheProcess as Process;
 
-/// Why cutting conditions cannot be given.
+/// Why there are no cutting conditions.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum CuttingRefusal {
@@ -18,11 +18,11 @@ pub enum CuttingRefusal {
     Figure(MissingFigure),
     /// There is no feed at that depth and diameter.
     NoFeed { lacking: MissingFigure, depth: Micrometres, diameter: Micrometres },
-    /// Nothing is cut.
+    /// There is no cut.
     NothingToCut(NonPositive),
     /// The tables have no feed for such a fine surface.
     TooFineToTurn { roughness: Roughness, process: Process },
-    /// The lathe leaves no surface so fine.
+    /// The lathe cannot make so fine a surface.
     TooFineForLathe { lathe: String, roughness: Roughness, best: Roughness },
     /// Threads are not computed.
     Threads { tool: String, process: Process },
@@ -30,20 +30,20 @@ pub enum CuttingRefusal {
     NoDepth { tool: String },
     /// No load can be calculated; the first limit with a missing figure.
     LimitNotKnown(Option<UnknownBound>),
-    /// A boring bar would stand out too far.
+    /// The overhang of a boring bar would be too large.
     BarTooLong(BarTooLong),
     /// No source gives the limiting depth.
     NoLimitingDepth,
 }
 
-/// A boring bar that would stand out too far: overhang > most.
+/// A boring bar with too large an overhang: overhang > most.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BarTooLong {
     /// Its designation.
     pub tool: String,
-    /// How far it would stand out.
+    /// Its overhang.
     pub overhang: Micrometres,
-    /// How far it may.
+    /// The largest permitted overhang.
     pub most: Micrometres,
 }
 
@@ -68,13 +68,13 @@ pub enum NonPositive {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "Note", try_from = "Note")]
 pub struct MissingFigure {
-    /// What the figure belongs to.
+    /// The owner of the figure.
     pub of: FigureOwner,
     /// The process that needs it, if that matters.
     pub process: Option<Process>,
 }
 
-/// Where the missing figure belongs.
+/// The owner of a missing figure.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum FigureOwner {
@@ -95,7 +95,7 @@ impl From<FigureOwner> for MissingFigure {
 }
 
 impl MissingFigure {
-    /// The same for a process.
+    /// The same, during a process.
     #[must_use]
     pub fn during(self, process: Process) -> Self {
         Self { process: Some(process), ..self }

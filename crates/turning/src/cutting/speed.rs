@@ -1,5 +1,5 @@
-//! The cutting speed: by the handbook's formula, compared with what shops drive; where the formula has no figures for
-//! the material, what shops drive.
+//! The cutting speed: by the handbook's formula, compared with the speeds used in shops; if the formula has no
+//! figures for the material, the speed used in shops.
 
 use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::Question;
@@ -25,7 +25,7 @@ pub(super) struct SpeedLaw<'k> {
     pub because: Vec<Because>,
 }
 
-/// The tool life that a formula is for.
+/// The tool life of a formula.
 #[derive(Clone, Copy, Debug)]
 struct LifeLaw {
     life: Minutes,
@@ -33,16 +33,16 @@ struct LifeLaw {
     exponent: f64,
 }
 
-/// A speed that is taken.
+/// The speed in use.
 #[derive(Clone, Debug)]
 pub(super) struct TakenSpeed {
     /// The speed for the tool life; without a formula the usual one of practice.
     pub computed: MetresPerMinute,
     /// The speed after the second opinion.
     pub speed: MetresPerMinute,
-    /// Whether the formula says how long the tool lives at that speed.
+    /// The tool life at that speed, if the formula applies.
     lives: Option<LifeLaw>,
-    /// The row of practice, and the rule where practice is taken.
+    /// The row of practice, and the rule if practice is taken.
     pub because: Vec<Because>,
 }
 
@@ -52,7 +52,7 @@ impl TakenSpeed {
         self.computed.0.to_bits() != self.speed.0.to_bits() || self.lives.is_none()
     }
 
-    /// How long the tool lives at another speed: T·(V/V')^(1/m); none where no formula says so.
+    /// The tool life at another speed: T·(V/V')^(1/m); none if no formula applies.
     pub fn life_at(&self, speed: MetresPerMinute) -> Option<Minutes> {
         let LifeLaw { life, exponent } = self.lives?;
         Some(Minutes(life.0 * libm::pow(self.computed.0 / speed.0, 1.0 / exponent)))
@@ -70,7 +70,7 @@ impl SpeedLaw<'_> {
         let asked = cut.knowledge.ask(&TurningSecondOpinionFor { cut: self.cut, formula, share })?;
         let take = asked.need(self.cut.name())?.take;
         let (speed, lives) = match take {
-            // Faster than the formula has it: its tool life is not that of practice.
+            // Faster than the formula: its tool life does not apply to practice.
             Taken::PracticeLow if practice.low.0 > computed.0 => (practice.low, None),
             Taken::PracticeHigh if practice.high.0 < computed.0 => (practice.high, self.formula),
             Taken::PracticeUsual => (computed, self.formula),
@@ -97,8 +97,8 @@ impl SpeedLaw<'_> {
 ///
 /// V = Cv / (T^m · t^x · s^y) · Kmv · Kpv · Kiv · Kφv, and 0.9 of it in a bore; in grooving without t, Kφv and the 0.9.
 ///
-/// A material whose group has no coefficients of its own is cut at the middle of what shops drive, times Kpv; only
-/// where no shop's table has it either do the figures of another group stand in, and the reason names that group.
+/// For a material whose group has no coefficients, the speed is the middle of those used in shops, times Kpv. If no
+/// shop table has the material either, the figures of another group are used, and the reason names that group.
 ///
 /// # Errors A table has no figure for this material or tool.
 pub(super) fn speed<'k>(
@@ -150,7 +150,7 @@ pub(super) fn speed<'k>(
     Ok(SpeedLaw { law, formula: Some(LifeLaw { life, exponent: m }), cut: kind, practice, because })
 }
 
-/// Whether the handbook has coefficients of the speed for the material's own group.
+/// Whether the handbook has speed coefficients for the material's own group.
 fn has_own(cut: &TurningCut<'_, '_>, feed: MillimetresPerRev) -> Result<bool, KnowledgeError> {
     let material_group = cut.material.group;
     fn known<Q: Question>(question: &Q, cut: &TurningCut<'_, '_>) -> Result<bool, KnowledgeError> {

@@ -1,7 +1,7 @@
-//! How far a turned part gives way to the force of a cut, and how it is stressed: it is a beam in chuck or centres.
+//! Deflection and stress of a turned part under the cutting force: the part is a beam in chuck or centres.
 //!
-//! The part is stepped, so its bending is integrated over its sections (Castigliano), each with its own diameter and bore.
-//! Chuck and centres count as rigid; what they give is not known of any lathe here.
+//! The part is stepped, so its bending is integrated over its sections (Castigliano), each with its own diameter and
+//! bore. Chuck and centres are assumed rigid; their compliance is not known for any lathe here.
 
 use std::f64::consts::PI;
 
@@ -13,7 +13,7 @@ use crate::tables::turning::part::{ElasticModulus, PartSupport};
 use crate::turning::length::Half;
 use crate::units::{Micrometres, Newtons};
 
-/// A stretch of the part between two distances from the jaws (between centres from the far one).
+/// A section of the part between two distances from the jaws (between centres, from the far one).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartSection {
     /// Where it begins.
@@ -22,7 +22,7 @@ pub struct PartSection {
     pub to: Half,
     /// The least radius on it.
     pub radius: Half,
-    /// The radius of the bore; zero of a solid part.
+    /// The radius of the bore; zero for a solid part.
     pub bore: Half,
 }
 
@@ -38,24 +38,24 @@ pub struct HeldPart {
     because: Vec<Because>,
 }
 
-/// How a part answers a force in a stretch of it, where it answers most.
+/// The compliance of a part over a range of it, at the place where it is largest.
 #[derive(Clone, Debug)]
 pub struct Flexibility {
-    /// mm for each newton.
+    /// Compliance, mm per newton.
     compliance: f64,
-    /// Where that is, from the jaws, mm.
+    /// Its place, from the jaws, mm.
     at: f64,
-    /// MPa for each newton, at the place that is stressed most.
+    /// Stress, MPa per newton, at the place where it is largest.
     stress: f64,
     /// The tensile strength, MPa.
     pub(super) strength: f64,
-    /// The tolerance of the diameter that the cut finishes; none of roughing.
+    /// The tolerance of the diameter that the cut finishes; none for roughing.
     pub(super) tolerance: Option<Micrometres>,
     pub(super) because: Vec<Because>,
 }
 
 impl Flexibility {
-    /// How far the axis gives way, mm.
+    /// The deflection of the axis, mm.
     pub fn bend_mm(&self, force: Newtons) -> f64 {
         self.compliance * force.0
     }
@@ -65,24 +65,25 @@ impl Flexibility {
         self.stress * force.0
     }
 
-    /// The force that bends the axis so far.
+    /// The force that causes this deflection.
     pub(super) fn force_to_bend(&self, mm: f64) -> Newtons {
         Newtons(mm / self.compliance)
     }
 
-    /// The force that stresses it so much, MPa.
+    /// The force that causes this stress, MPa.
     pub(super) fn force_to_stress(&self, mpa: f64) -> Newtons {
         Newtons(mpa / self.stress)
     }
 
-    /// Where it gives way most, mm from the jaws.
+    /// The place of the largest deflection, mm from the jaws.
     pub const fn at_mm(&self) -> f64 {
         self.at
     }
 }
 
 impl HeldPart {
-    /// A part of a material in its sections, the first at the jaws. None without sections, or with one that is no body.
+    /// A part of a material with its sections, the first at the jaws. None without sections, or with a section that
+    /// is no solid body.
     ///
     /// # Errors The knowledge base has no modulus of elasticity for the material's group.
     pub fn of(
@@ -109,12 +110,13 @@ impl HeldPart {
         self.support
     }
 
-    /// The length that stands free, mm.
+    /// The free length, mm.
     pub fn length_mm(&self) -> f64 {
         self.sections.last().map_or(0.0, |last| last.to.to_mm())
     }
 
-    /// Its free length over the diameter of a bar that would bend as far at mid-length (a chuck's part: at its free end).
+    /// Its free length divided by the diameter of a plain bar with the same deflection at mid-length (for a part in
+    /// the chuck, at its free end).
     pub fn slenderness(&self) -> f64 {
         let (length, (compliance, _)) = (self.length_mm(), self.answers(self.weakest_point()));
         // Of a plain solid bar: compliance = L³ / (k·E·I), so d = (64·L³ / (k·π·E·compliance))^(1/4).
@@ -127,7 +129,7 @@ impl HeldPart {
         length / libm::pow(fourth, 0.25)
     }
 
-    /// Where a plain bar so held gives way most, mm from the jaws.
+    /// The place of the largest deflection of a plain bar held in the same way, mm from the jaws.
     fn weakest_point(&self) -> f64 {
         self.length_mm()
             * match self.support {
@@ -137,13 +139,13 @@ impl HeldPart {
             }
     }
 
-    /// How it answers a force between two distances from the jaws, where it answers most; with a tolerance the cut
-    /// finishes a diameter of that tolerance.
+    /// The compliance under a force between two distances from the jaws, at the worst place; `tolerance` is that of
+    /// the finished diameter.
     pub fn over(&self, from: Half, to: Half, tolerance: Option<Micrometres>) -> Flexibility {
         let length = self.length_mm();
         let within = |at: f64| at.clamp(0.0, length);
         let (from, to) = (within(from.to_mm()), within(to.to_mm()));
-        // Both ends, what lies between them in eighths, and where a plain bar is weakest.
+        // Both ends, seven points between them, and the weakest place of a plain bar.
         let weakest = self.weakest_point().clamp(from.min(to), to.max(from));
         let mut places: Vec<f64> = (0..=8).map(|part| from + (to - from) * f64::from(part) / 8.0).collect();
         places.push(weakest);
@@ -192,12 +194,12 @@ impl HeldPart {
         stretches
     }
 
-    /// The bending moment along the part of 1 N across it at a place, N·mm.
+    /// The bending moment along the part of 1 N perpendicular to it at a place, N·mm.
     ///
     /// - In the chuck: a − x up to the force, nothing beyond.
     /// - Between centres: b·x/L up to it and a·(L − x)/L beyond, with b = L − a.
-    /// - In the chuck and at the centre: that of the chuck less R·(L − x), with the force R of the centre, which keeps
-    ///   that end where it is: R = δ(a, L)/δ(L, L) of the part in the chuck alone.
+    /// - In the chuck and at the centre: that of the chuck less R·(L − x), with the force R of the centre, which
+    ///   holds that end in place: R = δ(a, L)/δ(L, L) of the part in the chuck alone.
     fn moment(&self, place: f64) -> impl Fn(f64) -> f64 + use<> {
         let (length, support) = (self.length_mm(), self.support);
         let centre = if support == PartSupport::ChuckAndCentre { self.force_of_centre(place) } else { 0.0 };
@@ -208,7 +210,7 @@ impl HeldPart {
         }
     }
 
-    /// What the centre carries of 1 N at a place.
+    /// The reaction of the centre to 1 N at a place.
     fn force_of_centre(&self, place: f64) -> f64 {
         let length = self.length_mm();
         let (mut across, mut own) = (0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Bridges over what the tool cannot make, from lip to lip, and the contour that is left for the tool.
+//! Bridges over elements that the tool cannot make, from lip to lip, and the resulting contour for the tool.
 //!
 //! Bits that the tool cannot make lie between two lips. They are bridged in the first of these ways that fits:
 //!
@@ -25,7 +25,7 @@ const TRIFLE: f64 = 0.0015;
 pub(super) struct BridgeSpan {
     /// The index of the first bit under it, and of the first bit after it.
     pub bits: (usize, usize),
-    /// The part under it, from lip to lip.
+    /// The part below it, from lip to lip.
     pub under: Vec<Bit>,
     /// The bridge.
     pub over: Vec<Bit>,
@@ -33,7 +33,7 @@ pub(super) struct BridgeSpan {
     pub open: bool,
 }
 
-/// What is left for the tool, and the bridges.
+/// The contour for the tool, and the bridges.
 pub(super) struct Bridged {
     pub bits: Vec<Bit>,
     pub spans: Vec<BridgeSpan>,

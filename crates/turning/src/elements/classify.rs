@@ -17,7 +17,7 @@ use super::{Angles, Class, Element, ElementReason};
 /// An undercut is steeper than this, degrees. 0.06° above 90° are allowed for the rounded ends of an upright arc.
 const UPRIGHT: f64 = 90.06;
 
-/// A bit, what the tool reaches of it, and the bridge over it.
+/// A bit, the reach of the tool there, and the bridge over it.
 #[derive(Clone, Copy)]
 pub(super) struct SeenBit<'s> {
     bit: &'s Bit,
@@ -26,7 +26,7 @@ pub(super) struct SeenBit<'s> {
     under: Option<&'s BridgeSpan>,
 }
 
-/// What the tool reaches of a contour.
+/// The reach of the tool along the contour.
 pub(super) struct Seen<'s> {
     /// In the order of the feed.
     bits: Vec<SeenBit<'s>>,
@@ -68,7 +68,7 @@ impl<'s> Seen<'s> {
     }
 }
 
-/// Classifies a surface from what the tool reaches of it and the bridges over it.
+/// Classifies a surface by the reach of the tool and the bridges over it.
 ///
 /// # Errors
 /// The knowledge base lacks the rule `turning-element` or a row of it.

@@ -54,7 +54,7 @@ pub struct Angles {
     /// φ1: between the auxiliary cutting edge and the return direction.
     #[serde(rename = "secondary_angle_deg")]
     pub secondary: Degrees,
-    /// In which direction it feeds.
+    /// The direction of its feed.
     pub hand: Hand,
 }
 

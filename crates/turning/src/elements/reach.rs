@@ -64,7 +64,7 @@ impl Edges {
         bits.iter().enumerate().map(judge).collect()
     }
 
-    /// What keeps the tip from a point of a bit.
+    /// The metal that keeps the tip from a point of a bit.
     fn over(&self, tip: Point, index: usize, piece: Piece, metal: &Metal) -> Option<Shade> {
         let along = |at: Point| piece.from.to(at).length();
         let behind = |at: Point| at.z <= tip.z && self.behind.dot(tip.to(at)) > TRIFLE;

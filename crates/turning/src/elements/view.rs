@@ -10,15 +10,15 @@ use super::Hand;
 /// A part of a piece that only rises or only falls, and does not change its direction along Z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Bit {
-    /// The surface that it is of.
+    /// The index of its surface.
     pub surface: usize,
     /// The index of its piece on the contour; none for a part of a bridge.
     pub origin: Option<usize>,
-    /// Where it runs, as the tool sees it.
+    /// Its course, as the tool sees it.
     pub piece: Piece,
 }
 
-/// How to look.
+/// The direction of the view.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     /// The largest radius of a bore, from which radii count inwards; none for an outer contour.

@@ -8,30 +8,30 @@ use crate::turning::toolpath::{Move, Purpose, Toolpath};
 /// The clearances of the tool.
 #[derive(Clone, Copy, Debug)]
 pub struct Clearance {
-    /// How far before the metal the feed begins.
+    /// The distance before the metal where the feed begins.
     pub approach: Half,
-    /// How far the tool draws back from a finished surface.
+    /// The retract from a finished surface.
     pub retract: Half,
-    /// How high a wall the edge may cut on its way up.
+    /// The greatest height of a wall that the edge may cut while it rises.
     pub wall: Half,
 }
 
 /// The toolpath along a contour through the stock above it, both offset for the reference point of the tool
 /// ([`crate::turning::nose`]).
 ///
-/// 1. A face at the free end is cut first, from outside towards the axis: there the edge beside the tip cuts, and the
-///    corner that the rest begins at is left clean.
-/// 2. So is a wall that is higher than the edge: upwards its holder would meet what stands above.
+/// 1. A face at the free end is cut first, from outside towards the axis: there the secondary edge cuts, and the
+///    starting corner of the rest is left clean.
+/// 2. So is a wall higher than the edge: if the tool cut it upwards, its holder would hit the metal above.
 /// 3. The rest begins on the extension of its first piece, off the metal by the approach, and is followed to its end.
-/// 4. The tool draws back on both axes and leaves above everything that stands.
+/// 4. The tool retracts on both axes and leaves above all metal.
 ///
-/// A bore is the same inside out.
+/// For a bore the same, inside out.
 pub fn along(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
     seen_outside(contour, standing, |contour, standing, ceiling| outside(contour, standing, ceiling, clearance))
 }
 
-/// The toolpath along a hollow from lip to lip, down to its beginning and up from its end. It begins and ends above the
-/// metal beside it, at a home before the whole side.
+/// The toolpath along a hollow from lip to lip, down to its beginning and up from its end. It begins and ends above
+/// the metal beside it, at a home point outside the whole side.
 pub fn dip(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
     seen_outside(contour, standing, |contour, standing, ceiling| {
         let Clearance { approach, .. } = clearance;
@@ -98,7 +98,7 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
     if ceiling.is_none() {
         for (before, face) in walls(rest, wall) {
             let stands = standing.radii_at(face.from.z).map_or(face.to.radius, |(_, most)| most.max(face.to.radius));
-            // What stands over the foot, rounded as the rough nose left it, is cut with what is before it.
+            // Metal above the foot, with the rounding of the roughing nose, is cut with the piece before it.
             let foot = standing
                 .radii_at((face.from.z - approach).max(before.from.z))
                 .map_or(face.from.radius, |(_, most)| most);
@@ -116,7 +116,7 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
         }
     }
     if let Some(first) = rest.first() {
-        // On the axis there is metal all round, so the tool enters along it.
+        // On the axis there is metal all round, so the tool enters along the axis.
         let ahead = if first.from.radius <= Half::ZERO { Vector::new(1.0, 0.0) } else { first.direction_at_start() };
         let before = first.from.moved(ahead.times(-approach.to_mm()));
         let before = Point { radius: limited(before.radius), z: before.z };
@@ -130,7 +130,7 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
         }
         path.go(Point { radius: limited(end.radius + retract), z: end.z - retract }, Purpose::Rapid);
     }
-    // A bore is left along its wall, past its narrowest place: a bar has no room to go across it.
+    // A bore is left along its wall, past its narrowest place: a bar has no room for crossing the bore.
     let aside = if ceiling.is_some() {
         limited((most(contour) + retract).max(path.end().radius))
     } else {
@@ -142,13 +142,13 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
     path
 }
 
-/// Walls that rise higher than that, with the piece before each.
+/// Walls higher than that, with the piece before each.
 fn walls(pieces: &[Piece], higher: Half) -> impl Iterator<Item = (&Piece, &Piece)> {
     let pairs = pieces.iter().zip(pieces.iter().skip(1));
     pairs.filter(move |(_, face)| face.is_face() && face.to.radius - face.from.radius > higher)
 }
 
-/// The pieces, with lines that go straight on as one.
+/// The pieces, with collinear lines joined.
 fn joined(pieces: &[Piece]) -> Vec<Piece> {
     let mut joined: Vec<Piece> = Vec::new();
     for piece in pieces {

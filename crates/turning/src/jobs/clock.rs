@@ -1,4 +1,4 @@
-//! How long a toolpath takes.
+//! The time of a toolpath.
 
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::toolpath::Toolpath;
@@ -8,8 +8,8 @@ use technolog_cutting::rpm_at;
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 
-/// The time of a toolpath, min: way over feed times spindle speed, rapids at one rate. At a constant cutting speed the
-/// spindle follows the radius up to its limit.
+/// The time of a toolpath, min: path over feed times spindle speed, rapids at one rate. At a constant cutting speed
+/// the spindle follows the radius up to its limit.
 pub fn time(path: &Toolpath, speed: Speed, feeds: &Feeds, rapid: MillimetresPerMinute) -> Minutes {
     let times = path.pieces().map(|(piece, purpose)| match feeds.of(purpose) {
         None => piece.length_mm() / rapid.0,
@@ -18,7 +18,7 @@ pub fn time(path: &Toolpath, speed: Speed, feeds: &Feeds, rapid: MillimetresPerM
     Minutes(times.sum())
 }
 
-/// How long a turn of the spindle takes over a piece, min, on the average.
+/// The mean time of a spindle revolution over a piece, min.
 fn minutes_per_turn(piece: Piece, speed: Speed) -> f64 {
     /// Enough for a thousandth of a facing cut, whose middle is at the limit of the spindle.
     const PARTS: u32 = 64;

@@ -1,7 +1,7 @@
 //! The jobs of a set-up in order, each with its tool, toolpath, speed and feeds. Programs, times, settings, drawings
-//! and the proof use nothing else of an operation.
+//! and the proof use only the jobs of an operation.
 //!
-//! A toolpath is that of the tool's **reference point**, whose place the offsets of the control give:
+//! A toolpath is that of the tool's **reference point**, whose position the offsets of the control give:
 //!
 //! | tool | reference point |
 //! |---|---|
@@ -39,7 +39,7 @@ use crate::turning::toolpath::Toolpath;
 use crate::units::{Decimal, Degrees, Micrometres, Minutes};
 pub use pace::Pace;
 
-/// What a job does.
+/// The work of a job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Work {
@@ -62,7 +62,7 @@ pub enum Work {
 }
 
 impl Work {
-    /// Its name, as answers and remarks of programs have it.
+    /// Its name in answers and in comments of programs.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Face => "face",
@@ -77,7 +77,7 @@ impl Work {
     }
 }
 
-/// What a job does to a thread; a control's threading cycle is called with it.
+/// The thread of a job, as the arguments of a control's threading cycle.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ThreadCut {
     /// Pitch P, mm.
@@ -86,11 +86,11 @@ pub struct ThreadCut {
     pub from_z_mm: Half,
     /// Z of the end, in the relief or where the tool pulls out.
     pub to_z_mm: Half,
-    /// Where the crests are: the radius before the first pass.
+    /// The radius of the crests, before the first pass.
     pub crest_radius_mm: Half,
-    /// Where the roots are: the radius of the last pass.
+    /// The radius of the roots, of the last pass.
     pub root_radius_mm: Half,
-    /// Depth of each pass from the crests, radial, ascending; the last is the whole depth, spring passes repeat it.
+    /// Depth of each pass from the crests, radial, ascending; the last is the whole depth; spring passes repeat it.
     pub depths_mm: Vec<Half>,
     /// The angle of infeed from the perpendicular to the axis, degrees; 0 is straight in.
     pub infeed_angle_deg: Degrees,
@@ -99,7 +99,7 @@ pub struct ThreadCut {
 /// A job of one tool.
 #[derive(Clone, Debug, Serialize)]
 pub struct Job {
-    /// What it does.
+    /// Its kind of work.
     pub work: Work,
     /// Outside or inside.
     pub side: Side,
@@ -115,17 +115,17 @@ pub struct Job {
     /// Feed, speed, spindle step and loads, if a lathe is named.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub conditions: Option<TurningConditions>,
-    /// The time of the toolpath at this pace; the first way to the part is not in it.
+    /// The time of the toolpath with these feeds and speeds, without the first approach to the part.
     pub time_min: Minutes,
     /// The thread that it cuts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thread: Option<ThreadCut>,
-    /// The zone that it clears and the index of the work in it, of a rough job.
+    /// For roughing: the index of its zone and of the work in it.
     #[serde(skip)]
     pub zone: Option<(usize, usize)>,
-    /// Notes: how it was divided, what limits it.
+    /// Notes: its division, its limits.
     pub notes: Vec<Note>,
-    /// The rows that it rests on.
+    /// Its rows.
     pub because: Vec<Because>,
 }
 
@@ -145,9 +145,9 @@ pub struct JobTool {
 pub enum Body {
     /// An insert in a holder or a bar.
     Insert {
-        /// What it is for.
+        /// Its purpose.
         kind: ToolKind,
-        /// Where it works.
+        /// The place where it works.
         works: Place,
         /// Its hand.
         hand: Hand,
@@ -161,7 +161,7 @@ pub enum Body {
         edge_mm: Option<Micrometres>,
         /// Width of a blade, mm.
         width_mm: Option<Micrometres>,
-        /// How deep a blade reaches, mm.
+        /// The depth of cut that a blade permits, mm.
         blade_depth_mm: Option<Micrometres>,
         /// Square shank: height and width, mm.
         shank_mm: Option<(Micrometres, Micrometres)>,
@@ -174,9 +174,9 @@ pub enum Body {
     Drill {
         /// Its diameter, mm.
         diameter_mm: Micrometres,
-        /// The whole angle of its point, degrees.
+        /// The full angle of its point, degrees.
         point_angle_deg: Degrees,
-        /// How deep its flutes reach, mm.
+        /// The usable length of its flutes, mm.
         flute_mm: Option<Micrometres>,
     },
     /// A centre drill of ГОСТ 14034.
@@ -190,7 +190,7 @@ pub enum Body {
     },
 }
 
-/// From the centre of the nose to the reference point, in noses.
+/// The direction from the centre of the nose to the reference point, in nose radii.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tip {
     /// −1 towards the axis, +1 outwards, 0 at the height of the centre.
@@ -207,7 +207,7 @@ impl Tip {
     }
 }
 
-/// The edge of an insert whose row has none: shorter than those of the catalog.
+/// The edge length of an insert whose row has none: shorter than those of the catalog.
 pub const UNKNOWN_EDGE: Micrometres = Micrometres::from_mm(10);
 
 impl JobTool {
@@ -238,7 +238,7 @@ impl JobTool {
         }
     }
 
-    /// Where its reference point lies from the centre of its nose; none for a tool without a nose.
+    /// The direction from the centre of its nose to its reference point; none for a tool without a nose.
     pub fn tip(&self) -> Option<Tip> {
         let Body::Insert { kind, works, hand, .. } = self.body else { return None };
         Some(tip(kind, works, hand))
@@ -253,7 +253,7 @@ impl JobTool {
     }
 }
 
-/// The place of the reference point of a kind of tool.
+/// The reference point of a kind of tool.
 pub const fn tip(kind: ToolKind, works: Place, hand: Hand) -> Tip {
     let radial = if matches!(works, Place::Inner) { 1 } else { -1 };
     let axial = match (kind, hand) {

@@ -11,7 +11,7 @@ use technolog_cutting::speed_at;
 pub enum Pace {
     /// By cutting conditions: the spindle, and feeds per revolution.
     PerRev {
-        /// How the spindle turns.
+        /// The rotation of the spindle.
         speed: Speed,
         /// The feed of each purpose.
         feeds: Feeds,
@@ -26,7 +26,7 @@ pub enum Pace {
 }
 
 impl Pace {
-    /// Its feeds per revolution, where it has them.
+    /// Its feeds per revolution, if it has them.
     pub const fn feeds(&self) -> Option<Feeds> {
         match self {
             Self::PerRev { feeds, .. } => Some(*feeds),
@@ -34,7 +34,7 @@ impl Pace {
         }
     }
 
-    /// How its spindle turns, where conditions say so.
+    /// The rotation of its spindle, if conditions give it.
     pub const fn speed(&self) -> Option<Speed> {
         match self {
             Self::PerRev { speed, .. } => Some(*speed),
@@ -45,7 +45,7 @@ impl Pace {
         }
     }
 
-    /// The cutting speed, m/min: the constant one, or that of the spindle at the largest diameter that is cut. None if
+    /// The cutting speed, m/min: the constant one, or that of the spindle at the largest diameter of the cut. None if
     /// neither is known.
     pub fn cutting_speed(&self, largest: Option<Micrometres>) -> Option<MetresPerMinute> {
         match self.speed()? {

@@ -24,21 +24,21 @@ use super::{Job, JobTool, Pace, Work};
 /// A part that is cut off.
 #[derive(Clone, Debug)]
 pub struct Parting {
-    /// The diameter of the bar where it is cut.
+    /// The diameter of the bar at the cut.
     pub bar: Micrometres,
-    /// The diameter of the bore through which the blade comes out; zero in solid metal.
+    /// The diameter of the bore that the blade reaches; zero in solid metal.
     pub bore: Micrometres,
     /// Z of the far face, with its allowance; the blade cuts behind it.
     pub face: Half,
     /// Z of the front of the jaws, if known.
     pub jaws: Option<Half>,
-    /// The radius over everything.
+    /// The largest radius.
     pub clear: Half,
     /// The far face, if it is a surface of the drawing.
     pub surfaces: Vec<SurfaceName>,
 }
 
-/// The job of parting off, with the narrowest blade that does it: it wastes the least bar.
+/// The job of parting off, with the narrowest suitable blade: it wastes the least bar.
 ///
 /// # Errors No blade is long enough, or the jaws are too near, with the inequality; or the knowledge base lacks a table.
 pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
@@ -56,7 +56,7 @@ pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     because.extend(pace.because);
     let slow = limits.ratio(JobLimit::PartingSlowFeed)?;
     let inner = Half::radius_of(parting.bore);
-    // Its round corner must come through, or a pip stays as high as the corner is round.
+    // Its round corner must pass the axis, or a pip as high as the corner radius remains.
     let end = inner - nose;
     let slow_from = (inner + Half::of(limits.length(JobLimit::PartingSlowFrom)?)).min(Half::radius_of(parting.bar));
     let at = |radius: Half| Point { radius, z: lead };
@@ -106,7 +106,7 @@ fn blade<'k>(
     let mut tools = TurningTool::all(bench.knowledge)?;
     tools.retain(|tool| (tool.kind, tool.works) == (ToolKind::Grooving, Place::Outer) && tool.nose_radius.is_some());
     tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
-    // The shank of a right-hand tool lies towards the part and keeps away from the jaws.
+    // The shank of a right-hand tool is on the side of the part, away from the jaws.
     tools.sort_by_key(|tool| (tool.width, tool.hand == Hand::L));
     let wall = Half::radius_of(parting.bar) - Half::radius_of(parting.bore);
     let mut longest = Micrometres::ZERO;

@@ -1,4 +1,4 @@
-//! Why a job cannot be made: the inequality that fails.
+//! Why a job cannot be made: the failed inequality.
 
 use crate::error::Refusal;
 use crate::note::{Figure, Note};
@@ -15,13 +15,13 @@ use technolog_cutting::figures::{self, Asking};
 pub enum NoJob {
     /// Speed and feed need a lathe.
     NoLathe,
-    /// No tool of the kind works there at all.
+    /// No tool of that kind works there.
     NoTool { surface: SurfaceName },
     /// Speed or feed is not known.
     Cutting(CuttingRefusal),
     /// It is not a groove with walls and a floor.
     NotAValley { surface: SurfaceName },
-    /// Even the narrowest blade is wider than the room at the floor.
+    /// Even the narrowest blade is wider than the floor permits.
     TooNarrow { surface: SurfaceName, room: Half, width: Micrometres },
     /// The blade is too short.
     TooDeep { surface: SurfaceName, depth: Half, reach: Micrometres },
@@ -33,9 +33,9 @@ pub enum NoJob {
     FaceTooSmall { surface: SurfaceName, diameter: Micrometres, least: Micrometres },
     /// Its mouth does not face the free end.
     FacesChuck { surface: SurfaceName },
-    /// It undercuts both sides of its mouth: no insert has both angles.
+    /// Both sides of its mouth are undercut: no insert has both angles.
     Undercut { surface: SurfaceName, main: f64, secondary: f64 },
-    /// It exceeds what the tool or the lathe can carry.
+    /// It exceeds a limit of tool or lathe.
     Overloaded { tool: String, bound: Bound },
     /// No insert cuts that pitch.
     NoPitch { pitch: Micrometres, least: Micrometres, most: Micrometres },
@@ -49,7 +49,7 @@ pub enum NoJob {
     NoRunOut { surface: SurfaceName, needs: Half, room: Half },
     /// The relief is not as deep as the thread.
     ReliefTooShallow { surface: SurfaceName, relief: Micrometres, root: Micrometres },
-    /// The thread does not lie on a cylinder.
+    /// The thread is not on a cylinder.
     ThreadOnNoCylinder { surface: SurfaceName },
     /// No drill of the catalogs is so small, or reaches so deep.
     NoDrill { diameter: Micrometres, depth: Half },
@@ -57,7 +57,7 @@ pub enum NoJob {
     DrillTooStrong { diameter: Micrometres, force: Newtons, most: Newtons },
     /// No centre hole is so small.
     NoCentreHole { diameter: Micrometres, least: Micrometres },
-    /// The blade stands too near the jaws.
+    /// The blade is too near to the jaws.
     JawsTooNear { gap: Half, least: Micrometres },
     /// The blade is not long enough for the bar.
     PartingTooDeep { depth: Half, reach: Micrometres },
@@ -133,7 +133,7 @@ pub(super) fn of_tables(refusal: Refusal<Uncut>) -> Refusal<NoJob> {
     refusal.map(|why| NoJob::Cutting(CuttingRefusal::Figure(FigureOwner::Cutting(why).into())))
 }
 
-/// That a table has no figures for the material.
+/// A missing figure of a table for the material.
 pub(super) fn no_figure<'k>(table: &str, who: &impl Asking<'k>) -> Refusal<NoJob> {
     of_tables(figures::missing(table, who))
 }

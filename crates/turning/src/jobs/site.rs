@@ -1,4 +1,4 @@
-//! Where a job works: the side of a set-up, and where a tool is clear of everything.
+//! The site of a job: the side of a set-up, and where a tool is clear of all metal.
 
 use crate::error::{Refusal, Tried};
 use crate::knowledge::vocabulary::Surface;
@@ -14,12 +14,12 @@ use crate::units::Micrometres;
 
 use super::refused::NoJob;
 
-/// The side of a set-up when the job begins: turned to its finished contour, except what the job makes.
+/// The side of a set-up at the beginning of the job: turned to its finished contour, except for the work of the job.
 #[derive(Clone, Copy, Debug)]
 pub struct Site<'a> {
     /// The finished surfaces from the free end, in the coordinates of the set-up.
     pub profile: &'a Profile,
-    /// Clear of everything: the radius beyond which (in a bore below which) the tool passes, and a Z before the free
+    /// A clear position: the radius beyond which (in a bore below which) the tool passes, and a Z before the free
     /// face.
     pub clear: Point,
 }
@@ -30,7 +30,7 @@ impl Site<'_> {
         self.profile.side
     }
 
-    /// The narrowest diameter of a bore from the free end to a Z; what begins at that Z is not before it.
+    /// The narrowest diameter of a bore from the free end to a Z; an element that begins at that Z does not count.
     pub(super) fn narrowest(&self, to: Half) -> Micrometres {
         let pieces = self.profile.surfaces.iter().flat_map(|surface| &surface.pieces).filter(|piece| piece.from.z < to);
         let places = pieces.flat_map(|piece| piece.extremes().into_iter().chain(piece.at_z(to)));
@@ -39,7 +39,7 @@ impl Site<'_> {
     }
 }
 
-/// The lathe that speeds are for.
+/// The lathe of the speeds.
 pub(super) fn lathe<'a, 'k>(bench: &'a Bench<'_, 'k>) -> Tried<&'a Lathe<'k>, NoJob> {
     bench.lathe.ok_or(Refusal::Not(NoJob::NoLathe))
 }
@@ -56,7 +56,7 @@ pub(super) fn cut<'a, 'k>(
     Ok(TurningCut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth: None, part: None })
 }
 
-/// How far a bar reaches into a bore: its row, otherwise by the ratio of `turning-limits` to its diameter. None for a
+/// The reach of a bar in a bore: from its row, otherwise by the ratio of `turning-limits` to its diameter. None for a
 /// tool without a bar.
 pub(super) fn bar_reach(tool: &TurningTool<'_>, bench: &Bench<'_, '_>) -> Tried<Option<(Half, Because)>, NoJob> {
     let Some(Shank::Round { diameter }) = tool.shank else { return Ok(None) };

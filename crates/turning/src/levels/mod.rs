@@ -67,12 +67,12 @@ impl Levels {
         section.blank - Half::new(self.depth.halves().saturating_mul(level))
     }
 
-    /// How many levels lie over a cylinder, the last perhaps thinner: ⌈tᵢ / t_p⌉.
+    /// The number of levels over a cylinder, the last perhaps thinner: ⌈tᵢ / t_p⌉.
     pub fn count(&self, section: &ZoneSection, cylinder: &Cylinder) -> i64 {
         section.stock(cylinder).parts(self.depth)
     }
 
-    /// How many levels of the full depth lie over a cylinder: ⌊tᵢ / t_p⌋.
+    /// The number of levels of the full depth over a cylinder: ⌊tᵢ / t_p⌋.
     pub fn full(&self, section: &ZoneSection, cylinder: &Cylinder) -> i64 {
         section.stock(cylinder).halves() / self.depth.halves().max(1)
     }

@@ -6,7 +6,7 @@ use crate::turning::jobs::{Job, Work as JobWork};
 
 use super::{Operation, SetUpWork, proof};
 
-/// A tool that may not do a work again.
+/// A tool that must not do a work again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Barred {
     /// The number of the set-up.
@@ -17,11 +17,11 @@ pub struct Barred {
     pub stage: Stage,
     /// The designation of the tool.
     pub tool: String,
-    /// What the proof found.
+    /// The finding of the proof.
     pub why: Note,
 }
 
-/// What a tool is looked for.
+/// The work for which a tool is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// To rough zones.
@@ -42,7 +42,7 @@ impl Stage {
 }
 
 impl Barred {
-    /// What the page tells of it.
+    /// The finding for the page.
     pub fn finding(&self) -> Finding {
         let note = Note::new("tool-barred").with("number", self.set_up).with("tool", self.tool.clone());
         Finding::of_part(Severity::Note, note.with("why", self.why.clone()))

@@ -13,17 +13,17 @@ use crate::units::{Degrees, Micrometres};
 
 use super::{Operation, plan};
 
-/// How far a wall that a pass leaves stands before its foot, with as much again as nothing touches: an edge that leans
-/// back from 90° cuts it so, over the depth of the pass.
+/// The axial length of the wall that a pass leaves before its foot, plus a clearance: an edge with an angle below or
+/// above 90° leaves it over the depth of the pass.
 fn lean(depth: Micrometres, lead: Degrees) -> Micrometres {
-    /// What stays free, mm.
+    /// The clearance, mm.
     const FREE: f64 = 0.2;
     let over = (lead.0 - 90.0).max(0.0).to_radians();
     Micrometres::from_mm_rounded(depth.to_mm() * libm::tan(over) + FREE)
 }
 
-/// The operation with the rough jobs of its first set-up as one job, which makes the passes of a variant. Tool, pace and
-/// everything else are those of the operation.
+/// The operation with the rough jobs of its first set-up replaced by one job with the passes of a variant. Tool,
+/// conditions and everything else are those of the operation.
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn by_passes(shaft: &Shaft, variant: &Variant, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {

@@ -1,4 +1,4 @@
-//! Contours cut to a stretch of Z.
+//! Contours cut to a range of Z.
 
 use crate::turning::contour::{Contour, Piece};
 use crate::turning::length::Half;

@@ -1,5 +1,5 @@
-//! The cylinder of an outer thread as it is turned: in the middle of what its tolerance leaves for the crests, not at the
-//! nominal diameter that the drawing writes.
+//! The turned cylinder of an outer thread: in the middle of the tolerance of its crests, not at the nominal diameter
+//! of the drawing.
 
 use crate::turning::contour::{Contour, Piece, Profile, Side, SurfaceKind};
 use crate::turning::jobs::thread::Crests;
@@ -7,16 +7,15 @@ use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::workpiece::Workpiece;
 
-/// The cylinder of a thread, and where it is turned.
+/// The cylinder of a thread, and its turned radius.
 struct Lowered {
     thread: Piece,
-    /// Where its relief ends, or it itself where it has none.
+    /// The end of its relief, or its own end if it has none.
     ends: Half,
     radius: Half,
 }
 
-/// A contour of a side with the cylinders of outer threads as they are turned. What stands beside such a cylinder meets it
-/// there.
+/// A contour of a side with the cylinders of outer threads as turned. Neighbouring elements are joined to them.
 pub fn turned(contour: Contour, profile: &Profile, workpiece: &Workpiece) -> Contour {
     let pieces = lowered(profile, workpiece).iter().fold(contour.pieces, lower);
     Contour { side: contour.side, pieces }
@@ -48,7 +47,7 @@ fn lower(mut pieces: Vec<Piece>, by: &Lowered) -> Vec<Piece> {
     let Some(whole) = pieces.get(index).copied() else { return pieces };
     let down = |point: Point| Point { radius: *radius, z: point.z };
     let mut made = Vec::new();
-    // What comes before.
+    // The elements before it.
     let mut from = down(thread.from);
     if whole.from.z < thread.from.z {
         made.push(Piece { to: thread.from, ..whole });
@@ -62,7 +61,7 @@ fn lower(mut pieces: Vec<Piece>, by: &Lowered) -> Vec<Piece> {
             _ => made.push(Piece::line(before.to, from)),
         }
     }
-    // It itself, and what comes behind.
+    // The cylinder itself, and the elements after it.
     let further = whole.to.z > *ends;
     let mut to = down(if further { Point { radius: whole.to.radius, z: *ends } } else { whole.to });
     let mut behind = Vec::new();

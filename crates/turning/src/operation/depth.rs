@@ -1,4 +1,4 @@
-//! How deep a pass may be, and how fast it goes: as given, or by tool and lathe (lecture 12.4, l. 614-626).
+//! The depth of passes and their conditions: as given, or by tool and lathe (lecture 12.4, l. 614-626).
 
 use serde::Serialize;
 
@@ -21,16 +21,16 @@ use super::tools::Bench;
 /// The depth of the passes over a zone.
 #[derive(Clone, Debug, Serialize)]
 pub struct Depth {
-    /// The limiting depth t_lim, mm: the most that one pass may take. The passes take t_p of each work.
+    /// The limiting depth t_lim, mm: the most that one pass may remove. The passes use t_p of each work.
     pub limiting_depth_mm: Half,
     /// Whether the file gives it.
     pub given: bool,
-    /// How it was found, if it was not given. Tool and lathe may carry more at the feed for this depth.
+    /// Its calculation, if it was not given. Tool and lathe may bear more at the feed for this depth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<LimitingDepth>,
 }
 
-/// How the tool moves over a zone.
+/// Feeds and speeds of the tool over a zone.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pace {
     /// Feed, speed, spindle step and loads at the depth of the passes, if a lathe is named.
@@ -40,28 +40,28 @@ pub struct Pace {
     pub feeds: Feeds,
     /// δ, mm.
     pub approach_mm: Half,
-    /// How far the tool draws back, mm.
+    /// The retract of the tool, mm.
     pub retract_mm: Half,
 }
 
-/// What a cut over a zone is.
+/// The cut over a zone.
 #[derive(Clone, Copy, Debug)]
 pub struct ZoneCut<'a, 'k> {
     /// The tool.
     pub tool: &'a TurningTool<'k>,
     /// The largest diameter that is cut.
     pub diameter: Micrometres,
-    /// Where the feed goes.
+    /// The direction of the feed.
     pub direction: Direction,
     /// The most stock over the zone, radial, or axial before a face.
     pub stock: Half,
-    /// How far into a bore the cut goes; none outside.
+    /// The depth of the cut in a bore; none outside.
     pub bore_depth: Option<Micrometres>,
-    /// How the part deflects there.
+    /// The deflection of the part there.
     pub part: Option<&'a Flexibility>,
 }
 
-/// The limiting depth of a zone. If no source gives it, none, with a finding.
+/// The limiting depth of a zone; none, with a finding, if no source gives it.
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn depth(
@@ -99,7 +99,7 @@ pub fn depth(
     }
 }
 
-/// What the part requires where its bending leaves no sensible depth.
+/// The required support, where the deflection of the part leaves no useful depth.
 ///
 /// # Errors The knowledge base lacks a table.
 fn asks(limit: &LimitingDepth, bench: &Bench<'_, '_>) -> Result<Option<(Finding, Because)>, KnowledgeError> {
@@ -110,15 +110,15 @@ fn asks(limit: &LimitingDepth, bench: &Bench<'_, '_>) -> Result<Option<(Finding,
     shallow.then(|| held.asks(bench.knowledge)).transpose()
 }
 
-/// The search for a depth divides the stock into at most so many passes.
+/// The most passes into which the search divides the stock.
 const MOST_PASSES: i64 = 60;
 
-/// The most that one pass may take at the feed of the passes.
+/// The most that one pass may remove at the feed of the passes.
 ///
-/// The feed depends on the depth. So the stock is divided into one, two, three… passes until there is a feed for their
-/// depth and tool and lathe can carry it. The limit is what they can carry at that feed, as long as the table has that
-/// feed for it: deeper passes have another. The number of passes at which the search ends is the least that the limit
-/// allows.
+/// The feed depends on the depth. So the stock is divided into one, two, three… passes until there is a feed for
+/// their depth and tool and lathe can bear it. The limit is the depth that they can bear at that feed, as long as the
+/// table has that feed for it: deeper passes have another feed. The number of passes at which the search ends is the
+/// least that the limit permits.
 fn limit(cut: &TurningCut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), CuttingRefusal> {
     let mut first: Option<Tried<LimitingDepth, CuttingRefusal>> = None;
     for passes in 1..=MOST_PASSES {
@@ -144,8 +144,9 @@ fn limit(cut: &TurningCut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), 
     }
 }
 
-/// What tool and lathe can carry at a feed: at the speed of the tool life if that is enough for a depth, otherwise at
-/// the slower speed that the spindle power requires. One pass more takes less time than all passes at a slower spindle.
+/// The depth that tool and lathe can bear at a feed: at the speed of the tool life if that is enough for a depth,
+/// otherwise at the slower speed that the spindle power requires. One more pass takes less time than all passes at a
+/// slower spindle.
 fn bearable(cut: &TurningCut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Tried<LimitingDepth, CuttingRefusal> {
     let quick = limiting_depth(cut, feed, Speed::ForToolLife)?;
     if quick.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) {
@@ -172,7 +173,7 @@ fn of_one_feed(
     Ok(depth)
 }
 
-/// What is cut, with the skin of the blank by the rule `turning-skin` and its row; none without a lathe.
+/// The cut, with the skin of the blank by the rule `turning-skin` and its row; none without a lathe.
 fn cut<'a, 'k>(
     task: ZoneCut<'a, 'k>,
     bench: &'a Bench<'_, 'k>,

@@ -19,18 +19,18 @@ pub struct Drilled {
     pub diameter_mm: Micrometres,
     /// Its depth: Z of its end in the set-up, mm.
     pub depth_mm: Half,
-    /// The row that its diameter follows from.
+    /// The row of its diameter.
     pub because: Because,
 }
 
 impl Drilled {
-    /// How deep it has its full diameter: the point of the drill, of 118°, ends at its depth. A bar has no room to bore
-    /// away what the point leaves, because it would meet the wall on the other side.
+    /// The depth of its full diameter: the point of the drill, of 118°, ends at its depth. A bar cannot bore away the
+    /// metal beside the point, because it would meet the wall on the other side.
     pub(super) fn full_depth(&self) -> Half {
         self.depth_mm - point_length(Half::radius_of(self.diameter_mm))
     }
 
-    /// Its wall, from where the rough bore begins.
+    /// Its wall, from the beginning of the rough bore.
     pub(super) fn contour(&self, rough: &Contour) -> Contour {
         let radius = Half::radius_of(self.diameter_mm);
         let ends = [rough.start(), rough.end()].into_iter().flatten().map(|end| Point { radius, z: end.z });
@@ -38,15 +38,15 @@ impl Drilled {
     }
 }
 
-/// How far the point of a drill, of 118° (ГОСТ 10903), stands out before where it is so thick.
+/// The length of a drill's point, of 118° (ГОСТ 10903), up to a radius.
 pub(super) fn point_length(radius: Half) -> Half {
     /// Half the angle of the point, degrees.
     const HALF_POINT: f64 = 59.0;
     Half::from(radius.to_mm() / libm::tan(HALF_POINT.to_radians()))
 }
 
-/// The hole to drill under a rough bore, and the bore without the part of its bottom that the drill removes. If the
-/// bore is too narrow to be drilled and bored, none, with a finding.
+/// The hole to drill under a rough bore, and the bore without the part of its bottom that the drill removes; none,
+/// with a finding, if the bore is too narrow to be drilled and bored.
 ///
 /// # Errors The knowledge base lacks the rule `bore-drill`, or a row of it.
 pub(super) fn before_boring(

@@ -15,7 +15,7 @@ use super::SideWork;
 use super::jobs::stretch;
 use super::tools::Bench;
 
-/// The jobs of the grooves and threads of a side. What cannot be cut is a finding with the inequality that fails.
+/// The jobs of the grooves and threads of a side. One that cannot be cut is a finding with the failed inequality.
 ///
 /// # Errors The knowledge base lacks a table.
 pub(super) fn features(

@@ -23,10 +23,10 @@ pub struct Held {
 }
 
 impl Held {
-    /// How the part is held in a set-up; none if it is not held or its contours enclose no body.
+    /// The held part in a set-up; none if it is not held or its contours enclose no body.
     ///
-    /// It is taken as it will be: what the set-up turns with the finished contour, in a second set-up all of it, with
-    /// its bore. So it is never thinner than calculated and never bends more.
+    /// Its shape is the later one: what the set-up turns with the finished contour, in a second set-up the whole
+    /// finished part, with its bore. So the real part is never thinner and never bends more.
     ///
     /// # Errors The knowledge base lacks a table.
     pub fn of(
@@ -54,14 +54,14 @@ impl Held {
             let within = inner.iter().flat_map(|inner| stretches(inner, from, to));
             within.map(|(.., radii)| radii.1).max().unwrap_or(Half::ZERO)
         };
-        // Behind what this set-up turns: the blank, or what the first set-up has made of it.
+        // Beyond the turned range of this set-up: the blank, or the part after the first set-up.
         let behind = if set_up.turned_over { &part } else { &blank };
         let mut along = Vec::new();
         if let Some(turned) = &turned {
             along.extend(stretches(turned, Half::ZERO, turned_to));
         }
         along.extend(stretches(behind, turned_to, jaws_at));
-        // A point has no thickness at its very end, and nothing there to be bent.
+        // At the very end of a pointed part there is no thickness, and nothing to bend.
         let solid = along.into_iter().rev().filter(|(.., (least, _))| *least > Half::ZERO);
         let sections = solid.map(|(from, to, (radius, _))| PartSection {
             from: jaws_at - to,
@@ -73,12 +73,12 @@ impl Held {
         Ok(held.map(|part| Self { part, jaws_at }))
     }
 
-    /// How it deflects between two places, Z of the set-up; with a tolerance the cut finishes a diameter of it.
+    /// The compliance between two places, Z of the set-up; `tolerance` is that of the finished diameter.
     pub fn over(&self, from: Half, to: Half, tolerance: Option<Micrometres>) -> Flexibility {
         self.part.over(self.jaws_at - from, self.jaws_at - to, tolerance)
     }
 
-    /// What the part requires where its bending leaves no sensible depth, by the rule `turning-support`.
+    /// The required support, where the deflection of the part leaves no useful depth, by the rule `turning-support`.
     ///
     /// # Errors The knowledge base lacks the rule, or a row of it.
     pub fn asks(&self, knowledge: &Knowledge) -> Result<(Finding, Because), KnowledgeError> {
@@ -95,13 +95,13 @@ impl Held {
     }
 }
 
-/// Into how many a slope is divided.
+/// The number of slices of a slope.
 const SLICES: i64 = 8;
 
-/// A stretch from Z to Z with its least and greatest radius.
+/// A range of Z with its least and greatest radius.
 type Stretch = (Half, Half, (Half, Half));
 
-/// A contour between two places as stretches; slopes and arcs are divided.
+/// A contour between two places as ranges; slopes and arcs are divided.
 fn stretches(contour: &Contour, from: Half, to: Half) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     for piece in &contour.pieces {

@@ -1,4 +1,4 @@
-//! The jaws of the chuck and the chuck itself as they stand in a set-up, which no tool may touch.
+//! The jaws and the body of the chuck in a set-up, which no tool may touch.
 
 use serde::Serialize;
 
@@ -13,7 +13,7 @@ use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::{Hold, SetUp, least_length};
 use crate::units::Micrometres;
 
-/// Jaws that are closed on a cylinder of the blank or the part.
+/// Jaws closed on a cylinder of the blank or the part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Jaws {
     /// Z of their front, in the coordinates of the set-up.
@@ -22,33 +22,33 @@ pub struct Jaws {
     pub grips_mm: Micrometres,
     /// The length that they grip.
     pub length_mm: Half,
-    /// The least that they should, by `turning-hold`.
+    /// The required length, by `turning-hold`.
     pub least_mm: Half,
-    /// Their body, where the lathe's record says how large its chuck is.
+    /// Their body, if the lathe's record gives the size of its chuck.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body: Option<ChuckBody>,
 }
 
-/// What turns with the part: no smaller than the real one (`chuck-and-tailstock`).
+/// The rotating body of the chuck: not smaller than the real one (`chuck-and-tailstock`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct ChuckBody {
-    /// The diameter that the jaws sweep.
+    /// The swing diameter of the jaws.
     pub sweep_mm: Micrometres,
-    /// How far the jaws stand out before the face of the chuck.
+    /// The length of the jaws before the face of the chuck.
     pub out_mm: Micrometres,
     /// The diameter of the chuck.
     pub chuck_mm: Micrometres,
 }
 
 impl Jaws {
-    /// What is told where they grip less than they should, to stay off the tool.
+    /// The finding that they grip less than required, to stay clear of the tool.
     pub fn short(&self, set_up: u8) -> Option<Finding> {
         let note = Note::new("jaws-grip-little").with("number", set_up).with("length", self.length_mm);
         let note = note.with("least", self.least_mm);
         (self.length_mm < self.least_mm).then(|| Finding::of_part(Severity::Doubtful, note))
     }
 
-    /// What is told of them.
+    /// The note about them.
     pub fn note(&self) -> Note {
         let note = Note::new(if self.body.is_some() { "jaws-close" } else { "jaws-close-alone" })
             .with("grips", self.grips_mm)
@@ -60,10 +60,10 @@ impl Jaws {
         }
     }
 
-    /// Where the jaws close in a set-up; none between centres, and where nothing is long enough for them.
+    /// The jaws in a set-up; none between centres, and where no cylinder is long enough for them.
     ///
-    /// They stay off the end of what is turned by `jaw-clearance` of `turning-limits`, or by as much as the cylinder is
-    /// longer than what jaws need (`turning-hold`), but not by less than `jaw-clearance-least`.
+    /// Their clearance from the end of the turned range is `jaw-clearance` of `turning-limits`, or the length of the
+    /// cylinder beyond the required grip (`turning-hold`), but not less than `jaw-clearance-least`.
     ///
     /// # Errors The knowledge base lacks a table or a row.
     pub fn of(

@@ -1,5 +1,5 @@
-//! The jobs of a set-up, in the order of work: faces, holes on the axis, rough zones, the finished contours, what is cut
-//! into them.
+//! The jobs of a set-up, in the order of work: faces, holes on the axis, rough zones, the finished contours, and the
+//! grooves and threads in them.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -53,7 +53,8 @@ pub(super) fn jobs(
     for side in sides {
         let drilled = drilled(set_up, side, sides, bench, findings)?;
         if side.layers.drilled_first.is_some() && !drilled.iter().any(|job| job.work == JobWork::Drill) {
-            // No bar enters solid metal; why there is no hole is told, and what of the bore is not made.
+            // No bar enters solid metal; the findings say why there is no hole, and which surfaces of the bore are
+            // not made.
             jobs.retain(|job| job.side != side.side);
             continue;
         }
@@ -68,7 +69,7 @@ pub(super) fn jobs(
     Ok(jobs)
 }
 
-/// The place of a kind of work in the order of a set-up. Within it the outside comes before the bore.
+/// The order of a kind of work in a set-up; for each kind the outside comes before the bore.
 const fn order(work: JobWork) -> u8 {
     match work {
         JobWork::Face => 0,
@@ -109,8 +110,8 @@ fn drilled(
     Ok(jobs)
 }
 
-/// The radius to which a bore narrows within the reach of the point of a drill that ends at a depth; zero at a bottom, none
-/// where the drill may come out.
+/// The radius to which a bore narrows within the reach of the point of a drill that ends at a depth; zero at a
+/// bottom, none where the drill may come out.
 fn narrower(set_up: &SetUp, depth: Half, drill: Half, bench: &Bench<'_, '_>) -> Option<Half> {
     let whole = bench.workpiece.inner.as_ref()?.contour();
     let whole = if set_up.turned_over { whole.turned_over(bench.workpiece.length()) } else { whole };
@@ -124,7 +125,8 @@ fn narrower(set_up: &SetUp, depth: Half, drill: Half, bench: &Bench<'_, '_>) -> 
     radii.min().filter(|least| *least < drill)
 }
 
-/// A part of a zone as the taken scheme clears it, with its place among the zones of the side; none if nothing clears it, which is a finding elsewhere.
+/// A part of a zone as cleared by the chosen scheme, with its index among the zones of the side; none if no scheme
+/// clears it, which is a finding elsewhere.
 fn rough(
     side: Side,
     zone: &ZoneWork,
@@ -157,8 +159,8 @@ fn rough(
     }))
 }
 
-/// A path that leaves a wall at feed by the depth of a pass, and only then at rapid: an edge that leans back has left
-/// metal in front of its tip.
+/// A path that leaves a wall at feed by the depth of a pass, and only then at rapid: an inclined edge has left metal
+/// in front of its tip.
 fn eased(path: &Toolpath, height: Half) -> Toolpath {
     let mut eased = Toolpath::at(path.from);
     let mut along = false;
@@ -176,8 +178,8 @@ fn eased(path: &Toolpath, height: Half) -> Toolpath {
     eased
 }
 
-/// The pace of a job by the pace of its passes: the spindle step of its conditions with feeds per revolution, or rates
-/// where the file states them or nothing else is known.
+/// The conditions of a job from those of its passes: the spindle step with feeds per revolution, or rates if the file
+/// gives them or nothing else is known.
 fn pace_of(pace: &depth::Pace, bench: &Bench<'_, '_>) -> Pace {
     let rates = pace.feeds;
     let rpm = pace.conditions.as_ref().map(|conditions| conditions.spindle_rpm);
@@ -187,8 +189,8 @@ fn pace_of(pace: &depth::Pace, bench: &Bench<'_, '_>) -> Pace {
     }
 }
 
-/// The pace at a constant cutting speed, where the diameter changes along the path and the spindle is stepless: a face
-/// and a contour are then cut as fast everywhere, up to the fastest speed of the spindle.
+/// Conditions with a constant cutting speed, if the diameter changes along the path and the spindle is stepless: a
+/// face and a contour are then cut at the same speed everywhere, up to the highest speed of the spindle.
 fn constant_speed(pace: Pace, conditions: Option<&TurningConditions>, bench: &Bench<'_, '_>) -> Pace {
     let stepless = bench.lathe.and_then(|lathe| match lathe.spindle {
         Spindle::Range { max, .. } => Some(max),
@@ -217,8 +219,8 @@ pub(super) fn per_rev(rates: &crate::turning::transitions::Feeds, rpm: RevsPerMi
     }
 }
 
-/// The finishing passes along the main contour of a side: one, or the face of the free end by itself where no tool both
-/// faces and follows the rest. None where nothing is to be finished, or where roughing left stock in the way.
+/// The finishing passes along the main contour of a side: one, or the face of the free end separately if no tool both
+/// faces and follows the rest. None if there is nothing to finish, or if roughing left stock in the way.
 fn finish(
     set_up: &SetUp,
     side: &SideWork,
@@ -226,7 +228,7 @@ fn finish(
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
     let standing = &side.layers.rough;
-    // Between centres the face is ready: the tailstock centre stands before it.
+    // Between centres the face is finished before: the tailstock centre is in front of it.
     let contour = if bench.workpiece.holding == Holding::Centres && side.side == Side::Outer {
         without_face(&side.layers.left)
     } else {
@@ -266,10 +268,10 @@ fn finish(
     Ok(jobs)
 }
 
-/// How far the finishing of one zone of a hollow goes on into the next, so that no seam is left between two tools.
+/// The overlap of finishing from one zone of a hollow into the next, so that no ridge remains between two tools.
 const SEAM: Half = Half::new(2000);
 
-/// The finishing passes along a hollow, zone by zone, each by a tool that reaches it.
+/// The finishing passes along a hollow, zone by zone, each with a tool that reaches it.
 fn finish_hollow(
     set_up: &SetUp,
     side: &SideWork,
@@ -309,7 +311,7 @@ fn finish_hollow(
     Ok(jobs)
 }
 
-/// A contour with the cylinders of threads as they are turned.
+/// A contour with the cylinders of threads as turned.
 fn as_turned(contour: Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Contour {
     let Some(stretch) = stretch(set_up, contour.side) else { return contour };
     crests::turned(contour, &stretch.profile, bench.workpiece)
@@ -328,7 +330,7 @@ fn without_face(contour: &Contour) -> Contour {
     split_at_face(contour).1
 }
 
-/// The face that a contour begins with, and the rest.
+/// The face at the beginning of a contour, and the rest.
 fn split_at_face(contour: &Contour) -> (Contour, Contour) {
     let faces =
         contour.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius).count();
@@ -337,8 +339,8 @@ fn split_at_face(contour: &Contour) -> (Contour, Contour) {
     (of(face), of(rest))
 }
 
-/// The largest finishing allowance of the surfaces that a pass finishes; of a far face alone, which is no surface of the
-/// set-up, that over it. Where none of them is known, the largest of the side.
+/// The largest finishing allowance of the surfaces of a pass; for a far face alone, which is no surface of the
+/// set-up, the one over it. If none of them is known, the largest of the side.
 fn allowance(layers: &Layers, surfaces: &[&Surface]) -> Half {
     let start = |contour: &Contour| contour.start().map_or(Half::ZERO, |start| start.z);
     let over_face = start(&layers.left) - start(&layers.rough);
@@ -350,13 +352,13 @@ fn allowance(layers: &Layers, surfaces: &[&Surface]) -> Half {
 /// The task of a finishing pass.
 struct Finishing<'a> {
     side: Side,
-    /// The contour that it leaves.
+    /// The contour after it.
     contour: &'a Contour,
     /// The contour before it.
     standing: &'a Contour,
     /// The surfaces that it finishes.
     surfaces: Vec<&'a Surface>,
-    /// The most that it takes off.
+    /// The largest stock that it removes.
     allowance: Half,
     needs: Needs,
 }
@@ -377,8 +379,8 @@ impl Finishing<'_> {
         walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min().map(Half::diameter)
     }
 
-    /// Its tool: the first that reaches everything, with a nose that fits into the hollows before one that leaves metal
-    /// in them.
+    /// Its tool: the first that reaches everything; a nose that fits into the hollows is preferred to one that leaves
+    /// metal in them.
     fn tool<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Option<TurningTool<'k>>, KnowledgeError> {
         let passage = self.narrowest();
         let mut candidates = tools::candidates(self.side, Stage::Finishing, bench)?;
@@ -391,7 +393,7 @@ impl Finishing<'_> {
         Ok(found.map(|index| candidates.swap_remove(index)))
     }
 
-    /// The job; `way` makes its toolpath of the contour and of what stands, both as the nose meets them.
+    /// The job; `way` makes its toolpath from the contours after and before, both as the nose meets them.
     fn job(
         &self,
         bench: &Bench<'_, '_>,
@@ -456,8 +458,8 @@ impl Finishing<'_> {
         }))
     }
 
-    /// The finest roughness that the pass must leave, with the rows of those that the drawing does not give. What
-    /// another machine finishes, and what is finer than the lathe reaches, is not required of it.
+    /// The finest roughness that the pass must leave, with the rows of roughnesses that the drawing does not give.
+    /// Surfaces finished on another machine, or finer than the lathe can make, do not count.
     fn roughness(&self, bench: &Bench<'_, '_>) -> Result<(Roughness, Vec<Because>), KnowledgeError> {
         let (mut finest, mut because): (Option<Roughness>, Vec<Because>) = (None, Vec::new());
         let here = self.surfaces.iter().filter(|surface| bench.elsewhere.iter().all(|one| one.surface != surface.name));
@@ -483,7 +485,8 @@ impl Finishing<'_> {
     }
 }
 
-/// How high a wall a tool finishes upwards, so that its holder stays off what stands above: `wall-share` of its edge.
+/// The greatest height of a wall that a tool finishes upwards, so that its holder stays clear of the metal above:
+/// `wall-share` of its edge.
 fn wall(tool: &JobTool, knowledge: &Knowledge) -> Result<Half, KnowledgeError> {
     let edge = match tool.body {
         Body::Insert { edge_mm, .. } => edge_mm,
@@ -492,7 +495,7 @@ fn wall(tool: &JobTool, knowledge: &Knowledge) -> Result<Half, KnowledgeError> {
     Ok(Half::from(edge.unwrap_or(UNKNOWN_EDGE).to_mm() * wall_share(knowledge)?))
 }
 
-/// The feed of finishing is the main feed of its conditions, or the one that the file states.
+/// The feed of finishing is the main feed of its conditions, or the one in the file.
 fn finishing(mut pace: Pace, bench: &Bench<'_, '_>) -> Pace {
     match &mut pace {
         Pace::PerRev { feeds, .. } => feeds.finish = feeds.cut,
@@ -505,7 +508,7 @@ fn finishing(mut pace: Pace, bench: &Bench<'_, '_>) -> Pace {
     pace
 }
 
-/// The main elements of a stretch.
+/// The main elements of a turned side.
 fn main_surfaces(stretch: &TurnedSide) -> Vec<&Surface> {
     let both = stretch.profile.surfaces.iter().zip(&stretch.classes);
     both.filter(|(_, class)| class.element == Element::Main).map(|(surface, _)| surface).collect()
@@ -522,8 +525,8 @@ fn largest(contour: &Contour) -> Micrometres {
     contour.radii().map_or(Half::ZERO, |(_, most)| most).diameter()
 }
 
-/// The angles that a contour needs of a tool that follows it. The face at the free end is cut towards the axis, square to
-/// which the main edge must not lean over it.
+/// The angles that a contour requires of a tool that follows it. The face at the free end is cut towards the axis,
+/// and the main edge must not lean over it.
 fn needs(contour: &Contour) -> Needs {
     let outer = |piece: &Piece| match contour.side {
         Side::Outer => *piece,

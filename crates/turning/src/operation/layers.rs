@@ -24,10 +24,10 @@ use super::tools::Bench;
 pub struct Layers {
     /// The finishing allowance of each surface.
     pub allowances: Vec<Allowance>,
-    /// The blank, as far as this set-up turns it; for a bore into solid metal the drilled hole.
+    /// The blank within the range of this set-up; for a bore into solid metal the drilled hole.
     #[serde(skip)]
     pub blank: Contour,
-    /// That hole, where there is one.
+    /// That hole, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub drilled_first: Option<Drilled>,
     /// The rough contour.
@@ -63,8 +63,8 @@ fn sizes<S: serde::Serializer>(areas: &Areas, serializer: S) -> Result<S::Ok, S:
         .serialize(serializer)
 }
 
-/// The layers of a side; `face` is Z of the rough face of the free end, from which a bore is bored. If they cannot be
-/// made, none, with a finding.
+/// The layers of a side; `face` is Z of the rough face of the free end, from which a bore is bored. None, with a
+/// finding, if they cannot be made.
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn layers(
@@ -90,7 +90,7 @@ pub fn layers(
         let own = surface.and_then(|index| allowances.get(index));
         let distance = match own.and_then(|own| own.allowance_mm) {
             Some(distance) => distance,
-            // A bridge: what such a surface would get.
+            // A bridge: the allowance of a surface at its place.
             None => {
                 let place = match main.side {
                     _ if piece.is_face() => Place::Face,
@@ -113,7 +113,8 @@ pub fn layers(
     };
     let finish = between(&rough, &left);
     let rough = up_to(rough, face);
-    // A face that the file leaves no allowance is made before: what a chamfer beside it lacks is not missed.
+    // A face without an allowance in the file is already made: a missing allowance of a chamfer beside it is no
+    // finding.
     let face_is_made = left.pieces.first().is_some_and(|face| face.is_face()) && distances.first() == Some(&Half::ZERO);
     let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, face_is_made, set_up, bench, findings)?
     else {
@@ -138,8 +139,8 @@ pub fn layers(
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
 }
 
-/// How far the tool runs on at the end of what the first set-up turns: its round nose must leave nothing there that the
-/// second set-up does not reach. It runs on at the same radius, over what falls away behind or into the stock beyond.
+/// The overrun at the end of the first set-up's range: the round nose of the tool must leave no metal that the second
+/// set-up does not reach. The overrun is at the same radius, over a falling contour or into the stock beyond.
 ///
 /// # Errors The knowledge base lacks the table of motions.
 fn run_out(left: &Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
@@ -149,7 +150,7 @@ fn run_out(left: &Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Result<Half
     Ok(if ends_open && !set_up.turned_over { Half::of(by) } else { Half::ZERO })
 }
 
-/// A contour that goes on along the axis at its end.
+/// A contour extended along the axis at its end.
 fn longer(mut contour: Contour, by: Half) -> Contour {
     let Some(last) = contour.pieces.last_mut().filter(|_| by > Half::ZERO) else { return contour };
     let end = Point { radius: last.to.radius, z: last.to.z + by };
@@ -162,7 +163,7 @@ fn longer(mut contour: Contour, by: Half) -> Contour {
     contour
 }
 
-/// A rough bore from the rough face on: the allowance of the face lies before the beginning of the bore.
+/// A rough bore from the rough face on: the allowance of the face is before the beginning of the bore.
 fn up_to(mut rough: Contour, face: Option<Half>) -> Contour {
     if let (Side::Inner, Some(start), Some(z)) = (rough.side, rough.start(), face)
         && z < start.z
@@ -172,8 +173,8 @@ fn up_to(mut rough: Contour, face: Option<Half>) -> Contour {
     rough
 }
 
-/// The main contour with the allowances for other machines, each piece with its surface. If it cannot be made, none,
-/// with a finding.
+/// The main contour with the allowances for other machines, each piece with its surface. None, with a finding, if it
+/// cannot be made.
 fn left(
     stretch: &TurnedSide,
     bench: &Bench<'_, '_>,
@@ -202,8 +203,8 @@ fn left(
     }
 }
 
-/// The layers before the far face if a set-up turns nothing else from outside: the face alone, up to the radius of the
-/// part there.
+/// The layers before the far face, if a set-up turns nothing else from outside: the face alone, up to the radius of
+/// the part there.
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn before_face(
@@ -247,8 +248,8 @@ fn method(allowances: &Allowances) -> Method {
     }
 }
 
-/// A contour with its lines parted where a surface ends on them: two cylinders of one diameter are one line of the main
-/// contour, but one may be ground later and the other not.
+/// A contour with its lines divided at the ends of surfaces: two cylinders of one diameter are one line of the main
+/// contour, but perhaps only one of them is ground later.
 fn parted(contour: &Contour, profile: &Profile, bench: &Bench<'_, '_>) -> Contour {
     let later = |surface: &Surface| bench.elsewhere.iter().any(|one| one.surface == surface.name);
     let beside = profile.surfaces.iter().zip(profile.surfaces.iter().skip(1));
@@ -277,7 +278,7 @@ fn parted(contour: &Contour, profile: &Profile, bench: &Bench<'_, '_>) -> Contou
 /// line or circle.
 fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usize> {
     let lies_on = |other: &Piece| touches(piece, other) && same_carrier(piece, other);
-    // Two surfaces of one line both touch at their end: the one over the middle of the piece comes first.
+    // At the common end of two surfaces on one line both touch it: the one over the middle of the piece comes first.
     let over_middle = |other: &Piece| {
         let (least, most) = (other.from.z.min(other.to.z), other.from.z.max(other.to.z));
         let middle = Half::new((piece.from.z.halves() + piece.to.z.halves()) / 2);
@@ -291,7 +292,7 @@ fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usi
     of(&over_middle).or_else(|| of(&lies_on))
 }
 
-/// The stretches of the surfaces of a profile, by the ends of their pieces.
+/// The ranges of the surfaces of a profile, by the ends of their pieces.
 fn along(profile: &Profile) -> Stretches {
     let ends = |surface: &Surface| {
         let ends = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
@@ -324,9 +325,9 @@ fn same_carrier(one: &Piece, other: &Piece) -> bool {
 
 /// The stock over a rough contour in the coordinates of the set-up.
 struct SideStock {
-    /// The blank, or the hole that is drilled into it.
+    /// The blank, or the hole drilled into it.
     blank: Contour,
-    /// The rough contour, as far as there is blank over it.
+    /// The rough contour within the range of the blank.
     rough: Contour,
     drilled_first: Option<Drilled>,
 }

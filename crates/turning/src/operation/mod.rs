@@ -2,15 +2,16 @@
 //!
 //! The steps, each run once (lecture 12.1-12.4):
 //!
-//! 1. [`prepare`]: what must be done to the blank, what the lathe cannot finish, the contour that it leaves instead;
+//! 1. [`prepare`]: the preparation of the blank, the surfaces that the lathe cannot finish, the contour that it
+//!    leaves in their place;
 //! 2. set-ups ([`crate::turning::zones::setup`]) with main and additional elements ([`crate::turning::elements`]);
 //! 3. [`layers`]: finishing allowances, the rough contour, the three allowances as areas;
 //! 4. zones ([`crate::turning::zones`]), [`tools`] for them;
 //! 5. [`depth`]: the limiting depth, cutting conditions and feeds;
-//! 6. [`work`]: the seven schemes over each zone, and the one that is taken;
-//! 7. `unfinished`: what is still to be made then, and where a path would damage the part.
+//! 6. [`work`]: the seven schemes over each zone, and the chosen one;
+//! 7. `unfinished`: missing work, and toolpaths that would damage the part.
 //!
-//! What a rule or a table can decide is not decided here: the rules are evaluated in this order and their reasons kept.
+//! Decisions by rules and tables are not made here: the rules are evaluated in this order and their reasons kept.
 
 mod barred;
 pub mod by_passes;
@@ -63,13 +64,13 @@ pub struct Operation {
     /// The part.
     #[serde(flatten)]
     pub workpiece: Workpiece,
-    /// What the rules say of the blank.
+    /// The advice of the rules about the blank.
     pub blank_advice: Vec<Advice>,
-    /// What is finished on another machine.
+    /// The surfaces finished on another machine.
     pub elsewhere: Vec<Elsewhere>,
     /// The set-ups.
     pub set_ups: Vec<SetUpWork>,
-    /// What its jobs do to the stock.
+    /// The results of the proof of its jobs.
     #[serde(skip)]
     pub proven: Vec<proof::Proven>,
     /// Findings for the reader.
@@ -82,33 +83,33 @@ pub struct SetUpWork {
     /// The set-up.
     #[serde(flatten)]
     pub set_up: SetUp,
-    /// The jaws that hold the part; none between centres, and where nothing is long enough for them.
+    /// The jaws that hold the part; none between centres, and where no cylinder is long enough for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jaws: Option<Jaws>,
     /// The tailstock before the free end, between centres.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tailstock: Option<Tailstock>,
-    /// What it roughs outside and inside, in the order of work.
+    /// Its roughing outside and inside, in the order of work.
     pub sides: Vec<SideWork>,
-    /// What its tools do, one after another.
+    /// The work of its tools, in order.
     pub jobs: Vec<Job>,
 }
 
-/// What a set-up roughs on one side.
+/// The roughing of a set-up on one side.
 #[derive(Clone, Debug, Serialize)]
 pub struct SideWork {
     /// Outside or inside.
     pub side: Side,
     /// Contours and allowances.
     pub layers: Layers,
-    /// The zones and how each is cleared.
+    /// The zones, and the clearing of each.
     pub zones: Vec<ZoneWork>,
     /// The hollows under the main contour that are no grooves.
     pub hollows: Vec<Hollow>,
 }
 
 impl Operation {
-    /// Proves the jobs as they are now, when some of them are others than were planned.
+    /// Proves the jobs again, after some of them were replaced.
     pub(super) fn prove_again(&mut self) {
         let before = proof::findings(self);
         self.findings.retain(|finding| !before.contains(finding));
@@ -122,7 +123,7 @@ impl Operation {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
     }
 
-    /// How bad it is: set-ups that the proof rejects, then what is wrong.
+    /// Its badness: first the set-ups that the proof rejects, then the number of wrong findings.
     fn badness(&self) -> (usize, usize) {
         let rejected = self.proven.iter().filter(|proven| proof::rejected(self, proven).is_some());
         (rejected.count(), self.findings.iter().filter(|finding| finding.severity <= Severity::Wrong).count())
@@ -159,10 +160,10 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     Ok(best)
 }
 
-/// How many times other tools are tried where the proof rejects some.
+/// The most attempts with other tools after the proof rejected some.
 const ATTEMPTS: usize = 6;
 
-/// Plans the turning of a part without the tools that the proof has rejected.
+/// Plans the turning of a part without the tools that the proof rejected.
 fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     let mut findings = workpiece.findings.clone();
     let lathe = prepare::lathe(workpiece, knowledge, &mut findings)?;

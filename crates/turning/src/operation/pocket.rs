@@ -2,7 +2,7 @@
 //!
 //! 1. If the open parts have a scheme of their own, they come first: everything above their floor, from the free end
 //!    on, because stock in front of them would block the tool.
-//! 2. Then what is left below that floor, with closed parts bridged level from lip to lip.
+//! 2. Then the rest below that floor, with closed parts bridged level from lip to lip.
 //! 3. Then the closed parts, one by one from the free end.
 //!
 //! Neighbours of one kind stay together: a division at every face would cost a return for each (lecture, fig. 12.5 a).
@@ -21,9 +21,9 @@ use super::level::raised;
 /// A stock to be cleared by one scheme.
 #[derive(Clone, Debug)]
 pub(super) struct Piecework {
-    /// What is removed, in the coordinates of the set-up.
+    /// The stock to remove, in the coordinates of the set-up.
     pub stock: Stock,
-    /// Its place in the schemes of the zone.
+    /// Its index in the schemes of the zone.
     pub scheme: usize,
 }
 
@@ -53,7 +53,7 @@ pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<P
             lowest = over;
         }
     }
-    // What was bridged last is cleared first; the pockets come last.
+    // The last bridge is cleared first; the pockets come last.
     if let Some((_, scheme)) = chain.last_mut().filter(|_| each) {
         *scheme = 1.min(last);
     } else if let Some((_, scheme)) = chain.last_mut() {

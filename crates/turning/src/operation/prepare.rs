@@ -1,4 +1,4 @@
-//! Before the first cut: the lathe, and what it cannot finish (lecture 12.2, l. 120-135).
+//! Before the first cut: the lathe, and the surfaces that it cannot finish (lecture 12.2, l. 120-135).
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -9,7 +9,7 @@ use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::Workpiece;
 use crate::units::Micrometres;
 
-/// The lathe that the file names. If it names none, none, with a finding.
+/// The lathe in the file; none, with a finding, if it names none.
 ///
 /// # Errors No catalog has it (the reader of files prevents that), or its record is incomplete.
 pub fn lathe<'k>(
@@ -29,7 +29,7 @@ pub fn lathe<'k>(
     Ok(Some(lathe))
 }
 
-/// What the lathe cannot finish, with the intermediate allowances for later operations.
+/// The surfaces that the lathe cannot finish, with the intermediate allowances for later operations.
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn finished_elsewhere(

@@ -22,16 +22,16 @@ use super::unfinished::reaches_axis;
 use super::work::ZoneWork;
 use super::{Operation, SetUpWork, proof};
 
-/// Which programs of an operation are written.
+/// The form of programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Every motion by itself.
+    /// Every motion separately.
     Motions,
-    /// The roughing cycle of the control wherever one can clear a zone.
+    /// The roughing cycle of the control, where one can clear a zone.
     Cycles,
 }
 
-/// A tool in its place of the turret.
+/// A tool at its place of the turret.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Station {
     /// The place, from 1.
@@ -39,7 +39,7 @@ pub struct Station {
     /// The tool.
     #[serde(flatten)]
     pub tool: JobTool,
-    /// Whether it finishes only. A tool that roughs does not finish: its edge is worn.
+    /// Whether it only finishes. A tool that roughs does not finish, because its edge is worn.
     pub finishes: bool,
 }
 
@@ -54,7 +54,7 @@ pub struct OperationProgram {
     pub files: Result<Vec<ProgramFile>, NotWritten>,
 }
 
-/// The tools of an operation by their places in the turret: in the order of their first use, whatever the set-up.
+/// The tools of an operation by their places in the turret: in the order of their first use over all set-ups.
 pub fn stations(operation: &Operation) -> Vec<Station> {
     let mut stations: Vec<Station> = Vec::new();
     for job in operation.set_ups.iter().flat_map(|set_up| &set_up.jobs) {
@@ -104,12 +104,12 @@ pub fn programs(
     Ok(written.collect())
 }
 
-/// Whether a job goes to the axis, where a tailstock centre would stand.
+/// Whether a job goes to the axis, where a tailstock centre would be.
 fn hits_centre(job: &Job) -> bool {
     job.side == Side::Outer && reaches_axis(&job.path)
 }
 
-/// The jobs of a set-up as sections of its program. Jobs that follow each other with one tool at one pace are one.
+/// The jobs of a set-up as sections of its program. Successive jobs with one tool and the same conditions are one.
 pub(super) fn sections(
     set_up: &SetUpWork,
     stations: &[Station],
@@ -146,7 +146,7 @@ pub(super) fn sections(
     Ok(sections)
 }
 
-/// Appends a path to another, from home to home.
+/// Appends a path to another, from home point to home point.
 fn join(whole: &mut Toolpath, path: &Toolpath, side: Side) {
     for corner in over(whole.end(), path.from, side) {
         whole.go(corner, crate::turning::toolpath::Purpose::Rapid);
@@ -154,7 +154,7 @@ fn join(whole: &mut Toolpath, path: &Toolpath, side: Side) {
     whole.moves.extend(path.moves.iter().copied());
 }
 
-/// From one home to the next: first away from the axis and the metal; from a bore first out of it.
+/// From one home point to the next: first away from the axis and the metal; from a bore first out of it.
 fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
     let z = from.z.min(to.z);
     let radius = match side {

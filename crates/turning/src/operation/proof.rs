@@ -1,5 +1,5 @@
-//! Checks an operation with the turning proof: what its jobs do to the stock, set-up by set-up. The proof is
-//! independent of the planner; here jobs are only converted for it.
+//! Checks an operation with the turning proof: simulates the in-process stock through its jobs, set-up by set-up. The
+//! proof is independent of the planner; here jobs are only converted for it.
 
 use technolog_turning_proof as proof;
 
@@ -41,7 +41,7 @@ pub fn prove(operation: &Operation) -> Vec<Proven> {
     proven
 }
 
-/// Simulates given motions of a set-up on what those before it have left, with the tools of its jobs by index.
+/// Simulates given motions of a set-up on the stock after the earlier set-ups, with the tools of its jobs by index.
 pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork, motions: Vec<Motion>) -> Proven {
     let workpiece = &operation.workpiece;
     let number = set_up.set_up.number;
@@ -65,7 +65,7 @@ pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork
     Proven { set_up: number, proof: proof::prove(&task) }
 }
 
-/// What holds the part in a set-up: the jaws with the chuck behind them, or the tailstock.
+/// The bodies that hold the part in a set-up: the jaws with the chuck behind them, or the tailstock.
 fn bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
     if let Some(tailstock) = &set_up.tailstock {
         return tailstock_bodies(tailstock);
@@ -105,16 +105,17 @@ fn tailstock_bodies(tailstock: &Tailstock) -> Vec<proof::Body> {
 const CENTRE: &str = "body-centre";
 const QUILL: &str = "body-quill";
 
-/// Whether a tool meets the tailstock. How large that is nobody has confirmed, and a thinner centre may stand there.
+/// Whether a tool hits the tailstock. Its size is not confirmed, and a thinner centre may be used.
 fn meets_tailstock(fault: &Fault) -> bool {
     matches!(fault, Fault::Struck { body, .. } if [CENTRE, QUILL].into_iter().any(|name| *body == Figure::word(name)))
 }
 
-/// How long a chuck is taken to be, mm: no toolpath goes past it.
+/// The assumed length of a chuck, mm: no toolpath goes beyond it.
 const FAR: f64 = 500.0;
 
-/// The findings of a proof. What a nose leaves in a corner is a note, everything else is wrong. What stands, and what of a
-/// thread is not cut, is told of the set-up that turns the surface, unless a finding says already that nothing finishes it.
+/// The findings of a proof. Metal that a nose leaves in a corner is a note, everything else is wrong. Remaining metal
+/// and incomplete threads are reported for the set-up that turns the surface, unless a finding already says that
+/// nothing finishes it.
 pub(super) fn findings(operation: &Operation) -> Vec<Finding> {
     operation.proven.iter().flat_map(|proven| findings_of(operation, proven)).collect()
 }
@@ -132,7 +133,7 @@ fn findings_of(operation: &Operation, one: &Proven) -> Vec<Finding> {
     }
 }
 
-/// The faults of a set-up that are told, whoever made its motions, with how grave they are.
+/// The reported faults of a set-up with their severity, whoever made its motions.
 pub fn told<'a>(
     operation: &'a Operation,
     set_up: u8,
@@ -170,7 +171,7 @@ fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
     }
 }
 
-/// The blocks in which a set-up is unsafe, with what happens there.
+/// The blocks in which a set-up is unsafe, with the fault in each.
 pub(super) fn unsafe_places(operation: &Operation, proven: &Proven) -> Vec<(usize, Note)> {
     let Ok(proof) = &proven.proof else { return Vec::new() };
     let found = proof.faults.iter().filter(|fault| is_unsafe(operation, fault));
@@ -190,8 +191,8 @@ pub fn rejected(operation: &Operation, proven: &Proven) -> Option<Note> {
     }
 }
 
-/// Whether what is cut is only the allowance beside the mouth of a groove or a thread: its wall goes on through the
-/// allowance that stays for another machine.
+/// Whether the cut removes only the allowance at the mouth of a groove or a thread: its wall continues through the
+/// allowance that is left for another machine.
 fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) -> bool {
     let Some(surface) = surface else { return false };
     let of = operation.elsewhere.iter().find(|one| (&one.surface).told() == *surface);
@@ -205,7 +206,7 @@ fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) 
             .any(|mouth| (mouth.z.to_mm() + at.z.0).abs() < near && (mouth.radius.to_mm() - at.radius.0).abs() < near)
 }
 
-/// The blank from the axis or its bore at the free end; a bar that is drawn by its cylinder alone gets its face.
+/// The blank from the axis or its bore at the free end; a bar that is drawn only by its cylinder gets its face.
 fn whole_blank(outer: &Contour, inner: Option<&Contour>) -> Contour {
     let mut whole = outer.clone();
     let within = inner.and_then(Contour::start).map_or(Half::ZERO, |start| start.radius);
@@ -219,7 +220,7 @@ fn at(point: Point) -> At {
     At::new(Mm(-point.z.to_mm()), Mm(point.radius.to_mm()))
 }
 
-/// A piece, with Z away from the chuck: what turns left towards the chuck is clockwise there.
+/// A piece, with Z away from the chuck: a left turn towards the chuck is clockwise there.
 fn proof_piece(piece: &Piece) -> proof::Piece {
     let (from, to) = (at(piece.from), at(piece.to));
     match (piece.curve, piece.centre()) {
@@ -254,8 +255,8 @@ pub fn motions(path: &Toolpath, tool: usize) -> Vec<Motion> {
     pieces.map(moved).collect()
 }
 
-/// What is to be there after a set-up. In the last one it is the whole part, seen from its free end; before that the
-/// stretches that the set-up turns.
+/// The required profile after a set-up. After the last one it is the whole part, seen from its free end; before that
+/// the range that the set-up turns.
 fn profile(operation: &Operation, set_up: &SetUpWork) -> proof::Profile {
     let workpiece = &operation.workpiece;
     let last = operation.set_ups.last().is_some_and(|last| last.set_up.number == set_up.set_up.number);
@@ -302,7 +303,7 @@ fn surface_pieces(surface: &Surface, operation: &Operation) -> Vec<proof::Profil
     surface.pieces.iter().map(piece).collect()
 }
 
-/// The crests of a thread are its surface; its roots lie 0.6134 P below outside and at the nominal diameter inside
+/// The crests of a thread are its surface; its roots are 0.6134 P below outside, and at the nominal diameter inside
 /// (ISO 724, ISO 965).
 fn thread(surface: &Surface, workpiece: &Workpiece) -> Option<proof::Thread> {
     let name = surface.name.to_string();
@@ -311,7 +312,7 @@ fn thread(surface: &Surface, workpiece: &Workpiece) -> Option<proof::Thread> {
     let nominal = thread.size.to_mm() / 2.0;
     let inside = crest < nominal - 1e-6;
     let root = if inside { nominal + ROUNDING } else { nominal - 0.6134 * thread.pitch.to_mm() - ROUNDING };
-    // It is drawn at the nominal diameter and turned to the middle of what its tolerance leaves.
+    // It is drawn at the nominal diameter and turned to the middle of its tolerance.
     let turned = Crests::of(thread).filter(|_| !inside).map_or(crest, |crests| crests.middle_radius().to_mm());
     Some(proof::Thread { crest: Mm(turned), root: Mm(root) })
 }
@@ -384,5 +385,5 @@ fn tool(tool: &JobTool) -> proof::Tool {
     proof::Tool { designation: tool.designation.clone(), cutter, holder }
 }
 
-/// What rounding of a path may add to a depth, mm.
+/// The largest error of a depth by rounding of a path, mm.
 const ROUNDING: f64 = 0.002;

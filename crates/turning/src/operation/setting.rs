@@ -1,8 +1,8 @@
-//! What the operator sets before the programs of an operation run: how the part stands in each set-up, which tool stands in
-//! which place, how the control counts its tip, and where its offsets are measured.
+//! The operator's setting before the programs of an operation run: the position of the part in each set-up, the place
+//! of each tool, the tip number of the control, and the points where offsets are measured.
 //!
-//! The programs lead the reference point of a tool ([`crate::turning::jobs`]), offset for its nose already: the offsets of
-//! the control give this point, and no radius correction is asked of it.
+//! The programs move the reference point of a tool ([`crate::turning::jobs`]), with the nose already compensated: the
+//! offsets of the control give this point, and no radius correction is used.
 
 use serde::Serialize;
 
@@ -26,24 +26,24 @@ pub struct Setting {
     pub part: String,
     /// The control.
     pub control: String,
-    /// How the part stands in each set-up that has a program.
+    /// The position of the part in each set-up that has a program.
     pub set_ups: Vec<Stand>,
     /// The tools by their places in the turret.
     pub tools: Vec<SetTool>,
 }
 
-/// How a part stands in a set-up. Z 0 is the finished face of its free end.
+/// The position of a part in a set-up. Z 0 is the finished face of its free end.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stand {
     /// The number of the set-up.
     pub set_up: u8,
-    /// Where it is held.
+    /// How it is held.
     pub held: Note,
-    /// How far the stock reaches before Z 0, mm.
+    /// The length of the stock before Z 0, mm.
     pub face_stock_mm: Half,
 }
 
-/// A tool as it is set.
+/// A tool with its setting.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SetTool {
     /// Its place in the turret, and its shape.
@@ -53,9 +53,9 @@ pub struct SetTool {
     pub insert: Option<String>,
     /// The set-ups that use it.
     pub set_ups: Vec<u8>,
-    /// What it does in them.
+    /// Its work in them.
     pub works: Vec<Work>,
-    /// The place of its tip as the control counts it, 1 to 9; none where the numbers of the control are not known.
+    /// The tip number of the control, 1 to 9; none if the numbers of the control are not known.
     pub orientation: Option<u8>,
     /// How its offset along X is measured.
     pub x: Note,
@@ -131,8 +131,8 @@ const fn along_x(tool: &JobTool) -> &'static str {
     }
 }
 
-/// How Z of the reference point is measured. A face touches the theoretical point where the edge does not lean over it, that
-/// is from φ = 90° on.
+/// How Z of the reference point is measured. A face touches the theoretical point if the edge does not lean over it,
+/// that is from φ = 90° on.
 fn along_z(tool: &JobTool) -> &'static str {
     match tool.body {
         Body::Drill { .. } | Body::CentreDrill { .. } => "set-z-point",

@@ -22,16 +22,16 @@ pub struct Tailstock {
     /// The tangent of half the angle of the cone.
     #[serde(skip)]
     pub slope: f64,
-    /// The diameter of the centre behind its cone.
+    /// The diameter of the centre after its cone.
     pub body_mm: Micrometres,
-    /// How far the quill stays off the point of the centre.
+    /// The distance of the quill from the point of the centre.
     pub out_mm: Micrometres,
     /// The diameter of the quill.
     pub quill_mm: Micrometres,
 }
 
 impl Tailstock {
-    /// The tailstock of a set-up; none in a chuck, and where the size of the lathe is not known.
+    /// The tailstock of a set-up; none in a chuck, and if the size of the lathe is not known.
     ///
     /// # Errors The knowledge base lacks a table or a row.
     pub fn of(
@@ -64,17 +64,17 @@ impl Tailstock {
         }))
     }
 
-    /// How far before the face the cone reaches the diameter of the body, mm.
+    /// The distance before the face where the cone reaches the diameter of the body, mm.
     pub fn cone_mm(&self) -> f64 {
         (self.body_mm - self.mouth_mm).to_mm() / 2.0 / self.slope
     }
 
-    /// How far before the face the quill ends, mm: the point stands in the part.
+    /// The distance before the face where the quill ends, mm: the point of the centre is inside the part.
     pub fn quill_off_mm(&self) -> f64 {
         (self.out_mm.to_mm() - self.mouth_mm.to_mm() / 2.0 / self.slope).max(self.cone_mm())
     }
 
-    /// What is told of it.
+    /// The note about it.
     pub fn note(&self) -> Note {
         Note::new("tailstock-stands")
             .with("mouth", self.mouth_mm)

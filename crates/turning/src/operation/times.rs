@@ -1,7 +1,7 @@
-//! How long a set-up takes: what its program does, and what goes on around it.
+//! The times of a set-up: those of its program, and those around it.
 //!
-//! Cutting and rapids are those of the motions that are written. The ways to the change position of the turret and back are
-//! in none of the figures: the setter chooses where it is.
+//! Cutting and rapids are those of the written motions. The travels to the change position of the turret and back are
+//! in none of the figures, because the setter chooses that position.
 
 use serde::Serialize;
 
@@ -24,9 +24,9 @@ pub struct Times {
     pub set_up: u8,
     /// At feed, through metal and beside it.
     pub cutting_min: Minutes,
-    /// At rapid, along the way of the tool, at one rate.
+    /// At rapid, along the path of the tool, at one rate.
     pub rapid_min: Minutes,
-    /// How often a tool is called.
+    /// The number of tool calls.
     pub tool_changes: usize,
     /// All tool changes.
     pub tool_change_min: Minutes,
@@ -87,7 +87,7 @@ fn cutting(set_up: &SetUpWork) -> Minutes {
     Minutes(set_up.jobs.iter().map(|job| job.pace.time(&job.path, instant).0).sum())
 }
 
-/// The ways of the tools by their places, as a program has them. Where none can be written, those of the jobs.
+/// The toolpaths by the places of the tools, as in a program. If none can be written, those of the jobs.
 fn ways(set_up: &SetUpWork, stations: &[Station]) -> Vec<(u32, Toolpath)> {
     match sections(set_up, stations, Form::Motions, None) {
         Ok(sections) => sections.into_iter().map(|section| (section.tool, section.path)).collect(),
@@ -98,7 +98,7 @@ fn ways(set_up: &SetUpWork, stations: &[Station]) -> Vec<(u32, Toolpath)> {
     }
 }
 
-/// The length of all rapids, mm; between two ways of one tool it goes straight.
+/// The length of all rapids, mm; between two paths of one tool it moves straight.
 fn rapids(ways: &[(u32, Toolpath)]) -> f64 {
     let own = ways.iter().flat_map(|(_, way)| way.pieces());
     let own = own.filter(|(_, purpose)| *purpose == Purpose::Rapid).map(|(piece, _)| piece.length_mm());

@@ -1,8 +1,8 @@
 //! The tool table of LinuxCNC, `tool.tbl`: a line for each tool of an operation.
 //!
-//! The format is that of the LinuxCNC manual, Tool Compensation, Tool Table Format: tool T, pocket P, offsets X and Z, nose
-//! diameter D, front and back angle I and J, orientation Q, a remark after a semicolon. Angles count from the direction of
-//! +Z towards +X (glcanon.py draws the edges so), whether the turret stands before or behind the axis.
+//! The format is that of the LinuxCNC manual, Tool Compensation, Tool Table Format: tool T, pocket P, offsets X and
+//! Z, nose diameter D, front and back angle I and J, orientation Q, a comment after a semicolon. Angles are measured
+//! from +Z towards +X (glcanon.py draws the edges so), whether the turret is before or behind the axis.
 
 use std::fmt::Write;
 
@@ -16,7 +16,7 @@ use super::setting::Setting;
 /// The control that has such a table.
 pub const CONTROL: &str = "linuxcnc";
 
-/// The file; `head` is the remark before its lines, one line of ASCII. The offsets are 0 until they are measured.
+/// The file; `head` is the comment before its lines, one line of ASCII. The offsets are 0 until they are measured.
 pub fn tool_table(setting: &Setting, head: &str) -> String {
     let mut file = format!("; {}\n", ascii(head).replace('\n', " "));
     for tool in &setting.tools {
@@ -43,12 +43,12 @@ fn edges(tool: &JobTool) -> Option<(Degrees, Degrees)> {
     else {
         return None;
     };
-    // φ counts from the feed: towards the chuck, of a left-hand tool away from it.
+    // φ is measured from the feed: towards the chuck, for a left-hand tool away from it.
     let (front, back) = match hand {
         Hand::R | Hand::N => (180.0 - lead_angle_deg.0, trail_angle_deg.0),
         Hand::L => (lead_angle_deg.0, 180.0 - trail_angle_deg.0),
     };
-    // Inside the tool stands the other way up.
+    // Inside, the tool is upside down.
     let seen = |angle: f64| Degrees(if works == Place::Inner { 360.0 - angle } else { angle });
     Some((seen(front), seen(back)))
 }

@@ -1,4 +1,4 @@
-//! Which tools rough a side: as few as possible of those that fit the zones.
+//! Chooses the tools that rough a side: as few as possible of those that fit the zones.
 
 use std::cmp::Ordering;
 
@@ -23,18 +23,18 @@ use crate::units::{Degrees, Micrometres};
 use super::held::Held;
 use super::{Barred, Stage};
 
-/// What an operation is planned with.
+/// The context of planning an operation.
 #[derive(Clone, Debug)]
 pub struct Bench<'a, 'k> {
     /// The part.
     pub workpiece: &'a Workpiece,
-    /// The lathe, where the file names one.
+    /// The lathe, if the file names one.
     pub lathe: Option<&'a Lathe<'k>>,
     /// The material.
     pub material: Material<'k>,
-    /// How the part stands in the set-up; none where it is not held.
+    /// The held part in the set-up; none if it is not held.
     pub held: Option<Held>,
-    /// What is finished on another machine.
+    /// The surfaces finished on another machine.
     pub elsewhere: &'a [Elsewhere],
     /// The tools that the proof rejected in this set-up.
     pub barred: Vec<Barred>,
@@ -42,7 +42,7 @@ pub struct Bench<'a, 'k> {
     pub knowledge: &'k Knowledge,
 }
 
-/// A tool that is taken for a zone.
+/// The tool chosen for a zone.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChosenTool {
     /// Its designation.
@@ -57,9 +57,9 @@ pub struct ChosenTool {
     /// Its width, of a grooving tool, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub width_mm: Option<Micrometres>,
-    /// Its row, and why this one.
+    /// Its row, and the reason for it.
     pub because: Because,
-    /// Why it comes before other tools that fit as many zones.
+    /// Why it precedes other tools that fit as many zones.
     pub because_order: Because,
 }
 
@@ -91,8 +91,8 @@ fn put_in_order(tools: &mut [TurningTool<'_>], kind: ToolKind, knowledge: &Knowl
     Ok(())
 }
 
-/// The tools that may rough or finish a side: of the right hand or neutral, with a shank that the lathe clamps and a known nose
-/// radius; in the order of the rule `turning-tool-order`.
+/// The tools that may rough or finish a side: right-hand or neutral, with a shank that the lathe clamps and a known
+/// nose radius; in the order of the rule `turning-tool-order`.
 ///
 /// # Errors
 /// A table of tools is broken.
@@ -140,7 +140,7 @@ const fn thickness(shank: Shank) -> Micrometres {
     }
 }
 
-/// What of a tool decides whether it fits.
+/// The angles of a tool for the check of its fit.
 pub fn angles(tool: &TurningTool<'_>) -> ToolAngles {
     ToolAngles {
         name: tool.designation.to_owned(),
@@ -154,19 +154,19 @@ pub fn angles(tool: &TurningTool<'_>) -> ToolAngles {
     }
 }
 
-/// Its nose as the contours are seen by it.
+/// Its nose, for offsetting contours.
 pub fn nose(tool: &TurningTool<'_>) -> Nose {
     let radius = Half::of(tool.nose_radius.unwrap_or(Micrometres::ZERO));
     Nose { radius, tip: jobs::tip(tool.kind, tool.works, tool.hand) }
 }
 
-/// How near the axis the point of a boring tool goes in a bore, so that its bar keeps off the wall on the other side: the
-/// bar lies between the point and that wall. None for a tool without a bar.
+/// The least distance from the axis of a boring tool's point in a bore, so that its bar stays clear of the opposite
+/// wall: the bar is between the point and that wall. None for a tool without a bar.
 ///
 /// A bar stands back from its point by four fifths of what its smallest bore is wider than it (ISO 6261: 3 of 4 mm for
 /// 16 in 20, 6 of 8 for 32 in 40).
 pub fn nearest_to_axis(tool: &TurningTool<'_>, bore: Half) -> Option<Half> {
-    /// What stays free between bar and wall, mm.
+    /// The clearance between bar and wall, mm.
     const FREE: f64 = 0.25;
     let (Some(Shank::Round { diameter }), Some(least)) = (tool.shank, tool.min_bore) else { return None };
     let bar = diameter.to_mm();
@@ -174,7 +174,7 @@ pub fn nearest_to_axis(tool: &TurningTool<'_>, bore: Half) -> Option<Half> {
     Some(Half::from(back + FREE - bore.to_mm()))
 }
 
-/// The tool that is taken for the most zones, the first among equals.
+/// The tool chosen for the most zones; among equals the first.
 pub fn most_used(taken: &[Option<usize>]) -> Option<usize> {
     let count = |tool: usize| taken.iter().filter(|other| **other == Some(tool)).count();
     taken.iter().flatten().copied().rev().max_by_key(|tool| count(*tool))

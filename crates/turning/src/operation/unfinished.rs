@@ -1,4 +1,4 @@
-//! What the operation does not make, and where its paths would damage the part. Each is a finding of severity wrong: an
+//! Missing work of the operation, and toolpaths that would damage the part. Each is a finding of severity wrong: an
 //! incomplete plan must not look complete.
 
 use crate::note::{Finding, Note, Severity};
@@ -11,7 +11,7 @@ use crate::turning::toolpath::Toolpath;
 use super::work::ZoneWork;
 use super::{Operation, SetUpWork, SideWork};
 
-/// What of the part is not made, and what would be damaged.
+/// The surfaces that are not made, and the damage to the part.
 pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
     let mut findings = Vec::new();
     for set_up in &operation.set_ups {
@@ -68,7 +68,7 @@ pub(super) fn undone<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> Vec<(&'a 
             _ if finished(surface) => return None,
             SurfaceKind::Thread => "thread-not-cut",
             kind if kind.is_additional() => "groove-not-cut",
-            // Without an allowance the rough contour is the part.
+            // Without an allowance the rough contour is that of the part.
             _ if allowance == Some(Half::ZERO) => return None,
             _ => "surface-not-finished",
         };
@@ -88,7 +88,7 @@ fn surfaces<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> impl Iterator<Item
     known.zip(allowances)
 }
 
-/// Whether the tool of a zone goes to the axis, where the tailstock centre stands.
+/// Whether the tool of a zone goes to the axis, where the tailstock centre is.
 fn runs_into_centre(side: &SideWork, zone: &ZoneWork) -> bool {
     let paths = zone.works.iter().filter_map(|work| work.transition()).map(|transition| &transition.path);
     side.side == Side::Outer && paths.into_iter().any(reaches_axis)

@@ -1,4 +1,4 @@
-//! How each zone is cleared: its tool, its levels, the schemes over it, and the one that is taken.
+//! The clearing of each zone: its tool, its levels, the schemes over it, and the chosen one.
 
 use serde::Serialize;
 
@@ -26,14 +26,14 @@ use super::layers::{self, Layers};
 use super::pocket::{cut, pieceworks};
 use super::tools::{self, Bench, ChosenTool};
 
-/// A zone and how it is cleared.
+/// A zone and its clearing.
 #[derive(Clone, Debug, Serialize)]
 pub struct ZoneWork {
     /// The zone.
     pub zone: Zone,
-    /// Which tools fit it, and why the others do not.
+    /// The tools that fit it, and why the others do not.
     pub fit: Fit,
-    /// The tool that is taken.
+    /// The chosen tool.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tool: Option<ChosenTool>,
     /// The limiting depth.
@@ -54,20 +54,20 @@ impl ZoneWork {
     }
 }
 
-/// What is cleared by one scheme.
+/// The work of one scheme.
 #[derive(Clone, Debug, Serialize)]
 pub struct Work {
-    /// What is removed.
+    /// The stock to remove.
     #[serde(skip)]
     pub stock: Stock,
     /// Its levels, with the one depth t_p.
     pub levels: Split,
     /// Rates and conditions at t_p.
     pub pace: Pace,
-    /// The scheme that is taken: the one in the file, or the first of the rule.
+    /// The chosen scheme: the one in the file, or the first of the rule.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taken: Option<Scheme>,
-    /// Why this one.
+    /// The reason for it.
     pub because: Because,
     /// Every scheme that can clear it.
     pub transitions: Vec<Transition>,
@@ -86,19 +86,19 @@ pub struct Work {
 pub struct RefusedScheme {
     /// The scheme.
     pub scheme: Scheme,
-    /// Why not.
+    /// The reason.
     pub why: Note,
 }
 
 impl Work {
-    /// The transition that is taken.
+    /// The chosen transition.
     pub fn transition(&self) -> Option<&Transition> {
         let taken = self.taken?;
         self.transitions.iter().find(|one| one.scheme == taken)
     }
 }
 
-/// The zones of a side, with how each is cleared.
+/// The zones of a side, with the clearing of each.
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn zones(
@@ -114,7 +114,7 @@ pub fn zones(
         let stock = zones::Stock { rough: &ground.rough, blank: &ground.blank, near_part, against_stop: false };
         zones::find(stock, &angles, knowledge)
     };
-    // Which tools are taken says with what nose the contours are to be seen; the zones are those seen so.
+    // The chosen tools give the nose for offsetting the contours; the zones are those of the offset contours.
     let bare = ZoneContours { rough: layers.rough.clone(), blank: layers.blank.clone() };
     let first = tools::most_used(&tools::assign(&find(&bare)?, &angles)).and_then(|index| candidates.get(index));
     let seen = first.map(|tool| bare.seen(tool, findings));
@@ -155,8 +155,7 @@ pub fn finishing_after(
     Ok(())
 }
 
-/// A hollow under the main contour that is no groove, and how it is cleared: what a tool with a steeper edge behind its
-/// tip reaches.
+/// A hollow under the main contour that is no groove, and its clearing with a tool whose secondary edge is steeper.
 #[derive(Clone, Debug, Serialize)]
 pub struct Hollow {
     /// Its lips, Z from the free end.
@@ -172,7 +171,8 @@ pub struct Hollow {
     pub zones: Vec<ZoneWork>,
 }
 
-/// The hollows of a side, in the order of Z. Grooves are cut by blades, elsewhere; what no tool reaches is a finding.
+/// The hollows of a side, in the order of Z. Grooves are cut by blades elsewhere; metal that no tool reaches is a
+/// finding.
 ///
 /// # Errors The knowledge base lacks a table.
 pub fn hollows(
@@ -203,7 +203,7 @@ pub fn hollows(
     Ok(hollows)
 }
 
-/// The main contour with the part instead of a bridge, which may be one line with what is beside it.
+/// The main contour with the part instead of a bridge, which may be one line with its neighbours.
 fn opened(main: &Main, valley: &Valley) -> Option<Contour> {
     let contour = &main.contour;
     let mut pieces =
@@ -224,7 +224,7 @@ struct ZoneContours {
 }
 
 impl ZoneContours {
-    /// Both as the nose of a tool meets them. Where a contour has no such offset, a finding, and it stays as it is.
+    /// Both as the nose of a tool meets them. If a contour has no such offset, it stays unchanged, with a finding.
     fn seen(&self, tool: &TurningTool<'_>, findings: &mut Vec<Finding>) -> Self {
         let nose = tools::nose(tool);
         let mut seen = |contour: &Contour| {
@@ -278,7 +278,7 @@ fn zone_work(
     let task = ZoneCut { tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
     work.depth = depth::depth(task, bench, findings)?;
     let Some(limit) = work.depth.as_ref().map(|depth| depth.limiting_depth_mm) else { return Ok(work) };
-    // Before the levels are made: there may be too many for the memory.
+    // Checked before the levels are made, because they might not fit into memory.
     let passes = stock.parts(limit);
     if passes > MOST_PASSES {
         let note = Unsuited::TooManyPasses { passes }.note().with("zone", zone.number);
@@ -290,7 +290,7 @@ fn zone_work(
     }
     let mut left: Option<Contour> = None;
     for (mut stock, scheme) in stocks {
-        // This work begins with what the previous one left, ridges included.
+        // This work begins with the stock after the previous one, ridges included.
         if let Some(left) = left.take() {
             stock.blank = left;
         }
@@ -304,9 +304,8 @@ fn zone_work(
     Ok(work)
 }
 
-/// The stock before the face of the free end: all of it is removed, and behind it is the part. The tool goes as far as
-/// the face of the blank does for its nose, which is beyond the axis where the face reaches it, and there at least so far
-/// past it.
+/// The stock before the face of the free end: all of it is removed, down to the part. The tool goes as far as the
+/// face of the blank, offset for its nose: beyond the axis if the face reaches it, and then at least by `past`.
 fn facing(zone: &Zone, ground: &ZoneContours, past: Half) -> Stock {
     let (from, to) = (zone.from_z, zone.to_z);
     let at = |radius, z| Point { radius, z };
@@ -322,8 +321,7 @@ fn facing(zone: &Zone, ground: &ZoneContours, past: Half) -> Stock {
     }
 }
 
-/// How far past the axis a tool goes, so that its edge behind the nose, which is what cuts a face of that depth, leaves no
-/// pip.
+/// The overrun of a tool past the axis, so that its secondary edge, which cuts a face of that depth, leaves no pip.
 fn past_axis(tool: &TurningTool<'_>, depth: Half) -> Half {
     Half::from(depth.to_mm() * libm::tan(tool.trail_angle.to_f64().to_radians()))
         + Half::of(tool.nose_radius.unwrap_or_default())
@@ -421,8 +419,8 @@ fn levels(stock: &Stock, limit: Half, feed: Feed) -> Split {
     }
 }
 
-/// The largest diameter that a work cuts along the axis: outside its highest top, in a bore its deepest wall. What
-/// earlier works removed does not count.
+/// The largest diameter that a work cuts along the axis: outside its highest top, in a bore its deepest wall. Stock
+/// removed by earlier works does not count.
 fn begins_at(levels: &Split, stock: &Stock) -> Option<Micrometres> {
     let worked = levels.sections.iter().filter(|section| !section.stocks.is_empty());
     let radius = match stock.rough.side {
@@ -432,7 +430,7 @@ fn begins_at(levels: &Split, stock: &Stock) -> Option<Micrometres> {
     radius.map(Half::diameter)
 }
 
-/// The scheme that the file requires, or that of the rule. A face is always turned across.
+/// The scheme in the file, or that of the rule. A face is always turned across.
 fn wanted(zone: &Zone, index: usize, bench: &Bench<'_, '_>) -> Option<Scheme> {
     if zone.feed == Feed::Across {
         return Some(Scheme::Descent);

@@ -8,11 +8,11 @@ use crate::units::{MillimetresPerMinute, Minutes};
 
 use super::pass::{PassDirection, PassEnd, PassStart, legs};
 
-/// What is made small.
+/// The minimised quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Objective {
-    /// The length cut in metal: the criterion of the paper. Of equals the one with fewer passes, then with fewer
+    /// The length cut in metal: the criterion of the paper. Among equals the one with fewer passes, then with fewer
     /// changes of direction.
     Path,
     /// The length cut in metal plus a fixed amount for each pass.
@@ -20,12 +20,12 @@ pub enum Objective {
         /// Added for each pass, mm.
         per_pass_mm: Half,
     },
-    /// The time with feeds, approach, retract and rapids. Of equals the one with the shorter length in metal.
+    /// The time with feeds, approach, retract and rapids. Among equals the one with the shorter length in metal.
     Time {
-        /// How fast the tool moves.
+        /// The rates of the tool.
         rates: Rates,
     },
-    /// The number of passes. Of equals the one with the shorter length in metal.
+    /// The number of passes. Among equals the one with the shorter length in metal.
     Passes,
 }
 
@@ -66,11 +66,11 @@ impl Objective {
     }
 }
 
-/// A cost: what the objective counts (halves of a micrometre, nanoseconds or passes), and two numbers to choose among
-/// equals.
+/// A cost: the quantity of the objective (halves of a micrometre, nanoseconds or passes), and two numbers to choose
+/// among equals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Cost {
-    /// What the objective counts.
+    /// The quantity of the objective.
     pub main: u64,
     /// Decides first among equals.
     pub second: u64,

@@ -10,7 +10,7 @@ use crate::units::Micrometres;
 /// The largest grid that is searched: 1,000 levels by 1,000 slices.
 pub const MOST_STATES: u64 = 1_000_000;
 
-/// What one longitudinal pass takes.
+/// The metal of one longitudinal pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Level {
     /// Radius before.
@@ -21,7 +21,7 @@ pub struct Level {
     pub end: Half,
 }
 
-/// What one transverse pass takes.
+/// The metal of one transverse pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Slice {
     /// Z before.

@@ -1,5 +1,5 @@
-//! The general advice in figures: long parts lengthwise, discs crosswise. The shaft is stretched along its axis, and
-//! the variants are calculated for each ratio of length to diameter.
+//! General advice in figures: long parts lengthwise, discs crosswise. The shaft is stretched along its axis, and the
+//! variants are calculated for each ratio of length to diameter.
 
 use serde::Serialize;
 
@@ -20,11 +20,11 @@ pub struct Ratio {
     pub length_to_diameter: f64,
     /// Length of all steps, mm.
     pub length_mm: Micrometres,
-    /// By how much each named variant is above the optimum, per cent: longitudinal, transverse, per step.
+    /// The excess of each named variant over the optimum, per cent: longitudinal, transverse, per step.
     pub above_optimum_percent: [f64; 3],
-    /// The best of the three; of equals the first.
+    /// The best of the three; among equals the first.
     pub winner: &'static str,
-    /// By how much the next of longitudinal and transverse is above the better one, per cent.
+    /// The excess of the worse of longitudinal and transverse over the better one, per cent.
     pub margin_percent: f64,
 }
 

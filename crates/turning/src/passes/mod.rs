@@ -37,9 +37,9 @@ pub struct Sequences {
     /// The shaft.
     #[serde(flatten)]
     pub shaft: Shaft,
-    /// What is made small.
+    /// The minimised quantity.
     pub objective: Objective,
-    /// Which moves passes may make.
+    /// The permitted moves of passes.
     pub moves: Moves,
     /// The levels from the bar inwards.
     pub levels: Vec<LevelEntry>,
@@ -52,7 +52,7 @@ pub struct Sequences {
     pub proof: Option<rich::SearchProof>,
     /// The variant to take.
     pub recommended: Recommended,
-    /// What its reader must know.
+    /// Remarks for the reader.
     pub findings: Vec<Finding>,
 }
 
@@ -89,9 +89,9 @@ pub struct Variant {
     pub name: &'static str,
     /// The length cut in metal, mm.
     pub cutting_path_mm: Half,
-    /// What the objective counts: mm, min or passes.
+    /// The quantity of the objective: mm, min or passes.
     pub cost: f64,
-    /// By how much that is above the optimum, per cent.
+    /// Its excess over the optimum, per cent.
     pub above_optimum_percent: f64,
     /// The time with feeds, approach, retract and rapids, if the file gives rates, min.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -118,7 +118,7 @@ pub struct PassEntry {
     pub depth_mm: Half,
     /// Its length in metal, mm.
     pub length_mm: Half,
-    /// Why it was taken.
+    /// The reason for it.
     pub reason: Note,
 }
 
@@ -127,7 +127,7 @@ pub struct PassEntry {
 pub struct Recommended {
     /// Its name; absent if the blank is turned parallel to its contour, because no variant does that.
     pub variant: Option<&'static str>,
-    /// Why.
+    /// The reason.
     pub because: Because,
 }
 

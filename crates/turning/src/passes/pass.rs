@@ -68,7 +68,7 @@ pub struct Pass {
     pub depth: Half,
     /// The rectangles of metal that it removes, each by its corner nearest to axis and free end, and the opposite one.
     pub removed: Vec<(Point, Point)>,
-    /// Why this one.
+    /// The reason for it.
     pub reason: Note,
 }
 
@@ -107,10 +107,10 @@ impl From<Point> for LathePoint {
     }
 }
 
-/// The rapids from the end of a pass to where the feed of the next begins. Before the first pass and after the last one
-/// it is home: off the corner of the bar by the approach on both axes.
+/// The rapids from the end of a pass to the beginning of the next feed. Before the first pass and after the last one
+/// the tool is at the home point: off the corner of the bar by the approach on both axes.
 ///
-/// 1. The tool draws back by the retract on both axes, off the surface and off the shoulder.
+/// 1. The tool retracts on both axes, off the surface and off the shoulder.
 /// 2. If a longitudinal pass begins nearer to the free end, the tool goes there along the axis, then to its radius.
 /// 3. Otherwise, and before a transverse pass, and home, it goes out above the stock first, then along the axis, then
 ///    in.

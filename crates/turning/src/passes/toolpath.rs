@@ -1,5 +1,5 @@
-//! A sequence of passes as a toolpath. Cylinders and faces are to a round nose what they are to a sharp one
-//! ([`crate::turning::nose`]), so the path of the theoretical point is safe as it is.
+//! A sequence of passes as a toolpath. Cylinders and faces are the same for a round nose and a sharp one
+//! ([`crate::turning::nose`]), so the path of the theoretical point is safe unchanged.
 
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -8,8 +8,8 @@ use crate::turning::toolpath::{Purpose, Toolpath};
 
 use super::pass::{Pass, PassDirection, PassEnd, legs};
 
-/// The way from home through all passes and back. A pass across a face that ends on the axis goes on by `beyond`, so
-/// that a round nose leaves nothing there.
+/// The path from the home point through all passes and back. A pass across a face that ends on the axis is extended
+/// by `beyond`, so that a round nose leaves nothing there.
 pub fn toolpath(passes: &[Pass], bar: Half, rates: &Rates, beyond: Half) -> Toolpath {
     let mut path: Option<Toolpath> = None;
     let mut before: Option<PassEnd> = None;
@@ -18,7 +18,7 @@ pub fn toolpath(passes: &[Pass], bar: Half, rates: &Rates, beyond: Half) -> Tool
     for (start, pass) in starts.zip(passes.iter().map(Some).chain([None])) {
         for (from, to) in legs(before, start, bar, rates) {
             let path = path.get_or_insert_with(|| Toolpath::at(from));
-            // Up to a wall and down beside it the tool goes at its feed: the edge of a pass has left it leaning.
+            // Up to a wall and down beside it the tool moves at feed: the edge of a pass has left the wall inclined.
             let walls = walls.iter().filter(|wall: &&Point| wall.z == to.z && to.radius < wall.radius);
             if let Some(top) = walls.map(|wall| wall.radius).max() {
                 let off = Half::of(rates.retract);

@@ -9,7 +9,7 @@ use super::optimum::{moves, pass};
 use super::pass::{Pass, PassDirection, PassEnd};
 use crate::turning::point::Point;
 
-/// The cost of passes in that order, with the return to home.
+/// The cost of passes in that order, with the return to the home point.
 pub fn total(passes: &[Pass], objective: Objective, bar: Half) -> Cost {
     let mut before: Option<PassEnd> = None;
     let mut sum = Cost::ZERO;

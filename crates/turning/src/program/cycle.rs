@@ -12,22 +12,22 @@ pub use crate::tables::controls::lathe::Direction;
 /// How far an arc may go back beyond its ends, 1 µm: they are rounded to half a micrometre along both axes.
 const SLACK: Half = Half::new(2);
 
-/// How a cycle takes the stock.
+/// The parameters of a roughing cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Roughing {
     /// The direction of its passes.
     pub direction: Direction,
     /// The depth of a pass, on the radius or along Z, above 0.
     pub depth: Half,
-    /// How far from the blank it begins, above 0.
+    /// The distance from the blank where it begins, above 0.
     pub clearance: Half,
-    /// How far it draws back after a pass along each axis; above 0, at most the clearance.
+    /// The retract after a pass along each axis; above 0, at most the clearance.
     pub retract: Half,
     /// The allowance that it leaves over the contour; zero if the contour is the rough one.
     pub allowance: Allowance,
 }
 
-/// What a cycle leaves over the contour.
+/// The allowance of a cycle over the contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Allowance {
     /// On the radius, not below 0.
@@ -48,15 +48,15 @@ pub struct ProgramFile {
 /// The call of a cycle, and the contour that it reads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct CycleCall {
-    /// Lines that must stand before the call: a subprogram of the same file.
+    /// Lines required before the call: a subprogram of the same file.
     pub before: String,
     /// The lines of the call.
     pub call: String,
-    /// The contour in a file of its own, where the control has it so.
+    /// The contour in a separate file, if the control requires that.
     pub file: Option<ProgramFile>,
 }
 
-/// A program with a cycle: the main program, and its subprograms if the control has them in files of their own.
+/// A program with a cycle: the main program, and its subprograms if the control has them in separate files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CycleProgram {
     /// The main program first.
@@ -123,8 +123,8 @@ impl<'a> CycleTask<'a> {
         pieces
     }
 
-    /// Where the cycle begins: at the corner of the blank, by the clearance away from it in the direction from which
-    /// the passes come, and on the surface in the other direction.
+    /// The start point of the cycle: at the corner of the blank, by the clearance away from it in the direction from
+    /// which the passes come, and on the surface in the other direction.
     pub fn begins(&self) -> Point {
         let Point { radius, z } = self.corner;
         let clearance = self.roughing.clearance;

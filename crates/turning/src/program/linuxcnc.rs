@@ -33,7 +33,7 @@ pub(super) fn write(
     let mut sheet = ProgramWriter::new(words);
     sheet.line(&words.filled(Use::ContourBegins, &[("number", number_of.clone())]));
     // The profile must leave the blank. If it only touches the surface, and an arc ends there slightly below it, G71
-    // searches for the end of its first pass forever (seen in rs274 of 2.9.0~pre1).
+    // searches for the end of its first pass forever (observed in rs274 of 2.9.0~pre1).
     let clearance = task.roughing.clearance;
     let profile = task.profile(clearance, clearance);
     for (index, piece) in profile.iter().enumerate() {

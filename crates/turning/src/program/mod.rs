@@ -50,13 +50,13 @@ const WRITERS: [(LatheControl, CycleWriter); 2] =
 pub struct Control {
     /// Its name: `linuxcnc`, `sinumerik`, `nc-201`.
     pub name: String,
-    /// None where no program is written for it.
+    /// None if no program is written for it.
     words: Option<ControlWords>,
     /// None if its roughing cycle cannot be written.
     cycles: Option<(Cycles, CycleWriter)>,
-    /// What is known by name alone.
+    /// Words that are known by name only.
     known_words: Vec<String>,
-    /// The ending of its files.
+    /// The extension of its files.
     ending: String,
 }
 
@@ -64,7 +64,8 @@ impl Control {
     /// The controls, as a user names them.
     pub const NAMES: &'static [&'static str] = LatheControl::WORDS;
 
-    /// Reads the language of a control. A control of which little is known can be read, but nothing is written for it.
+    /// Reads the language of a control. A control of which little is known can be read, but no program is written for
+    /// it.
     ///
     /// # Errors There is no such control, or one of its tables lacks a required row.
     pub fn read(name: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {

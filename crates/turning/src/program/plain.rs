@@ -13,7 +13,7 @@ use super::words::{ControlWords, Use};
 /// The program of a toolpath on a control.
 ///
 /// # Errors
-/// Why it cannot be written.
+/// The reason why it cannot be written.
 pub fn plain(control: &Control, path: &Toolpath, setting: &Setting) -> Result<String, NotWritten> {
     let words = control.words()?;
     setting.check()?;
@@ -63,7 +63,7 @@ pub(super) fn modes(sheet: &mut ProgramWriter<'_>, name: &str) {
     sheet.put(&[Use::System, Use::ExactPath]);
 }
 
-/// How the spindle turns.
+/// The rotation of the spindle.
 pub(super) fn spindle(words: &ControlWords, speed: Speed) -> String {
     match speed {
         Speed::Cutting { speed, limit } => {

@@ -15,7 +15,7 @@ pub enum NotWritten {
     NotDocumented {
         /// The control.
         control: String,
-        /// What of its words is known by name.
+        /// Its words that are known by name only.
         words: Vec<String>,
     },
     /// The toolpath has no move.
@@ -38,7 +38,7 @@ pub enum NotWritten {
         piece: usize,
         /// Its radius.
         radius: Half,
-        /// What it must be at least.
+        /// The least radius.
         needed: Half,
     },
     /// A rapid along an arc.
@@ -52,7 +52,7 @@ pub enum NotWritten {
     NoSpeed,
     /// A feed that is not above 0.
     NoFeed {
-        /// It.
+        /// The feed.
         feed: MillimetresPerRev,
     },
     /// A contour on which the cycle would have to go back.
@@ -66,7 +66,7 @@ pub enum NotWritten {
     BeyondBlank {
         /// The radius of the blank.
         blank: Half,
-        /// How far the contour reaches.
+        /// The radius of the contour.
         contour: Half,
     },
     /// A contour that begins before the face of the blank.
@@ -75,7 +75,7 @@ pub enum NotWritten {
     NothingToCut,
     /// A depth or a distance that is not above 0.
     NotAboveZero {
-        /// Which.
+        /// Its name.
         name: &'static str,
     },
     /// A retract that would lead back into the blank, because the cycle begins nearer to it.
@@ -92,11 +92,11 @@ pub enum NotWritten {
         /// The clearance.
         clearance: Half,
     },
-    /// The tool would go to the axis, where the tailstock centre stands.
+    /// The tool would go to the axis, where the tailstock centre is.
     ThroughCentre,
-    /// The proof found that it would spoil the part or hit something.
+    /// The proof found that it would damage the part or hit something.
     Unsafe {
-        /// What it found first.
+        /// The first finding of the proof.
         why: Note,
     },
     /// The cycle does not leave an allowance.

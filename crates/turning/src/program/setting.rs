@@ -6,7 +6,7 @@ use crate::units::{MetresPerMinute, MillimetresPerRev, RevsPerMinute};
 use super::refused::NotWritten;
 use super::text::number;
 
-/// How the spindle turns.
+/// The speed of the spindle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Speed {
     /// Constant cutting speed, and the spindle speed that must not be exceeded.
@@ -25,7 +25,7 @@ pub enum Speed {
 pub struct Feeds {
     /// Of straight working passes.
     pub cut: MillimetresPerRev,
-    /// Straight into the metal.
+    /// Of infeed into the metal.
     pub infeed: MillimetresPerRev,
     /// Along the contour, cutting ridges.
     pub pick_up: MillimetresPerRev,
@@ -33,9 +33,9 @@ pub struct Feeds {
     pub semi_finish: MillimetresPerRev,
     /// Of finishing.
     pub finish: MillimetresPerRev,
-    /// Through no metal, at a feed all the same.
+    /// Of motions without metal, at a feed.
     pub back: MillimetresPerRev,
-    /// Straight in with the whole edge.
+    /// Of plunges with the whole edge.
     pub plunge: MillimetresPerRev,
     /// The pitch of a thread.
     pub thread: MillimetresPerRev,
@@ -79,16 +79,16 @@ pub struct Setting {
     pub name: String,
     /// The place of the tool, at least 1.
     pub tool: u32,
-    /// How the spindle turns; always clockwise.
+    /// The speed of the spindle; it always turns clockwise.
     pub speed: Speed,
     /// The feeds.
     pub feeds: Feeds,
-    /// Whether the coolant flows.
+    /// Whether coolant is on.
     pub coolant: bool,
 }
 
 impl Setting {
-    /// Whether every figure of it can be written.
+    /// Checks that every figure of it can be written.
     ///
     /// # Errors
     /// A tool, a speed or a feed that is not above 0, or so small that it is written as 0.

@@ -1,4 +1,4 @@
-//! Sinumerik: CYCLE95 with the contour in a subprogram, a file of its own.
+//! Sinumerik: CYCLE95 with the contour in a subprogram, in a file of its own.
 
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
@@ -14,8 +14,8 @@ use super::{Control, file_name};
 /// The call of a cycle with its contour, which is contour number `index` of the program.
 ///
 /// The contour begins on the face of the blank and ends on its surface, because the cycle assumes that the stock
-/// reaches as far as the contour. The cycle finds its own start point, to which the tool may go from its current
-/// position.
+/// extends as far as the contour. The cycle computes its own start point, to which the tool must be able to move from
+/// its current position.
 pub(super) fn write(
     control: &Control,
     cycles: &Cycles,

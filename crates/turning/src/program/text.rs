@@ -8,14 +8,14 @@ use crate::units::{Decimal, MillimetresPerRev};
 use super::whole::FreeEnd;
 use super::words::{ControlWords, Use};
 
-/// At which rate a move goes.
+/// The rate of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Pace {
-    /// As fast as the axes go.
+    /// As fast as the axes move.
     Rapid,
     /// At a feed.
     Feed(MillimetresPerRev),
-    /// In step with the spindle, by the pitch of a thread.
+    /// Synchronised with the spindle, by the pitch of a thread.
     Thread(MillimetresPerRev),
     /// Along a contour that a cycle reads: a line or an arc without a feed.
     Contour,
@@ -43,18 +43,18 @@ impl<'c> ProgramWriter<'c> {
         }
     }
 
-    /// Lines that are whole already.
+    /// Complete lines.
     pub fn lines(&mut self, text: &str) {
         text.lines().for_each(|line| self.line(line));
     }
 
-    /// The words of these uses in one line, as far as the control has them.
+    /// The words for these uses in one line, where the control has them.
     pub fn put(&mut self, uses: &[Use]) {
         let words: Vec<&str> = uses.iter().map(|one| self.words.get(*one)).filter(|word| !word.is_empty()).collect();
         self.line(&words.join(" "));
     }
 
-    /// A remark.
+    /// A comment.
     pub fn comment(&mut self, text: &str) {
         let line = self.words.comment(text);
         self.line(&line);
@@ -70,7 +70,8 @@ impl<'c> ProgramWriter<'c> {
         self.go(Piece::line(self.at.unwrap_or(to), to), Pace::Rapid);
     }
 
-    /// A rapid to the first point of a tool, which comes from its change position: past a tailstock Z goes before X.
+    /// A rapid to the first point of a tool, which comes from its change position: beside a tailstock Z moves before
+    /// X.
     pub fn approach(&mut self, to: Point, end_of_part: FreeEnd) {
         if end_of_part == FreeEnd::Tailstock && self.at.is_none() {
             self.line(&format!("{} Z{}", self.words.get(Use::Rapid), self.words.figure(position(to.z))));
@@ -105,7 +106,7 @@ impl<'c> ProgramWriter<'c> {
             words.push(format!("K{}", self.words.figure(offset(start.z - centre.z))));
         }
         if let Pace::Thread(lead) = pace {
-            // On some controls the lead stands in the word of the feed, so that is not known any more.
+            // On some controls the lead uses the word of the feed, so the feed is not known afterwards.
             words.push(format!("{}{}", self.words.get(Use::ThreadLead), self.words.figure(number(lead.0, 4))));
             self.feed = None;
         }
@@ -125,9 +126,9 @@ impl<'c> ProgramWriter<'c> {
     }
 }
 
-/// The function of a move. Z counts towards the chuck in a toolpath and away from it in a program, which mirrors arcs:
-/// an arc that turns left in the toolpath is clockwise, seen with Z to the right and X upwards
-/// (docs/turning-programs.md, «Arcs»).
+/// The function of a move. Z points towards the chuck in a toolpath and away from it in a program, which mirrors
+/// arcs: a left arc of the toolpath is clockwise, seen with Z to the right and X upwards (docs/turning-programs.md,
+/// «Arcs»).
 const fn motion(curve: Curve, pace: Pace) -> Use {
     match (curve, pace) {
         (Curve::Line, Pace::Rapid) => Use::Rapid,
@@ -153,7 +154,7 @@ fn offset(millimetres: f64) -> String {
     number(millimetres, 4)
 }
 
-/// A calculated number with at most so many places.
+/// A calculated number with at most `places` decimals.
 pub(super) fn number(value: f64, places: u32) -> String {
     Decimal::from_f64_rounded(crate::units::round_to(value, places)).to_string()
 }

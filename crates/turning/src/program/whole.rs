@@ -1,4 +1,4 @@
-//! One program of a set-up: every tool after the other, with the turret at its change position between them.
+//! One program of a set-up: all tools in order, with the turret at its change position between them.
 
 use crate::turning::contour::{Contour, Curve};
 use crate::turning::point::Point;
@@ -14,22 +14,22 @@ use super::text::{Pace, ProgramWriter};
 use super::words::Use;
 use super::{Control, file_name};
 
-/// What one tool does at one pace.
+/// The work of one tool with the same speed and feeds.
 #[derive(Clone, Debug)]
 pub struct ToolSection {
     /// The place of the tool in the turret, at least 1.
     pub tool: u32,
-    /// What the operator reads at the tool: its designation and its work.
+    /// The comment for the operator at the tool: its designation and its work.
     pub title: String,
-    /// How the spindle turns.
+    /// The speed of the spindle.
     pub speed: Speed,
     /// The feeds.
     pub feeds: Feeds,
-    /// Whether the coolant flows.
+    /// Whether coolant is on.
     pub coolant: bool,
     /// Its toolpath.
     pub path: Toolpath,
-    /// The same as a roughing cycle of the control, where that is asked for and can do it.
+    /// The same work as a roughing cycle of the control, if requested and possible.
     pub cycle: Option<CycleOf>,
 }
 
@@ -40,23 +40,23 @@ pub struct CycleOf {
     pub rough: Contour,
     /// The corner of the blank before it.
     pub corner: Point,
-    /// How.
+    /// The parameters.
     pub roughing: Roughing,
 }
 
-/// What stands before the free end of the part.
+/// What is in front of the free end of the part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FreeEnd {
     /// Nothing: both axes may go to the change position together.
     Open,
-    /// A tailstock: the tool passes it with X drawn back, so X leaves first and comes last.
+    /// A tailstock: the tool passes it with X retracted, so X leaves first and comes last.
     Tailstock,
 }
 
 /// The program of a set-up; `number` tells the set-ups of a part apart. The main file comes first.
 ///
-/// Before each tool and at the end the turret goes to the change position of the control, so that the program can begin
-/// wherever the last one ended. Paths of one tool follow each other from home to home.
+/// Before each tool and at the end the turret moves to the change position of the control, so that the program can
+/// begin wherever the last one ended. Paths of one tool follow each other from home point to home point.
 ///
 /// # Errors Why it cannot be written.
 pub fn whole(
@@ -74,7 +74,7 @@ pub fn whole(
     let mut before: Option<&ToolSection> = None;
     let calls = sections.iter().enumerate().map(|(index, section)| {
         let task = section.cycle.as_ref().map(|one| CycleTask::new(&one.rough, one.corner, one.roughing));
-        // What no cycle can do is written as motions.
+        // Work without a possible cycle is written as motions.
         let (Some(Ok(task)), Some((cycles, writer))) = (task, &control.cycles) else { return Ok(None) };
         let setting = Setting {
             name: name.to_owned(),
@@ -142,7 +142,7 @@ fn leave(sheet: &mut ProgramWriter<'_>, end_of_part: FreeEnd) {
         FreeEnd::Tailstock => {
             sheet.put(&[Use::ChangePositionX]);
             sheet.put(&[Use::ChangePositionZ]);
-            // LinuxCNC names the axis by a distance of nothing.
+            // LinuxCNC names the axis by a distance of zero.
             sheet.put(&[Use::Absolute]);
         }
     }

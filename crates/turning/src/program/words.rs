@@ -12,9 +12,9 @@ pub(super) use crate::tables::controls::lathe::Use;
 #[derive(Clone, Debug, Default)]
 pub(super) struct ControlWords {
     words: BTreeMap<Use, String>,
-    /// How a remark is written, with `{text}` in it.
+    /// The form of a comment, with `{text}` in it.
     comment: String,
-    /// Whether a whole number needs a point: without one it counts in least increments.
+    /// Whether a whole number needs a point: without one it is in least increments.
     pointed: bool,
 }
 
@@ -51,7 +51,7 @@ impl ControlWords {
             .fold(self.get(wanted).to_owned(), |word, (name, value)| word.replace(&format!("{{{name}}}"), value))
     }
 
-    /// The change to a tool by its place; some controls take two figures for tool and offset each.
+    /// The change to a tool by its place; some controls use two digits each for tool and offset.
     pub fn tool(&self, place: u32) -> String {
         self.filled(Use::Tool, &[("tool", place.to_string()), ("two", format!("{place:02}"))])
     }
@@ -61,7 +61,7 @@ impl ControlWords {
         if self.pointed && !number.contains('.') { format!("{number}.") } else { number }
     }
 
-    /// A remark.
+    /// A comment.
     pub fn comment(&self, text: &str) -> String {
         self.comment.replace("{text}", text)
     }

@@ -28,7 +28,7 @@ use zones::SchemeZone;
 /// The levels of a shaft, its zones and its schemes.
 #[derive(Clone, Debug, Serialize)]
 pub struct Schemes {
-    /// How the rough zone is split.
+    /// The split of the rough zone.
     pub splitting: Splitting,
     /// The zone over each cylinder, and the whole one.
     pub zones: Vec<SchemeZone>,
@@ -45,7 +45,7 @@ pub struct Schemes {
     pub levels: Levels,
 }
 
-/// How the rough zone is split.
+/// The split of the rough zone.
 #[derive(Clone, Debug, Serialize)]
 pub struct Splitting {
     /// The limiting depth, mm.
@@ -98,7 +98,7 @@ pub struct SchemeEntry {
     pub measures: SchemeMeasures,
     /// The points of the tool path in order, from home and back.
     pub points: Vec<SchemePoint>,
-    /// What it is, and its source.
+    /// Its description, and its source.
     pub because: Because,
     /// The path, for drawings.
     #[serde(skip)]
@@ -116,7 +116,7 @@ pub struct Best {
     pub margin_min: Minutes,
     /// The same as a share of the next best's time, per cent.
     pub margin_percent: f64,
-    /// The reason: the time, and of equals the preference of the lecture.
+    /// The reason: the time, and among equals the preference of the lecture.
     pub because: Because,
 }
 
@@ -166,7 +166,7 @@ fn entry(
     Ok((rule.preference, entry))
 }
 
-/// The scheme with the least time, of equals the one that the lecture prefers.
+/// The scheme with the least time, among equals the one that the lecture prefers.
 fn best(ranked: &[(i64, SchemeEntry)]) -> Option<Best> {
     let mut order: Vec<_> = ranked.iter().collect();
     let time = |scheme: &SchemeEntry| scheme.measures.time_min.0;

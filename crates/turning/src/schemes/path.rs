@@ -5,11 +5,11 @@ use serde::Serialize;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 
-/// How the tool comes to a point.
+/// The motion of the tool to a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Motion {
-    /// Through air, as fast as the axes go.
+    /// Through air, as fast as the axes move.
     Rapid,
     /// At the working feed along the axis.
     Along,
@@ -17,7 +17,7 @@ pub enum Motion {
     Across,
 }
 
-/// What a point is.
+/// The role of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum VertexRole {
@@ -29,7 +29,7 @@ pub enum VertexRole {
     End,
     /// The outer corner of a face, after it was cleaned.
     Corner,
-    /// Drawn back from the metal.
+    /// Retracted from the metal.
     Retracted,
     /// Back on the vertical of the start, before going to the depth.
     Returned,
@@ -38,17 +38,17 @@ pub enum VertexRole {
 /// A point of the path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vertex {
-    /// Where.
+    /// Its position.
     pub at: Point,
-    /// How the tool comes here.
+    /// The motion to it.
     pub motion: Motion,
-    /// What it is.
+    /// Its role.
     pub role: VertexRole,
-    /// How much of the motion at the feed is before the metal: δ, or nothing.
+    /// The part of the feed motion before the metal: δ, or zero.
     pub air: Half,
 }
 
-/// A path as it grows.
+/// A path under construction.
 #[derive(Clone, Debug)]
 pub struct SchemePath {
     vertices: Vec<Vertex>,
@@ -57,21 +57,21 @@ pub struct SchemePath {
 }
 
 impl SchemePath {
-    /// From home, which is off the free end and off the largest radius of the blank by the approach δ.
+    /// Begins at the home point, off the free end and off the largest radius of the blank by the approach δ.
     pub fn new(largest: Half, approach: Half, retract: Half) -> Self {
         let at = Point { radius: largest + approach, z: Half::ZERO - approach };
         let home = Vertex { at, motion: Motion::Rapid, role: VertexRole::Home, air: Half::ZERO };
         Self { vertices: vec![home], approach, retract }
     }
 
-    /// Goes to where the metal of a pass begins, in the order of the lecture (l. 691, 712-716).
+    /// Moves to where the metal of a pass begins, in the order of the lecture (l. 691, 712-716).
     ///
-    /// 1. The tool draws back by the retract, off the surface and off the face where it is.
+    /// 1. The tool retracts, off the surface and off the face where it is.
     /// 2. It returns at this radius to the vertical of the start, δ before the metal.
-    /// 3. It goes across to the depth of the pass.
+    /// 3. It moves across to the depth of the pass.
     ///
-    /// To a start farther out, in the next section of a stepped blank, it goes across first: between here and there the
-    /// blank may be as large as the part.
+    /// To a start farther out, in the next section of a stepped blank, it moves across first: between the two points
+    /// the blank may be as large as the part.
     pub fn start(&mut self, metal: Point) {
         self.draw_back();
         let start = Point { radius: metal.radius, z: metal.z - self.approach };

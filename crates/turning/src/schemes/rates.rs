@@ -1,4 +1,4 @@
-//! How fast the tool moves if the shaft file does not say: rows of the table `turning-motion`.
+//! The rates of the tool if the shaft file gives none: rows of the table `turning-motion`.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;

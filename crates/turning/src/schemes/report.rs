@@ -22,9 +22,9 @@ pub struct SchemePoint {
     pub diameter_mm: Micrometres,
     /// Z, mm: negative towards the chuck.
     pub z_mm: Half,
-    /// How the tool comes here.
+    /// The motion to it.
     pub motion: Motion,
-    /// What the point is.
+    /// Its role.
     pub role: VertexRole,
 }
 

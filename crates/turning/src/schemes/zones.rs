@@ -1,4 +1,4 @@
-//! What bounds the parts of the rough zone of a stepped shaft, and which scheme of passes the lecture has for each. The
+//! The bounds of the parts of the rough zone of a stepped shaft, and the lecture's scheme of passes for each. The
 //! rules are in [`zones::kind`](crate::turning::zones::kind), as for contours of any shape.
 
 use serde::Serialize;
@@ -22,9 +22,9 @@ pub struct SchemeZone {
     pub zone: ZoneKind,
     /// The schemes, in the order of work; more than one if the zone is worked in parts.
     pub schemes: Vec<Scheme>,
-    /// Why this kind.
+    /// The reason for the kind.
     pub because_zone: Because,
-    /// Why these schemes.
+    /// The reason for the schemes.
     pub because: Because,
 }
 

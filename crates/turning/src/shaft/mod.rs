@@ -1,7 +1,7 @@
-//! A stepped shaft, its blank, and how much one pass takes.
+//! A stepped shaft, its blank, and the parameters of its passes.
 //!
-//! [`read_shaft`] turns the user's YAML into these types and reports every mistake of the file at once. `schema` is
-//! the file's form for editors.
+//! [`read_shaft`] turns the user's YAML into these types and reports all mistakes of the file at once. `schema` is
+//! the JSON Schema for editors.
 
 mod check;
 pub mod file;
@@ -29,20 +29,20 @@ pub struct Shaft {
     /// The id of a lathe, as in the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub machine: Option<String>,
-    /// How hard or strong it is, if the file says so.
+    /// Its hardness or strength, if the file gives it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub material_state: Option<MaterialState>,
-    /// What it is made from.
+    /// Its blank.
     pub blank: Blank,
     /// The cylinders of a stepped blank from the free end, none smaller than the one before it; behind them it has the
     /// diameter of the blank.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub blank_steps: Vec<Step>,
-    /// How it is held.
+    /// The way of clamping.
     pub holding: Holding,
     /// Its cylinders from the free end towards the chuck; no diameter is smaller than the one before it.
     pub steps: Vec<Step>,
-    /// How much one pass takes.
+    /// The parameters of roughing.
     pub roughing: Roughing,
     /// How fast the tool moves; if absent, no times are calculated.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -56,7 +56,7 @@ pub struct Blank {
     pub kind: BlankKind,
     /// Its diameter, mm; of a forging or casting that of the cylinder around it.
     pub diameter: Micrometres,
-    /// Its length, mm; what is longer than the steps stays in the chuck.
+    /// Its length, mm; the part beyond the steps stays in the chuck.
     pub length: Micrometres,
 }
 
@@ -100,20 +100,20 @@ pub struct Step {
     pub length: Micrometres,
 }
 
-/// How much stock one pass takes.
+/// The parameters of roughing passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Roughing {
     /// Largest radial depth of a longitudinal pass, mm.
     pub longitudinal_depth: Micrometres,
     /// Largest axial depth of a transverse pass, mm.
     pub transverse_depth: Micrometres,
-    /// How stock is divided into depths.
+    /// The division of stock into depths.
     pub division: Division,
-    /// Which moves passes may make.
+    /// The permitted moves of passes.
     pub moves: Moves,
 }
 
-/// How the stock between two shoulders is divided.
+/// The division of the stock between two shoulders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Division {
@@ -124,7 +124,7 @@ pub enum Division {
     Equal,
 }
 
-/// Which moves passes may make.
+/// The permitted moves of passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Moves {
@@ -135,7 +135,7 @@ pub enum Moves {
     Rich,
 }
 
-/// How fast the tool moves, and how near the metal.
+/// The rates of the tool, and its distances from the metal.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Rates {
     /// Feed of longitudinal passes.
@@ -144,8 +144,8 @@ pub struct Rates {
     pub transverse_feed: MillimetresPerMinute,
     /// Rapid rate of an axis.
     pub rapid: MillimetresPerMinute,
-    /// How far before the metal the feed begins, mm.
+    /// The distance before the metal where the feed begins, mm.
     pub approach: Micrometres,
-    /// How far the tool draws back on both axes after a pass, mm.
+    /// The retract on both axes after a pass, mm.
     pub retract: Micrometres,
 }

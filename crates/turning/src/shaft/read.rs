@@ -11,7 +11,8 @@ use super::file::{self, ShaftFile};
 use super::shape::{self, BlankShape};
 use super::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
 
-/// The approach if the file gives rates and no approach, mm: our choice; the lecture names δ without a figure.
+/// The approach if the file gives rates and no approach, mm: a choice of the program; the lecture names δ without a
+/// figure.
 const APPROACH: Micrometres = Micrometres::from_mm(2);
 /// The retract if the file gives rates and no retract: 0.5 mm (lecture 12.4).
 const RETRACT: Micrometres = Micrometres::new(500);
@@ -26,13 +27,13 @@ pub fn read_shaft(file: &str, text: &str, knowledge: &Knowledge) -> Result<Shaft
     reader.close(shaft)
 }
 
-/// A step as far as it could be read.
+/// A step, as far as it could be read.
 pub(crate) struct PlacedStep {
     pub(crate) diameter: Option<Placed<Micrometres>>,
     pub(crate) length: Option<Placed<Micrometres>>,
 }
 
-/// A blank as far as it could be read.
+/// A blank, as far as it could be read.
 #[derive(Default)]
 struct PlacedBlank {
     kind: Option<BlankKind>,

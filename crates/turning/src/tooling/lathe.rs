@@ -10,7 +10,7 @@ use crate::units::{
 
 use super::{Seconds, Shank, TurningTool};
 
-/// How a spindle turns.
+/// The speeds of a spindle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spindle {
     /// At these speeds only, ascending; never empty.
@@ -25,7 +25,7 @@ pub enum Spindle {
 }
 
 impl Spindle {
-    /// The fastest speed of the spindle that is not above the wanted one; if it has none so slow, its slowest.
+    /// The fastest speed of the spindle that is not above the wanted one; otherwise its slowest.
     ///
     /// Handbook examples take the nearest lower step (ukrbukva.net/page,8,69910): the tool then lasts at least as long
     /// as calculated.
@@ -49,7 +49,7 @@ impl Spindle {
     }
 }
 
-/// A lathe for planning. What its record does not have is `None`.
+/// A lathe for planning. Figures missing in its record are `None`.
 #[derive(Clone, Debug)]
 pub struct Lathe<'k> {
     /// The table of its record.
@@ -69,7 +69,7 @@ pub struct Lathe<'k> {
     pub tool_change: Option<Seconds>,
     /// Largest diameter turned over the carriage.
     pub over_carriage: Micrometres,
-    /// Between the centres.
+    /// Distance between the centres.
     pub between_centres: Micrometres,
     /// Least and largest feed along Z.
     pub feed_z: (MillimetresPerMinute, MillimetresPerMinute),
@@ -83,7 +83,7 @@ pub struct Lathe<'k> {
     pub feed_force_x: Option<Newtons>,
     /// Largest main cutting force, if the maker gives one.
     pub cutting_force: Option<Newtons>,
-    /// The grade that it reaches when it finishes outer surfaces.
+    /// The grade that it reaches in finishing outer surfaces.
     pub it_outer: Option<ItGrade>,
     /// The same of bores.
     pub it_inner: Option<ItGrade>,
@@ -91,7 +91,7 @@ pub struct Lathe<'k> {
     pub it_face: Option<ItGrade>,
     /// The best roughness of finishing.
     pub best_roughness: Option<Roughness>,
-    /// Height of the shanks that go in.
+    /// Height of the shanks that fit.
     pub shank_height: Option<Micrometres>,
 }
 

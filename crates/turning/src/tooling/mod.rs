@@ -1,6 +1,6 @@
-//! What a shaft is turned with: the lathes of `catalogs/lathes` and the tools of `catalogs/tools/turning`.
+//! The lathes of `catalogs/lathes` and the tools of `catalogs/tools/turning`.
 //!
-//! A figure that a record or a row does not have is `None` here, never a guess. What needs it refuses with the missing
+//! A figure missing in a record or a row is `None` here, never a guess. Code that needs it refuses with the missing
 //! figure (docs/turning-tools.md).
 
 mod lathe;

@@ -7,10 +7,10 @@ use crate::units::{Decimal, Micrometres};
 
 pub use crate::tables::turning::tools::{Hand, Place, ToolKind};
 
-/// What of a tool is clamped, and bends.
+/// The clamped part of a tool, which bends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shank {
-    /// A square shank: its height lies in the direction of the main force.
+    /// A square shank: its height is in the direction of the main force.
     Square {
         /// Height H.
         height: Micrometres,
@@ -24,22 +24,22 @@ pub enum Shank {
     },
 }
 
-/// A turning tool. What its row does not have is `None`.
+/// A turning tool. Figures missing in its row are `None`.
 #[derive(Clone, Debug)]
 pub struct TurningTool<'k> {
     /// Its row.
     pub row: RowRef<'k>,
     /// Its designation, by which files name it.
     pub designation: &'k str,
-    /// What it is for.
+    /// Its purpose.
     pub kind: ToolKind,
-    /// Where it works.
+    /// The place where it works.
     pub works: Place,
-    /// In which direction it cuts.
+    /// Its cutting direction.
     pub hand: Hand,
     /// φ, between the main edge and the feed along the axis, degrees.
     pub lead_angle: Decimal,
-    /// φ1, between the edge behind the tip and the finished surface, degrees: the steepest fall of a contour behind the
+    /// φ1, between the secondary edge and the finished surface, degrees: the steepest fall of a contour behind the
     /// tip. φ1 = 180 − φ − ε with ε of the insert.
     pub trail_angle: Decimal,
     /// Nose radius r.
@@ -113,7 +113,7 @@ impl<'k> TurningTool<'k> {
         }
     }
 
-    /// Whether it is fed straight into the metal, so that the width of its blade is the depth of cut.
+    /// Whether it plunges into the metal, so that the width of its blade is the depth of cut.
     pub const fn plunges(&self) -> bool {
         matches!(self.kind, ToolKind::Grooving | ToolKind::FaceGrooving)
     }
@@ -129,7 +129,7 @@ impl<'k> TurningTool<'k> {
     }
 }
 
-/// A designation as it is compared.
+/// A designation normalised for comparison.
 fn plain(designation: &str) -> String {
     designation.chars().filter(|letter| !letter.is_whitespace()).flat_map(char::to_uppercase).collect()
 }

@@ -11,32 +11,32 @@ use super::Lathe;
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Seconds(pub f64);
 
-/// What holds a part on a lathe. No body is smaller than the real one (`chuck-and-tailstock`).
+/// The workholding of a lathe. No body is smaller than the real one (`chuck-and-tailstock`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Workholding {
     /// Diameter of the chuck.
     pub chuck_diameter: Micrometres,
-    /// How far the jaws stand out before its face, and at most outwards from what they grip.
+    /// The length of the jaws before the face of the chuck, and their greatest height above the gripped diameter.
     pub jaw: Micrometres,
     /// The tangent of half the angle of the centre.
     pub centre_slope: f64,
-    /// Diameter of the centre behind its cone.
+    /// Diameter of the centre after its cone.
     pub centre_body: Micrometres,
-    /// How far the point of the centre stands out before the quill.
+    /// The distance of the centre's point from the quill.
     pub centre_out: Micrometres,
-    /// Diameter of the quill behind the centre.
+    /// Diameter of the quill after the centre.
     pub quill_diameter: Micrometres,
 }
 
 impl Workholding {
-    /// The diameter that turning jaws sweep when they grip a part from outside.
+    /// The swing diameter of jaws that grip a part from outside.
     pub fn jaws_sweep(&self, gripped: Micrometres) -> Micrometres {
         (gripped + self.jaw + self.jaw).min(self.chuck_diameter).max(gripped)
     }
 }
 
 impl<'k> Lathe<'k> {
-    /// Chuck and tailstock; none where the record has no diameter over the bed.
+    /// Chuck and tailstock; none if the record has no diameter over the bed.
     ///
     /// # Errors The knowledge base lacks the table `chuck-and-tailstock`, or a row of it.
     pub fn workholding(&self, knowledge: &'k Knowledge) -> Result<Option<Workholding>, KnowledgeError> {
@@ -55,7 +55,7 @@ impl<'k> Lathe<'k> {
         }))
     }
 
-    /// How long a tool change takes: of its record, otherwise by `chuck-and-tailstock`.
+    /// The time of a tool change: of its record, otherwise by `chuck-and-tailstock`.
     ///
     /// # Errors The knowledge base lacks that table, or its row.
     pub fn tool_change(&self, knowledge: &'k Knowledge) -> Result<Seconds, KnowledgeError> {

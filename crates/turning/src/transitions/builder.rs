@@ -1,4 +1,4 @@
-//! Builds the toolpath over a zone: the moves, the role of each point, and the stock that is left.
+//! Builds the toolpath over a zone: the moves, the role of each point, and the in-process stock.
 
 use serde::{Deserialize, Serialize};
 
@@ -33,7 +33,7 @@ pub enum SupportPointRole {
     ContourEnd,
     /// Beyond that by half the nose radius.
     Overrun,
-    /// Drawn back from the metal.
+    /// Retracted from the metal.
     Retracted,
     /// Above all metal between here and there.
     Clear,
@@ -41,13 +41,13 @@ pub enum SupportPointRole {
     Returned,
 }
 
-/// A toolpath under construction, with the stock that it leaves.
+/// A toolpath under construction, with its in-process stock.
 pub struct ToolpathBuilder<'z> {
     /// The zone.
     pub zone: &'z PreparedZone,
-    /// How the tool goes.
+    /// The settings of the tool's motions.
     pub settings: &'z Settings,
-    /// The stock that is left.
+    /// The in-process stock.
     pub stock: InProcessStock,
     /// The toolpath so far.
     pub path: Toolpath,
@@ -60,7 +60,7 @@ pub struct ToolpathBuilder<'z> {
 }
 
 impl<'z> ToolpathBuilder<'z> {
-    /// At home.
+    /// At the home point.
     pub fn new(zone: &'z PreparedZone, settings: &'z Settings) -> Self {
         Self {
             zone,
@@ -113,12 +113,12 @@ impl<'z> ToolpathBuilder<'z> {
         }
     }
 
-    /// Straight on at a feed.
+    /// A straight line at a feed.
     pub fn straight(&mut self, to: Point, purpose: Purpose, role: SupportPointRole) {
         self.feed(Piece::line(self.here(), to), purpose, role);
     }
 
-    /// Straight as a rapid.
+    /// A straight rapid.
     pub fn rapid(&mut self, to: Point, role: SupportPointRole) {
         if to != self.here() {
             self.path.go(to, Purpose::Rapid);
@@ -135,10 +135,10 @@ impl<'z> ToolpathBuilder<'z> {
         self.rapid(to, SupportPointRole::Retracted);
     }
 
-    /// To a point by rapids, not through metal.
+    /// Rapids to a point, not through metal.
     ///
-    /// 1. Along the axis at the current radius if nothing is in the way; otherwise first up, above all metal between
-    ///    here and there.
+    /// 1. Along the axis at the current radius if there is no metal in the way; otherwise first up, above all metal
+    ///    between the two points.
     /// 2. Across the axis to the point.
     pub fn travel(&mut self, to: Point, role: SupportPointRole) {
         let here = self.here();
@@ -157,22 +157,22 @@ impl<'z> ToolpathBuilder<'z> {
         self.rapid(to, role);
     }
 
-    /// To a point from above: a rapid to just off the metal, then the feed of cutting in.
+    /// To a point from above: a rapid to just above the metal, then the infeed rate.
     pub fn enter(&mut self, at: Point) {
         let top = self.stock.least_at(at.z).map_or(at.radius, |least| least.max(at.radius));
         if at == self.here() {
             return;
         }
         let above = Point { radius: self.zone.limited(top + self.settings.retract), z: at.z };
-        // If the tool is on the vertical below that already, it goes on from here.
+        // If the tool is already on the vertical below that, it continues from its position.
         if !(self.here().z == at.z && self.here().radius >= top && self.here().radius <= above.radius) {
             self.travel(above, SupportPointRole::Start);
         }
         self.straight(at, Purpose::Infeed, SupportPointRole::Entry);
     }
 
-    /// A pass along pieces, of which only the part through metal is followed ([`Self::trimmed`]). Returns whether it
-    /// cut anything.
+    /// A pass along pieces; only the part through metal is followed ([`Self::trimmed`]). Returns whether it cut
+    /// anything.
     pub fn pass(&mut self, pieces: &[Piece], purpose: Purpose, end: SupportPointRole) -> bool {
         let mut pieces = self.trimmed(pieces);
         let Some(first) = pieces.first_mut() else { return false };
@@ -182,8 +182,8 @@ impl<'z> ToolpathBuilder<'z> {
         true
     }
 
-    /// To where the first piece of a pass begins: from the side, off the metal by the approach or by as much as there
-    /// is room for; without room from above, at the feed of cutting in. A cylinder is extended to the start.
+    /// To the beginning of the first piece of a pass: from the side, off the metal by the approach or by as much as
+    /// there is room for; without room from above, at the infeed rate. A cylinder is extended to the start.
     pub fn begin(&mut self, first: &mut Piece, purpose: Purpose) {
         match self.side_start(first.from).filter(|_| first.from != self.here()) {
             Some(start) => {
@@ -216,8 +216,8 @@ impl<'z> ToolpathBuilder<'z> {
         self.trail.clear();
     }
 
-    /// Along the contour back to where the last pass began, at the feed of cutting in, if the next pass goes on from
-    /// that point (l. 468-478).
+    /// Along the contour back to where the last pass began, at the infeed rate, if the next pass continues from that
+    /// point (l. 468-478).
     pub fn back_along(&mut self, to: Point) {
         let begins = self.trail.first().is_some_and(|first| first.from == to);
         if !begins || self.trail.last().is_none_or(|last| last.to != self.here()) {
@@ -228,7 +228,7 @@ impl<'z> ToolpathBuilder<'z> {
     }
 
     /// The part of a falling flank that the tool must cut. If the last pass began on the flank, it is only the part
-    /// below: the part above is cut already, apart from rounding.
+    /// below: the part above is already cut, apart from rounding.
     pub fn flank(&self, foot: Point, back: Back) -> Vec<Piece> {
         let mut flank = self.rough().flank(foot);
         let began =
@@ -269,9 +269,9 @@ impl<'z> ToolpathBuilder<'z> {
         uncut
     }
 
-    /// The part of a path that cuts metal, from its first to its last contact. A face down to its beginning and one up
-    /// from its end are included as far as there is metal beside them. Slivers narrower than the rounding do not count,
-    /// nor does contact outside the stretch that is worked.
+    /// The part of a path that cuts metal, from its first to its last contact. A face down to its beginning and one
+    /// up from its end are included where there is metal beside them. Slivers narrower than the rounding do not
+    /// count, nor does contact outside the worked range.
     pub fn trimmed(&self, pieces: &[Piece]) -> Vec<Piece> {
         let (from, to) = self.zone.worked;
         let metal = |piece: &Piece| {
@@ -311,7 +311,7 @@ impl<'z> ToolpathBuilder<'z> {
         kept
     }
 
-    /// Home: straight if nothing is in the way, otherwise up first.
+    /// To the home point: straight if there is no metal in the way, otherwise up first.
     pub fn home(mut self) -> Self {
         let home = self.path.from;
         if self.here() != home {

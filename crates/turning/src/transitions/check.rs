@@ -1,4 +1,4 @@
-//! What a zone and a tool must satisfy before a toolpath is made.
+//! Conditions for a zone and a tool before a toolpath is made.
 
 use crate::error::{Refusal, Tried};
 use crate::note::Note;
@@ -13,12 +13,12 @@ use super::{PreparedZone, Scheme, Settings, Stock, Tool};
 /// The tolerance of every angle, degrees.
 const ROUNDING_DEGREES: f64 = 0.01;
 
-/// More passes than this over one zone are a typing mistake: no shift would turn them, and the time to find them grows
-/// with their square.
+/// More passes than this over one zone are a typing mistake: nobody would turn them, and the time for finding them
+/// grows with the square of their number.
 pub const MOST_PASSES: i64 = 1000;
 
-/// How far rounding of its ends to half a micrometre may change the direction of a piece, degrees: it turns the chord
-/// and moves the centre of an arc.
+/// How much the rounding of its ends to half a micrometre may change the direction of a piece, degrees: it rotates
+/// the chord and moves the centre of an arc.
 fn rounding_degrees(piece: &Piece) -> f64 {
     const END_MM: f64 = 0.0005;
     let chord = piece.chord().length();
@@ -32,7 +32,7 @@ fn rounding_degrees(piece: &Piece) -> f64 {
 pub enum Unsuited {
     /// A contour is not connected, or runs back.
     NotMonotone { contour: &'static str },
-    /// The contours are of different sides or stretches of Z.
+    /// The contours are of different sides or ranges of Z.
     ContoursDiffer,
     /// A depth or distance that is not above zero.
     NotPositive,
@@ -44,7 +44,7 @@ pub enum Unsuited {
     TooSteep { z: Half, angle: f64, limit: f64 },
     /// There is no offset curve at that distance.
     NoEquidistant { distance: Half },
-    /// More passes than anybody would turn.
+    /// Too many passes to be turned.
     TooManyPasses { passes: i64 },
 }
 
@@ -68,7 +68,7 @@ impl Unsuited {
     }
 }
 
-/// Whether toolpaths are possible over a zone at all.
+/// Checks that toolpaths over a zone are possible at all.
 ///
 /// # Errors A reason, whose sentence has a remedy: contours that are not connected, run back, or differ in their
 /// stretch of Z or their side; a rough contour above its blank; lengths that are not positive.
@@ -96,7 +96,7 @@ pub fn zone(
     }
 }
 
-/// Whether a scheme suits a zone.
+/// Checks that a scheme suits a zone.
 ///
 /// # Errors A reason, as of [`zone`]: too many passes, a toolpath against a stop over a contour that is not stepped, a
 /// contour steeper than the tool's angles.

@@ -24,7 +24,7 @@ pub fn work(builder: &mut ToolpathBuilder<'_>) {
     let shifted = |count: i64| -> Vec<Piece> {
         let by = |size: Half| Half::new(size.halves().saturating_mul(count));
         let place = |point: Point| Point { radius: point.radius + by(step.radius), z: point.z - by(step.z) };
-        // Only what is shifted over the stretch that is worked.
+        // Only the part of the shifted contour over the worked range.
         let ((from, to), rough) = (builder.zone.worked, builder.rough());
         let near = rough.touching(from, to + by(step.z));
         let pieces = near.iter().map(|piece| piece.mapped(false, place)).collect();

@@ -12,7 +12,7 @@ use super::builder::{SupportPointRole, ToolpathBuilder};
 ///
 /// 1. Above the slice the tool goes down as a rapid to the approach off the metal.
 /// 2. It cuts across the axis to the highest point of the contour under its edge.
-/// 3. It goes straight up again as a rapid; there is no room to draw it back sideways.
+/// 3. It moves straight up again as a rapid; there is no room for a sideways retract.
 ///
 /// Slices end and begin where the contour has a corner, so that upright walls and cylinders are exact where a cylinder
 /// is not narrower than the edge; on cones and arcs steps remain. Used most in closed zones (l. 332).
@@ -41,8 +41,8 @@ pub fn slice(point: Point, edge: Half) -> Piece {
     Piece::line(Point { radius: point.radius, z: point.z - edge }, point)
 }
 
-/// Where the tool goes down: where its edge ends or begins at a corner, and between so that no gap is wider than the
-/// edge.
+/// The places of the downward moves: where the edge ends or begins at a corner, and between them so that no gap is
+/// wider than the edge.
 fn places(builder: &ToolpathBuilder<'_>, edge: Half) -> Vec<Half> {
     let ground = builder.rough();
     let (from, to) = builder.zone.worked;

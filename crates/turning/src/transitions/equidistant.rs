@@ -19,8 +19,8 @@ pub type Offset<'o> = &'o dyn Fn(&Contour, Half) -> Option<Contour>;
 /// Each pass is the offset of the contour at a multiple of the depth, from the outermost that cuts anything to the
 /// contour itself. For shaped parts.
 ///
-/// 1. The tool goes to the start beside the metal, and along the whole pass (1-2-3, 5-6-7, 8-9-10 of fig. 12.4 c).
-/// 2. It returns to one point off the corner of the blank (3-4, 7-4), straight if nothing is in the way.
+/// 1. The tool moves to the start beside the metal, and along the whole pass (1-2-3, 5-6-7, 8-9-10 of fig. 12.4 c).
+/// 2. It returns to one point off the corner of the blank (3-4, 7-4), straight if there is no metal in the way.
 /// 3. From there it goes to the start of the next pass (4-5, 4-8).
 ///
 /// The depth is measured normal to the contour: radially it is more on cones, and on a face it is the whole stock.
@@ -61,14 +61,14 @@ pub fn work(builder: &mut ToolpathBuilder<'_>, offset: Offset<'_>) -> Tried<(), 
     Ok(())
 }
 
-/// The offset at a distance over the stretch that is worked. No corner of an offset is farther away than twice the
-/// distance, so the rest of the contour does not matter.
+/// The offset at a distance over the worked range. No corner of an offset is farther away than twice the distance, so
+/// the rest of the contour does not matter.
 fn beside(builder: &ToolpathBuilder<'_>, distance: Half, offset: Offset<'_>) -> Option<MonotoneContour> {
     let whole = &builder.zone.stock.rough;
     let ((from, to), far) = (builder.zone.worked, distance + distance + Half::from(1.0));
     let near = whole.near(from - far, to + far);
     let beside = MonotoneContour::of(&offset(&near, distance)?);
-    // Stretched to the ends of the zone only if these are the ends of the contour; elsewhere the contour goes on.
+    // Extended to the ends of the zone only if these are the ends of the contour; elsewhere the contour continues.
     let begins = near.pieces.first() == whole.pieces.first();
     let ends = near.pieces.last() == whole.pieces.last();
     let from = if begins { builder.rough().from() } else { beside.from() };

@@ -1,5 +1,5 @@
-//! The in-process stock over a zone: for each Z the radius of the metal, as spans that each lie under one line or arc.
-//! A working move lowers it to its path. Exact along Z to half a micrometre.
+//! The in-process stock over a zone: for each Z the radius of the metal, as spans with one line or arc each. A
+//! working move lowers it to its path. Exact along Z to half a micrometre.
 
 use crate::turning::contour::{Contour, Curve, Piece, Side};
 use crate::turning::length::Half;
@@ -8,7 +8,7 @@ use crate::turning::point::Point;
 use super::monotone::{MonotoneContour, clipped, radius_on};
 use super::narrow::{NARROW, is_narrow};
 
-/// A stretch under one line or arc.
+/// A span under one line or arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StockSpan {
     /// Z of its beginning.
@@ -32,12 +32,12 @@ impl InProcessStock {
         Self { cells: pieces.map(|piece| StockSpan { from: piece.from.z, to: piece.to.z, top: *piece }).collect() }
     }
 
-    /// The stretches.
+    /// The spans.
     pub fn cells(&self) -> &[StockSpan] {
         &self.cells
     }
 
-    /// The radius of the metal just before a Z and just behind it; none beyond the ends.
+    /// The radius of the metal just before a Z and just after it; none beyond the ends.
     pub fn sides(&self, z: Half) -> (Option<Half>, Option<Half>) {
         let at = |cell: &StockSpan| radius_on(&cell.top, z);
         let next = self.cells.partition_point(|cell| cell.to < z);
@@ -47,8 +47,8 @@ impl InProcessStock {
         (before, behind)
     }
 
-    /// The smaller radius of both sides of a Z; beyond the ends that of the metal beside it. A tool can go down a face
-    /// to this radius. A slot narrower than the rounding does not count; the wall behind it does.
+    /// The smaller radius of both sides of a Z; beyond the ends that of the neighbouring metal. A tool can move down
+    /// a face to this radius. A slot narrower than the rounding does not count; the wall behind it does.
     pub fn least_at(&self, z: Half) -> Option<Half> {
         let (before, behind) = self.sides(z);
         match (before.max(self.walled(z - NARROW, z)), behind.max(self.walled(z, z + NARROW))) {
@@ -74,7 +74,7 @@ impl InProcessStock {
         parts.flat_map(|part| [part.from.radius, part.to.radius]).max()
     }
 
-    /// How far before a Z, but at most `most`, there is no metal above a radius.
+    /// The length before a Z, at most `most`, without metal above a radius.
     pub fn room_before(&self, z: Half, radius: Half, most: Half) -> Half {
         let stop = z - most;
         for cell in self.over(stop, z).iter().rev() {
@@ -89,7 +89,7 @@ impl InProcessStock {
         most
     }
 
-    /// The stretches of Z where a piece that is not a face goes through metal. Touching does not count.
+    /// The ranges of Z where a piece that is not a face goes through metal. Touching does not count.
     pub fn metal(&self, piece: &Piece) -> Vec<(Half, Half)> {
         let mut stretches: Vec<(Half, Half)> = Vec::new();
         self.compared(piece, |a, b, above| {
@@ -103,7 +103,7 @@ impl InProcessStock {
         stretches
     }
 
-    /// Removes what lies above a piece. A face removes nothing: it has no width.
+    /// Removes the metal above a piece. A face removes nothing: it has no width.
     pub fn lower(&mut self, piece: &Piece) {
         let piece = &if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
         let mut lowered: Vec<StockSpan> = Vec::new();
@@ -135,8 +135,8 @@ impl InProcessStock {
         self.over(from.z, to.z).iter().all(over)
     }
 
-    /// The most that is left above a ground anywhere. What rounding of points leaves does not count, nor what fills a
-    /// slot narrower than that. Where an arc meets a slope it is an upper bound.
+    /// The greatest height of metal above a ground. Remains of rounding do not count, nor does metal that fills a
+    /// slot narrower than rounding. Where an arc meets a slope it is an upper bound.
     pub fn ridge(&self, ground: &[Piece]) -> Half {
         let mut most = Half::ZERO;
         for piece in ground.iter().filter(|piece| !piece.is_face()) {
@@ -183,18 +183,18 @@ impl InProcessStock {
         Contour { side: Side::Outer, pieces }
     }
 
-    /// The cells with a length over a stretch.
+    /// The spans with a length over a range.
     pub fn over(&self, from: Half, to: Half) -> &[StockSpan] {
         let (_, ahead) = self.cells.split_at(self.cells.partition_point(|cell| cell.to <= from));
         ahead.split_at(ahead.partition_point(|cell| cell.from < to)).0
     }
 
-    /// The part of a span within a stretch, if it has a length.
+    /// The part of a span within a range, if it has a length.
     fn part(&self, cell: &StockSpan, from: Half, to: Half) -> Option<Piece> {
         clipped(&cell.top, from.max(cell.from), to.min(cell.to))
     }
 
-    /// Calls `tell` for each stretch under a piece, from the free end, with whether there is metal above it.
+    /// Calls `tell` for each range under a piece, from the free end, with whether there is metal above it.
     fn compared(&self, piece: &Piece, mut tell: impl FnMut(Half, Half, bool)) {
         let piece = &if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
         for cell in self.over(piece.from.z, piece.to.z) {
@@ -205,7 +205,7 @@ impl InProcessStock {
         }
     }
 
-    /// Puts a stretch instead of what was there.
+    /// Replaces the spans of a range with a new span.
     fn replace(&mut self, new: StockSpan) {
         let first = self.cells.partition_point(|cell| cell.to <= new.from);
         let last = self.cells.partition_point(|cell| cell.from < new.to);
@@ -229,7 +229,7 @@ const TOUCHING: i64 = 1;
 /// contour are rounded, together by one and a half micrometres.
 const ROUNDED: i64 = 3;
 
-/// Tells over which parts of a stretch one piece is above another; they may cross more than once.
+/// Calls `tell` for the parts of a range where one piece is above another; they may cross more than once.
 fn compare(top: &Piece, piece: &Piece, from: Half, to: Half, tell: &mut impl FnMut(Half, Half, bool)) {
     let middle = Half::new((from.halves() + to.halves()).div_euclid(2));
     let places = [from, middle, to];
@@ -274,21 +274,22 @@ fn off_foot(piece: &Piece) -> Option<Piece> {
     }
 }
 
-/// Pieces over one stretch are compared at the ends of so many parts of it.
+/// The number of parts of a range at whose ends two pieces are compared.
 const PARTS: i64 = 16;
 
-/// The places at which two pieces over one stretch are compared.
+/// The places where two pieces over one range are compared.
 fn places(piece: &Piece) -> impl Iterator<Item = Half> + use<> {
     let (from, length) = (piece.from.z.halves(), (piece.to.z - piece.from.z).halves());
     (0..=PARTS).map(move |part| Half::new(from + length * part / PARTS))
 }
 
-/// Whether a piece lies on another, apart from rounding.
+/// Whether a piece coincides with another, apart from rounding.
 fn touches(top: &Piece, under: &Piece) -> bool {
     places(top).all(|z| is_near(top, under, z, ROUNDED))
 }
 
-/// How far a piece is above another at most: exact if both are straight or one is horizontal, otherwise an upper bound.
+/// The greatest height of a piece above another: exact if both are straight or one is horizontal, otherwise an upper
+/// bound.
 fn over(top: &Piece, under: &Piece) -> Half {
     let straight = |piece: &Piece| matches!(piece.curve, Curve::Line);
     if straight(top) && straight(under) || top.is_cylinder() || under.is_cylinder() {

@@ -15,7 +15,7 @@ use super::{Feeds, PreparedZone, Transition, descent};
 /// The measures of a toolpath.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ToolpathMeasures {
-    /// The length cut in metal, mm. Along an upright face nothing is cut: the tool has cut up to it before.
+    /// The length cut in metal, mm. Along a perpendicular face nothing is cut: the tool has cut up to it before.
     pub cutting_mm: f64,
     /// Length at a feed without metal, mm: to the metal, along clean surfaces, back along the contour.
     pub beside_mm: f64,
@@ -25,12 +25,11 @@ pub struct ToolpathMeasures {
     pub time_min: Minutes,
     /// Working passes.
     pub passes: usize,
-    /// How often the tool returns to begin another pass.
+    /// The number of returns to begin another pass.
     pub returns: usize,
 }
 
-/// Measures a toolpath by running it over a fresh blank. `edge` is the width of the edge of a tool that cuts across the
-/// axis.
+/// Measures a toolpath on a fresh blank. `edge` is the width of the edge of a tool that cuts across the axis.
 pub fn measure(
     path: &Toolpath,
     zone: &PreparedZone,
@@ -65,7 +64,7 @@ pub fn measure(
     }
 }
 
-/// Removes what a move cuts. If the tool has an edge, a cut removes what is under it.
+/// Removes the metal of a move. If the tool has an edge, a cut removes the metal under it.
 pub(super) fn cut(standing: &mut InProcessStock, piece: &Piece, purpose: Purpose, edge: Option<Half>) {
     if purpose == Purpose::Rapid {
         return;
@@ -76,7 +75,7 @@ pub(super) fn cut(standing: &mut InProcessStock, piece: &Piece, purpose: Purpose
     }
 }
 
-/// How much of a piece goes through metal, mm.
+/// The length of a piece through metal, mm.
 fn metal(standing: &InProcessStock, piece: &Piece, edge: Option<Half>) -> f64 {
     if piece.from.z != piece.to.z {
         let forth = if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
@@ -109,9 +108,9 @@ pub struct Best {
     pub note: Note,
 }
 
-/// The toolpath with the least time, the first among equals; none if there are fewer than two. What cuts nothing, for the
-/// stock is thinner than a pass is deep, is quick at nothing and is not compared. Where an even allowance
-/// is needed, only those that are [`Transition::uniform`] must be passed.
+/// The toolpath with the least time, the first among equals; none if there are fewer than two. A toolpath that cuts
+/// nothing, because the stock is thinner than a pass, is not compared. If an even allowance is needed, only those
+/// that are [`Transition::uniform`] must be passed.
 pub fn best<'t>(transitions: impl IntoIterator<Item = &'t Transition>) -> Option<Best> {
     let mut order: Vec<&Transition> = transitions.into_iter().filter(|one| one.measures.passes > 0).collect();
     let time = |one: &Transition| one.measures.time_min.0;

@@ -2,16 +2,16 @@
 //! of any shape: lines and arcs between a rough contour and a blank.
 //!
 //! [`work`] makes the toolpath of a scheme. Each scheme is a file: [`looped`], [`zigzag`], [`descent`], [`pick_up`],
-//! [`semi_finishing`], [`equidistant`], [`contour`]. They share [`split`] (the levels), [`straight`] (straight passes),
-//! [`builder`] (a toolpath under construction), [`monotone`] (the rough contour) and [`in_process_stock`]. [`zone`]
-//! prepares a zone for all schemes, [`check`] refuses what cannot be worked, [`narrow`] defines what is too narrow to
-//! count, [`support_points`] names the support points, [`measures`] measures and compares.
+//! [`semi_finishing`], [`equidistant`], [`contour`]. They share [`split`] (the levels), [`straight`] (straight
+//! passes), [`builder`] (a toolpath under construction), [`monotone`] (the rough contour) and [`in_process_stock`].
+//! [`zone`] prepares a zone for all schemes, [`check`] refuses zones that cannot be worked, [`narrow`] defines the
+//! least width that counts, [`support_points`] names the support points, [`measures`] measures and compares.
 //!
-//! A toolpath is that of the theoretical point of the tool on the rough contour: the corner of the two tangents to its
-//! nose, along the axis and across it. On cylinders and upright faces ahead the true edge cuts the same. On a piece
-//! that rises at an angle α to the axis the nose of radius r leaves r·(sin α + cos α − 1) more, normal to the contour;
-//! on one that falls at α it cuts r·(1 + sin α − cos α) too deep. The program must compensate for that, not this
-//! module. (The centre of the nose lies r before the point and r above it; subtract r from its distance from the
+//! A toolpath is that of the theoretical point of the tool on the rough contour: the corner of the two tangents to
+//! its nose, along the axis and across it. On cylinders and perpendicular faces ahead the true edge cuts the same. On
+//! a piece that rises at an angle α to the axis the nose of radius r leaves r·(sin α + cos α − 1) more, normal to the
+//! contour; on one that falls at α it cuts r·(1 + sin α − cos α) too deep. The program must compensate for that, not
+//! this module. (The centre of the nose is r before the point and r above it; subtract r from its distance from the
 //! contour.)
 //!
 //! Architecture invariant: every contour is treated as an outer one; a bore is turned inside out.
@@ -52,7 +52,7 @@ use measures::ToolpathMeasures;
 use support_points::SupportPoint;
 pub use zone::PreparedZone;
 
-/// What is to be removed: the stock between two contours over one stretch of Z.
+/// The stock to remove between two contours over one range of Z.
 ///
 /// Both contours run from the free end towards the chuck and never back. A wall at an end of the zone is a face of the
 /// rough contour. Beyond the ends there is no metal for the tool, but it never goes beyond `to`.
@@ -68,7 +68,7 @@ pub struct Stock {
     pub to: Half,
 }
 
-/// What a toolpath depends on of the tool.
+/// The figures of a tool that a toolpath depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Tool {
     /// Nose radius.
@@ -79,12 +79,12 @@ pub struct Tool {
     pub secondary: Degrees,
 }
 
-/// How fast each kind of motion goes.
+/// The rate of each kind of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Feeds {
     /// Of straight passes, S0.
     pub main: MillimetresPerMinute,
-    /// Of cutting in, and of return moves along the contour of a closed zone.
+    /// Of infeed, and of return moves along the contour of a closed zone.
     pub infeed: MillimetresPerMinute,
     /// Of picking up.
     pub pick_up: MillimetresPerMinute,
@@ -111,14 +111,14 @@ impl Feeds {
     }
 }
 
-/// How the tool goes. All lengths are positive.
+/// The settings of the tool's motions. All lengths are positive.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Settings {
     /// t_p, the greatest depth of a pass; for descent the width of a slice.
     pub depth: Half,
-    /// δ: how far before the metal the feed begins.
+    /// δ: the distance before the metal where the feed begins.
     pub approach: Half,
-    /// How far the tool draws back; the lecture says about 0.5 mm.
+    /// The retract; the lecture says about 0.5 mm.
     pub retract: Half,
     /// The rates.
     pub feeds: Feeds,
@@ -206,16 +206,16 @@ impl From<workpiece::Scheme> for Scheme {
 pub struct Transition {
     /// The scheme.
     pub scheme: Scheme,
-    /// The toolpath, from home and back.
+    /// The toolpath, from the home point and back.
     #[serde(rename = "way")]
     pub path: Toolpath,
-    /// Its points with their names: first home, then the end of each move.
+    /// Its points with their names: first the home point, then the end of each move.
     pub points: Vec<SupportPoint>,
     /// For descent, the width of the tool's edge, which a motion across the axis clears towards the free end.
     #[serde(rename = "edge_mm", skip_serializing_if = "Option::is_none")]
     pub edge: Option<Half>,
-    /// The most that is left above the rough contour anywhere, radial; 0 if only rounding is left. Where an arc of the
-    /// blank is left over a slope it is an upper bound.
+    /// The greatest height above the rough contour, radial; 0 if only rounding remains. Where an arc of the blank
+    /// remains over a slope it is an upper bound.
     pub ridges_mm: Half,
     /// Whether the allowance for finishing is even, without ridges.
     pub uniform: bool,
@@ -250,8 +250,8 @@ fn path_inside_out(path: &Toolpath, top: Half) -> Toolpath {
     Toolpath { from: path.from.inside_out(top), moves: moves.collect() }
 }
 
-/// A finding if finishing must follow a scheme for the required roughness: if the table `turning-schemes` says how fine
-/// the scheme can be as the last one, and the roughness is finer.
+/// A finding if a scheme cannot leave the required roughness and finishing must follow: if the table
+/// `turning-schemes` gives the finest roughness of the scheme as the last one, and the required roughness is finer.
 ///
 /// # Errors The knowledge base lacks the scheme.
 pub fn finishing_must_follow(

@@ -30,7 +30,7 @@ impl MonotoneContour {
         Self { pieces }
     }
 
-    /// Extended along the axis to cover a span of Z; an end with a face stays as it is.
+    /// Extended along the axis to cover a range of Z; an end with a face stays as it is.
     #[must_use]
     pub fn stretched(mut self, from: Half, to: Half) -> Self {
         if let Some(first) = self.pieces.first().filter(|piece| !piece.is_face() && piece.from.z > from) {
@@ -53,13 +53,13 @@ impl MonotoneContour {
         self.pieces.last().map_or(Half::ZERO, |piece| piece.to.z)
     }
 
-    /// The least radius over a stretch, without faces; none over a stretch without length.
+    /// The least radius over a range, without faces; none over a range without length.
     pub fn lowest(&self, from: Half, to: Half) -> Option<Half> {
         let radii = self.over(from, to).flat_map(|piece| [piece.from.radius, piece.to.radius]);
         radii.min()
     }
 
-    /// The stretches of Z where it is not above a radius. A slot narrower than rounding counts as wall
+    /// The ranges of Z where it is not above a radius. A slot narrower than rounding counts as wall
     /// ([`NARROW`](super::narrow)).
     pub fn spans(&self, radius: Half, from: Half, to: Half) -> Vec<(Half, Half)> {
         let mut spans: Vec<(Half, Half)> = Vec::new();
@@ -80,7 +80,7 @@ impl MonotoneContour {
         spans
     }
 
-    /// The path over a stretch along the contour, but not below the radius `low` nor above the radius `high`. A falling
+    /// The path over a range along the contour, but not below the radius `low` nor above the radius `high`. A falling
     /// face at its beginning and a rising face at its end are included.
     pub fn clamped(&self, low: Half, high: Half, from: Half, to: Half) -> Vec<Piece> {
         let mut path: Vec<Piece> = Vec::new();
@@ -103,7 +103,7 @@ impl MonotoneContour {
         path
     }
 
-    /// The contour itself over a stretch.
+    /// The contour itself over a range.
     pub fn along(&self, from: Half, to: Half) -> Vec<Piece> {
         self.clamped(Half::new(i64::MIN), Half::new(i64::MAX), from, to)
     }
@@ -143,8 +143,8 @@ impl MonotoneContour {
         };
         let mut rest = self.pieces.iter().skip(self.before(point.z)).filter_map(rest);
         let mut begins: Vec<Piece> = rest.next().into_iter().collect();
-        // On a steep piece the rounded radius at the Z of the point differs from that of the point. So the piece begins
-        // at the point, or an upright line leads to the piece if the point lies before its beginning.
+        // On a steep piece the rounded radius at the Z of the point differs from that of the point. So the piece
+        // begins at the point, or a perpendicular line leads to the piece if the point is before its beginning.
         if let Some(first) = begins.first().copied().filter(|first| !first.is_face() && first.from.z == point.z) {
             let own_start =
                 self.touching(point.z, point.z).iter().any(|piece| piece.from == first.from && piece.to == first.to);
@@ -176,12 +176,12 @@ impl MonotoneContour {
         path
     }
 
-    /// The greatest radius over a stretch, without faces; none over a stretch without length.
+    /// The greatest radius over a range, without faces; none over a range without length.
     pub fn highest(&self, from: Half, to: Half) -> Option<Half> {
         self.over(from, to).flat_map(|piece| [piece.from.radius, piece.to.radius]).max()
     }
 
-    /// The stretches of the pieces that are below a radius somewhere. Between two of them nothing of a blank of that
+    /// The ranges of the pieces that are below a radius somewhere. Between two of them no stock of a blank of that
     /// radius is over the contour.
     pub fn below(&self, radius: Half, from: Half, to: Half) -> Vec<(Half, Half)> {
         let mut stretches: Vec<(Half, Half)> = Vec::new();
@@ -199,18 +199,18 @@ impl MonotoneContour {
         self.touching(point.z, point.z).iter().any(|piece| lies_on(piece, point))
     }
 
-    /// The parts of its pieces over a stretch, without faces.
+    /// The parts of its pieces over a range, without faces.
     fn over(&self, from: Half, to: Half) -> impl Iterator<Item = Piece> + '_ {
         let beside = self.touching(from, to).iter();
         beside.filter(|piece| !piece.is_face()).filter_map(move |piece| clipped(piece, from, to))
     }
 
-    /// How many pieces end before a Z. The contour does not run back, so the pieces are in the order of Z.
+    /// The number of pieces that end before a Z. The contour does not run back, so the pieces are in the order of Z.
     fn before(&self, z: Half) -> usize {
         self.pieces.partition_point(|piece| piece.to.z < z)
     }
 
-    /// The pieces with a point in a stretch, its ends included.
+    /// The pieces with a point in a range, its ends included.
     pub fn touching(&self, from: Half, to: Half) -> &[Piece] {
         touching(&self.pieces, from, to)
     }
@@ -280,8 +280,8 @@ fn share(size: Half, part: Half, whole: Half) -> Half {
     Half::new(i64::try_from((doubled + doubled.signum()) / 2).unwrap_or(0))
 }
 
-/// A piece divided where it is horizontal or vertical, so that each part only rises or only falls along both axes. What is
-/// left upright by rounding is a face, as for all who walk along the contour.
+/// A piece divided where it is horizontal or vertical, so that each part only rises or only falls along both axes. A
+/// part that is perpendicular only by rounding is a face, as everywhere along the contour.
 fn quarters(piece: Piece) -> Vec<Piece> {
     let far = |point: &Point| piece.from.to(*point).length() > NEAR_END && point.to(piece.to).length() > NEAR_END;
     let mut cuts: Vec<Point> = match piece.curve {
@@ -300,20 +300,20 @@ fn quarters(piece: Piece) -> Vec<Piece> {
     quarters
 }
 
-/// The part of a piece within a stretch of Z, if it has a length; the piece must not be a face.
+/// The part of a piece within a range of Z, if it has a length; the piece must not be a face.
 pub fn clipped(piece: &Piece, from: Half, to: Half) -> Option<Piece> {
     let (a, b) = (piece.from.z.max(from), piece.to.z.min(to));
     let at = |z: Half| Point { radius: radius_on(piece, z), z };
     (a < b).then(|| piece.between(at(a), at(b)))
 }
 
-/// The part of a piece between two of its points. If so little of a steep arc is left that it is upright, it becomes a
-/// face.
+/// The part of a piece between two of its points. If the rest of a steep arc is so short that it is perpendicular, it
+/// becomes a face.
 pub fn within(piece: &Piece, from: Point, to: Point) -> Piece {
     if from.z == to.z { Piece::line(from, to) } else { piece.between(from, to) }
 }
 
-/// A monotone piece cut at two radii; what is beyond them becomes horizontal at them.
+/// A monotone piece cut at two radii; the parts beyond them become horizontal at them.
 fn parted(piece: Piece, low: Half, high: Half) -> Vec<Piece> {
     let mut cuts = vec![piece.from];
     let between = |radius: &Half| {
@@ -338,7 +338,7 @@ fn parted(piece: Piece, low: Half, high: Half) -> Vec<Piece> {
     cuts.iter().zip(cuts.iter().skip(1)).map(part).filter(|part| !part.is_nothing()).collect()
 }
 
-/// The point of a piece so far from its beginning along it, mm.
+/// The point of a piece at a length from its beginning, mm.
 fn on_at(piece: &Piece, length: f64) -> Point {
     match (piece.curve, piece.centre()) {
         (Curve::Arc { radius, turn }, Some(centre)) => {

@@ -12,10 +12,10 @@ use super::straight::Back;
 ///
 /// 1. It cuts a level to the contour ahead, at the main feed (1-2, 5-6, 8-9 of fig. 12.4 a).
 /// 2. It follows the contour to the previous level, at the feed of pick-up, and cuts the ridge (2-3, 6-7-2, 9-10-11-6).
-/// 3. It goes on by half the nose radius, so that the ends of the passes leave no mark (l. 394-404).
-/// 4. It returns as a rapid above the previous level to the vertical of the start (2-1, 6-5), and goes down to the next
-///    depth. In a closed zone it returns along the contour to where the pass began, at the feed of cutting in, and goes
-///    down along the falling flank (l. 468-478).
+/// 3. It continues by half the nose radius, so that the ends of the passes leave no mark (l. 394-404).
+/// 4. It returns as a rapid above the previous level to the vertical of the start (2-1, 6-5), and moves down to the
+///    next depth. In a closed zone it returns along the contour to where the pass began, at the infeed rate, and
+///    moves down along the falling flank (l. 468-478).
 ///
 /// The allowance that is left is even along the whole contour (l. 354-356).
 pub fn work(builder: &mut ToolpathBuilder<'_>, split: &Split, nose_radius: Half) {

@@ -13,11 +13,11 @@ use super::straight::{Back, clear};
 /// Straight passes, then one pass along the contour that cuts all ridges.
 ///
 /// 1. The straight passes are those of the loop (1-2-3-4, 5-6-7-8, 9-10-11-12, 13-14 of fig. 12.4 b).
-/// 2. After the last one the tool follows the contour, at a feed of its own because the depth varies (14-10-15-6-2-16;
-///    l. 412-426). It goes on from the end of the last pass if the contour before that point is clean already;
-///    otherwise it begins at the first ridge.
+/// 2. After the last one the tool follows the contour, at a feed of its own because the depth varies
+///    (14-10-15-6-2-16; l. 412-426). It continues from the end of the last pass if the contour before that point is
+///    already clean; otherwise it begins at the first ridge.
 /// 3. In a closed zone it returns after each straight pass along the contour of the zone to where the pass began, at
-///    the feed of cutting in, and goes down along the falling flank (l. 468-478).
+///    the infeed rate, and moves down along the falling flank (l. 468-478).
 pub fn work(builder: &mut ToolpathBuilder<'_>, split: &Split) {
     for section in &split.sections {
         clear(builder, section, Back::AlongContour);
@@ -59,7 +59,7 @@ fn worked_to(builder: &ToolpathBuilder<'_>) -> Option<Half> {
     pieces.filter_map(|piece| builder.zone.whole.metal(piece).last().map(|(_, to)| *to)).next()
 }
 
-/// A path up to a Z, with the face there only as far up as the blank was.
+/// A path up to a Z, with the face there only up to the height of the blank.
 fn cut_off(builder: &ToolpathBuilder<'_>, path: impl Iterator<Item = Piece>, end: Half) -> Vec<Piece> {
     let part = |piece: Piece| {
         if !piece.is_face() {

@@ -41,7 +41,7 @@ pub struct PieceStock {
     pub mean: Half,
 }
 
-/// A section of the zone: under one stretch of the blank between its faces.
+/// A section of the zone: under one part of the blank between two of its faces.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BlankSection {
     /// Z of its beginning.

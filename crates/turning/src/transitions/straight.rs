@@ -8,24 +8,24 @@ use crate::turning::toolpath::Purpose;
 use super::builder::{SupportPointRole, ToolpathBuilder};
 use super::split::BlankSection;
 
-/// How the tool returns from a pass that began on a falling flank. From a pass that began outside of metal it always
-/// returns through air.
+/// The return of the tool from a pass that began on a falling flank. From a pass that began outside of metal it
+/// always returns through air.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Back {
-    /// Drawn back, and above the pass to its beginning.
+    /// Retracted, and above the pass to its beginning.
     ThroughAir,
-    /// Along the contour of the zone, at the feed of cutting in (l. 468-478).
+    /// Along the contour of the zone, at the infeed rate (l. 468-478).
     AlongContour,
 }
 
 /// Clears a section by straight passes.
 ///
 /// 1. Each level is cut wherever the contour is not above it, towards the chuck, up to the contour ahead.
-/// 2. Between two passes the tool is drawn back by the retract, returns to the vertical of its start as a rapid, and
-///    goes down to the next depth (l. 314-318).
-/// 3. Where a pass begins on a falling flank, the tool follows the flank to its depth at the feed of cutting in.
-/// 4. What the levels of the sections before have left in the way of a pass is cut with it.
-/// 5. Where a hump divides a level, one side is finished to its bottom before the other.
+/// 2. Between two passes the tool retracts, returns to the vertical of its start as a rapid, and moves down to the
+///    next depth (l. 314-318).
+/// 3. If a pass begins on a falling flank, the tool follows the flank to its depth at the infeed rate.
+/// 4. Stock that the levels of earlier sections have left in the way of a pass is cut with it.
+/// 5. If a hump divides a level, one side is finished to its bottom before the other.
 pub fn clear(builder: &mut ToolpathBuilder<'_>, section: &BlankSection, back: Back) {
     builder.leave_trail();
     below(builder, section, 0, (section.from, section.to), back);
@@ -43,8 +43,8 @@ fn below(builder: &mut ToolpathBuilder<'_>, section: &BlankSection, index: usize
     }
 }
 
-/// Where a pass over the beginning of a section begins: what the levels of the sections before it left above its radius is
-/// cut with it, or the tool would plunge through that.
+/// Where a pass over the beginning of a section begins: stock that the levels of earlier sections left above its
+/// radius is cut with it, or the tool would plunge through it.
 fn beginning(builder: &ToolpathBuilder<'_>, radius: Half, (from, to): (Half, Half)) -> Half {
     let over = builder.rough().spans(radius, builder.zone.worked.0.min(from), to);
     over.into_iter().find(|(begins, ends)| *begins <= from && from < *ends).map_or(from, |(begins, _)| begins)

@@ -22,7 +22,7 @@ pub struct SupportPoint {
     /// The purpose of the motion that ends here; none at the beginning.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub purpose: Option<Purpose>,
-    /// What the point is.
+    /// Its role.
     pub role: SupportPointRole,
 }
 

@@ -9,7 +9,7 @@ use super::builder::{SupportPointRole, ToolpathBuilder};
 use super::split::{BlankSection, Split};
 use super::straight::Back;
 
-/// At which end of the level the tool is after a pass.
+/// The end of the level where the tool is after a pass.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum End {
     Near,
@@ -19,10 +19,10 @@ enum End {
 /// Straight passes in both directions.
 ///
 /// 1. The tool cuts a level towards the chuck, to the contour ahead.
-/// 2. There it goes down along the contour to the next level, at the feed of cutting in, which removes the ridge
-///    between the two levels. If the zone is open at that end it goes straight down.
+/// 2. There it moves down along the contour to the next level, at the infeed rate, which removes the ridge between
+///    the two levels. If the zone is open at that end it moves straight down.
 /// 3. It cuts that level back towards the free end, and out of the metal if the zone is open.
-/// 4. It goes down to the next level: through air if the zone is open, along the falling flank if it is closed.
+/// 4. It moves down to the next level: through air if the zone is open, along the falling flank if it is closed.
 ///
 /// Only every second ridge of the far flank is cut, but all ridges of a falling flank. Suitable for zones of every kind
 /// (l. 328-330). After a hump has divided a level, the other side begins again towards the chuck.
@@ -49,7 +49,7 @@ fn below(builder: &mut ToolpathBuilder<'_>, section: &BlankSection, index: usize
     }
 }
 
-/// Cuts a level from the end where the tool is, and returns at which end it is then.
+/// Cuts a level from the end where the tool is, and returns the end where it is then.
 fn cut(builder: &mut ToolpathBuilder<'_>, pass: Piece, came: Option<(End, Point)>) -> End {
     let down = came.filter(|(end, _)| *end == End::Far).and_then(|(_, here)| down_far(builder, pass.to, here));
     if let Some(down) = down {

@@ -31,9 +31,9 @@ pub struct PreparedZone {
     pub top: Half,
     /// The radius above which the tool cannot go: in a bore, inside out, the axis.
     pub ceiling: Option<Half>,
-    /// Outside of this stretch blank and rough contour have the same pieces, so nothing is cut there.
+    /// Outside of this range blank and rough contour have the same pieces, so nothing is cut there.
     pub worked: (Half, Half),
-    /// Both contours as they came, as outer ones.
+    /// Both contours as given, as outer ones.
     pub stock: Stock,
     /// Why passes along the contour are not possible with this tool, if they are not.
     pub(super) steep: Option<Unsuited>,
@@ -116,8 +116,8 @@ impl PreparedZone {
         })
     }
 
-    /// The surface of the stock that a transition leaves: the rough contour with its ridges. It is the blank of the
-    /// next, deeper work.
+    /// The surface of the stock after a transition: the rough contour with its ridges. It is the blank of the next,
+    /// deeper work.
     pub fn left(&self, transition: &Transition) -> Contour {
         let mut stock = self.whole.clone();
         let path = self.ceiling.map_or(transition.path.clone(), |top| path_inside_out(&transition.path, top));
@@ -129,7 +129,7 @@ impl PreparedZone {
     }
 }
 
-/// The stretch between the pieces that two contours have in common at their ends.
+/// The range between the pieces that two contours have in common at their ends.
 fn worked(rough: &MonotoneContour, blank: &MonotoneContour) -> (Half, Half) {
     let same = |(one, other): &(&_, &_)| one == other;
     let before = rough.pieces.iter().zip(&blank.pieces).take_while(same).count();

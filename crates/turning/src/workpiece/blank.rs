@@ -1,4 +1,4 @@
-//! The blank of a turned part, and what must be done to it before it comes to the lathe (lecture 12.1).
+//! The blank of a turned part, and its preparation before it comes to the lathe (lecture 12.1).
 
 use serde::Serialize;
 
@@ -20,7 +20,7 @@ pub struct Blank {
     /// Its bore.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inner: Option<Contour>,
-    /// How much its length may deviate, mm, if the file says so.
+    /// The permitted deviation of its length, mm, if the file gives it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub length_tolerance: Option<Micrometres>,
 }

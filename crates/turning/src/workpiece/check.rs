@@ -9,7 +9,7 @@ use super::Blank;
 use super::cross::{Chain, along, crossing, flat};
 use super::walk::Walked;
 
-/// What is within a micrometre of a limit counts as on it: points of arcs are rounded.
+/// A point within a micrometre of a limit counts as on it: points of arcs are rounded.
 const SLACK: Half = Half::new(2);
 
 /// Whether a contour crosses or touches itself; the place is that of the later surface.

@@ -100,7 +100,7 @@ impl Chain {
     }
 }
 
-/// Where the chains along a contour lie.
+/// The ranges of the chains along a contour.
 pub(super) fn along<'c>(chains: impl IntoIterator<Item = &'c Chain>) -> Stretches {
     let stretch = |chain: &Chain| chain.room.map_or_else(Default::default, |(low, high)| (low.z, high.z));
     Stretches::new(&chains.into_iter().map(stretch).collect::<Vec<_>>())

@@ -24,7 +24,7 @@ pub(super) fn read(text: &str, side: Side) -> Result<ItGrade, &'static str> {
     match side {
         Side::Outer if of_shaft => Ok(grade),
         Side::Inner if of_hole => Ok(grade),
-        // `Js` is how many write JS.
+        // `Js` is often written for JS.
         Side::Inner if letters == "Js" => Ok(grade),
         _ if of_hole || of_shaft => Err("field-of-the-other-side"),
         _ => Err("bad-grade"),

@@ -79,18 +79,18 @@ pub(super) struct Sizes {
     pub shoulder_first: bool,
 }
 
-/// How a groove is placed on the contour: where it begins, whether its mouth runs along the axis or across it, in which
-/// direction, and where the metal is.
+/// The place of a groove on the contour: its beginning, whether its mouth is parallel or perpendicular to the axis,
+/// its direction, and the side of the metal.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GrooveFrame {
     pub at: Point,
-    /// Whether the mouth runs along the axis.
+    /// Whether the mouth is parallel to the axis.
     pub on_cylinder: bool,
     /// Across the axis for a mouth on a face, and into the metal for one on a cylinder: +1 outwards, −1 inwards.
     pub radial: i64,
     /// Into the metal for a mouth on a face: +1 towards the chuck, −1 towards the free end. On a cylinder always +1.
     pub axial: i64,
-    /// To which side hollow arcs bend.
+    /// The turn of concave arcs.
     pub hollow: Turn,
 }
 

@@ -1,4 +1,4 @@
-//! The items of a contour as the file has them: each value with its place, as far as it could be read.
+//! The items of a contour as in the file: each value with its place, as far as it could be read.
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::form::{Form, KeyOf, meant};
@@ -20,7 +20,7 @@ use super::thread::{self, ThreadSize};
 /// the answer grow with the square of their number. At this bound that is seconds and some hundred megabytes.
 pub const MOST_ITEMS: usize = 2000;
 
-/// Whose contour is read.
+/// The owner of the contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Owner {
     /// The part: Z is never before the finished face.
@@ -29,7 +29,7 @@ pub(super) enum Owner {
     Blank,
 }
 
-/// What kind of item it is.
+/// The kind of an item.
 #[derive(Clone, Copy)]
 enum ItemKind {
     From,
@@ -61,7 +61,7 @@ impl ItemKind {
     }
 }
 
-/// The kinds, each with the key that says so.
+/// The kinds, each with its key.
 const ITEMS: [(ItemKind, &str); 8] = [
     (ItemKind::From, FromItem::from.name()),
     (ItemKind::Face, FaceItem::face.name()),
@@ -83,7 +83,7 @@ pub(super) struct ContourItem {
     pub attributes: Attributes,
 }
 
-/// What an item is.
+/// The shape of an item.
 pub(super) enum ItemShape {
     /// Where the contour begins.
     From(EndPoint),
@@ -110,15 +110,15 @@ pub(super) struct EndPoint {
     pub z: Measure,
 }
 
-/// How far along the axis.
+/// The length along the axis.
 pub(super) enum Along {
-    /// To a Z, as files write it.
+    /// To a Z, as written in files.
     Z(Measure),
-    /// So long.
+    /// By a length.
     Length(Measure),
 }
 
-/// A groove as it is written.
+/// A groove as written.
 pub(super) struct GrooveValues {
     pub kind: GrooveForm,
     pub width: Measure,
@@ -129,7 +129,7 @@ pub(super) struct GrooveValues {
     pub unreadable: bool,
 }
 
-/// What an item says of its surface.
+/// The attributes of an item's surface.
 #[derive(Default)]
 pub(super) struct Attributes {
     pub name: Option<Placed<String>>,

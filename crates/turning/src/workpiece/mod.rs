@@ -1,5 +1,4 @@
-//! A turned part of any contour, its blank, and what the file says of its machining: the contour form of the shaft
-//! file.
+//! A turned part of any contour, its blank, and the machining data of its file: the contour form of the shaft file.
 //!
 //! [`read_turned`] reads either form of the file: with `steps` a [`Shaft`], with `outer` a [`Workpiece`]; it reports
 //! every mistake at once. A [`Shaft`] becomes a [`Workpiece`] by `Workpiece::from`.
@@ -41,7 +40,7 @@ pub use file::schema;
 pub use preparation::{Advice, advice};
 pub use read::{read_turned, read_turned_node, read_workpiece};
 
-/// What a file of a turned part holds.
+/// The contents of a turned part's file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 #[expect(clippy::large_enum_variant, reason = "a file holds one, and nobody keeps many")]
@@ -69,15 +68,15 @@ pub struct Workpiece {
     pub name: String,
     /// The id of its material in the catalog `materials`.
     pub material: String,
-    /// How hard or strong it is, if the file says so.
+    /// Its hardness or strength, if the file gives it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub material_state: Option<MaterialState>,
-    /// What it is made from.
+    /// Its blank.
     pub blank: Blank,
     /// The id of a lathe, as in the file; it is not checked here.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub machine: Option<String>,
-    /// How it is held.
+    /// The way of clamping.
     pub holding: Holding,
     /// Whether and when it is heat-treated.
     pub heat_treatment: HeatTreatment,
@@ -89,11 +88,11 @@ pub struct Workpiece {
     /// The threads on its surfaces.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub threads: Vec<Thread>,
-    /// How roughing is bounded.
+    /// The limits of roughing.
     pub roughing: Roughing,
-    /// Where allowances come from.
+    /// The source of allowances.
     pub allowances: Allowances,
-    /// How fast the tool moves, if the file says so.
+    /// The rates of the tool, if the file gives them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rates: Option<Rates>,
     /// Findings for the reader: figures from tables that are not confirmed.
@@ -126,7 +125,7 @@ pub struct Thread {
     pub pitch: Micrometres,
 }
 
-/// How roughing is limited; what is absent follows from tool, lathe and rules.
+/// The limits of roughing; missing ones follow from tool, lathe and rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize)]
 pub struct Roughing {
     /// The limiting depth of a pass, radial, mm.
@@ -137,7 +136,7 @@ pub struct Roughing {
     pub scheme: Option<Scheme>,
 }
 
-/// Where the finishing allowances come from (lecture 12.2, l. 155-171). A surface that states its own keeps it.
+/// The source of finishing allowances (lecture 12.2, l. 155-171). A surface that states its own keeps it.
 #[derive(Clone, Debug, PartialEq, Eq, Default, Serialize)]
 #[serde(tag = "method", rename_all = "kebab-case")]
 pub enum Allowances {
@@ -155,14 +154,14 @@ pub enum Allowances {
     },
 }
 
-/// What the analytic method adds up.
+/// The errors of the analytic method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Errors {
-    /// Rz that the previous pass left.
+    /// Rz after the previous pass.
     pub rz_um: Microns,
-    /// The defect layer that it left.
+    /// The defect layer after the previous pass.
     pub defect_layer_um: Microns,
-    /// The spatial deviation that is left of the blank's.
+    /// The remaining spatial deviation of the blank.
     pub spatial_deviation_um: Microns,
     /// The error of set-up of this pass.
     pub setup_error_um: Microns,
@@ -198,10 +197,10 @@ impl Serialize for Microns {
     }
 }
 
-/// How fast the tool moves; an absent feed is left to planning.
+/// The rates of the tool; an absent feed is found by planning.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Rates {
-    /// What the short form says too.
+    /// The rates of the short form.
     #[serde(flatten)]
     pub main: shaft::Rates,
     /// Feed of cutting in.

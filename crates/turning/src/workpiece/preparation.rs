@@ -1,4 +1,4 @@
-//! What must be done to a blank before it comes to the lathe, and what in the file contradicts that (lecture 12.1, l.
+//! The preparation of a blank before it comes to the lathe, and contradictions to it in the file (lecture 12.1, l.
 //! 105-125): the rules `turning-blank` and `turning-blank-preparation`.
 
 use serde::Serialize;
@@ -13,15 +13,15 @@ use super::Workpiece;
 /// Advice on the blank, with its row.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Advice {
-    /// What must be done (a note), or what in the file contradicts the rules (wrong).
+    /// A required preparation (a note), or a contradiction of the file to the rules (wrong).
     #[serde(flatten)]
     pub finding: Finding,
     /// The row.
     pub because: Because,
 }
 
-/// The advice of the rules on the blank of a workpiece: how many parts it is for, how exact its length must be, and
-/// what is done to it beforehand.
+/// The advice of the rules on the blank of a workpiece: the number of its parts, the accuracy of its length, and its
+/// preparation.
 ///
 /// # Errors The knowledge base lacks a rule, or a row for this blank.
 pub fn advice(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Vec<Advice>, KnowledgeError> {

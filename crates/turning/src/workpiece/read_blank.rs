@@ -59,7 +59,7 @@ impl Reader<'_> {
         Some(Blank { length_tolerance, ..blank? })
     }
 
-    /// Keys that this blank has not.
+    /// Refuses keys that do not belong to this blank.
     fn refuse(
         &mut self,
         fields: &mut Fields<'_, BlankFile>,

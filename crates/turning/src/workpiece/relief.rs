@@ -10,7 +10,7 @@ use crate::units::Micrometres;
 pub(super) struct Relief {
     pub width: Micrometres,
     pub depth: Micrometres,
-    /// That its row is not confirmed.
+    /// A finding that its row is not confirmed.
     pub finding: Option<Finding>,
 }
 

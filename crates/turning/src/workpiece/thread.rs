@@ -14,7 +14,7 @@ pub(super) struct ThreadSize {
     pub size: Micrometres,
     /// Pitch, mm.
     pub pitch: Micrometres,
-    /// The drill for it, where the tables have one.
+    /// The drill for it, if the tables have one.
     drill: Option<Micrometres>,
 }
 

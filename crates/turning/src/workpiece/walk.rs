@@ -1,4 +1,4 @@
-//! Makes surfaces from the items of a contour, and checks that each goes where a contour can.
+//! Makes surfaces from the items of a contour, and checks the direction of each.
 
 use crate::knowledge::diagnostic::Place;
 use crate::note::Finding;
@@ -13,10 +13,10 @@ use super::groove::GrooveForm;
 use super::items::{Along, ContourItem, GrooveValues, ItemShape, Measure};
 use super::thread::ThreadSize;
 
-/// Ends of arcs are rounded: so far an arc may be off its own circle.
+/// How far the ends of an arc may be off its circle, because they are rounded.
 const SLACK: Half = Half::new(2);
 
-/// A contour as far as it could be walked.
+/// A contour, as far as it could be read.
 pub(super) struct Walked {
     pub side: Side,
     /// Where it begins.
@@ -64,7 +64,7 @@ pub(super) fn walk(items: &[Option<ContourItem>], side: Side, reader: &mut Reade
 pub(super) struct Walk<'i, 'r, 'a> {
     pub items: &'i [Option<ContourItem>],
     pub reader: &'r mut Reader<'a>,
-    /// Where the contour ends so far, as far as it is known.
+    /// The end of the contour so far, as far as it is known.
     radius: Option<Half>,
     z: Option<Half>,
     pub walked: Walked,
@@ -180,7 +180,7 @@ impl Walk<'_, '_, '_> {
         self.walked.surfaces.last().map(|(surface, _)| surface)
     }
 
-    /// Whether a piece outside of grooves goes where a contour can.
+    /// Whether a piece outside of grooves has a permitted direction.
     fn leads_on(&mut self, piece: Piece, kind: SurfaceKind, place: &Place) -> bool {
         let (from, to) = (piece.from, piece.to);
         let after_groove = self.last().filter(|last| last.kind.is_additional() && last.kind != SurfaceKind::Thread);
@@ -213,7 +213,7 @@ impl Walk<'_, '_, '_> {
         false
     }
 
-    /// In which direction the radius goes on: that of the face before, or of the face after.
+    /// The direction of the radius: that of the face before, or of the face after.
     pub fn radial_way(&self, index: usize) -> Option<i64> {
         let before = self.last().filter(|last| last.kind == SurfaceKind::Face).and_then(|face| face.pieces.first());
         if let Some(face) = before {

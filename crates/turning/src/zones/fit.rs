@@ -14,7 +14,7 @@ use super::{Zone, ZoneKind};
 /// a millimetre.
 const TRIFLE: f64 = 0.06;
 
-/// What decides whether a tool fits a zone.
+/// The figures of a tool for the check of its fit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ToolAngles {
     /// Its designation.
@@ -25,7 +25,7 @@ pub struct ToolAngles {
     /// For a boring bar, the smallest bore that it enters.
     #[serde(rename = "least_bore_mm", skip_serializing_if = "Option::is_none")]
     pub least_bore: Option<Micrometres>,
-    /// For a grooving tool, its width. It goes straight in, so its angles do not count.
+    /// For a grooving tool, its width. It plunges, so its angles do not count.
     #[serde(rename = "width_mm", skip_serializing_if = "Option::is_none")]
     pub width: Option<Half>,
 }
@@ -46,7 +46,7 @@ pub struct RefusedTool {
     pub why: Vec<Note>,
 }
 
-/// Tools against a zone.
+/// The result of comparing tools with a zone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fit {
     /// Those that fit, in the given order.
@@ -55,7 +55,7 @@ pub struct Fit {
     pub refused: Vec<RefusedTool>,
 }
 
-/// Compares tools with a zone. The face of the free end requires an edge that does not lead its tip.
+/// Compares tools with a zone. The face of the free end requires an edge that is not ahead of its tip.
 pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
     let mut compared = Fit { fitting: Vec::new(), refused: Vec::new() };
     let closed = |part: &&super::ZonePart| part.kind == ZoneKind::Closed;

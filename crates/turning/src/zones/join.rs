@@ -13,15 +13,15 @@ use super::kind::{Bounds, Circumstances, ZoneKind, scheme, together};
 use super::parts::{Needs, ZonePart};
 use super::{Feed, NOTHING, Stock, Zone};
 
-/// Groups of neighbours, each as long as one of the tools reaches all of it. From one end that gives the fewest groups.
-/// A part that no tool reaches is a group of its own.
+/// Groups of neighbours, each as long as one of the tools reaches all of it. Built from one end, these are the fewest
+/// groups. A part that no tool reaches is a group of its own.
 pub(super) fn groups(parts: Vec<ZonePart>, tools: &[ToolAngles]) -> Vec<Vec<ZonePart>> {
     let mut groups: Vec<Vec<ZonePart>> = Vec::new();
     for part in parts {
         let reach = |group: &[ZonePart]| {
             let touches = group.last().is_some_and(|last| last.to_z == part.from_z);
             let needs = group.iter().fold(part.needs, |sum, one| sum.and(one.needs));
-            // A grooving tool goes straight in: it reaches one groove, and nothing beside it.
+            // A grooving tool plunges: it reaches one groove, and nothing beside it.
             let mut passing = tools.iter().filter(|tool| tool.width.is_none());
             touches && passing.any(|tool| refusals(needs, None, None, tool).is_empty())
         };
@@ -68,8 +68,8 @@ pub(super) fn zone(
     Ok(zone)
 }
 
-/// The least radius that a boring bar passes on its way through a zone: before it that of the roughed hole, in it that
-/// of the drilled hole.
+/// The least radius that a boring bar passes on its way through a zone: before the zone that of the roughed hole,
+/// inside it that of the drilled hole.
 fn passage(stock: Stock<'_>, from: Half, to: Half) -> Half {
     let least = |contour: &crate::turning::contour::Contour, inside: &dyn Fn(Half) -> bool| {
         let ends = contour.pieces.iter().flat_map(|piece| piece.extremes());
@@ -81,22 +81,22 @@ fn passage(stock: Stock<'_>, from: Half, to: Half) -> Half {
     [before, along, inside].into_iter().flatten().min().unwrap_or_default()
 }
 
-/// How many returns of the tool joining saves on the same levels.
+/// The number of returns that joining saves on the same levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Returns {
     /// The depth of the levels, mm.
     pub depth_mm: Half,
     /// With each part cleared separately (fig. 12.5 а).
     pub split: usize,
-    /// With passes that go on over neighbouring parts (fig. 12.5 б, в).
+    /// With passes that continue over neighbouring parts (fig. 12.5 б, в).
     pub joined: usize,
     /// The difference.
     pub saved: usize,
 }
 
 /// Counts the passes of a zone, after each of which the tool returns, with levels of one depth down from the greatest
-/// radius of the blank. In a joined zone a pass goes on over a neighbour if the border between them is not above the
-/// level.
+/// radius of the blank. In a joined zone a pass continues over a neighbour if the border between them is not above
+/// the level.
 ///
 /// There are no passes for a depth that is not above zero.
 pub fn idle_returns(zone: &Zone, depth: Half) -> Returns {

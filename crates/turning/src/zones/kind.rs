@@ -1,5 +1,5 @@
-//! The kind of a zone, and the schemes by which it is worked: the rules `turning-zone` and `turning-scheme`, for
-//! stepped shafts and for contours of any shape.
+//! The kind of a zone, and its schemes: the rules `turning-zone` and `turning-scheme`, for stepped shafts and for
+//! contours of any shape.
 
 use serde::Serialize;
 
@@ -12,7 +12,7 @@ use crate::turning::workpiece::Scheme;
 
 pub use crate::tables::turning::passes::ZoneKind;
 
-/// What bounds a zone.
+/// The bounds of a zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bounds {
     /// A face, slope or stock ahead of the tool.
@@ -26,7 +26,7 @@ pub struct Bounds {
 pub struct ClassifiedZone {
     /// The kind.
     pub kind: ZoneKind,
-    /// What kinds its parts are of.
+    /// The kinds of its parts.
     pub parts: ZoneParts,
     /// The row.
     pub because: Because,
@@ -68,7 +68,7 @@ fn kind(parts: ZoneParts, bounds: Bounds, knowledge: &Knowledge) -> Result<Class
 /// What decides the scheme besides the kind of the zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Circumstances {
-    /// Whether the contour has anything but cylinders and faces.
+    /// Whether the contour has other elements than cylinders and faces.
     pub shaped: bool,
     /// Whether the blank has nearly the shape of the part.
     pub near_part: bool,
@@ -76,7 +76,7 @@ pub struct Circumstances {
     pub against_stop: bool,
 }
 
-/// How a zone is worked.
+/// The schemes of a zone.
 #[derive(Clone, Debug, Serialize)]
 pub struct SchemeChoice {
     /// The schemes, in the order of work; more than one if the zone is worked in parts.
@@ -84,11 +84,11 @@ pub struct SchemeChoice {
     /// Schemes that may be used instead.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub also: Vec<Scheme>,
-    /// How its parts are worked.
+    /// The order of work in its parts.
     pub parts_worked: PartsWorked,
     /// `through-air` or `along-contour`.
     pub return_way: String,
-    /// Why.
+    /// The reason.
     pub because: Because,
 }
 

@@ -1,7 +1,7 @@
 //! Zones of turning (lecture 12.3, l. 205-269; 12.4, l. 488-546): the stock between the rough contour and the blank,
-//! divided by what bounds it, with the angles that each zone requires of a tool and the schemes that suit it.
+//! divided at its bounds, with the angles that each zone requires of a tool and the schemes that suit it.
 //!
-//! - [`setup`] decides what is turned from which end;
+//! - [`setup`] decides which surfaces are turned from which end;
 //! - [`parts`] divides the stock at every face and slope;
 //! - [`join`] joins neighbours that one tool reaches, and counts the returns that this saves;
 //! - [`kind`] takes the kind of a zone and its schemes from the rules;
@@ -30,7 +30,7 @@ pub use kind::{SchemeChoice, ZoneKind};
 pub use parts::{Needs, ZonePart};
 pub use setup::{Hold, SetUp, TurnedSide, Workpiece, least_length, set_ups};
 
-/// What is roughed in one set-up on one side, in the coordinates of that set-up.
+/// The stock of one set-up on one side, in the coordinates of that set-up.
 #[derive(Clone, Copy, Debug)]
 pub struct Stock<'a> {
     /// The rough contour, monotone.
@@ -43,7 +43,7 @@ pub struct Stock<'a> {
     pub against_stop: bool,
 }
 
-/// In which direction the passes of a zone go.
+/// The direction of the passes of a zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Feed {
@@ -53,14 +53,14 @@ pub enum Feed {
     Across,
 }
 
-/// A zone: what one transition clears.
+/// A zone: the stock that one transition clears.
 #[derive(Clone, Debug, Serialize)]
 pub struct Zone {
     /// Its number, from 1.
     pub number: usize,
     /// Outer or inner.
     pub side: Side,
-    /// In which direction its passes go.
+    /// The direction of its passes.
     pub feed: Feed,
     /// Z of its beginning, towards the chuck.
     #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
@@ -74,7 +74,7 @@ pub struct Zone {
     /// The greatest radius of its stock.
     #[serde(rename = "greatest_radius_mm")]
     pub greatest_radius: Half,
-    /// What kind of zone it is.
+    /// Its kind.
     pub kind: ZoneKind,
     /// Its parts: one or, for a combined zone, in the order of fig. 12.3 г, the open ones before the half-open and the
     /// closed.
@@ -84,9 +84,9 @@ pub struct Zone {
     /// The narrowest place that a boring bar passes, a diameter; none outside.
     #[serde(rename = "passage_mm", skip_serializing_if = "Option::is_none")]
     pub passage: Option<Micrometres>,
-    /// How it is worked.
+    /// Its schemes.
     pub scheme: SchemeChoice,
-    /// Why this kind.
+    /// The reason for its kind.
     pub because: Because,
 }
 

@@ -32,7 +32,7 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// What both ask.
+    /// The larger requirements of both.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self { main: self.main.max(other.main), secondary: self.secondary.max(other.secondary) }
@@ -63,9 +63,9 @@ pub struct ZonePart {
     pub floor_length: Half,
     /// The rough contour under it; empty for a face.
     pub contour: Vec<Piece>,
-    /// Why this kind.
+    /// The reason for its kind.
     pub because: Because,
-    /// What bounds it.
+    /// Its bounds.
     #[serde(skip)]
     pub bounds: Bounds,
     /// Radii as seen from outside, for a bore inside out: of the floor, of the surface of the blank, of the border to
@@ -78,7 +78,7 @@ pub struct ZonePart {
     pub(super) border: Half,
 }
 
-/// A stock, taken apart.
+/// A divided stock.
 pub struct Apart {
     /// The stock before the face of the free end, if there is any; for outer stocks only.
     pub face: Option<ZonePart>,
@@ -247,7 +247,7 @@ fn part(
     })
 }
 
-/// What bounds a part. A single slope without stock over its ends is open: passes along it run out on both sides.
+/// The bounds of a part. A single slope without stock over its ends is open: passes along it run out on both sides.
 fn bounds(draft: &PartDraft, surface: Half) -> Bounds {
     let bounds = Bounds { ahead: draft.rises() || draft.stock_ahead, behind: draft.falls() };
     let [slope] = draft.bits.as_slice() else { return bounds };
@@ -278,11 +278,11 @@ fn face(rough: &Contour, blank: &Contour, knowledge: &Knowledge) -> Result<Optio
     Ok(Some(ZonePart {
         from_z: raw.z,
         to_z: part.z,
-        // The nose of a tool leads it beyond the axis.
+        // The nose of a tool moves it beyond the axis.
         least_radius: raw.radius.max(Half::ZERO),
         greatest_radius: most,
         kind: classified.kind,
-        // An edge that leads its tip would cut into the face beside it.
+        // An edge ahead of its tip would cut into the face beside it.
         needs: Needs { main: UPRIGHT, secondary: NOTHING },
         floor_length: Half::ZERO,
         contour: Vec::new(),

@@ -1,9 +1,9 @@
-//! What is turned from which end (lecture 12.2, l. 200-202: most parts take two set-ups).
+//! Decides which surfaces are turned from which end (lecture 12.2, l. 200-202: most parts take two set-ups).
 //!
-//! From the free end a tool makes what rises towards the chuck. Behind the largest radius the contour falls; where it
-//! falls more steeply than φ1 and never rises again, the rest is for the second set-up, with the part turned over. A
-//! bore is treated the same inside out: it is bored from the end to which it widens. The far face belongs to the second
-//! set-up.
+//! From the free end a tool makes elements that rise towards the chuck. Behind the largest radius the contour falls;
+//! where it falls more steeply than φ1 and never rises again, the rest is for the second set-up, with the part turned
+//! over. A bore is treated the same inside out: it is bored from the end to which it widens. The far face belongs to
+//! the second set-up.
 //!
 //! In the second set-up the part is held by a cylinder that the first one made, long enough for the jaws by the rule
 //! `turning-hold`.
@@ -20,7 +20,7 @@ use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
 use crate::units::Micrometres;
 
-/// What is to be turned.
+/// The part to be turned.
 #[derive(Clone, Copy, Debug)]
 pub struct Workpiece<'a> {
     /// The outer profile from the free end.
@@ -31,22 +31,22 @@ pub struct Workpiece<'a> {
     pub length: Half,
     /// The blank from outside, in the same coordinates.
     pub blank: &'a Contour,
-    /// How it is held.
+    /// The way of clamping.
     pub holding: Holding,
 }
 
-/// What one set-up turns on one side, in its own coordinates: Z = 0 at the end that is free in it.
+/// The work of one set-up on one side, in its own coordinates: Z = 0 at the end that is free in it.
 #[derive(Clone, Debug, Serialize)]
 pub struct TurnedSide {
     /// The surfaces. A surface that is turned in both set-ups is in both, with the pieces of each.
     pub profile: Profile,
-    /// Each of them, judged for the tool.
+    /// Their classes for the tool.
     pub classes: Vec<Class>,
     /// The main contour.
     pub main: Main,
 }
 
-/// Where the part is held.
+/// The clamping place of the part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Hold {
@@ -56,7 +56,7 @@ pub enum Hold {
     Blank {
         /// Its diameter at the far end.
         diameter_mm: Micrometres,
-        /// How much of it is left for the jaws.
+        /// The length of it that is left for the jaws.
         length_mm: Half,
     },
     /// In the chuck, by a cylinder that the first set-up made.
@@ -75,22 +75,22 @@ pub enum Hold {
 pub struct SetUp {
     /// Its number, 1 or 2.
     pub number: u8,
-    /// Whether the part is turned over: Z counts from its far face.
+    /// Whether the part is turned over: Z is measured from its far face.
     pub turned_over: bool,
     /// Whether it faces stock off at its free end.
     pub faces: bool,
-    /// What it turns from outside.
+    /// Its work outside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outer: Option<TurnedSide>,
-    /// What it bores.
+    /// Its work in the bore.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inner: Option<TurnedSide>,
-    /// Where the part is held; none if no cylinder is long enough.
+    /// The clamping place; none if no cylinder is long enough.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub holds_at: Option<Hold>,
-    /// Why there, or why nowhere.
+    /// The reason for the clamping place, or for its absence.
     pub because: Because,
-    /// Why this set-up is there.
+    /// The reason for this set-up.
     pub notes: Vec<Note>,
 }
 
@@ -140,7 +140,7 @@ pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Resu
     Ok(vec![first, second])
 }
 
-/// What of a profile is turned from the free end, and what from the other end.
+/// The surfaces of a profile turned from the free end, and those from the other end.
 fn divided(
     profile: &Profile,
     tool: Angles,
@@ -190,7 +190,7 @@ fn least_length_because(
 
 type HoldDecision = (Option<Hold>, Because);
 
-/// Where the blank is held in the first set-up.
+/// The clamping place of the blank in the first set-up.
 fn hold_blank(
     part: Workpiece<'_>,
     outer: Option<&TurnedSide>,
@@ -218,8 +218,8 @@ fn hold_blank(
     Ok((None, least_length_because(diameter, code(false), knowledge)?.1))
 }
 
-/// Where the part is held in the second set-up: the thickest of the cylinders that are long enough, and of these the
-/// longest. A thick cylinder transmits the torque with the least force.
+/// The clamping place of the part in the second set-up: the thickest of the cylinders that are long enough, and of
+/// these the longest. A thick cylinder transmits the torque with the least force.
 fn hold_part(
     part: Workpiece<'_>,
     made: Option<&TurnedSide>,

@@ -23,7 +23,7 @@ use super::valley::{Lie, Valley};
 use super::ways::{self, CuttingEdge, Ways};
 use super::{division, not, taken};
 
-/// A tool with its toolpath and its pace.
+/// A tool with its toolpath and its cutting conditions.
 pub(super) struct Chosen<'k> {
     pub tool: TurningTool<'k>,
     pub ways: Ways,
@@ -34,7 +34,7 @@ pub(super) struct Chosen<'k> {
     pub by_nose: bool,
 }
 
-/// The first tool that can cut it; otherwise why the last one cannot.
+/// The first tool that can cut it; otherwise the reason of the last one.
 pub(super) fn choose<'k>(
     site: Site<'_>,
     surface: &Surface,
@@ -59,8 +59,8 @@ pub(super) fn choose<'k>(
     not(why)
 }
 
-/// Of two reasons the one of the tool that got further: narrower blades are tried later, and it says more that even
-/// they are too wide.
+/// Of two reasons, that of the tool that passed more checks: narrower blades are tried later, and that even they are
+/// too wide says more.
 fn later(one: NoJob, other: NoJob) -> NoJob {
     match (&one, &other) {
         (NoJob::TooNarrow { .. } | NoJob::NoTool { .. }, _) => other,
@@ -69,7 +69,7 @@ fn later(one: NoJob, other: NoJob) -> NoJob {
     }
 }
 
-/// The blades for a groove in the order in which they are tried.
+/// The blades for a groove in the order of trial.
 fn blades<'k>(
     surface: &Surface,
     valley: &Valley,
@@ -104,7 +104,7 @@ fn noses<'k>(valley: &Valley, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'
     let mut tools = TurningTool::all(bench.knowledge)?;
     tools.retain(|tool| (tool.kind, tool.works, tool.hand) == (wanted.0, wanted.1, Hand::R));
     tools.retain(|tool| tool.nose_radius.is_some() && tool.insert.is_some());
-    // Rounded ends of pieces may lean by a little more than the drawing.
+    // Rounded ends of pieces may be inclined a little more than in the drawing.
     tools.retain(|tool| tool.trail_angle.to_f64() + 0.06 >= fall && tool.lead_angle.to_f64() + 0.06 >= rise);
     tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
     tools.sort_by_key(|tool| tool.nose_radius);
@@ -191,9 +191,9 @@ fn of_cutting(refusal: Refusal<CuttingRefusal>) -> Refusal<NoJob> {
     refusal.map(NoJob::Cutting)
 }
 
-/// How long the blade must be: from the floor to the highest metal beside it within reach of its holder. The shank of a
-/// right-hand tool lies towards the free end, that of a left-hand one towards the chuck; a bar passes all that lies
-/// before the groove.
+/// The required length of the blade: from the floor to the highest metal beside it within reach of its holder. The
+/// shank of a right-hand tool is towards the free end, that of a left-hand one towards the chuck; a bar passes all
+/// the metal before the groove.
 fn deep(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>, ways: &Ways) -> Half {
     if valley.lie == Lie::Face {
         return valley.depth();
@@ -206,7 +206,7 @@ fn deep(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>, ways: &Ways) ->
     match (tool.shank, tool.hand) {
         (Some(Shank::Square { width, .. }), Hand::L) => to = to + Half::of(width),
         (Some(Shank::Square { width, .. }), _) => from = from - Half::of(width),
-        // As far as the bar reaches to the free end.
+        // As far as the bar extends towards the free end.
         _ => from = Half::new(i64::MIN / 4),
     }
     // A shoulder at the wall itself does not stand in the way of the blade.
@@ -224,7 +224,7 @@ fn widest(valley: &Valley) -> Micrometres {
     valley.pieces.first().map_or(Micrometres::ZERO, |piece| (Half::ZERO - piece.from.z).diameter())
 }
 
-/// Whether a bar goes into the bore and to the groove, and a curved blade into the face.
+/// Whether a bar enters the bore and reaches the groove, and a curved blade the face.
 fn enters(
     site: Site<'_>,
     surface: &Surface,
@@ -257,15 +257,15 @@ fn enters(
     Ok(())
 }
 
-/// A bar is clamped as short as the groove lets it.
+/// A bar is clamped as short as the groove permits.
 fn reaching<'k>(tool: &TurningTool<'k>, valley: &Valley, approach: Half) -> TurningTool<'k> {
     let end = valley.pieces.last().map_or(Half::ZERO, |piece| piece.to.z);
     let inside = valley.lie == Lie::Inside && tool.reach.is_none();
     TurningTool { reach: if inside { Some((end + approach).rounded_up()) } else { tool.reach }, ..tool.clone() }
 }
 
-/// How far a tool in a bore may draw back from its wall: half of what the bore is wider than it must be for the bar, so
-/// that the bar does not touch the other side. Outside without a bound.
+/// The retract of a tool in a bore from its wall: half of the clearance of the bar, so that the bar does not touch
+/// the other side. Outside without a limit.
 fn play(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>) -> Half {
     /// Enough to leave the wall.
     const LEAST: Half = Half::new(400);
@@ -276,15 +276,15 @@ fn play(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>) -> Half {
     }
 }
 
-/// Spindle speed and feed of a blade straight in.
+/// Spindle speed and feed of a plunging blade.
 pub(in super::super) struct Pace {
     pub rpm: RevsPerMinute,
     pub plunge: MillimetresPerRev,
     pub because: Vec<Because>,
 }
 
-/// By the handbook, limited by the feed of the blade's maker; by the maker alone if the handbook has no figures for the
-/// material. Slower in a bore and in a face.
+/// By the handbook, limited by the feed of the blade's maker; only by the maker if the handbook has no figures for
+/// the material. Slower in a bore and in a face.
 fn pace(cut: &TurningCut<'_, '_>, width: Micrometres, lie: Lie, limits: &mut Limits<'_>) -> Tried<Pace, NoJob> {
     let mut pace = blade_pace(cut, width)?;
     if lie != Lie::Outside {
@@ -294,7 +294,7 @@ fn pace(cut: &TurningCut<'_, '_>, width: Micrometres, lie: Lie, limits: &mut Lim
     Ok(pace)
 }
 
-/// The same without the factor of bore and face; for parting too.
+/// The same without the factor for bore and face; used for parting too.
 pub(in super::super) fn blade_pace(cut: &TurningCut<'_, '_>, width: Micrometres) -> Tried<Pace, NoJob> {
     let (knowledge, material_group) = (cut.knowledge, cut.material.group);
     let asked = knowledge.ask(&GroovingPracticeFor { material_group, width })?;
@@ -321,13 +321,13 @@ pub(in super::super) fn blade_pace(cut: &TurningCut<'_, '_>, width: Micrometres)
     Ok(Pace { rpm, plunge, because })
 }
 
-/// Whether a table has figures of the material's own.
+/// Whether a table has figures for the material itself.
 fn figures_of<Q: Question>(question: &Q, cut: &TurningCut<'_, '_>) -> Result<bool, KnowledgeError> {
     Ok(technolog_cutting::figures::within_reach(question, cut.knowledge)?.is_some())
 }
 
-/// The feed along walls and floor: at most a share of the blade's width, what the blade can carry sideways, that of the
-/// roughness, and never above that straight in.
+/// The feed along walls and floor: at most a share of the blade's width, the sideways limit of the blade and that of
+/// the roughness, and never above the feed of plunging.
 fn along_walls(
     cut: &TurningCut<'_, '_>,
     surface: &Surface,

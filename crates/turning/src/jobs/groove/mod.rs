@@ -1,9 +1,9 @@
 //! Grooves and reliefs: outside, in a bore and in a face, by grooving tools; narrow reliefs by a turning tool whose
-//! edges reach.
+//! edges reach the floor.
 //!
 //! - `valley` is the shape of a groove, seen from its mouth;
-//! - `ways` is how an edge goes through it;
-//! - `blades` finds the tool, the widest blade that does it first;
+//! - `ways` is the toolpath of an edge through it;
+//! - `blades` finds the tool, the widest suitable blade first;
 //! - [`groove`] makes the job.
 //!
 //! The finished profile is never cut below: corners tighter than those of the blade keep the radius of the blade.
@@ -79,7 +79,7 @@ pub fn groove(site: Site<'_>, surface: &Surface, bench: &Bench<'_, '_>) -> Tried
     })
 }
 
-/// How the groove is cut.
+/// The note about the cutting of the groove.
 fn told(ways: &Ways, by_nose: bool) -> Note {
     if by_nose {
         return Note::new("groove-by-nose");
@@ -91,7 +91,7 @@ fn told(ways: &Ways, by_nose: bool) -> Note {
     Note::new("groove-plunges").with("count", ways.plunges.len()).with("places", Figure::list(places))
 }
 
-/// What the constants of the tables make of a division; `corner` is that of the blade.
+/// The constants of the tables for a division; `corner` is that of the blade.
 fn division(corner: Half, limits: &mut Limits<'_>, knowledge: &Knowledge) -> Tried<Division, NoJob> {
     let (rates, _) = rates::of_table(knowledge)?;
     let allowance = limits.ratio(JobLimit::GrooveAllowance)? * corner.to_mm();
@@ -108,7 +108,7 @@ fn division(corner: Half, limits: &mut Limits<'_>, knowledge: &Knowledge) -> Tri
     })
 }
 
-/// A toolpath seen from the mouth, in the set-up: from where the tool is clear, and back.
+/// A toolpath seen from the mouth, converted to the set-up: from a clear position and back.
 fn in_set_up(ways: &Toolpath, valley: &Valley, site: Site<'_>, approach: Half) -> Toolpath {
     let lie = valley.lie;
     let (from, to) = (lie.seen(ways.from), lie.seen(ways.end()));
@@ -137,7 +137,7 @@ fn not<T>(why: NoJob) -> Tried<T, NoJob> {
     Err(Refusal::Not(why))
 }
 
-/// The rows behind a choice, in words.
+/// The rows behind a choice.
 fn taken(tool: &crate::turning::tooling::TurningTool<'_>) -> Because {
     Because::row(tool.row, Note::new("job-tool-taken").with("tool", tool.designation))
 }

@@ -1,5 +1,5 @@
-//! The shape of a groove seen from its mouth: `z` along the mouth, `radius` out of the metal, so that grooves outside,
-//! inside and in a face are handled alike; and the path of the centre of a round corner that touches it.
+//! The shape of a groove seen from its mouth: `z` along the mouth, `radius` out of the metal, so that grooves
+//! outside, inside and in a face are handled alike; and the path of the centre of a round corner that touches it.
 
 use crate::error::{Refusal, Tried};
 use crate::turning::contour::{Curve, Piece, Side, Surface, SurfaceKind, Turn};
@@ -8,7 +8,7 @@ use crate::turning::point::{Point, Vector};
 
 use super::super::refused::NoJob;
 
-/// How a groove lies in the set-up.
+/// The place of a groove in the set-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lie {
     /// In a cylinder, cut from outside.
@@ -20,8 +20,8 @@ pub(super) enum Lie {
 }
 
 impl Lie {
-    /// A point of the set-up as seen from the mouth, and back: the mapping is its own inverse. The corner of the blade
-    /// that leads, towards the chuck or towards the axis, lies at the greater `z`.
+    /// A point of the set-up as seen from the mouth, and back: the mapping is its own inverse. The leading corner of
+    /// the blade, towards the chuck or towards the axis, has the greater `z`.
     pub fn seen(self, point: Point) -> Point {
         match self {
             Self::Outside => point,
@@ -36,19 +36,19 @@ impl Lie {
     }
 }
 
-/// A groove: a wall down, a floor, a wall up, with hollow corners. Seen from its mouth.
+/// A groove: a wall down, a floor, a wall up, with concave corners. Seen from its mouth.
 #[derive(Clone, Debug)]
 pub(super) struct Valley {
     pub lie: Lie,
     /// Its pieces in the order of `z`.
     pub pieces: Vec<Piece>,
-    /// How high its mouth lies.
+    /// The height of its mouth.
     pub mouth: Half,
-    /// How high its floor lies.
+    /// The height of its floor.
     pub floor: Half,
 }
 
-/// Ends of pieces nearer than this differ by rounding only, mm.
+/// Ends of pieces nearer than this differ only by rounding, mm.
 const APART: f64 = 0.002;
 
 impl Valley {
@@ -59,7 +59,7 @@ impl Valley {
         let name = || surface.name.clone();
         let lie = match (surface.kind, side) {
             (SurfaceKind::FaceGroove, Side::Outer) => Lie::Face,
-            // The bottom of a bore is faced from within it, where no holder of the catalogs goes.
+            // The bottom of a bore would be faced from inside, where no holder of the catalogs can go.
             (SurfaceKind::FaceGroove, Side::Inner) => return Err(Refusal::Not(NoJob::NoTool { surface: name() })),
             (_, Side::Outer) => Lie::Outside,
             (_, Side::Inner) => Lie::Inside,
@@ -69,7 +69,8 @@ impl Valley {
             return Err(Refusal::Not(NoJob::NotAValley { surface: name() }));
         };
         if lie == Lie::Face {
-            // Outwards the face is towards the free end; seen from the mouth that is from the greater `z` to the less.
+            // Outwards the face is towards the free end; seen from the mouth that is from the greater `z` to the
+            // smaller.
             if last.to.z >= first.from.z {
                 return Err(Refusal::Not(NoJob::FacesChuck { surface: name() }));
             }
@@ -77,7 +78,7 @@ impl Valley {
         }
         let back: Vec<&Piece> = pieces.iter().filter(|piece| piece.to.z < piece.from.z).collect();
         if !back.is_empty() {
-            // Both mouths lead under the metal: the main edge must lean as far as the piece that runs back.
+            // Both mouths lead under the metal: the main edge must be inclined as much as the piece that runs back.
             let falls = pieces.iter().map(|piece| -piece.chord().degrees()).fold(0.0, f64::max);
             let rises = back.iter().map(|piece| piece.chord().degrees()).fold(90.0, f64::max);
             return Err(Refusal::Not(NoJob::Undercut { surface: name(), main: rises, secondary: falls }));
@@ -124,9 +125,9 @@ impl Valley {
         if sharp { Half::ZERO } else { radii.min().unwrap_or(Half::ZERO) }
     }
 
-    /// The path of the centre of a round corner that touches the groove everywhere; none if it is too large. Walls go
-    /// on beyond the mouth by that radius, because a shoulder may stand over them, and because the edge of a groove
-    /// that is less deep than the corner must not be rounded.
+    /// The path of the centre of a round corner that touches the groove everywhere; none if the corner is too large.
+    /// Walls are extended beyond the mouth by that radius, because a shoulder may be above them, and because the edge
+    /// of a groove shallower than the corner must not be rounded.
     pub fn centres(&self, corner: f64) -> Option<CentrePath> {
         let mut way: Vec<PathSpan> = Vec::new();
         let last = self.pieces.len().saturating_sub(1);
@@ -176,7 +177,7 @@ impl Valley {
     }
 }
 
-/// A stretch of a toolpath: a line, or an arc about a centre that is hollow as the corner it comes of.
+/// A section of a toolpath: a line, or an arc that is concave like the corner below it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PathSpan {
     pub from: Vector,
@@ -186,7 +187,7 @@ pub(super) struct PathSpan {
 }
 
 impl PathSpan {
-    /// Beside a piece, out of the metal; none of a hollow arc that is no larger than the corner.
+    /// The offset of a piece, out of the metal; none for a concave arc not larger than the corner.
     fn beside(piece: Piece, corner: f64) -> Option<Self> {
         let (from, to) = (piece.from.vector(), piece.to.vector());
         let off = |at: Vector, along: Vector| at.plus(along.left().times(corner));
@@ -203,7 +204,7 @@ impl PathSpan {
         self.arc.is_none().then(|| self.to.minus(self.from))
     }
 
-    /// As a piece, moved.
+    /// As a piece, moved by a vector.
     fn piece(&self, by: Vector) -> Piece {
         let (from, to) = (Point::at(self.from.plus(by)), Point::at(self.to.plus(by)));
         let curve = match self.arc {
@@ -243,7 +244,7 @@ pub(super) struct CentrePath {
 }
 
 impl CentrePath {
-    /// Where it runs along the floor, from and to, mm.
+    /// Its range along the floor, mm.
     pub fn floor(&self) -> (f64, f64) {
         let low = |at: &Vector| at.radius < self.low + APART / 2.0;
         let ends = self.spans.iter().flat_map(|span| [span.from, span.to]).filter(low);
@@ -256,7 +257,7 @@ impl CentrePath {
         (first.map_or(0.0, |span| span.from.z), last.map_or(0.0, |span| span.to.z))
     }
 
-    /// How high the centre stands at least at a place along the mouth, mm; none beyond its ends.
+    /// The least height of the centre at a place along the mouth, mm; none beyond its ends.
     pub fn height(&self, z: f64) -> Option<f64> {
         self.spans.iter().filter_map(|span| span.height(z)).reduce(f64::min)
     }

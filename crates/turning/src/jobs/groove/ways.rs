@@ -1,8 +1,8 @@
-//! The toolpath of a blade through a groove: plunges, the middle first, then sides and floor, each side from its mouth
-//! inwards with the corner that belongs to it.
+//! The toolpath of a blade through a groove: plunges, the middle first, then sides and floor, each side from its
+//! mouth inwards with its own corner of the blade.
 //!
-//! The blade is a straight edge between two round corners; it reaches as far as both corners do, because a valley with
-//! hollow corners is nowhere higher between two places than at the higher of them.
+//! The blade is a straight edge between two round corners. It reaches as far as both corners do, because a groove
+//! with concave corners is nowhere higher between two places than at the higher of them.
 
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
@@ -11,42 +11,43 @@ use crate::turning::toolpath::{Move, Purpose, Toolpath};
 
 use super::valley::{CentrePath, Lie, Valley};
 
-/// The edge that cuts a groove, mm; a turning tool has no straight part, so its width is twice its nose.
+/// The edge that cuts a groove, mm; a turning tool has no straight part, so its width is twice its nose radius.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CuttingEdge {
     pub width: f64,
     pub corner: f64,
 }
 
-/// How a groove is divided.
+/// The division of a groove into plunges and passes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Division {
-    /// Between two plunges, over the width.
+    /// Distance between two plunges, divided by the width.
     pub step: f64,
-    /// What plunges leave on sides and floor, mm.
+    /// The allowance that plunges leave on sides and floor, mm.
     pub allowance: f64,
-    /// The most that finishing takes, mm.
+    /// The largest finishing depth, mm.
     pub finish: f64,
-    /// From which depth, and by how much, the blade is drawn back, over its width; and how far, mm.
+    /// Pecking: the depth from which it is used and the depth of a step, divided by the width; and the retract, mm.
     pub peck: (f64, f64, f64),
-    /// Before the metal.
+    /// The approach before the metal.
     pub approach: Half,
 }
 
-/// A toolpath, seen from the mouth, from before the mouth to before it.
+/// A toolpath, seen from the mouth, from before the mouth and back.
 #[derive(Clone, Debug)]
 pub(super) struct Ways {
     pub path: Toolpath,
-    /// Places of the plunges, in their order.
+    /// The plunges, in order.
     pub plunges: Vec<Half>,
     /// Whether one plunge makes floor and walls.
     pub at_once: bool,
-    /// Steps of the deepest plunge; 1 without drawing back.
+    /// Steps of the deepest plunge; 1 without pecking.
     pub steps: usize,
 }
 
 impl CuttingEdge {
-    /// From a centre of the corner at the less `z` to the leading corner of the edge, and of the other.
+    /// The vectors to the leading corner of the edge from the centre of the corner at the smaller `z`, and from the
+    /// other one.
     fn leads(self) -> (Vector, Vector) {
         (Vector::new(self.width - self.corner, -self.corner), Vector::new(self.corner, -self.corner))
     }
@@ -56,20 +57,20 @@ impl CuttingEdge {
         self.width - 2.0 * self.corner
     }
 
-    /// How much more room there is at the floor than the edge takes, mm; negative if it does not go in.
+    /// The clearance at the floor beside the edge, mm; negative if the edge does not enter.
     pub fn room(self, finished: &CentrePath) -> f64 {
         let (from, to) = finished.floor();
         to - from - self.flat()
     }
 
-    /// How low the leading corner may go at a place, mm; none beyond the mouth.
+    /// The lowest height of the leading corner at a place, mm; none beyond the mouth.
     fn lowest(self, way: &CentrePath, lead: f64) -> Option<f64> {
         let heights = [lead - self.width + self.corner, lead - self.corner].map(|centre| way.height(centre));
         Some(heights[0]?.max(heights[1]?) - self.corner)
     }
 }
 
-/// Rounding of places, mm: a blade as wide as its groove has no room, except for half micrometres.
+/// Rounding, mm: a blade as wide as its groove has no clearance, except for half micrometres.
 const TRIFLE: f64 = 0.002;
 
 /// The toolpath of a blade; none if it does not reach the floor.
@@ -89,17 +90,18 @@ pub(super) fn blade(valley: &Valley, edge: CuttingEdge, division: Division) -> O
     let at_once = room <= TRIFLE;
     let floor = valley.floor.to_mm();
     if at_once {
-        // The blade itself makes the floor, and upright walls.
+        // The blade itself makes the floor, and perpendicular walls.
         let bottom = Half::from(floor).max(Half::from(edge.lowest(&finished, middle).unwrap_or(floor)));
         builder.plunge(middle, bottom, edge, Purpose::Return);
         plunges.push(Half::from(middle));
     } else if let Some(way) = valley.centres(edge.corner + division.allowance) {
         let mut places = places(&way, edge, division, (steep_fall, steep_rise));
         if valley.lie == Lie::Face {
-            // A blade is curved for the diameter at which it goes in first; from there it widens towards the axis.
+            // A face blade is curved for the diameter of its first plunge; from there the groove is widened towards
+            // the axis.
             places.sort_by(f64::total_cmp);
         }
-        // Where the allowance leaves no room beside the blade, the floor alone keeps one.
+        // If the allowance leaves no room beside the blade, only the floor keeps one.
         let tight = |lead| Some(edge.lowest(&finished, lead)? + division.allowance);
         for lead in places {
             let Some(low) = edge.lowest(&way, lead).or_else(|| tight(lead)).map(Half::from) else { continue };
@@ -118,7 +120,7 @@ pub(super) fn blade(valley: &Valley, edge: CuttingEdge, division: Division) -> O
     Some(Ways { path: builder.path, plunges, at_once, steps: builder.steps })
 }
 
-/// The toolpath of a turning tool from the mouth at the less `z` to the other; none if its nose does not reach the
+/// The toolpath of a turning tool from the mouth at the smaller `z` to the other; none if its nose does not reach the
 /// floor.
 pub(super) fn nose(valley: &Valley, edge: CuttingEdge, division: Division) -> Option<Ways> {
     let finished = valley.centres(edge.corner)?;
@@ -141,7 +143,7 @@ pub(super) fn nose(valley: &Valley, edge: CuttingEdge, division: Division) -> Op
     Some(Ways { path: builder.path, plunges: Vec::new(), at_once: false, steps: 1 })
 }
 
-/// Where a blade is plunged, in the order of work: over the floor from its middle outwards, then over slanting walls
+/// The places of plunges, in the order of work: over the floor from its middle outwards, then over inclined walls
 /// away from it.
 fn places(way: &CentrePath, edge: CuttingEdge, division: Division, (fall, rise): (f64, f64)) -> Vec<f64> {
     let (left, right) = edge.leads();
@@ -157,8 +159,8 @@ fn places(way: &CentrePath, edge: CuttingEdge, division: Division, (fall, rise):
         indices.sort_by(|one, other| (one - count / 2.0).abs().total_cmp(&(other - count / 2.0).abs()));
         places.extend(indices.into_iter().map(at));
     }
-    // Stairs over slanting walls leave no more than finishing takes: their height on the wall is the step times the
-    // sine of its slant.
+    // Steps over inclined walls leave no more than finishing removes: their height on the wall is the step times the
+    // sine of its inclination.
     let stair = |slant: f64| {
         let sine = libm::sin(slant.to_radians());
         ((division.finish - division.allowance).max(0.1) / sine.max(0.1)).min(division.step * edge.width)
@@ -196,12 +198,12 @@ impl Builder {
         self.mouth + self.division.approach
     }
 
-    /// Across above the mouth.
+    /// Across, above the mouth.
     fn over(&mut self, z: Half) {
         self.path.go(Point { radius: self.above(), z }, Purpose::Rapid);
     }
 
-    /// Straight in to a height, drawn back now and then if it is deep, and out.
+    /// A plunge to a height, with pecking if it is deep, and out.
     fn plunge(&mut self, lead: f64, low: Half, edge: CuttingEdge, out: Purpose) {
         let z = Half::from(lead);
         self.over(z);
@@ -221,8 +223,8 @@ impl Builder {
         self.path.go(Point { radius: self.above(), z }, out);
     }
 
-    /// A side from its mouth down, the floor to a place, and out. It comes to a wall from within the groove, because a
-    /// shoulder may stand over the wall.
+    /// A side from its mouth down, the floor to a place, and out. The blade comes to a wall from inside the groove,
+    /// because a shoulder may be above the wall.
     fn side(&mut self, pieces: &[Piece], to: Point, inwards: f64) {
         let Some(start) = pieces.first().map(|piece| piece.from) else { return };
         let start = Point { radius: start.radius.min(self.above()), z: start.z };

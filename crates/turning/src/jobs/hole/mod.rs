@@ -31,25 +31,25 @@ use super::site;
 use super::{Body, Job, JobTool, Work};
 use pace::AxialConditions;
 
-/// Where a drilled hole ends.
+/// The end of a drilled hole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HoleEnd {
     /// At a Z where the metal ends: the full diameter comes out.
     Through(Half),
-    /// The point of the drill goes to this Z and no further: the bottom, with its allowance, is not cut below.
+    /// The point of the drill goes to this Z and no further, so that the bottom with its allowance is not cut.
     Blind(Half),
 }
 
 /// A hole to drill.
 #[derive(Clone, Debug)]
 pub struct Hole {
-    /// At most this wide.
+    /// Its largest diameter.
     pub diameter: Micrometres,
-    /// The diameter of the hole that is there; zero in solid metal.
+    /// The diameter of the existing hole; zero in solid metal.
     pub from: Micrometres,
-    /// Z of the face that it begins in.
+    /// Z of the face where it begins.
     pub face: Half,
-    /// Where it ends.
+    /// Its end.
     pub end: HoleEnd,
     /// The surfaces that it prepares.
     pub surfaces: Vec<SurfaceName>,
@@ -58,9 +58,9 @@ pub struct Hole {
 /// The form of a centre hole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CentreForm {
-    /// Without a protecting cone: it is cut off or not used again.
+    /// Without a protecting cone: the hole is cut off or not used again.
     A,
-    /// With a protecting cone of 120°: it stays on the part.
+    /// With a protecting cone of 120°: the hole stays on the part.
     B,
 }
 
@@ -75,7 +75,7 @@ struct Drill<'k> {
 }
 
 impl Drill<'_> {
-    /// From the point to where it has its full diameter: d/2 over the tangent of half the angle.
+    /// The length of the point: d/2 divided by the tangent of half its angle.
     fn point(&self) -> Half {
         Half::from(self.diameter.to_mm() / 2.0 / libm::tan(self.point_angle.0.to_radians() / 2.0))
     }
@@ -104,7 +104,7 @@ pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
     Ok(vec![first, second])
 }
 
-/// The job of drilling, with the widest drill that is no wider than the hole and reaches its end.
+/// The job of drilling, with the widest drill that is not wider than the hole and reaches its end.
 ///
 /// # Errors No drill is small enough or long enough; it exceeds the limits of the lathe; the knowledge base lacks a
 /// table.
@@ -204,7 +204,7 @@ fn cut(
     }
 }
 
-/// The twist drills that are no wider than a diameter, the widest first; of one diameter in the order of the rule
+/// The twist drills that are not wider than a diameter, the widest first; of one diameter in the order of the rule
 /// `tool-tables`.
 fn drills<'k>(most: Micrometres, bench: &Bench<'_, 'k>) -> Tried<Vec<Drill<'k>>, NoJob> {
     let order: Vec<String> =
@@ -253,7 +253,7 @@ fn drills<'k>(most: Micrometres, bench: &Bench<'_, 'k>) -> Tried<Vec<Drill<'k>>,
 struct Steps {
     kind: HoleCycle,
     step: Half,
-    /// How far it comes back to break the chip, or how far before the metal it stops at rapid.
+    /// The retract of chip breaking, or the distance before the metal where a rapid ends.
     back: Half,
 }
 
@@ -323,7 +323,7 @@ fn centred(row: &CentreHole<'_>, form: CentreForm, face: Half, note: Note, bench
     };
     let depth = cone + row.pilot_length;
     let cut = Cut {
-        // Its thin pilot allows less feed than its body.
+        // Its thin pilot permits less feed than its body.
         feed_diameter: Some(row.pilot),
         tool_diameter: Some(row.pilot),
         ..cut(Operation::CentreDrill, mouth, Micrometres::ZERO, depth, ToolMaterial::HighSpeedSteel)

@@ -34,8 +34,8 @@ impl<'k> Asking<'k> for Bench<'_, 'k> {
     }
 }
 
-/// The pace of a cut: feed and speed of the tables; the speed compared with practice, the spindle at most as fast; the
-/// feed reduced until thrust, torque and power are within their limits. A load is a power law of the feed, so its limit
+/// Feed and speed of a cut: those of the tables; the speed compared with practice, limited by the spindle; the feed
+/// reduced until thrust, torque and power are within their limits. A load is a power law of the feed, so each limit
 /// gives a feed.
 ///
 /// # Errors The tables have no figures; or even the least feed of the lathe is too much.
@@ -93,7 +93,7 @@ fn lathe_limit(lathe: &Lathe<'_>, quantity: LatheQuantity, limit: f64) -> Tried<
     Ok(Because::row(lathe.row(quantity)?, Note::new("lathe-limit").with("limit", limit)))
 }
 
-/// The power at the spindle, kW, and why.
+/// The power at the spindle, kW, and the reason.
 fn power(lathe: &Lathe<'_>, knowledge: &Knowledge) -> Tried<(f64, Because), NoJob> {
     let why = lathe_limit(lathe, LatheQuantity::SpindlePower, lathe.power.0)?;
     if let Some(share) = lathe.efficiency {

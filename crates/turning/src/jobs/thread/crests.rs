@@ -1,11 +1,11 @@
-//! To which diameter the cylinder of an outer thread is turned: the crests have a tolerance that lies below the nominal
-//! diameter (ISO 965-1).
+//! The turned diameter of an outer thread's cylinder: the tolerance of the crests is below the nominal diameter (ISO
+//! 965-1).
 
 use crate::turning::length::Half;
 use crate::turning::workpiece::Thread;
 use crate::units::Micrometres;
 
-/// What the tolerance class of an outer thread leaves for its crests.
+/// The limits of the crests by the tolerance class of an outer thread.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Crests {
     /// The class of the crests, such as `6g`.
@@ -17,13 +17,13 @@ pub struct Crests {
 }
 
 impl Crests {
-    /// The crests of an outer thread; 6g where the drawing writes no class, as ISO 965-1 says of medium fits. None for a
+    /// The crests of an outer thread; 6g if the drawing gives no class, as ISO 965-1 says of medium fits. None for a
     /// class that these formulas do not cover.
     ///
     /// ISO 965-1: the fundamental deviation es is 0 for h, −(15 + 11 P) µm for g, −(30 + 11 P) for f, −(50 + 11 P) for e;
     /// the tolerance of grade 6 is Td = 180·P^(2/3) − 3.15/√P µm, of grade 4 it is 0.63 of that, of grade 8 1.6 of that.
     pub fn of(thread: &Thread) -> Option<Self> {
-        // The class of the pitch diameter may stand before that of the crests.
+        // The class of the pitch diameter may precede that of the crests.
         let field = classes(thread);
         let class = field.get(field.len().checked_sub(2)?..)?;
         let pitch = thread.pitch.to_mm();
@@ -36,9 +36,9 @@ impl Crests {
         Some(Self { class: class.to_owned(), least, most })
     }
 
-    /// How much the pitch diameter in the middle of its tolerance lies below the basic profile, where pitch and crests have
-    /// one class. ISO 965-1: the pitch diameter has the same es, and its tolerance of grade 6 is
-    /// Td2 = 90·P^0.4·d^0.1 µm (d of the thread for the mean of its range: within 3 %), of grades 4 and 8 the same shares.
+    /// How much the pitch diameter in the middle of its tolerance is below the basic profile, where pitch and crests
+    /// have one class. ISO 965-1: the pitch diameter has the same es, and its tolerance of grade 6 is Td2 =
+    /// 90·P^0.4·d^0.1 µm (d of the thread for the mean of its range: within 3 %), of grades 4 and 8 the same shares.
     pub fn pitch_below(thread: &Thread) -> Option<Micrometres> {
         let class = Some(classes(thread)).filter(|class| class.len() == 2)?;
         let (upper, share) = deviation(class, thread.pitch.to_mm())?;
@@ -46,25 +46,25 @@ impl Crests {
         Some(Micrometres::from_mm_rounded(libm::round((tolerance / 2.0 - upper) / 10.0) / 100.0))
     }
 
-    /// The diameter in the middle.
+    /// The diameter in the middle of the limits.
     pub fn middle(&self) -> Micrometres {
         Micrometres::new((self.least.micrometres() + self.most.micrometres()) / 2)
     }
 
-    /// The radius in the middle.
+    /// The radius in the middle of the limits.
     pub fn middle_radius(&self) -> Half {
         Half::radius_of(self.middle())
     }
 }
 
-/// The tolerance classes of a thread as the drawing writes them, 6g where it writes none; the length of engagement, which
-/// comes last, is left out.
+/// The tolerance classes of a thread as on the drawing, 6g if it gives none; without the length of engagement, which
+/// comes last.
 fn classes(thread: &Thread) -> &str {
     let written = thread.written.split_once('-').map_or("6g", |(_, classes)| classes);
     written.split_once('-').map_or(written, |(classes, _)| classes)
 }
 
-/// The fundamental deviation es of a class, µm, and the share of its grade in the tolerances of grade 6.
+/// The fundamental deviation es of a class, µm, and the ratio of its grade's tolerances to those of grade 6.
 fn deviation(class: &str, pitch: f64) -> Option<(f64, f64)> {
     let upper = match class.get(1..)? {
         "h" => 0.0,

@@ -141,7 +141,7 @@ pub fn thread(
     })
 }
 
-/// An insert for a pitch that works there: of full profile first, because it cuts the crests too.
+/// An insert for a pitch at that place: full profile first, because it also cuts the crests.
 fn insert<'k>(
     site: Site<'_>,
     surface: &Surface,
@@ -153,7 +153,7 @@ fn insert<'k>(
     let mut tools = TurningTool::all(bench.knowledge)?;
     tools.retain(|tool| (tool.kind, tool.works) == (ToolKind::Threading, place) && tool.hand == Hand::R);
     tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
-    // The depth for an insert of unknown nose is not known.
+    // The depth for an insert without a nose radius is not known.
     tools.retain(|tool| tool.nose_radius.is_some());
     let ranges = || tools.iter().filter_map(|tool| tool.pitch);
     let bounds = ranges().map(|(least, _)| least).min().zip(ranges().map(|(_, most)| most).max());
@@ -182,12 +182,12 @@ fn insert<'k>(
     Err(Refusal::Not(why))
 }
 
-/// Whether an insert is of full profile: for one pitch only.
+/// Whether an insert has a full profile: it is for one pitch only.
 fn is_full(tool: &TurningTool<'_>) -> bool {
     tool.pitch.is_some_and(|(least, most)| least == most)
 }
 
-/// The radii of crests and roots. Crests are where the surface was turned; roots follow from the basic profile.
+/// The radii of crests and roots. Crests are the turned surface; roots follow from the basic profile.
 fn radii(side: Side, thread: &Thread, turned: Half, tool: &TurningTool<'_>) -> Tried<(Half, Half), NoJob> {
     let triangle = TRIANGLE * thread.pitch.to_mm();
     let nominal = thread.size.to_mm() / 2.0;
@@ -198,14 +198,14 @@ fn radii(side: Side, thread: &Thread, turned: Half, tool: &TurningTool<'_>) -> T
     };
     let root = match side {
         Side::Outer => nominal - (7.0 / 8.0 * triangle - tip),
-        // D1 lies 5/8 H within D.
+        // D1 is 5/8 H below D.
         Side::Inner => nominal - 5.0 / 8.0 * triangle + (3.0 / 4.0 * triangle - tip),
     };
     Ok((turned, Half::from(root)))
 }
 
-/// The spindle speed of a thread, with the rows behind it: the speed of threading on the nominal diameter, as fast as the
-/// feed of the lathe follows.
+/// The spindle speed of a thread, with its rows: the threading speed at the nominal diameter, limited by the feed
+/// rate of the lathe.
 fn spindle(thread: &Thread, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<(RevsPerMinute, Vec<Because>), NoJob> {
     let asked = bench.knowledge.ask(&ThreadingSpeedFor { material_group: bench.material.group })?;
     let Some(speed) = asked.winner()?.map(|row| row.speed) else {
@@ -222,7 +222,7 @@ fn spindle(thread: &Thread, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<(
     }
     let rpm = match lathe.spindle {
         Spindle::Steps(_) => rpm,
-        // Whole revolutions, as a program writes them; rounded down to keep the feed within the limit.
+        // Whole revolutions, as in a program; rounded down to keep the feed within the limit.
         Spindle::Range { min, .. } => RevsPerMinute(rpm.0.floor().max(min.0)),
     };
     let MetresPerMinute(used) = speed_at(rpm, thread.size).rounded(1);
@@ -246,7 +246,7 @@ fn divided(
 ) -> Tried<Divided, NoJob> {
     let pitch = thread.pitch;
     let rows = bench.knowledge.rows::<ThreadingPasses<'_>>()?;
-    // Between two pitches of the table the passes of the coarser.
+    // For a pitch between two of the table, the passes of the coarser one.
     let coarser = rows.into_iter().filter(|row| row.side == side && row.pitch >= pitch).min_by_key(|row| row.pitch);
     let Some(row) = coarser else { return Err(Refusal::Not(NoJob::NoPasses { pitch })) };
     let asked = bench.knowledge.ask(&ThreadingFirstPassFor { material_group: bench.material.group })?;
@@ -262,8 +262,8 @@ fn divided(
     Ok(Divided { depths, springs: springs.round().max(0.0) as usize, because })
 }
 
-/// From before the thread, pass by pass, and back. Fed in at an angle, a shallower pass begins so much before the last
-/// as the tool still goes in along the flank.
+/// The toolpath: from before the thread, pass by pass, and back. With an inclined infeed, a shallower pass begins
+/// earlier by the remaining travel along the flank.
 fn way(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site: Site<'_>) -> Toolpath {
     let out = |radius: Half, by: Half| if side == Side::Outer { radius + by } else { radius - by };
     let above = out(cut.crest_radius_mm, lift);
@@ -293,7 +293,7 @@ fn way(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site
     path
 }
 
-/// What its passes leave to the gauge: they end at the basic profile.
+/// The note about the flanks: passes end at the basic profile, and the rest is left to gauging.
 fn flanks(side: Side, thread: &Thread, surface: &crate::turning::contour::SurfaceName) -> Option<Note> {
     let below = Crests::pitch_below(thread).filter(|_| side == Side::Outer)?;
     Some(

@@ -1,30 +1,30 @@
-//! How the depth of a thread is divided into passes.
+//! The division of a thread's depth into passes.
 
 use crate::note::Because;
 use crate::turning::length::Half;
 
-/// By what the depths of passes are divided.
+/// The law of division.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Passes {
-    /// Each pass takes the same area: pass n of N reaches h·√(n/N).
+    /// Each pass removes the same area: pass n of N reaches h·√(n/N).
     Area,
-    /// Each pass takes the same depth: pass n of N reaches h·n/N.
+    /// Each pass has the same depth: pass n of N reaches h·n/N.
     Depth,
 }
 
 /// The passes of a thread.
 pub(super) struct Divided {
-    /// The depth that each reaches, ascending; the last is the whole depth.
+    /// The depth of each, ascending; the last is the whole depth.
     pub depths: Vec<Half>,
-    /// Passes after these at the whole depth.
+    /// Further passes at the whole depth.
     pub springs: usize,
-    /// The rows behind them.
+    /// Their rows.
     pub because: Vec<Because>,
 }
 
 impl Passes {
-    /// The depths of the passes: as many as wanted, more if the first would be deeper than it may. No pass is less deep
-    /// than the least, so that the edge cuts and does not rub; that can make them fewer.
+    /// The depths of the passes: the wanted number, more if the first would be too deep. No pass is less deep than
+    /// the least, so that the edge cuts and does not rub; that can reduce their number.
     ///
     /// LinuxCNC's G76 with R2 and Fanuc's G76 have the same law of area, and Fanuc's the same least pass.
     pub fn depths(self, whole: Half, wanted: usize, first: Half, least: Half) -> Vec<Half> {
@@ -42,7 +42,7 @@ impl Passes {
         for number in 1..=count as i64 {
             let before = depths.last().copied().unwrap_or(Half::ZERO);
             let reach = Half::from(reached(number as f64)).max(before + least);
-            // A remainder too thin for a pass of its own is added to this one.
+            // A remainder too small for a pass of its own is added to this one.
             if reach + least > whole {
                 break;
             }

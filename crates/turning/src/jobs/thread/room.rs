@@ -1,6 +1,6 @@
-//! The room before and behind a thread.
+//! The room before and after a thread.
 //!
-//! Before it the carriage accelerates to the pitch, behind it it stops. Heights are radii outside and their negatives
+//! Before it the carriage accelerates to the pitch, after it it stops. Heights are radii outside and negative radii
 //! in a bore, so that metal is always below.
 
 use crate::error::{Refusal, Tried};
@@ -15,15 +15,15 @@ use super::super::site::Site;
 /// The room that a thread needs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Room {
-    /// The cylinder that the thread is cut on.
+    /// The cylinder of the thread.
     pub thread: Piece,
     /// The radius of the roots.
     pub root: Half,
-    /// From the crests to where the tool goes back.
+    /// The height above the crests where the tool returns.
     pub lift: Half,
-    /// The way before it.
+    /// The run-in before it.
     pub entry: Half,
-    /// The way behind it.
+    /// The run-out after it.
     pub run_out: Half,
     /// From the tip of the insert to its side.
     pub side_of_insert: Half,
@@ -34,7 +34,7 @@ pub(super) struct Room {
 pub(super) struct Found {
     pub from: Half,
     pub to: Half,
-    /// Whether the tool is drawn out of the metal over the run-out, because nothing is cut away behind the thread.
+    /// Whether the tool is withdrawn from the metal during the run-out, because there is no relief after the thread.
     pub pull_out: bool,
 }
 
@@ -58,7 +58,7 @@ impl Room {
         let index = surfaces.iter().position(|one| std::ptr::eq(one, surface) || one == surface).unwrap_or_default();
         let (before, behind) = surfaces.split_at(index);
 
-        // Metal that the tool would meet before the thread; what breaks its edge belongs to it.
+        // Metal that the tool would meet before the thread; an element that breaks its edge belongs to the thread.
         let breaks = |one: &Surface| matches!(one.kind, SurfaceKind::Chamfer | SurfaceKind::Ball);
         let edge = before.last().filter(|last| breaks(last));
         let begin_of_metal = edge.and_then(|edge| edge.pieces.first()).map_or(begin, |first| first.from.z);
@@ -78,7 +78,7 @@ impl Room {
         let after: Vec<Piece> = behind.iter().skip(1).flat_map(|one| &one.pieces).map(piece).collect();
         let rises = after.iter().find(|one| one.radii().1 > crest);
         let stands = rises.map(|one| one.at_radius(crest).iter().map(|at| at.z).min().unwrap_or(one.from.z));
-        // What lies behind the end of the outer contour is not turned in this set-up; a bore ends in the air.
+        // Beyond the end of the outer contour nothing is turned in this set-up; a bore ends in the air.
         let profile_ends = || surfaces.last().and_then(|last| last.pieces.last()).map(|last| last.to.z);
         let stands = stands.or_else(|| if site.side() == Side::Outer { profile_ends() } else { None });
         let top = after.iter().map(|one| one.radii().1).max().map_or(crest, |high| high.max(crest));
@@ -110,7 +110,7 @@ impl Room {
                 let (relief, root) = (diameter(low), diameter(root));
                 return Err(Refusal::Not(NoJob::ReliefTooShallow { surface: surface.name.clone(), relief, root }));
             }
-            // Behind the thread there is metal up to the crests: the tool is withdrawn through it, at 45° or flatter.
+            // After the thread there is metal up to the crests: the tool is withdrawn from it, at 45° or flatter.
             _ => (end + self.run_out.max(crest - root + self.lift), true),
         };
         if let Some(stands) = stands {

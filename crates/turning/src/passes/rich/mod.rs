@@ -1,6 +1,6 @@
 //! Richer moves: passes that stop anywhere on a grid and take less than the full depth.
 //!
-//! The stock that is left is a staircase that rises towards the chuck ([`staircase`]). A pass cuts a corner of it: to
+//! The remaining stock is a staircase that rises towards the chuck ([`staircase`]). A pass cuts a corner of it: to
 //! one line of radii, up to one line of Z. The best sequence is found by A* over the staircases ([`search`]). The
 //! search is exact if it ends; if it is stopped early, it still gives a lower bound.
 
@@ -15,23 +15,24 @@ use super::cost::Objective;
 use super::grid::Grid;
 use super::pass::Pass;
 
-/// What the search over rich moves proves of its answer.
+/// The proof of the search over rich moves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SearchProof {
     /// Whether no sequence on this grid is better.
     pub optimal_on_the_grid: bool,
     /// No sequence on this grid costs less: mm or passes, as the objective counts.
     pub lower_bound: f64,
-    /// Staircases that were looked at.
+    /// The number of staircases examined.
     pub states: usize,
     /// The number of lines of radii and of Z on which passes may run and stop.
     pub lines: (usize, usize),
 }
 
-/// The best sequence with rich moves, if it costs less than `known`, and what is proven.
+/// The best sequence with rich moves, if it costs less than `known`, and the proof.
 pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Option<Vec<Pass>>, SearchProof) {
     let lines = staircase::Lines::of(grid);
-    // First a quick search for a good sequence, so that the second search can leave out what cannot be better.
+    // First a quick search for a good sequence, so that the second search can leave out everything that cannot be
+    // better.
     let quick = search::search(&lines, objective, search::Greed::Quick, known, effort / 4);
     let best_cost = quick.found.as_ref().map_or(known, |sequence| sequence.cost);
     let exact = search::search(&lines, objective, search::Greed::Exact, best_cost, effort);

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BinaryHeap};
 use super::super::cost::Objective;
 use super::staircase::{Lines, StairPass, Stairs};
 
-/// How the search weighs the cost of a sequence against the least remaining cost.
+/// The weight of the least remaining cost in the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Greed {
     /// Unweighted: the first goal reached is optimal, and the open states give a lower bound.
@@ -19,7 +19,7 @@ pub enum Greed {
 /// A sequence of cuts.
 #[derive(Clone, Debug)]
 pub struct CutSequence {
-    /// What it costs.
+    /// Its cost.
     pub cost: u64,
     /// The cuts in order.
     pub cuts: Vec<StairPass>,
@@ -32,7 +32,7 @@ pub struct SearchOutcome {
     pub found: Option<CutSequence>,
     /// No sequence costs less than the smaller of this and the known cost; only of an exact search.
     pub bound: u64,
-    /// Staircases that were looked at.
+    /// The number of staircases examined.
     pub states: usize,
 }
 
@@ -95,7 +95,7 @@ pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, eff
                     met.len() - 1
                 }
             };
-            // Of equals the one with fewer passes first, then the one nearer to its end.
+            // Among equals the one with fewer passes first, then the one nearer to its end.
             waiting.push(Reverse((cost.0 + weighed(least), cost.1, least, number)));
         }
     }

@@ -50,7 +50,7 @@ pub struct StairPass {
 }
 
 impl StairPass {
-    /// What it costs.
+    /// Its cost.
     pub fn cost(self, objective: Objective) -> u64 {
         let length = self.length.halves().unsigned_abs();
         match objective {
@@ -112,11 +112,11 @@ impl Lines {
 
     /// A lower bound for the cost from a staircase to the part.
     ///
-    /// Over each column a whole number k of longitudinal passes goes, and removes at most k depths of its height. The
-    /// rest is cut across, and a transverse pass costs its length for at most its depth in thickness. So a column of
-    /// width w and height H costs at least w·(k + (H - k·t)/s) for the best k, with the depths t along and s across.
-    /// The same holds for each row with the directions exchanged; the larger sum is the bound. A pass lowers neither
-    /// sum by more than it costs, so A* need not expand any staircase twice.
+    /// Over each column k longitudinal passes (a whole number) remove at most k depths of its height. The rest is cut
+    /// across, and a transverse pass costs its length for at most its depth in thickness. So a column of width w and
+    /// height H costs at least w·(k + (H - k·t)/s) for the best k, with the depths t along and s across. The same
+    /// holds for each row with the directions exchanged; the larger sum is the bound. A pass lowers neither sum by
+    /// more than its cost, so A* need not expand any staircase twice.
     pub fn at_least(&self, stairs: &Stairs, objective: Objective) -> u64 {
         let (along, across) = (size(self.longitudinal_depth), size(self.transverse_depth));
         if objective == Objective::Passes {
@@ -146,9 +146,9 @@ impl Lines {
         u64::try_from(least).unwrap_or(u64::MAX)
     }
 
-    /// Every pass that a staircase allows. A corner is a line of radii and a line of Z; what is above the one and
-    /// before the other is removed. It may be cut along if it is nowhere deeper than a longitudinal pass may be, and
-    /// across if it is nowhere thicker than a slice may be.
+    /// Every pass that a staircase permits. A corner is a line of radii and a line of Z; the stock above the one and
+    /// before the other is removed. It may be cut along if it is nowhere deeper than a longitudinal pass, and across
+    /// if it is nowhere thicker than a slice.
     pub fn cuts(&self, stairs: &Stairs, cuts: &mut Vec<StairPass>) {
         cuts.clear();
         for to in 1..=stairs.len() {
@@ -167,14 +167,14 @@ impl Lines {
         }
     }
 
-    /// Carries a pass out.
+    /// Executes a pass.
     pub fn cut(&self, stairs: &mut Stairs, cut: StairPass) {
         for at in stairs.iter_mut().take(cut.to).skip(cut.from) {
             *at = cut.line;
         }
     }
 
-    /// The pass as people know it.
+    /// The pass in the form of the output.
     pub fn pass(&self, stairs: &Stairs, cut: StairPass, reason: Note) -> Pass {
         let (radius, before) =
             (self.radius(cut.line), self.radius(stairs.get(cut.to - 1).copied().unwrap_or_default()));
