@@ -118,8 +118,8 @@ fn beyond(from: Point, by: Vector) -> Point {
     from.moved(by.times(share))
 }
 
-/// The least radius of an inner corner or a concave arc of a contour that a nose does not reach, and the largest nose
-/// that would; none if the nose reaches everything. Only arcs are checked: no nose reaches sharp inner corners.
+/// The least radius of the concave arcs of a contour: a nose with a larger radius does not reach all of it. None without
+/// such arcs. Sharp inner corners do not count, because no nose reaches them.
 pub fn tightest(contour: &Contour) -> Option<Half> {
     let hollow = contour.pieces.iter().filter_map(|piece| match piece.curve {
         Curve::Arc { radius, turn }

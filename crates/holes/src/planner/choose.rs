@@ -133,8 +133,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let before = self.total();
             self.rounds(order);
             for tool in 0..self.used.len() {
-                self.together(tool, order);
-                self.without(tool, order);
+                self.all_take(tool, order);
+                self.all_drop(tool, order);
             }
             if self.total() >= before {
                 break;
@@ -154,7 +154,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
     }
 
     /// Every group that can use a tool takes its best route with it; kept when the whole part gets better.
-    fn together(&mut self, tool: usize, order: &[usize]) {
+    fn all_take(&mut self, tool: usize, order: &[usize]) {
         let users = |group: &usize| self.tools[*group].iter().any(|own| own.contains(&tool));
         if order.iter().filter(|group| users(group)).count() > 1 {
             self.try_all(order, |own| own.contains(&tool));
@@ -162,7 +162,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
     }
 
     /// Every group that uses a tool takes its best route without it; kept when the whole part gets better.
-    fn without(&mut self, tool: usize, order: &[usize]) {
+    fn all_drop(&mut self, tool: usize, order: &[usize]) {
         if self.used[tool] > 1 {
             self.try_all(order, |own| !own.contains(&tool));
         }
@@ -177,7 +177,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             self.take(group, best.or(old));
         }
         self.rounds(order);
-        if !self.lends() || self.total() >= total {
+        if !self.all_fit() || self.total() >= total {
             self.restore(&before);
         }
     }
@@ -193,7 +193,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
                 let mut taken = None;
                 for index in ranked {
                     self.take(group, Some(index));
-                    if self.lends() {
+                    if self.all_fit() {
                         taken = Some(index);
                         break;
                     }
@@ -230,19 +230,19 @@ impl<'a, 'k> Chooser<'a, 'k> {
     }
 
     /// Whether another group has the drill in the magazine.
-    fn lent(&self, drill: Micrometres, group: usize) -> bool {
+    fn has_elsewhere(&self, drill: Micrometres, group: usize) -> bool {
         let others = (0..self.chosen.len()).filter(|other| *other != group).filter_map(|other| self.choice(other));
         others.flat_map(drills_of).any(|own| own == drill)
     }
 
     /// Whether a route agrees with the rule of two-pass drilling, given the routes of the other groups.
     fn fits(&self, group: usize, choice: &Choice) -> bool {
-        choice.borrowed.is_none_or(|drill| self.lent(drill, group))
-            && choice.instead_of.is_none_or(|drill| !self.lent(drill, group))
+        choice.borrowed.is_none_or(|drill| self.has_elsewhere(drill, group))
+            && choice.instead_of.is_none_or(|drill| !self.has_elsewhere(drill, group))
     }
 
     /// Whether every chosen route agrees with that rule.
-    fn lends(&self) -> bool {
+    fn all_fit(&self) -> bool {
         (0..self.chosen.len()).all(|group| self.choice(group).is_none_or(|choice| self.fits(group, choice)))
     }
 
@@ -299,16 +299,16 @@ impl<'a, 'k> Chooser<'a, 'k> {
     }
 
     /// The group's time, and the routes it was compared with, best first, each with the reason why it lost.
-    pub fn weighed(&mut self, group: usize) -> Option<Weighed> {
+    pub fn comparison(&mut self, group: usize) -> Option<ComparedRoutes> {
         let chosen = self.chosen[group]?;
         // The time beside the tools of the other groups.
         self.take(group, None);
-        let weighed = self.weigh(group, chosen);
+        let compared = self.compare(group, chosen);
         self.take(group, Some(chosen));
-        weighed
+        compared
     }
 
-    fn weigh(&self, group: usize, chosen: usize) -> Option<Weighed> {
+    fn compare(&self, group: usize, chosen: usize) -> Option<ComparedRoutes> {
         let options = self.options[group].as_ref()?;
         let winner = &options.choices[chosen];
         let time = self.time(group, chosen, winner);
@@ -344,14 +344,14 @@ impl<'a, 'k> Chooser<'a, 'k> {
             .first()
             .and_then(|runner_up| runner_up.time_min)
             .map(|runner_up| Minutes(runner_up.0 - time.0).rounded(3));
-        alternatives.extend(options.refused.iter().map(RefusedRoute::told));
+        alternatives.extend(options.refused.iter().map(RefusedRoute::to_alternative));
         let cost = self.shop.machine.minute_rate.map(|rate| round_to(time.0 * rate, 2));
-        Some(Weighed { time: time.rounded(3), cost, margin, alternatives })
+        Some(ComparedRoutes { time: time.rounded(3), cost, margin, alternatives })
     }
 }
 
 /// The routes that a group's route was compared with.
-pub(super) struct Weighed {
+pub(super) struct ComparedRoutes {
     pub time: Minutes,
     /// In the currency of the machine's record.
     pub cost: Option<f64>,

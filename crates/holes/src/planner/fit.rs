@@ -386,7 +386,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(Outfit { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), took, doubts })
     }
 
-    /// Checks that the circularity error of the machine leaves enough of the tolerance for a milled cylinder.
+    /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.
     fn round_enough(&self, step: &RouteStep) -> Tried<()> {
         let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
         let tolerance = match step.place.step {
@@ -434,7 +434,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
 ///
 /// # Errors
 /// The knowledge base has no answer.
-pub fn way(
+pub fn feed_travel(
     step: &RouteStep,
     hole: &Hole,
     part: &Part,

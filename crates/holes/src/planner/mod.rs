@@ -28,8 +28,8 @@ use crate::shop::Shop;
 use crate::units::round_to;
 use crate::{sequence, setup, tooling, zone};
 
-use choose::{Chooser, Weighed};
-pub use fit::way;
+use choose::{Chooser, ComparedRoutes};
+pub use fit::feed_travel;
 use fit::{Fitted, Fitting};
 use options::{Choice, Options};
 
@@ -146,7 +146,7 @@ fn draft(
     findings: &mut Vec<Finding>,
 ) -> Result<HoleDraft, KnowledgeError> {
     let mut report = |severity, note| findings.push(Finding::of_hole(severity, &hole.name, note));
-    let weighed = chooser.weighed(index);
+    let compared = chooser.comparison(index);
     let chosen = chooser.chosen[index];
     let Some(options) = &chooser.options[index] else { return Ok(HoleDraft { route: None, steps: Vec::new() }) };
     for note in &options.impossible {
@@ -158,7 +158,7 @@ fn draft(
     for note in &options.remarks {
         report(Severity::Note, note.clone());
     }
-    let (Some(weighed), Some(choice)) = (weighed, chosen.and_then(|chosen| options.choices.get(chosen))) else {
+    let (Some(compared), Some(choice)) = (compared, chosen.and_then(|chosen| options.choices.get(chosen))) else {
         report(
             Severity::Error,
             Note::new("no-route").with("diameter", &hole.diameter).with("tried", options.refused.len()),
@@ -215,7 +215,7 @@ fn draft(
     for note in fitting.beyond(&steps, part.blank.thickness) {
         report(Severity::Error, note);
     }
-    Ok(HoleDraft { route: Some(route(choice, options, weighed)), steps })
+    Ok(HoleDraft { route: Some(route(choice, options, compared)), steps })
 }
 
 /// Why the routes of a group were refused: each reason once, with the schemes it kept out.
@@ -232,7 +232,7 @@ fn by_reason(options: &Options) -> Vec<(Note, Vec<String>)> {
     reasons
 }
 
-fn route(choice: &Choice, options: &Options, weighed: Weighed) -> Route {
+fn route(choice: &Choice, options: &Options, compared: ComparedRoutes) -> Route {
     let candidate = &choice.candidate;
     let mut because: Vec<Because> = options.stages.iter().cloned().collect();
     because.extend(candidate.because.clone());
@@ -243,10 +243,10 @@ fn route(choice: &Choice, options: &Options, weighed: Weighed) -> Route {
         finish_elsewhere: candidate.finish_elsewhere,
         meets: choice.meets(),
         centre_tolerance_mm: options.centre_tolerance,
-        time_min: weighed.time,
-        cost: weighed.cost,
-        margin_min: weighed.margin,
-        alternatives: weighed.alternatives,
+        time_min: compared.time,
+        cost: compared.cost,
+        margin_min: compared.margin,
+        alternatives: compared.alternatives,
         because,
     }
 }

@@ -22,7 +22,7 @@ use crate::units::{Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
 use super::sources::{none, refused};
-use super::whole::{Finder, edges, hops, smallest_bore};
+use super::whole::{Finder, edges, rapids_between, smallest_bore};
 
 /// A route that can be carried out.
 #[derive(Clone, Debug)]
@@ -64,7 +64,7 @@ pub(super) struct RefusedRoute {
 
 impl RefusedRoute {
     /// The route as a plan shows it.
-    pub fn told(&self) -> Alternative {
+    pub fn to_alternative(&self) -> Alternative {
         Alternative {
             way: self.way,
             table: self.table.clone(),
@@ -160,7 +160,7 @@ pub(super) fn options(
         position: accuracy::Position::new(main, part, shop)?,
         shop,
         opened: RefCell::new(BTreeMap::new()),
-        hops: hops(hole, shop),
+        rapids_between: rapids_between(hole, shop),
         hands: Hands::read(shop.knowledge)?,
         drilled: accuracy::drilled(shop)?,
         level_floor: true,

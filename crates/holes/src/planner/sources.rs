@@ -24,7 +24,7 @@ impl Finder<'_, '_> {
     /// Tries all three sources; routes finished on another machine are not compared with the others.
     pub fn every_way(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         if let Some(candidate) = self.tapped_at_once()? {
-            self.weigh(&candidate, options)?;
+            self.try_candidate(&candidate, options)?;
             return Ok(());
         }
         self.tables(kind, options)?;
@@ -85,7 +85,7 @@ impl Finder<'_, '_> {
                 }
                 continue;
             }
-            if self.weigh(&candidate, options)? {
+            if self.try_candidate(&candidate, options)? {
                 taken = Some(format!("{} {}", candidate.table, candidate.scheme));
             }
         }
@@ -101,7 +101,7 @@ impl Finder<'_, '_> {
             Err(why) => options.refused.push(none(RouteSource::Complexes, "A.4", why)),
             Ok(complexes) => {
                 for candidate in complexes {
-                    self.weigh(&candidate, options)?;
+                    self.try_candidate(&candidate, options)?;
                 }
             }
         }
@@ -119,7 +119,7 @@ impl Finder<'_, '_> {
                         candidate.transitions.push(Operation::Tap);
                         candidate.scheme.push_str(" + tap");
                     }
-                    self.weigh(&candidate, options)?;
+                    self.try_candidate(&candidate, options)?;
                 }
             }
         }
@@ -127,7 +127,7 @@ impl Finder<'_, '_> {
     }
 
     /// Tries a candidate and files it as feasible or refused; returns whether it is feasible.
-    fn weigh(&self, candidate: &Candidate, options: &mut Options) -> Result<bool, KnowledgeError> {
+    fn try_candidate(&self, candidate: &Candidate, options: &mut Options) -> Result<bool, KnowledgeError> {
         // One route with a cutter for each opening, one with a step drill for hole and opening at once.
         let plain = Refusal::split(self.carried_out(candidate, false))?;
         let joined =
@@ -200,7 +200,7 @@ impl Finder<'_, '_> {
     }
 
     fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Choice {
-        let own = steps.iter().map(|fitted| self.time(fitted) + self.hops.0).sum::<f64>();
+        let own = steps.iter().map(|fitted| self.time(fitted) + self.rapids_between.0).sum::<f64>();
         let borrowed = steps.iter().find(|fitted| fitted.step.borrowed).map(|fitted| fitted.step.diameter);
         let misses = self.misses(candidate, &steps);
         Choice {

@@ -37,7 +37,7 @@ pub(super) struct Finder<'a, 'k> {
     pub shop: &'a Shop<'k>,
     /// The best steps to open each wider cylinder from a diameter, found so far.
     pub opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
-    pub hops: Minutes,
+    pub rapids_between: Minutes,
     /// The times of the operator's manual work.
     pub hands: Hands,
     /// The step that cuts each edge, or why there is none.
@@ -55,7 +55,7 @@ impl Finder<'_, '_> {
     pub fn cost(&self, steps: &[RouteStep]) -> Tried<Minutes> {
         let mut minutes = 0.0;
         for step in steps {
-            minutes += self.shop.machine.tool_change.0 + self.hops.0;
+            minutes += self.shop.machine.tool_change.0 + self.rapids_between.0;
             if step.operation == Operation::CentreDrill {
                 continue;
             }
@@ -83,17 +83,17 @@ impl Finder<'_, '_> {
     /// The steps of the whole hole for a candidate: as the rules prefer, otherwise with one drill, otherwise with
     /// boring in place of milling.
     pub fn carried_out(&self, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
-        self.by_any(candidate, joined, &[(false, false), (true, false), (false, true), (true, true)])
+        self.by_first_attempt(candidate, joined, &[(false, false), (true, false), (false, true), (true, true)])
     }
 
     /// As `carried_out`, but with one drill only.
     pub fn carried_out_alone(&self, candidate: &Candidate) -> Tried<Vec<Fitted>> {
-        self.by_any(candidate, false, &[(true, false), (true, true)])
+        self.by_first_attempt(candidate, false, &[(true, false), (true, true)])
     }
 
     /// The steps by the first attempt that succeeds. An attempt says whether to drill in one pass and whether to bore
     /// what would be milled.
-    fn by_any(&self, candidate: &Candidate, joined: bool, attempts: &[(bool, bool)]) -> Tried<Vec<Fitted>> {
+    fn by_first_attempt(&self, candidate: &Candidate, joined: bool, attempts: &[(bool, bool)]) -> Tried<Vec<Fitted>> {
         let mut first_why = None;
         for &(single_drill, bore_large) in attempts {
             let sizes = Sizes { single_drill, bore_large, ..self.sizes };
@@ -361,7 +361,7 @@ pub(super) fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeErr
 }
 
 /// Time of the rapids between the holes of one group for one tool: for comparing routes, not the path itself.
-pub(super) fn hops(hole: &Hole, shop: &Shop<'_>) -> Minutes {
+pub(super) fn rapids_between(hole: &Hole, shop: &Shop<'_>) -> Minutes {
     let mut points = hole.at.clone();
     points.sort_unstable();
     let way: f64 =

@@ -61,7 +61,7 @@ pub(super) fn of_row<'k>(
 }
 
 /// As `of_row`, with the reason as a plan shows it.
-fn told_of_row(
+fn of_row_with_reason(
     row: &NextTransition<'_>,
     shop: &Shop<'_>,
 ) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
@@ -107,7 +107,7 @@ pub fn write(
         let next = if state == HoleState::Finished { Vec::new() } else { after(state, asked, shop)?.winners()? };
         if let Some(row) = next.iter().find(|row| row.operation == operation) {
             state = row.leaves;
-            reached = told_of_row(row, shop)?;
+            reached = of_row_with_reason(row, shop)?;
         }
         // What another machine reaches is not known here.
         if step.operation == Operation::CentreDrill || step.elsewhere && step.operation != Operation::Tap {
@@ -148,7 +148,7 @@ pub fn write(
                 let note = Note::new("promised").with("it", promise.it).with("own", own);
                 step.because.push(Because::table(shop.knowledge.table_of::<HoleAccuracy<'_>>()?, note));
             }
-            // A promised value that is asked for is no finer than what the transitions reach.
+            // The promise of a table counts only where the chain gives no value.
             it = it.or(Some(promise.it));
             roughness = roughness.or(promise.roughness);
         }

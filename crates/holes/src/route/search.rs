@@ -63,7 +63,7 @@ pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'
     let mut graph = Graph::new(bore, sizes, cost, shop)?;
     let goal = graph.goal()?;
     let Some(start) = graph.start else {
-        return Err(Refusal::Not(telling(graph.failed, bore)));
+        return Err(Refusal::Not(most_informative(graph.failed, bore)));
     };
     let mut paths: Vec<Vec<NodeIndex>> = all_simple_paths::<Vec<_>, _, std::collections::hash_map::RandomState>(
         &graph.states,
@@ -101,13 +101,13 @@ pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'
     routes.dedup_by(|a, b| a.1 == b.1);
     routes.truncate(MOST);
     if routes.is_empty() {
-        return Err(Refusal::Not(telling(graph.failed, bore)));
+        return Err(Refusal::Not(most_informative(graph.failed, bore)));
     }
     routes.into_iter().map(|(_, operations, rows)| candidate(operations, &rows, shop)).collect()
 }
 
 /// The reason nearest to the end of the route that concerns a tool or a stock, not the search itself.
-fn telling(failed: Vec<Reason>, bore: &Bore) -> Reason {
+fn most_informative(failed: Vec<Reason>, bore: &Bore) -> Reason {
     let own = |why: &Reason| {
         matches!(why, Reason::Unreachable { .. } | Reason::BoredByAnother { .. } | Reason::NoHoleToOpen { .. })
     };

@@ -34,7 +34,7 @@ impl Bounds {
 }
 
 /// A query over the index.
-pub(super) trait Quest {
+pub(super) trait Query {
     /// The least possible cost of a point in a box; none if no point of it is wanted.
     fn least(&self, number: usize, bounds: &Bounds) -> Option<i64>;
     /// Looks at one point.
@@ -104,23 +104,23 @@ impl<'p> PointBoxes<'p> {
     }
 
     /// Visits the points that a query may want, the cheaper boxes first.
-    pub(super) fn seek(&self, quest: &mut impl Quest) {
-        self.seek_in(&self.all(), quest);
+    pub(super) fn seek(&self, query: &mut impl Query) {
+        self.seek_in(&self.all(), query);
     }
 
-    fn seek_in(&self, part: &BoxOfPoints, quest: &mut impl Quest) {
+    fn seek_in(&self, part: &BoxOfPoints, query: &mut impl Query) {
         let Some(mut halves) = part.halves() else {
-            return self.order[part.range.clone()].iter().for_each(|&point| quest.meet(point as usize));
+            return self.order[part.range.clone()].iter().for_each(|&point| query.meet(point as usize));
         };
-        let least = |half: &BoxOfPoints, quest: &_| Quest::least(quest, half.number, &self.bounds[half.number]);
-        match halves.each_ref().map(|half| least(half, quest)) {
+        let least = |half: &BoxOfPoints, query: &_| Query::least(query, half.number, &self.bounds[half.number]);
+        match halves.each_ref().map(|half| least(half, query)) {
             [Some(one), Some(other)] if other < one => halves.reverse(),
             [None, Some(_)] => halves.reverse(),
             _ => {}
         }
         for half in halves {
-            if least(&half, quest).is_some() {
-                self.seek_in(&half, quest);
+            if least(&half, query).is_some() {
+                self.seek_in(&half, query);
             }
         }
     }

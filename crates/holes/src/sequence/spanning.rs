@@ -5,7 +5,7 @@
 //! much, or where all its points are of the same tree. Edges are ordered by cost and ends, so that no two are equal.
 
 use super::metric::Metric;
-use super::places::{Bounds, PointBoxes, Quest};
+use super::places::{Bounds, PointBoxes, Query};
 use super::tour::Space;
 use crate::part::Point;
 
@@ -125,7 +125,7 @@ struct Outside<'s> {
     best: Edge,
 }
 
-impl Quest for Outside<'_> {
+impl Query for Outside<'_> {
     fn least(&self, number: usize, bounds: &Bounds) -> Option<i64> {
         if self.of_boxes[number].is_none_or(|tree| tree == self.trees[self.node]) {
             return None;

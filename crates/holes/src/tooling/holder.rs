@@ -51,7 +51,7 @@ pub fn assemble<'k>(
     need: &CutterNeed<'_>,
     shop: &Shop<'k>,
 ) -> Result<Result<Assembly, Vec<Unfit>>, KnowledgeError> {
-    let held = match hold(cutter, need, holders(cutter.head, need.operation, shop)?, shop)? {
+    let held = match first_holder(cutter, need, holders(cutter.head, need.operation, shop)?, shop)? {
         Ok(held) => held,
         Err(why) => return Ok(Err(why)),
     };

@@ -12,7 +12,7 @@ use crate::tables::rules::{ToolTables, ToolTablesFor};
 use crate::tables::tools::{BoringStage, CutterRow};
 
 use super::cutter::{By, Cutter, CutterNeed, Tables, designation, is_grindable};
-use super::holder::{hold, holders};
+use super::holder::{first_holder, holders};
 use super::reach::{reach_of, refuse};
 
 /// Rows of the right size, in the order of trial: mills from the largest, cones and ground cutters from the smallest,
@@ -141,7 +141,7 @@ pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
             }
             let by = By::Order { rule: Rc::clone(&rule), operation, ground: None, size: diameter };
             let cutter = Cutter { row, head, designation: designation(row, &need)?, diameter, by, over: Vec::new() };
-            if let Ok(held) = hold(&cutter, &need, holders, shop)? {
+            if let Ok(held) = first_holder(&cutter, &need, holders, shop)? {
                 reach = reach.max(reach_of(row).unwrap_or_default().min(held.overhang.length));
             }
         }

@@ -13,8 +13,8 @@ use crate::units::{Degrees, Micrometres};
 
 use super::{Operation, plan};
 
-/// The axial length of the wall that a pass leaves before its foot, plus a clearance: an edge with an angle below or
-/// above 90° leaves it over the depth of the pass.
+/// How far the wall that a pass leaves extends before its foot, plus a clearance: an edge with φ above 90° leaves it
+/// inclined over the depth of the pass.
 fn lean(depth: Micrometres, lead: Degrees) -> Micrometres {
     /// The clearance, mm.
     const FREE: f64 = 0.2;

@@ -224,8 +224,9 @@ impl Making<'_, '_, '_> {
             let pitch = hole.thread_at(row.step).map(|thread| thread.pitch);
             RouteStep { pitch, ..RouteStep::plain(row.operation.value, place, diameter, from) }
         };
-        let way =
-            |through, sizes| planner::way(&step(through, sizes), hole, &self.context.stated.part, &self.context.shop);
+        let way = |through, sizes| {
+            planner::feed_travel(&step(through, sizes), hole, &self.context.stated.part, &self.context.shop)
+        };
         let bores = row.of_main_cylinder() && !row.operation.value.is_of_edge();
         let mut through = hole.through && bores && row.operation.value != Operation::CentreDrill;
         if let Some(ours) = ours {

@@ -80,7 +80,7 @@ impl Backwards<'_, '_> {
             let note = Note::new(code).with("advised", advised).with("taken", before);
             because.push(Because::row(row.row, note.with("low", smallest).with("high", largest)));
         }
-        // Reamers and core drills of the catalog are ground down to a size for every step but the last.
+        // A smaller reamer or core drill is a catalog tool of the nominal size, ground down.
         let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
         let nominal = if fixed { bore.diameter.nominal } else { after };
         if fixed && after != nominal {

@@ -15,7 +15,7 @@ mod search;
 use crate::part::Point;
 
 use super::metric::Metric;
-use super::places::{Bounds, PointBoxes, Quest};
+use super::places::{Bounds, PointBoxes, Query};
 
 pub use exact::EXACT_POINTS;
 
@@ -191,7 +191,7 @@ struct Nearest<'s> {
     found: Option<(i64, usize)>,
 }
 
-impl Quest for Nearest<'_> {
+impl Query for Nearest<'_> {
     fn least(&self, number: usize, bounds: &Bounds) -> Option<i64> {
         let here = self.points[self.here];
         let cost = Metric::Euclid.cost(here, bounds.nearest(here));

@@ -1,6 +1,6 @@
 //! The near points of every point: nearly all edges of short trees and tours join near points.
 
-use super::super::places::{Bounds, PointBoxes, Quest};
+use super::super::places::{Bounds, PointBoxes, Query};
 use super::Space;
 use crate::part::Point;
 
@@ -52,7 +52,7 @@ impl Around<'_> {
     }
 }
 
-impl Quest for Around<'_> {
+impl Query for Around<'_> {
     fn least(&self, _: usize, bounds: &Bounds) -> Option<i64> {
         let cost = self.space.metric.cost(self.at, bounds.nearest(self.at));
         // A box lies within one quadrant if its corners do; otherwise its best point may be in any of them.
