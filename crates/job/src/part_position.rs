@@ -21,11 +21,10 @@ pub(super) struct PartPosition {
     pub nose: Micrometres,
 }
 
+/// The zero of a set-up, and findings about what does not fit.
+///
 /// - X and Y: the middle of the blank is over the middle of the table, where the machine has its zero. If points
 ///   would then be outside the travel, the blank is shifted so that they are in its middle.
-///
-/// - X and Y: the middle of the blank lies over the middle of the table, where the machine has its zero; where points
-///   would then lie outside the travel, the blank is shifted so that they lie in its middle.
 /// - Z: the knee is as high as the longest tool allows: with the quill retracted this tool clears the part by the
 ///   retract height. It is the reference tool of the corrections, so its tip is used for measuring the zero.
 /// - Under the part there is room for tools that go through: without a height of the fixture, supports of whole

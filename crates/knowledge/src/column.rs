@@ -116,9 +116,9 @@ pub struct Column {
     pub ty: ColumnType,
     /// The unit of its cells.
     pub unit: Unit,
-    /// Its name for people, where the plain name is not enough.
+    /// The letter that the source uses.
     pub symbol: Option<String>,
-    /// Its name for people, where the plain name does not do.
+    /// Its name for people, where the plain name is not enough.
     pub label: Option<Label>,
     /// Field, input or output.
     pub role: ColumnRole,

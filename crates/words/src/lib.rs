@@ -33,7 +33,7 @@ impl Lang {
         LANGUAGES.iter().map(|language| Self(language))
     }
 
-    /// A language that is not registered: of a folder that is being translated.
+    /// A language that is not registered: a folder under translation.
     pub const fn of(language: &'static Language) -> Self {
         Self(language)
     }

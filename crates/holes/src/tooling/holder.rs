@@ -132,7 +132,7 @@ pub(super) fn holders<'s, 'k>(
 }
 
 /// The first of the holders that takes a cutter, as in [`assemble`].
-pub(super) fn hold<'s, 'k>(
+pub(super) fn first_holder<'s, 'k>(
     cutter: &Cutter<'_, 'k>,
     need: &CutterNeed<'_>,
     holders: &'s [HolderRow<'k>],

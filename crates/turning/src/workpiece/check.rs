@@ -165,7 +165,7 @@ fn outside(surface: &Surface, blank: &Contour) -> Option<(Half, Half, Half)> {
         let (least, most) = range.unwrap_or((point.z, point.z));
         Some((point.z.min(least), point.z.max(most)))
     })?;
-    // An arc may swing out by its rounding.
+    // An arc may exceed the limit by its rounding.
     let blank = blank.near(least - SLACK, most + SLACK);
     let pieces = part.pieces.iter().chain(&blank.pieces);
     let mut places: Vec<Half> = pieces.flat_map(|piece| flat(*piece)).map(|point| point.z).collect();

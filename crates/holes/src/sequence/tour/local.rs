@@ -132,7 +132,7 @@ impl<'s> Tour<'s> {
         if low <= high { low <= at && at <= high } else { at >= low || at <= high }
     }
 
-    /// Reverses the stretch from one node on to another, and remembers it.
+    /// Reverses the stretch from one node forward to another, and logs it.
     pub(super) fn reverse(&mut self, from: u32, to: u32) {
         let (from, to) = if self.mirror { (to, from) } else { (from, to) };
         self.log.push((from, to));
