@@ -35,7 +35,8 @@ pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> R
 
 /// The speed to use in place of that of the formula, by the rule `second-opinion`, and the reason.
 ///
-/// # Errors The tables cannot answer.
+/// # Errors
+/// The tables cannot answer.
 pub fn held(
     formula: MetresPerMinute,
     cut: &Cut,

@@ -32,7 +32,8 @@ impl Nose {
     /// A monotone contour as the reference point meets it, over the same range of Z. It may extend beyond the axis by
     /// r: a face is clean when the centre of the nose is on the axis.
     ///
-    /// # Errors The contour has no offset at r.
+    /// # Errors
+    /// The contour has no offset at r.
     pub fn seen(&self, contour: &Contour) -> Result<Contour, EquidistantError> {
         let (Some(start), Some(end)) = (contour.start(), contour.end()) else { return Ok(contour.clone()) };
         if self.radius == Half::ZERO {

@@ -56,7 +56,8 @@ pub struct Elsewhere {
 /// of the whole part. A main surface without grade and roughness, and a part without a lathe, cannot be compared: a
 /// finding says so.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub fn elsewhere(
     profile: &Profile,
     holds: Option<&LatheAccuracy>,

@@ -99,7 +99,8 @@ pub struct Over {
 /// perpendicular to the ends of the contour; on the axis it reaches the axis. It does not run back, except by half a
 /// micrometre of rounding where an arc ends upright.
 ///
-/// # Errors The contour is empty, broken or runs back; a distance is missing or negative.
+/// # Errors
+/// The contour is empty, broken or runs back; a distance is missing or negative.
 pub fn equidistant(contour: &Contour, distances: &[Half]) -> Result<Contour, EquidistantError> {
     let pieces = equidistant_over(contour, distances)?.into_iter().map(|over| over.piece).collect();
     Ok(Contour { side: contour.side, pieces })
@@ -107,7 +108,8 @@ pub fn equidistant(contour: &Contour, distances: &[Half]) -> Result<Contour, Equ
 
 /// The same, with the piece of the contour below each piece.
 ///
-/// # Errors As [`equidistant`].
+/// # Errors
+/// As [`equidistant`].
 pub fn equidistant_over(contour: &Contour, distances: &[Half]) -> Result<Vec<Over>, EquidistantError> {
     check(contour, distances)?;
     if contour.side == Side::Inner {

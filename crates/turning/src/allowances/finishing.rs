@@ -113,7 +113,8 @@ pub fn finishing(
 /// The finishing allowance on one side for a place and a size, also for a bridge, which is no surface. None if the
 /// table has no row for the size or the file states no allowance.
 ///
-/// # Errors The knowledge base lacks a table or a row that must be there.
+/// # Errors
+/// The knowledge base lacks a table or a row that must be there.
 pub fn allowance(
     place: Place,
     diameter: Micrometres,

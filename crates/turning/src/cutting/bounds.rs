@@ -351,7 +351,8 @@ fn overhang(cut: &TurningCut<'_, '_>, shank: Shank) -> Tried<(f64, Vec<Because>)
 
 /// The overhang of a boring bar for a bore of a depth: the depth and a clearance (`turning-limits`), and the reason.
 ///
-/// # Errors The bar would stand out farther than its row says, or than `turning-limits` lets a bar of steel of its
+/// # Errors
+/// The bar would stand out farther than its row says, or than `turning-limits` lets a bar of steel of its
 /// diameter: overhang ≤ ratio · d. A tool without a bar has no such limit, and its overhang is that sum.
 pub fn bar_overhang(
     tool: &TurningTool<'_>,

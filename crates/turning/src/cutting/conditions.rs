@@ -77,7 +77,8 @@ impl TurningConditions {
 /// not enough, the speed is reduced until it is. Feed rates outside the range of the axis are set to its end. A
 /// grooving tool cuts its own width, whatever depth is given.
 ///
-/// # Errors No feed or speed is known; the roughness is finer than the tables or the lathe allow; the depth is not
+/// # Errors
+/// No feed or speed is known; the roughness is finer than the tables or the lathe allow; the depth is not
 /// above zero; threads; a broken table.
 pub fn conditions(
     cut: &TurningCut<'_, '_>,

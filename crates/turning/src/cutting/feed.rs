@@ -26,7 +26,8 @@ pub struct Feed {
 /// The feed of a roughing pass at a depth (`turning-rough-feed`, `turning-boring-feed`); for a grooving tool its feed
 /// at the diameter (`grooving-feed`), whatever the depth. It is the lower end of the handbook's range.
 ///
-/// # Errors The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
+/// # Errors
+/// The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
 pub fn rough_feed(cut: &TurningCut<'_, '_>, depth: Micrometres) -> Tried<Feed, CuttingRefusal> {
     let (diameter, process) = (cut.diameter, cut.process());
     let lacks = |quantity: &str| Refusal::Not(CuttingRefusal::Figure(cut.tool_lacks(quantity).during(process)));
@@ -67,7 +68,8 @@ pub fn rough_feed(cut: &TurningCut<'_, '_>, depth: Micrometres) -> Tried<Feed, C
 /// s ≤ √(31.2·Ra·r/(1000·k)), mm/rev, with Ra in µm, r in mm and k of `turning-limits`, the ratio of real to
 /// theoretical roughness (Ra = 1000·s²/(31.2·r)).
 ///
-/// # Errors The roughness is finer than the table; the tool's row has no nose radius, or one below the table's;
+/// # Errors
+/// The roughness is finer than the table; the tool's row has no nose radius, or one below the table's;
 /// threads.
 pub fn finish_feed(cut: &TurningCut<'_, '_>, roughness: Roughness) -> Tried<Feed, CuttingRefusal> {
     let process = cut.process();
@@ -111,7 +113,8 @@ const ARC: f64 = 31.2;
 /// The roughness to be finished where the drawing gives none, by the grade of the surface (rule
 /// `turning-roughness-unsaid`).
 ///
-/// # Errors The knowledge base lacks the rule, or a row of it.
+/// # Errors
+/// The knowledge base lacks the rule, or a row of it.
 pub fn unsaid_roughness(grade: Option<ItGrade>, knowledge: &Knowledge) -> Result<(Roughness, Because), KnowledgeError> {
     let asked = knowledge.ask(&TurningRoughnessUnsaidFor { it: grade })?;
     let roughness = asked.need("this grade")?.roughness;
@@ -121,7 +124,8 @@ pub fn unsaid_roughness(grade: Option<ItGrade>, knowledge: &Knowledge) -> Result
 /// The least depth of a finishing pass, so that the nose cuts and does not rub: a share of its radius
 /// (`turning-limits`). None for a tool whose row has no nose.
 ///
-/// # Errors The table does not have the share.
+/// # Errors
+/// The table does not have the share.
 pub fn least_finishing_depth(
     tool: &TurningTool<'_>,
     knowledge: &Knowledge,
@@ -133,7 +137,8 @@ pub fn least_finishing_depth(
 /// Whether a tool may cut on its return (rule `turning-cut-back`), with its second edge, whose angle is φ1. A zigzag
 /// requires it.
 ///
-/// # Errors The knowledge base lacks the rule, or a row of it.
+/// # Errors
+/// The knowledge base lacks the rule, or a row of it.
 pub fn cuts_back(tool: &TurningTool<'_>, knowledge: &Knowledge) -> Result<(bool, Because), KnowledgeError> {
     let asked = knowledge.ask(&TurningCutBackFor { trail_angle: Degrees(tool.trail_angle.to_f64()) })?;
     let back = asked.need(tool.designation)?.cuts_back;

@@ -63,7 +63,8 @@ impl ForceLaw {
 /// For a material whose group has no coefficients, the force comes from `specific-cutting-force`. If its grade has no
 /// group of VDI 3323 either, the figures of another group are used, and the reason names that group.
 ///
-/// # Errors A table has no figure for this material, or the tool's row has no insert, so that its rake is unknown.
+/// # Errors
+/// A table has no figure for this material, or the tool's row has no insert, so that its rake is unknown.
 pub(super) fn force(
     cut: &TurningCut<'_, '_>,
     component: Component,

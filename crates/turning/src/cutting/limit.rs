@@ -123,7 +123,8 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
 /// need less power again, but smaller depths must be possible too, because levels are seldom full. The limiting depth
 /// is the least of all, so every depth up to it is allowed, rounded down to the step.
 ///
-/// # Errors A grooving tool (its depth of cut is its width) or a threading tool; a diameter or feed that is not above
+/// # Errors
+/// A grooving tool (its depth of cut is its width) or a threading tool; a diameter or feed that is not above
 /// zero; no figures for the speed of the tool life; no load that can be calculated, so that the depth is unknown; a
 /// broken table.
 pub fn limiting_depth(

@@ -100,7 +100,8 @@ impl SpeedLaw<'_> {
 /// For a material whose group has no coefficients, the speed is the middle of those used in shops, times Kpv. If no
 /// shop table has the material either, the figures of another group are used, and the reason names that group.
 ///
-/// # Errors A table has no figure for this material or tool.
+/// # Errors
+/// A table has no figure for this material or tool.
 pub(super) fn speed<'k>(
     cut: &TurningCut<'_, 'k>,
     feed: MillimetresPerRev,

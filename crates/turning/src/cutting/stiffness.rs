@@ -85,7 +85,8 @@ impl HeldPart {
     /// A part of a material with its sections, the first at the jaws. None without sections, or with a section that
     /// is no solid body.
     ///
-    /// # Errors The knowledge base has no modulus of elasticity for the material's group.
+    /// # Errors
+    /// The knowledge base has no modulus of elasticity for the material's group.
     pub fn of(
         support: PartSupport,
         sections: Vec<PartSection>,

@@ -40,7 +40,8 @@ pub struct Parting {
 
 /// The job of parting off, with the narrowest suitable blade: it wastes the least bar.
 ///
-/// # Errors No blade is long enough, or the jaws are too near, with the inequality; or the knowledge base lacks a table.
+/// # Errors
+/// No blade is long enough, or the jaws are too near, with the inequality; or the knowledge base lacks a table.
 pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
     let mut limits = Limits::of(bench.knowledge);

@@ -25,7 +25,8 @@ fn lean(depth: Micrometres, lead: Degrees) -> Micrometres {
 /// The operation with the rough jobs of its first set-up replaced by one job with the passes of a variant. Tool,
 /// conditions and everything else are those of the operation.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub fn by_passes(shaft: &Shaft, variant: &Variant, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     let mut operation = plan(&Workpiece::from(shaft), knowledge)?;
     let (mut distances, _) = rates::rates(shaft, knowledge)?;

@@ -63,7 +63,8 @@ pub struct ZoneCut<'a, 'k> {
 
 /// The limiting depth of a zone; none, with a finding, if no source gives it.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub fn depth(
     task: ZoneCut<'_, '_>,
     bench: &Bench<'_, '_>,
@@ -101,7 +102,8 @@ pub fn depth(
 
 /// The required support, where the deflection of the part leaves no useful depth.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 fn asks(limit: &LimitingDepth, bench: &Bench<'_, '_>) -> Result<Option<(Finding, Because)>, KnowledgeError> {
     let Some(held) = &bench.held else { return Ok(None) };
     let bends = matches!(limit.decided_by, Bound::PartStiffness | Bound::PartStrength);
@@ -192,7 +194,8 @@ fn cut<'a, 'k>(
 /// Rates and distances at a depth of passes, for finishing with the roughness that the pass must leave: from the file, otherwise from the conditions, otherwise from the table
 /// `turning-motion`. A motion for which the file has no rate goes at the main feed, and a finding says so.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub fn pace(
     task: ZoneCut<'_, '_>,
     depth: Half,

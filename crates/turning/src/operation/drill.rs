@@ -48,7 +48,8 @@ pub(super) fn point_length(radius: Half) -> Half {
 /// The hole to drill under a rough bore, and the bore without the part of its bottom that the drill removes; none,
 /// with a finding, if the bore is too narrow to be drilled and bored.
 ///
-/// # Errors The knowledge base lacks the rule `bore-drill`, or a row of it.
+/// # Errors
+/// The knowledge base lacks the rule `bore-drill`, or a row of it.
 pub(super) fn before_boring(
     rough: &Contour,
     knowledge: &Knowledge,

@@ -17,7 +17,8 @@ use super::tools::Bench;
 
 /// The jobs of the grooves and threads of a side. One that cannot be cut is a finding with the failed inequality.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub(super) fn features(
     set_up: &SetUp,
     side: &SideWork,
@@ -57,7 +58,8 @@ pub(super) fn features(
 
 /// A job, or the finding why there is none.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub(super) fn made(tried: Tried<Job, NoJob>, findings: &mut Vec<Finding>) -> Result<Option<Job>, KnowledgeError> {
     match Refusal::split(tried)? {
         Ok(job) => Ok(Some(job)),

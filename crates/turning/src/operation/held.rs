@@ -28,7 +28,8 @@ impl Held {
     /// Its shape is the later one: what the set-up turns with the finished contour, in a second set-up the whole
     /// finished part, with its bore. So the real part is never thinner and never bends more.
     ///
-    /// # Errors The knowledge base lacks a table.
+    /// # Errors
+    /// The knowledge base lacks a table.
     pub fn of(
         set_up: &SetUp,
         jaws: Option<&Jaws>,
@@ -80,7 +81,8 @@ impl Held {
 
     /// The required support, where the deflection of the part leaves no useful depth, by the rule `turning-support`.
     ///
-    /// # Errors The knowledge base lacks the rule, or a row of it.
+    /// # Errors
+    /// The knowledge base lacks the rule, or a row of it.
     pub fn asks(&self, knowledge: &Knowledge) -> Result<(Finding, Because), KnowledgeError> {
         let (support, slenderness) = (self.part.support(), self.part.slenderness());
         let slenderness = crate::units::round_to(slenderness, 1);

@@ -65,7 +65,8 @@ impl Jaws {
     /// Their clearance from the end of the turned range is `jaw-clearance` of `turning-limits`, or the length of the
     /// cylinder beyond the required grip (`turning-hold`), but not less than `jaw-clearance-least`.
     ///
-    /// # Errors The knowledge base lacks a table or a row.
+    /// # Errors
+    /// The knowledge base lacks a table or a row.
     pub fn of(
         set_up: &SetUp,
         workpiece: &Workpiece,

@@ -30,7 +30,8 @@ use technolog_core::part::tolerance_width;
 
 /// The jobs of a set-up.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub(super) fn jobs(
     set_up: &SetUp,
     sides: &[SideWork],

@@ -66,7 +66,8 @@ fn sizes<S: serde::Serializer>(areas: &Areas, serializer: S) -> Result<S::Ok, S:
 /// The layers of a side; `face` is Z of the rough face of the free end, from which a bore is bored. None, with a
 /// finding, if they cannot be made.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub fn layers(
     stretch: &TurnedSide,
     set_up: &SetUp,
@@ -142,7 +143,8 @@ pub fn layers(
 /// The overrun at the end of the first set-up's range: the round nose of the tool must leave no metal that the second
 /// set-up does not reach. The overrun is at the same radius, over a falling contour or into the stock beyond.
 ///
-/// # Errors The knowledge base lacks the table of motions.
+/// # Errors
+/// The knowledge base lacks the table of motions.
 fn run_out(left: &Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
     let ends_open = left.end().is_some_and(|end| end.radius > Half::ZERO);
     let (table, _) = rates::of_table(bench.knowledge)?;
@@ -206,7 +208,8 @@ fn left(
 /// The layers before the far face, if a set-up turns nothing else from outside: the face alone, up to the radius of
 /// the part there.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub fn before_face(
     set_up: &SetUp,
     bench: &Bench<'_, '_>,

@@ -140,7 +140,8 @@ impl Operation {
 ///
 /// What cannot be made is a finding, not an error of the program.
 ///
-/// # Errors The knowledge base lacks a table or a row that must be there.
+/// # Errors
+/// The knowledge base lacks a table or a row that must be there.
 pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     let mut barred = Vec::new();
     let mut last = plan_without(workpiece, &barred, knowledge)?;

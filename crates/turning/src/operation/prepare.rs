@@ -11,7 +11,8 @@ use crate::units::Micrometres;
 
 /// The lathe in the file; none, with a finding, if it names none.
 ///
-/// # Errors No catalog has it (the reader of files prevents that), or its record is incomplete.
+/// # Errors
+/// No catalog has it (the reader of files prevents that), or its record is incomplete.
 pub fn lathe<'k>(
     workpiece: &Workpiece,
     knowledge: &'k Knowledge,
@@ -31,7 +32,8 @@ pub fn lathe<'k>(
 
 /// The surfaces that the lathe cannot finish, with the intermediate allowances for later operations.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub fn finished_elsewhere(
     workpiece: &Workpiece,
     lathe: Option<&Lathe<'_>>,

@@ -74,7 +74,8 @@ pub fn place(stations: &[Station], job: &Job) -> Option<u32> {
 
 /// The program of each set-up; `spindle` is the spindle speed that the user states.
 ///
-/// # Errors There is no such control, or a table lacks something of it.
+/// # Errors
+/// There is no such control, or a table lacks something of it.
 pub fn programs(
     operation: &Operation,
     control: &str,

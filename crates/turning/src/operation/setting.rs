@@ -65,7 +65,8 @@ pub struct SetTool {
 
 /// The setting of an operation.
 ///
-/// # Errors There is no such control, or the knowledge base lacks a table.
+/// # Errors
+/// There is no such control, or the knowledge base lacks a table.
 pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> Result<Setting, KnowledgeError> {
     let stations = stations(operation);
     let table = knowledge.table_of::<LatheControls<'_>>()?;

@@ -33,7 +33,8 @@ pub struct Tailstock {
 impl Tailstock {
     /// The tailstock of a set-up; none in a chuck, and if the size of the lathe is not known.
     ///
-    /// # Errors The knowledge base lacks a table or a row.
+    /// # Errors
+    /// The knowledge base lacks a table or a row.
     pub fn of(
         set_up: &SetUp,
         workpiece: &Workpiece,

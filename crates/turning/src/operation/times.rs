@@ -46,7 +46,8 @@ impl Times {
 
 /// The times of the set-ups that have work.
 ///
-/// # Errors The knowledge base lacks the lathe of the part, `chuck-and-tailstock` or a row of it.
+/// # Errors
+/// The knowledge base lacks the lathe of the part, `chuck-and-tailstock` or a row of it.
 pub fn times(operation: &Operation, knowledge: &Knowledge) -> Result<Vec<Times>, KnowledgeError> {
     let part = &operation.workpiece;
     let lathe = part.machine.as_deref().map(|id| Lathe::find(knowledge, id)).transpose()?;

@@ -209,7 +209,8 @@ pub fn assign(zones: &[Zone], tools: &[ToolAngles]) -> Vec<Option<usize>> {
 
 /// A tool as the output shows it.
 ///
-/// # Errors The knowledge base lacks the rule `turning-tool-order`, or a row of it.
+/// # Errors
+/// The knowledge base lacks the rule `turning-tool-order`, or a row of it.
 pub fn chosen(tool: &TurningTool<'_>, zones: usize, bench: &Bench<'_, '_>) -> Result<ChosenTool, KnowledgeError> {
     let (_, because_order) = order(tool.kind, bench.knowledge)?;
     Ok(ChosenTool {

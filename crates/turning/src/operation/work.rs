@@ -100,7 +100,8 @@ impl Work {
 
 /// The zones of a side, with the clearing of each.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub fn zones(
     layers: &Layers,
     bench: &Bench<'_, '_>,
@@ -141,7 +142,8 @@ pub fn zones(
 
 /// A finding for each scheme that leaves a rougher surface than the part requires, so that finishing must follow.
 ///
-/// # Errors The knowledge base lacks the table of schemes.
+/// # Errors
+/// The knowledge base lacks the table of schemes.
 pub fn finishing_after(
     zones: &[ZoneWork],
     profile: &Profile,
@@ -174,7 +176,8 @@ pub struct Hollow {
 /// The hollows of a side, in the order of Z. Grooves are cut by blades elsewhere; metal that no tool reaches is a
 /// finding.
 ///
-/// # Errors The knowledge base lacks a table.
+/// # Errors
+/// The knowledge base lacks a table.
 pub fn hollows(
     stretch: &TurnedSide,
     set_up: &SetUp,

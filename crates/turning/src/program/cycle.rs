@@ -74,7 +74,8 @@ impl<'a> CycleTask<'a> {
     /// Checks a task. The corner is where the face of the blank meets its surface: for an outer contour the radius of
     /// the surface, for a bore that of the hole, and the Z of the free face.
     ///
-    /// # Errors What no cycle can do.
+    /// # Errors
+    /// What no cycle can do.
     pub fn new(rough: &'a Contour, corner: Point, roughing: Roughing) -> Result<Self, NotWritten> {
         let (Some(start), Some(end)) = (rough.start(), rough.end()) else { return Err(NotWritten::EmptyContour) };
         for (number, piece) in (1..).zip(&rough.pieces) {

@@ -67,7 +67,8 @@ impl Control {
     /// Reads the language of a control. A control of which little is known can be read, but no program is written for
     /// it.
     ///
-    /// # Errors There is no such control, or one of its tables lacks a required row.
+    /// # Errors
+    /// There is no such control, or one of its tables lacks a required row.
     pub fn read(name: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let table = knowledge.table_of::<LatheControls<'_>>()?;
         let control = LatheControl::from_word(name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
@@ -101,7 +102,8 @@ impl Control {
 /// The stock over a rough contour as the roughing cycle of a control. `corner` is the corner of the blank before the
 /// contour: the radius of its surface (for a bore: of the hole) and the Z of its free face.
 ///
-/// # Errors Why it cannot be written.
+/// # Errors
+/// Why it cannot be written.
 pub fn cycle(
     control: &Control,
     rough: &Contour,

@@ -58,7 +58,8 @@ pub enum FreeEnd {
 /// Before each tool and at the end the turret moves to the change position of the control, so that the program can
 /// begin wherever the last one ended. Paths of one tool follow each other from home point to home point.
 ///
-/// # Errors Why it cannot be written.
+/// # Errors
+/// Why it cannot be written.
 pub fn whole(
     control: &Control,
     name: &str,

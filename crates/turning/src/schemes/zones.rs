@@ -30,7 +30,8 @@ pub struct SchemeZone {
 
 /// The zone over each cylinder, and after them the whole zone if there is more than one.
 ///
-/// # Errors The knowledge base lacks a rule or a row of it.
+/// # Errors
+/// The knowledge base lacks a rule or a row of it.
 pub fn zones(levels: &Levels, knowledge: &Knowledge) -> Result<Vec<SchemeZone>, KnowledgeError> {
     let cylinders: Vec<_> = levels.sections.iter().flat_map(|section| &section.cylinders).collect();
     let mut zones = Vec::new();

@@ -122,7 +122,8 @@ impl<'k> Lathe<'k> {
 
     /// The lathe with an id, such as `16k20f3`.
     ///
-    /// # Errors There is no such lathe, its record lacks a required quantity, or it has no spindle speeds.
+    /// # Errors
+    /// There is no such lathe, its record lacks a required quantity, or it has no spindle speeds.
     pub fn find(knowledge: &'k Knowledge, id: &str) -> Result<Self, KnowledgeError> {
         let table = knowledge.table(&format!("lathe-{id}"))?;
         let record = Record(table.rows().collect::<Result<_, _>>()?);
@@ -172,7 +173,8 @@ impl<'k> Lathe<'k> {
 
     /// The row of a quantity, as a source.
     ///
-    /// # Errors The record does not have it.
+    /// # Errors
+    /// The record does not have it.
     pub fn row(&self, quantity: Q) -> Result<RowRef<'k>, KnowledgeError> {
         let row = self.record.row(quantity);
         row.map(|row| row.row).ok_or_else(|| KnowledgeError::no_row(self.table, quantity.name()))

@@ -69,7 +69,8 @@ pub struct TurningTool<'k> {
 impl<'k> TurningTool<'k> {
     /// Every turning tool, in the order of the tables.
     ///
-    /// # Errors A table is missing, or a row lacks a required cell.
+    /// # Errors
+    /// A table is missing, or a row lacks a required cell.
     pub fn all(knowledge: &'k Knowledge) -> Result<Vec<Self>, KnowledgeError> {
         let mut tools = Vec::new();
         for table in TOOL_TABLES {
@@ -82,7 +83,8 @@ impl<'k> TurningTool<'k> {
 
     /// The tool with a designation; spaces and the case of letters are ignored. None if there is none.
     ///
-    /// # Errors As [`Self::all`].
+    /// # Errors
+    /// As [`Self::all`].
     pub fn find(knowledge: &'k Knowledge, designation: &str) -> Result<Option<Self>, KnowledgeError> {
         let wanted = plain(designation);
         Ok(Self::all(knowledge)?.into_iter().find(|tool| plain(tool.designation) == wanted))

@@ -38,7 +38,8 @@ impl Workholding {
 impl<'k> Lathe<'k> {
     /// Chuck and tailstock; none if the record has no diameter over the bed.
     ///
-    /// # Errors The knowledge base lacks the table `chuck-and-tailstock`, or a row of it.
+    /// # Errors
+    /// The knowledge base lacks the table `chuck-and-tailstock`, or a row of it.
     pub fn workholding(&self, knowledge: &'k Knowledge) -> Result<Option<Workholding>, KnowledgeError> {
         let Some(bed) = self.over_bed else { return Ok(None) };
         let of = |whole: Micrometres, name: Figure| -> Result<Micrometres, KnowledgeError> {
@@ -57,7 +58,8 @@ impl<'k> Lathe<'k> {
 
     /// The time of a tool change: of its record, otherwise by `chuck-and-tailstock`.
     ///
-    /// # Errors The knowledge base lacks that table, or its row.
+    /// # Errors
+    /// The knowledge base lacks that table, or its row.
     pub fn tool_change(&self, knowledge: &'k Knowledge) -> Result<Seconds, KnowledgeError> {
         match self.tool_change {
             Some(time) => Ok(time),
@@ -69,7 +71,8 @@ impl<'k> Lathe<'k> {
 impl Seconds {
     /// A time of `chuck-and-tailstock`.
     ///
-    /// # Errors The knowledge base lacks that table, or its row.
+    /// # Errors
+    /// The knowledge base lacks that table, or its row.
     pub fn of_table(name: Figure, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         Ok(Self(figure(name, knowledge)?))
     }

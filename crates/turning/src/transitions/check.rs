@@ -70,7 +70,8 @@ impl Unsuited {
 
 /// Checks that toolpaths over a zone are possible at all.
 ///
-/// # Errors A reason, whose sentence has a remedy: contours that are not connected, run back, or differ in their
+/// # Errors
+/// A reason, whose sentence has a remedy: contours that are not connected, run back, or differ in their
 /// stretch of Z or their side; a rough contour above its blank; lengths that are not positive.
 pub fn zone(
     stock: &Stock,
@@ -98,7 +99,8 @@ pub fn zone(
 
 /// Checks that a scheme suits a zone.
 ///
-/// # Errors A reason, as of [`zone`]: too many passes, a toolpath against a stop over a contour that is not stepped, a
+/// # Errors
+/// A reason, as of [`zone`]: too many passes, a toolpath against a stop over a contour that is not stepped, a
 /// contour steeper than the tool's angles.
 pub fn scheme(zone: &PreparedZone, settings: &Settings, scheme: Scheme) -> Tried<(), Unsuited> {
     let not = |why: Unsuited| Err(Refusal::Not(why));

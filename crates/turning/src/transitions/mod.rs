@@ -228,7 +228,8 @@ pub struct Transition {
 /// Makes the toolpath of a scheme over a zone, outer or inner. Only the equidistant scheme calls `offset`, for its
 /// offset curves. For several schemes over one zone, prepare a [`PreparedZone`] once.
 ///
-/// # Errors The zone, the tool or the settings do not suit ([`check`]), an offset curve cannot be made, or the
+/// # Errors
+/// The zone, the tool or the settings do not suit ([`check`]), an offset curve cannot be made, or the
 /// knowledge base lacks the scheme.
 pub fn work(
     stock: &Stock,
@@ -253,7 +254,8 @@ fn path_inside_out(path: &Toolpath, top: Half) -> Toolpath {
 /// A finding if a scheme cannot leave the required roughness and finishing must follow: if the table
 /// `turning-schemes` gives the finest roughness of the scheme as the last one, and the required roughness is finer.
 ///
-/// # Errors The knowledge base lacks the scheme.
+/// # Errors
+/// The knowledge base lacks the scheme.
 pub fn finishing_must_follow(
     scheme: Scheme,
     asked: Roughness,

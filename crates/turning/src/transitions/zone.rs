@@ -45,7 +45,8 @@ pub struct PreparedZone {
 impl PreparedZone {
     /// Prepares a zone, outer or inner, for a tool and its settings.
     ///
-    /// # Errors No scheme can work it ([`check::zone`]).
+    /// # Errors
+    /// No scheme can work it ([`check::zone`]).
     pub fn of(stock: &Stock, tool: &Tool, settings: &Settings) -> Tried<Self, Unsuited> {
         let (stock, ceiling) = if stock.rough.side == Side::Outer {
             (stock.clone(), None)
@@ -77,7 +78,8 @@ impl PreparedZone {
 
     /// The zone cleared by a scheme. `offset` makes offset curves for the equidistant scheme.
     ///
-    /// # Errors The scheme does not suit ([`check::scheme`]), an offset curve cannot be made, or the knowledge base
+    /// # Errors
+    /// The scheme does not suit ([`check::scheme`]), an offset curve cannot be made, or the knowledge base
     /// lacks the scheme.
     pub fn transition(&self, scheme: Scheme, offset: Offset<'_>, knowledge: &Knowledge) -> Tried<Transition, Unsuited> {
         let row = scheme.record(knowledge)?.row;

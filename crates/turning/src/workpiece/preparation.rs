@@ -23,7 +23,8 @@ pub struct Advice {
 /// The advice of the rules on the blank of a workpiece: the number of its parts, the accuracy of its length, and its
 /// preparation.
 ///
-/// # Errors The knowledge base lacks a rule, or a row for this blank.
+/// # Errors
+/// The knowledge base lacks a rule, or a row for this blank.
 pub fn advice(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Vec<Advice>, KnowledgeError> {
     let stock = workpiece.blank.kind;
     let diameter = workpiece.blank.largest_diameter();

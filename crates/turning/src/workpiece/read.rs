@@ -27,7 +27,8 @@ pub fn read_turned(file: &str, text: &str, knowledge: &Knowledge) -> Result<Turn
 
 /// The same for a turned part inside another file.
 ///
-/// # Errors As for [`read_turned`].
+/// # Errors
+/// As for [`read_turned`].
 pub fn read_turned_node(node: &Node, knowledge: &Knowledge) -> Result<Turned, Vec<Mistake>> {
     turned(Some(node.clone()), Vec::new(), knowledge)
 }

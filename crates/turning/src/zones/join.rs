@@ -35,7 +35,8 @@ pub(super) fn groups(parts: Vec<ZonePart>, tools: &[ToolAngles]) -> Vec<Vec<Zone
 
 /// A zone of parts, which are in the order of Z.
 ///
-/// # Errors The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
+/// # Errors
+/// The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
 pub(super) fn zone(
     parts: Vec<ZonePart>,
     feed: Feed,

@@ -34,14 +34,16 @@ pub struct ClassifiedZone {
 
 /// The kind of a zone that is not combined.
 ///
-/// # Errors The knowledge base lacks the rule `turning-zone` or a row of it.
+/// # Errors
+/// The knowledge base lacks the rule `turning-zone` or a row of it.
 pub fn alone(bounds: Bounds, knowledge: &Knowledge) -> Result<ClassifiedZone, KnowledgeError> {
     kind(ZoneParts::Alone, bounds, knowledge)
 }
 
 /// The kind of a zone that consists of zones with these kinds and bounds. If all are of one kind, it is that kind.
 ///
-/// # Errors The knowledge base lacks the rule `turning-zone` or a row of it.
+/// # Errors
+/// The knowledge base lacks the rule `turning-zone` or a row of it.
 pub fn together(parts: &[(ZoneKind, Bounds)], knowledge: &Knowledge) -> Result<ClassifiedZone, KnowledgeError> {
     let has = |kind| parts.iter().any(|(one, _)| *one == kind);
     let kinds = match (has(ZoneKind::Open), has(ZoneKind::HalfOpen), has(ZoneKind::Closed)) {

@@ -93,7 +93,8 @@ pub struct Zone {
 /// The zones of a stock from the free end: the face before the rough contour, then its parts, joined as far as one of
 /// the tools reaches. Without tools the contouring tool of the lecture is used.
 ///
-/// # Errors The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
+/// # Errors
+/// The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
 pub fn find(stock: Stock<'_>, tools: &[ToolAngles], knowledge: &Knowledge) -> Result<Vec<Zone>, KnowledgeError> {
     let apart = parts::of(stock, knowledge)?;
     let reference = [ToolAngles::contouring()];

@@ -113,7 +113,8 @@ impl PartDraft {
 
 /// Divides a stock.
 ///
-/// # Errors The knowledge base lacks the rule `turning-zone` or a row of it.
+/// # Errors
+/// The knowledge base lacks the rule `turning-zone` or a row of it.
 pub fn of(stock: Stock<'_>, knowledge: &Knowledge) -> Result<Apart, KnowledgeError> {
     let top = (stock.rough.side == Side::Inner).then(|| {
         let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);

@@ -171,7 +171,8 @@ fn turned_over(profile: &Profile, length: Half) -> Profile {
 
 /// The least length for the jaws at a diameter, by the rule `turning-hold`.
 ///
-/// # Errors The knowledge base lacks the rule, or a row of it.
+/// # Errors
+/// The knowledge base lacks the rule, or a row of it.
 pub fn least_length(diameter: Micrometres, knowledge: &Knowledge) -> Result<Half, KnowledgeError> {
     Ok(least_length_because(diameter, Note::new("hold-blank"), knowledge)?.0)
 }

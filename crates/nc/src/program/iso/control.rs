@@ -89,7 +89,8 @@ pub struct Control {
 impl Control {
     /// Reads the language from the tables.
     ///
-    /// # Errors There is no such control, or a table lacks what is needed.
+    /// # Errors
+    /// There is no such control, or a table lacks what is needed.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let table = knowledge.table(&format!("control-{control}"))?;
         let lacks = || KnowledgeError::lacks(&table.id, note!("nc-interpreter", control = control));

@@ -39,7 +39,8 @@ use ways::{Division, Ways};
 
 /// The job of a groove or a relief.
 ///
-/// # Errors No tool makes it, with the inequality that fails; or the knowledge base lacks a table.
+/// # Errors
+/// No tool makes it, with the inequality that fails; or the knowledge base lacks a table.
 pub fn groove(site: Site<'_>, surface: &Surface, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
     let valley = Valley::of(surface, site.side())?;

@@ -54,7 +54,8 @@ const APART: f64 = 0.002;
 impl Valley {
     /// The groove of a surface.
     ///
-    /// # Errors It faces the chuck, goes under its own mouth, or is no valley.
+    /// # Errors
+    /// It faces the chuck, goes under its own mouth, or is no valley.
     pub fn of(surface: &Surface, side: Side) -> Tried<Self, NoJob> {
         let name = || surface.name.clone();
         let lie = match (surface.kind, side) {

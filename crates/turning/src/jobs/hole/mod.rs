@@ -83,7 +83,8 @@ impl Drill<'_> {
 
 /// The jobs of a hole: one drill, or by the rule `two-pass-drilling` a narrower one before it.
 ///
-/// # Errors As for [`drill`].
+/// # Errors
+/// As for [`drill`].
 pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
     let question = TwoPassDrillingFor { diameter: hole.diameter, first_drill_in_magazine: false };
     let asked = bench.knowledge.ask(&question)?;
@@ -106,7 +107,8 @@ pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
 
 /// The job of drilling, with the widest drill that is not wider than the hole and reaches its end.
 ///
-/// # Errors No drill is small enough or long enough; it exceeds the limits of the lathe; the knowledge base lacks a
+/// # Errors
+/// No drill is small enough or long enough; it exceeds the limits of the lathe; the knowledge base lacks a
 /// table.
 pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
@@ -285,7 +287,8 @@ impl Steps {
 
 /// The job of a centre hole in a face of a diameter.
 ///
-/// # Errors The face is too small for any; or the knowledge base lacks a table.
+/// # Errors
+/// The face is too small for any; or the knowledge base lacks a table.
 pub fn centre_hole(form: CentreForm, end: Micrometres, face: Half, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let rows = bench.knowledge.rows::<CentreHole<'_>>()?;
     let least = rows.iter().map(|row| row.part_diameter).min().unwrap_or_default();
@@ -296,7 +299,8 @@ pub fn centre_hole(form: CentreForm, end: Micrometres, face: Half, bench: &Bench
 
 /// The job of a spot for a drill: the widest cone of a centre drill that stays within the share of its diameter.
 ///
-/// # Errors The drill is too small for any; or the knowledge base lacks a table.
+/// # Errors
+/// The drill is too small for any; or the knowledge base lacks a table.
 pub fn spot(drill: Micrometres, face: Half, end: Half, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let mut limits = Limits::of(bench.knowledge);
     let share = limits.ratio(JobLimit::SpotShare)?;

@@ -38,7 +38,8 @@ impl<'k> Asking<'k> for Bench<'_, 'k> {
 /// reduced until thrust, torque and power are within their limits. A load is a power law of the feed, so each limit
 /// gives a feed.
 ///
-/// # Errors The tables have no figures; or even the least feed of the lathe is too much.
+/// # Errors
+/// The tables have no figures; or even the least feed of the lathe is too much.
 pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<AxialConditions, NoJob> {
     let (mut feed, mut because) = handbook::feed(cut, bench).map_err(of_tables)?;
     let Some((life, of_life)) = handbook::tool_life(cut, bench).map_err(of_tables)? else {

@@ -46,7 +46,8 @@ const TRIANGLE: f64 = 0.866_025_403_784;
 
 /// The job of a thread.
 ///
-/// # Errors No insert has the pitch, nothing is free before or behind the thread, with the inequality that fails; or the
+/// # Errors
+/// No insert has the pitch, nothing is free before or behind the thread, with the inequality that fails; or the
 /// knowledge base lacks a table.
 pub fn thread(
     site: Site<'_>,

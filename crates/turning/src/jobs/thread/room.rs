@@ -44,7 +44,8 @@ const FLANK: f64 = 0.577_350_269_19;
 impl Room {
     /// Where the passes begin and end.
     ///
-    /// # Errors What stands before or behind the thread leaves too little room; its relief is too shallow.
+    /// # Errors
+    /// What stands before or behind the thread leaves too little room; its relief is too shallow.
     pub fn find(self, site: Site<'_>, surface: &Surface) -> Tried<Found, NoJob> {
         let seen = |point: Point| match site.side() {
             Side::Outer => point,
