@@ -99,7 +99,7 @@ fn what_follows_of_a_tool_that_is_not_named_is_doubtful_at_most() {
 #[test]
 fn a_rapid_through_metal_is_told() {
     let (operation, text) = sleeve();
-    let line = line_of(&text, "rough)", "G1 Z-46 F0.6");
+    let line = line_of(&text, "rough)", "G1 Z-46 F0.5");
     let faults = found(&operation, &changed(&text, line, "G0 Z-46"));
     assert!(grave(&faults).contains(&("swept-rapid", Severity::Wrong, line)), "{faults:?}");
 }

@@ -97,6 +97,12 @@ rows! {
     /// Insert shapes and their included angle: φ1 of a row follows from it, and a test checks the rows.
     pub struct InsertShapes of One("insert-shapes") {} shown { shape, included_angle }
 
+    /// The largest roughing feed as a share of the nose radius, by the shape of the insert.
+    pub struct InsertNoseFeed of One("insert-nose-feed") {
+        shape: &'t str,
+        share: f64,
+    }
+
     /// The share of an insert's edge that may cut, by its shape, the first letter by ISO 1832.
     pub struct InsertEdgeShare of One("insert-edge-share") {
         shape: &'t str,

@@ -6,7 +6,8 @@ use crate::knowledge::{Column, Knowledge, Question};
 use crate::note::{Because, Note};
 use crate::tables::cutting::{BoringFinishFeedFor, GroovingFeedFor, TurningBoringFeedFor, TurningRoughFeedFor};
 use crate::tables::turning::tools::{
-    Limit, TurningCutBackFor, TurningFinishFeedFor, TurningFinishFeedStrengthFor, TurningRoughnessUnsaidFor,
+    InsertNoseFeed, Limit, TurningCutBackFor, TurningFinishFeedFor, TurningFinishFeedStrengthFor,
+    TurningRoughnessUnsaidFor,
 };
 use crate::turning::tooling::{Shank, ToolKind, TurningTool};
 use crate::units::{Degrees, ItGrade, Micrometres, MillimetresPerRev, Roughness};
@@ -24,7 +25,8 @@ pub struct Feed {
 }
 
 /// The feed of a roughing pass at a depth (`turning-rough-feed`, `turning-boring-feed`); for a grooving tool its feed
-/// at the diameter (`grooving-feed`), whatever the depth. It is the lower end of the handbook's range.
+/// at the diameter (`grooving-feed`), whatever the depth. It is the lower end of the handbook's range, and no more than the
+/// nose bears (`insert-nose-feed`).
 ///
 /// # Errors
 /// The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
@@ -58,7 +60,24 @@ pub fn rough_feed(cut: &TurningCut<'_, '_>, depth: Micrometres) -> Tried<Feed, C
     let figures = cut.named(of_tables(figures)).map_err(|refusal| refusal.map(no_feed))?;
     let feed = figures.row;
     let note = Note::new("turning-feed").with("feed", feed.0).with("tool", cut.tool.designation);
-    Ok(Feed { feed, because: figures.because(note) })
+    let mut because = figures.because(note);
+    match nose_feed(cut)?.filter(|(most, _)| *most < feed) {
+        Some((most, row)) => {
+            because.push(row);
+            Ok(Feed { feed: most, because })
+        }
+        None => Ok(Feed { feed, because }),
+    }
+}
+
+/// The largest feed that the nose of an insert bears in roughing: a share of its radius (`insert-nose-feed`), to 0.01
+/// mm/rev downwards. None where nose or shape are not known.
+fn nose_feed(cut: &TurningCut<'_, '_>) -> Result<Option<(MillimetresPerRev, Because)>, KnowledgeError> {
+    let (Some(nose), Some(shape)) = (cut.tool.nose_radius, cut.tool.insert_shape()) else { return Ok(None) };
+    let Some(row) = cut.knowledge.find(|row: &InsertNoseFeed<'_>| row.shape == shape)? else { return Ok(None) };
+    let most = (row.share * nose.to_mm() * 100.0 + 1e-9).floor() / 100.0;
+    let note = Note::new("feed-bound-by-nose").with("feed", most).with("share", row.share).with("radius", nose);
+    Ok(Some((MillimetresPerRev(most), Because::row(row.row, note))))
 }
 
 /// The feed that leaves a roughness, by the nose radius: nine cells are from `boring-finish-feed`, the others from

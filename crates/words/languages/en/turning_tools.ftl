@@ -12,6 +12,7 @@ threads-not-reckoned = cutting conditions of threading with { $tool } are not ca
 too-fine-to-turn = { $roughness } is finer than the feed tables of turning go
 too-fine-for-lathe = lathe { $lathe }: { $roughness } is finer than its best, { $best }
 # Why a figure.
+feed-bound-by-nose = the nose bears no more: { $feed } mm/rev = { $share } of its radius of { $radius } mm
 turning-feed = feed { $feed } mm/rev, tool { $tool }
 turning-finish-feed = feed by the roughness { $feed } mm/rev
 feed-strength-factor = feed × { $factor }: strength of the steel

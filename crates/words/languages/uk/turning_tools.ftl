@@ -12,6 +12,7 @@ threads-not-reckoned = режими нарізання різі різцем { $
 too-fine-to-turn = { $roughness } – чистіше, ніж мають таблиці подач точіння
 too-fine-for-lathe = верстат { $lathe }: { $roughness } чистіше за найкращу для нього { $best }
 # Why a figure.
+feed-bound-by-nose = вершина витримує не більше: { $feed } мм/об = { $share } її радіуса { $radius } мм
 turning-feed = подача { $feed } мм/об, різець { $tool }
 turning-finish-feed = подача за шорсткістю { $feed } мм/об
 feed-strength-factor = подача × { $factor }: міцність сталі
