@@ -13,7 +13,7 @@ use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
 use technolog::note::{Figure, Note};
-use technolog::program::lathe::LatheLanguage;
+use technolog::program::lathe::{LatheLanguage, recognised};
 use technolog::program::proof::PlannedJob;
 use technolog::program::{Fault, Language, Setting, is_run};
 use technolog::report;
@@ -70,6 +70,9 @@ pub(super) struct FaultMessage<'a> {
     fault: &'a Fault,
 }
 
+/// The formats of its answers; a drawing only of a program of a mill.
+pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Svg, Format::Markdown, Format::Html];
+
 /// Checks a program.
 ///
 /// # Errors
@@ -81,7 +84,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if args.set_up.is_some() {
         return Err(super::turn::refused("set-up-of-lathe", context));
     }
-    let format = context.format("check", &[Format::Text, Format::Json, Format::Svg, Format::Markdown, Format::Html])?;
+    let format = context.format("check", FORMATS)?;
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
@@ -114,6 +117,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (steps, clock) = sink;
     if faults.iter().any(Fault::is_error) {
         kind::refuse_other(&shown, &text, FileKind::Program, context)?;
+        refuse_lathe(&text, control, context)?;
     }
     // Nothing is known of a program that is not run: that it makes no hole follows from its mistakes.
     let is_run = is_run(&faults, &steps);
@@ -167,6 +171,18 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
     let unproven = !serious.is_empty() || proof.as_ref().is_some_and(technolog::program::proof::Proof::has_errors);
     Ok(if unproven || faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })
+}
+
+/// Makes sure that a program that a mill's control finds wrong is none of a lathe.
+fn refuse_lathe(text: &str, control: &str, context: &Context) -> Result<(), CliError> {
+    let controls = recognised(text);
+    if controls.is_empty() {
+        return Ok(());
+    }
+    let named: Vec<String> = controls.iter().map(|control| format!("--control {control}")).collect();
+    let message = say!(context.lang, "check-of-lathe", control = control);
+    let help = say!(context.lang, "check-name-lathe", controls = named.join(", "));
+    Err(Diagnostic::error("program-of-lathe", message, None).help(help).into())
 }
 
 /// Faults with their words.

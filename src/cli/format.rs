@@ -68,6 +68,20 @@ impl Format {
     }
 }
 
+/// What a command can show, by its name on the command line, each with its formats.
+pub fn of_each<S: ValueEnum>(
+    shown: &[S],
+    formats: impl Fn(&S) -> &'static [Format],
+) -> Vec<(String, &'static [Format])> {
+    let named = |show: &S| Some((show.to_possible_value()?.get_name().to_owned(), formats(show)));
+    shown.iter().filter_map(named).collect()
+}
+
+/// The names of formats, the first being that of an answer for which none is named.
+pub fn names(formats: &[Format]) -> String {
+    formats.iter().map(|format| format.name()).collect::<Vec<_>>().join(", ")
+}
+
 /// Extensions of formats that no command writes: such a file would contain text.
 const OTHERS: &[&str] = &[
     ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",

@@ -4,8 +4,9 @@ use clap::{Arg, Command, CommandFactory};
 
 use technolog::words::say;
 
-use super::Cli;
+use super::format::names;
 use super::words::Lang;
+use super::{Cli, Format, audit, check, lint, lookup, order, plan, program, table, test, turn};
 
 /// The language of help and usage, found before the arguments are parsed: that of `--lang`, if it is given.
 pub fn language(default: Lang) -> Lang {
@@ -39,7 +40,47 @@ pub fn command(lang: Lang) -> Command {
     let names: Vec<String> = command.get_subcommands().map(|inner| inner.get_name().to_owned()).collect();
     let heading = lang.word("help-commands");
     let command = told(command, lang).subcommand_help_heading(heading);
-    names.into_iter().fold(command, |command, name| command.mut_subcommand(name, |inner| told(inner, lang)))
+    let format = command.get_arguments().find(|arg| arg.get_id() == "format").cloned();
+    names.into_iter().fold(command, |command, name| {
+        command.mut_subcommand(&name, |inner| {
+            let inner = told(inner, lang);
+            // Of the options that all commands have, this one means something else for each.
+            match format.clone() {
+                Some(format) => inner.arg(format.help(formats(&name, lang))),
+                None => inner,
+            }
+        })
+    })
+}
+
+/// The formats of a command: the same for all its answers, or by what `--show` names.
+fn formats(command: &str, lang: Lang) -> String {
+    let one = |formats: &[Format]| say!(lang, "help-formats", formats = names(formats));
+    let each = |shown: Vec<(String, &'static [Format])>| {
+        let mut alike: Vec<(Vec<String>, &[Format])> = Vec::new();
+        for (show, formats) in shown {
+            match alike.iter_mut().find(|(_, known)| *known == formats) {
+                Some((shows, _)) => shows.push(show),
+                None => alike.push((vec![show], formats)),
+            }
+        }
+        let told = alike.iter().map(|(shows, formats)| format!("{} – {}", shows.join(", "), names(formats)));
+        say!(lang, "help-formats-by-show", formats = told.collect::<Vec<_>>().join("; "))
+    };
+    match command {
+        "plan" => one(plan::FORMATS),
+        "explain" => one(plan::EXPLAIN_FORMATS),
+        "order" => one(order::FORMATS),
+        "turn" => each(turn::shown()),
+        "program" => each(program::shown()),
+        "audit" => one(audit::FORMATS),
+        "table" => one(table::FORMATS),
+        "lookup" => one(lookup::FORMATS),
+        "check" => one(check::FORMATS),
+        "lint" => one(lint::FORMATS),
+        "test" => one(test::FORMATS),
+        _ => lang.word("help-technolog-format").to_owned(),
+    }
 }
 
 fn told(command: Command, lang: Lang) -> Command {
@@ -94,6 +135,30 @@ mod tests {
                     assert_ne!(lang.word(&key), key, "{lang:?}");
                     assert!(!lang.word(&key).contains("  "), "{lang:?} {key}");
                 }
+            }
+        }
+    }
+
+    /// `--help` of a command tells its own formats: `plan` writes no SVG, and of `program` only the sheet is CSV.
+    #[test]
+    fn the_help_of_each_command_lists_its_own_formats() {
+        for lang in Lang::all() {
+            let mut root = command(lang);
+            root.build();
+            let general = lang.word("help-technolog-format");
+            for inner in root.get_subcommands() {
+                let formats: Vec<&Arg> = inner.get_arguments().filter(|arg| arg.get_id() == "format").collect();
+                let [format] = formats.as_slice() else { panic!("{}: {formats:?}", inner.get_name()) };
+                let help = format.get_help().map(ToString::to_string).unwrap_or_default();
+                assert!(help != general && help.contains("json"), "{}: {help}", inner.get_name());
+                let (svg, csv) = (help.contains("svg"), help.contains("csv"));
+                let expected = match inner.get_name() {
+                    "program" => (true, true),
+                    "order" | "turn" | "check" => (true, false),
+                    "table" => (false, true),
+                    _ => (false, false),
+                };
+                assert_eq!((svg, csv), expected, "{}: {help}", inner.get_name());
             }
         }
     }

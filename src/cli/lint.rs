@@ -15,12 +15,15 @@ pub struct Args {
     documentation: bool,
 }
 
+/// The formats of its answers.
+pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Markdown, Format::Html];
+
 /// Shows every load problem and every finding.
 ///
 /// # Errors
 /// A file could not be used; all findings are shown nevertheless.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("lint", &[Format::Text, Format::Json, Format::Markdown, Format::Html])?;
+    let format = context.format("lint", FORMATS)?;
     let texts = knowledge::texts(context)?;
     let (knowledge, mut problems) = Knowledge::read_sources(&knowledge::sources(&texts));
     if args.documentation {

@@ -21,12 +21,15 @@ pub struct Args {
     all: bool,
 }
 
+/// The formats of its answers.
+pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Markdown, Format::Html];
+
 /// Answers one query.
 ///
 /// # Errors
 /// The question does not fit the table; all its mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("lookup", &[Format::Text, Format::Json, Format::Markdown, Format::Html])?;
+    let format = context.format("lookup", FORMATS)?;
     let knowledge = knowledge::load_to_read(context)?;
     let table = knowledge::table(knowledge, &args.table, context)?;
     let question = LookupQuestion::read(table, args, context)?;

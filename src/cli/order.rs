@@ -70,12 +70,15 @@ enum MetricName {
     Rapid,
 }
 
+/// The formats of its answers.
+pub const FORMATS: &[Format] = &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Svg];
+
 /// Shows the order of a part, or of a list of points.
 ///
 /// # Errors
 /// The file cannot be used; every mistake in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("order", &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Svg])?;
+    let format = context.format("order", FORMATS)?;
     let knowledge = knowledge::load(context)?;
     let part = args.file.extension().is_some_and(|kind| kind == "yaml" || kind == "yml");
     if part { of_part(args, format, knowledge, context) } else { of_list(args, format, knowledge, context) }

@@ -41,13 +41,18 @@ impl Method {
     }
 }
 
+/// The formats of a plan.
+pub const FORMATS: &[Format] =
+    &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml, Format::Hand];
+
+/// The formats of an explanation.
+pub const EXPLAIN_FORMATS: &[Format] = &[Format::Text, Format::Markdown, Format::Html, Format::Json];
+
 /// Plans a part.
 ///
 /// # Errors
 /// The part file cannot be used; all its mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    const FORMATS: &[Format] =
-        &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml, Format::Hand];
     let format = context.format("plan", FORMATS)?;
     let knowledge = knowledge::load(context)?;
     // As the knowledge, it is not freed at the end of the process.
@@ -73,7 +78,7 @@ pub struct ExplainArgs {
     #[arg(value_name = "PART.yaml")]
     part: PathBuf,
     #[arg(long, value_name = "NAME")]
-    hole: String,
+    hole: Option<String>,
     #[command(flatten)]
     method: Method,
 }
@@ -83,14 +88,20 @@ pub struct ExplainArgs {
 /// # Errors
 /// The part file cannot be used, or it has no such hole.
 pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("explain", &[Format::Text, Format::Markdown, Format::Html, Format::Json])?;
+    let format = context.format("explain", EXPLAIN_FORMATS)?;
     let knowledge = knowledge::load(context)?;
     let plan = make(&args.part, args.method.method(), knowledge, context)?;
-    let Some(hole) = plan.holes.iter().find(|hole| hole.name == args.hole) else {
-        let names: Vec<&str> = plan.holes.iter().map(|hole| hole.name.as_str()).collect();
-        let message = words::no_hole(context.lang, args.part.display(), &args.hole);
-        let alike = names.iter().find(|name| latin(name) == latin(&args.hole));
-        let help = match (alike, nearest(&args.hole, names.iter().copied())) {
+    let names: Vec<&str> = plan.holes.iter().map(|hole| hole.name.as_str()).collect();
+    let Some(asked) = args.hole.as_deref() else {
+        // Which groups there are says the part, not the command line.
+        let message = say!(context.lang, "cli-hole-missing");
+        let help = say!(context.lang, "cli-known", names = names.join(", "));
+        return Err(Diagnostic::error("hole-missing", message, None).help(help).into());
+    };
+    let Some(hole) = plan.holes.iter().find(|hole| hole.name == asked) else {
+        let message = words::no_hole(context.lang, args.part.display(), asked);
+        let alike = names.iter().find(|name| latin(name) == latin(asked));
+        let help = match (alike, nearest(asked, names.iter().copied())) {
             (Some(alike), _) => say!(context.lang, "cli-other-alphabet", name = *alike),
             (None, Some(near)) => words::did_you_mean(context.lang, near),
             (None, None) => words::known(context.lang, names.join(", ")),

@@ -20,7 +20,7 @@ use technolog::shop::Shop;
 
 use super::diagnostics::{Texts, below, render, render_all};
 use super::proof;
-use super::{CliError, Context, Format, Outcome, check, control, knowledge, output, plan};
+use super::{CliError, Context, Format, Outcome, check, control, format, knowledge, output, plan};
 
 // The NC program of a part: planned, written, and read back before it is shown
 #[derive(Debug, clap::Args)]
@@ -41,6 +41,22 @@ enum Show {
     Encoding,
     Backplot,
     Cycles,
+}
+
+impl Show {
+    const fn formats(self) -> &'static [Format] {
+        match self {
+            Self::Program => &[Format::Text, Format::Json],
+            Self::Setting => &[Format::Yaml, Format::Text, Format::Markdown, Format::Html, Format::Json],
+            Self::Encoding => &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Csv],
+            Self::Backplot | Self::Cycles => &[Format::Svg],
+        }
+    }
+}
+
+/// What can be shown, each with its formats.
+pub fn shown() -> Vec<(String, &'static [Format])> {
+    format::of_each(Show::value_variants(), |show| show.formats())
 }
 
 /// The answer in JSON.
@@ -71,13 +87,7 @@ struct FindingMessage<'a> {
 /// # Errors
 /// The part file cannot be used; all its mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let formats: &[Format] = match args.show {
-        Show::Program => &[Format::Text, Format::Json],
-        Show::Setting => &[Format::Yaml, Format::Text, Format::Markdown, Format::Html, Format::Json],
-        Show::Encoding => &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Csv],
-        Show::Backplot | Show::Cycles => &[Format::Svg],
-    };
-    let format = context.format("program", formats)?;
+    let format = context.format("program", args.show.formats())?;
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;

@@ -91,7 +91,8 @@ pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic
         let sentence = context.lang.say(&finding.note);
         let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
         let severity = shown(finding.severity);
-        Diagnostic { severity, code: "finding", message: message.into(), place: None, help: None }
+        // A finding of the plan has no code of a program: none is shown.
+        Diagnostic { severity, code: "", message: message.into(), place: None, help: None }
     };
     findings.iter().map(told).collect()
 }

@@ -13,12 +13,15 @@ pub struct Args {
     table: Option<String>,
 }
 
+/// The formats of its answers.
+pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Csv, Format::Markdown, Format::Html];
+
 /// Shows a table or the list of all.
 ///
 /// # Errors
 /// There is no such table, or the answer cannot be written.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("table", &[Format::Text, Format::Json, Format::Csv, Format::Markdown, Format::Html])?;
+    let format = context.format("table", FORMATS)?;
     let knowledge = knowledge::load_to_read(context)?;
     let Some(id) = &args.table else {
         let mut tables: Vec<&Table> = knowledge.tables().collect();

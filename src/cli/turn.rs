@@ -26,7 +26,7 @@ use technolog::words::say;
 use super::diagnostics::Texts;
 use super::turn_operation::{self, Control, Wanted};
 use super::usage::whole;
-use super::{CliError, Context, Format, Outcome, help, kind, knowledge};
+use super::{CliError, Context, Format, Outcome, format, help, kind, knowledge};
 
 // The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
 #[derive(Debug, clap::Args)]
@@ -83,9 +83,14 @@ impl Show {
             Self::Setting => {
                 ("turn --show=setting", &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml])
             }
-            _ => ("turn", &FORMATS),
+            Self::Passes | Self::Steps | Self::Map | Self::Operation | Self::Schemes => ("turn", &FORMATS),
         }
     }
+}
+
+/// What can be shown, each with its formats.
+pub fn shown() -> Vec<(String, &'static [Format])> {
+    format::of_each(Show::value_variants(), |show| show.formats().1)
 }
 
 /// Objectives by their names.

@@ -7,6 +7,7 @@ use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
 use technolog::report;
+use technolog::turning::jobs::Work;
 use technolog::turning::operation::programs::{Form, OperationProgram, programs};
 use technolog::turning::operation::setting;
 use technolog::turning::operation::times::{Times, times};
@@ -133,6 +134,20 @@ pub fn program(
             let texts: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
             context.emit(&texts.join("\n"))?;
             super::output::complain(&report::turning::programs_list(&all, context.lang));
+            if all.len() > 1 {
+                let others = (1..=all.len()).filter(|number| *number != wanted.number);
+                let others = others.map(|number| format!("--number {number}")).collect::<Vec<_>>().join(", ");
+                let (number, set_up) = (wanted.number, written.set_up);
+                let of = all.len();
+                super::output::complain(&say!(
+                    context.lang,
+                    "turn-one-of-programs",
+                    number = number,
+                    of = of,
+                    set_up = set_up,
+                    others = others
+                ));
+            }
             // Nobody sees the page at the machine.
             let mut set_ups = operation.set_ups.iter().map(|one| &one.set_up);
             let is_held = set_ups.any(|one| one.number == written.set_up && one.holds_at.is_some());
@@ -180,7 +195,8 @@ pub fn tool_table(
     }
     let setting = set(operation, control, knowledge, context)?;
     let head = say!(context.lang, "turn-tool-table-head", part = setting.part.as_str());
-    context.emit(&tool_table::tool_table(&setting, &head))?;
+    let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
+    context.emit(&tool_table::tool_table(&setting, &head, named))?;
     Ok(Outcome::Done)
 }
 

@@ -8,6 +8,8 @@ pub mod many;
 mod marks;
 mod words;
 
+use std::collections::BTreeSet;
+
 use crate::note::{Because, Figure};
 use technolog_audit::{Audit, AuditFinding, Section};
 use technolog_core::words::with_unit;
@@ -32,6 +34,9 @@ pub fn page(audit: &Audit, lang: Lang) -> Document {
         note = own.note,
         follow = own.follow
     ));
+    if let Some(line) = unconfirmed(audit, lang) {
+        page.paragraph(line);
+    }
     if !audit.summary.sections.is_empty() {
         page.push(counts::table(audit, lang));
     }
@@ -135,6 +140,16 @@ fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
         lines.push(say!(lang, "audit-changes", fields = words::fields(changes, audit, lang)));
     }
     lines
+}
+
+/// How many findings rest on rows that nothing confirms, and where such rows are told; none if there are none.
+fn unconfirmed(audit: &Audit, lang: Lang) -> Option<String> {
+    let doubtful = |finding: &&AuditFinding| finding.because.iter().any(|because| because.unconfirmed.is_some());
+    let findings: Vec<&AuditFinding> = audit.findings.iter().filter(doubtful).collect();
+    let rows = findings.iter().flat_map(|finding| &finding.because).filter(|because| because.unconfirmed.is_some());
+    let tables: BTreeSet<&str> = rows.map(|because| because.table.as_str()).collect();
+    let tables = Figure::list(tables.into_iter().map(|table| Figure::Text(table.to_owned().into())));
+    (!findings.is_empty()).then(|| say!(lang, "audit-unconfirmed", count = findings.len(), tables = tables))
 }
 
 /// A row for the reader: table, number, and whether it is unconfirmed.

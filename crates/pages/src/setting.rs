@@ -21,14 +21,16 @@ pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
             length = tool.length_mm
         )
     });
-    let remarks: String = set_ups.chain(tools).map(|line| format!("# {line}\n")).collect();
+    let clamps = clamps(plan, job, lang);
+    let remarks: String = set_ups.chain(clamps).chain(tools).map(|line| format!("# {line}\n")).collect();
     remarks + &setting.to_yaml()
 }
 
 /// The same as a page.
 pub fn page(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "setting-title", part = job.part.as_str()));
-    page.push(Block::List(job.setups.iter().map(|setup| stand(setup, lang).into()).collect()));
+    let stands = job.setups.iter().map(|setup| stand(setup, lang));
+    page.push(Block::List(stands.chain(clamps(plan, job, lang)).map(Into::into).collect()));
     let mut table = Table::new([
         Column::text("T"),
         Column::text("H"),
@@ -51,6 +53,21 @@ pub fn page(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Document {
 
 fn stand(setup: &SetUp, lang: Lang) -> String {
     say!(lang, "setting-stand", setup = setup.number, supports = setup.supports, nose = setup.nose)
+}
+
+/// The clamps of the first set-up, and what their screws lack; of a second set-up, that no clamps are planned for it.
+fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
+    let Some(clamping) = &plan.clamping else { return vec![say!(lang, "plan-no-clamping").to_owned()] };
+    let mut told = vec![super::sheet::clamps_of(clamping, lang)];
+    if clamping.because.iter().any(|because| because.unconfirmed.is_some()) {
+        told.push(say!(lang, "setting-mark").to_owned());
+    }
+    if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
+        told.push(super::sheet::weak_screw(clamping, lang));
+    }
+    let turned = job.setups.iter().filter(|setup| setup.number > 1);
+    told.extend(turned.map(|setup| say!(lang, "setting-clamps-of-second", setup = setup.number)));
+    told
 }
 
 /// The magazine place of a tool.

@@ -1,11 +1,13 @@
 //! The plan as a page: route, tools, conditions, clamping, corrections, time, findings.
 
 use crate::document::{Document, Field, FindingBlock, Inlines, Severity as Shown};
+use crate::job::{self, SetUp};
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
 use crate::note::{Because, Figure, Note, Severity, Told};
 use crate::plan::{Clamping, Plan};
+use crate::shop::Shop;
 use crate::units::{Micrometres, round_to};
 
 use super::doubts::is_of_row;
@@ -17,7 +19,7 @@ pub(crate) mod route;
 mod tools;
 
 /// The mark of a figure from an unconfirmed row.
-const MARK: &str = "*";
+pub(super) const MARK: &str = "*";
 /// The content of a cell without a figure.
 pub(crate) const NONE: &str = "–";
 
@@ -41,6 +43,9 @@ pub fn page(plan: &Plan, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> D
             Some(clamping) => clamps(&mut page, clamping, lang),
             None => page.paragraph(say!(lang, "plan-no-clamping")),
         }
+        // What the part lies on follows from how far tools come out below it, which the job knows.
+        let job = Shop::new(&plan.part, plan.cutting, knowledge).and_then(|shop| job::make(plan, &shop));
+        job.iter().flat_map(|job| &job.setups).for_each(|setup| page.paragraph(supports(setup, plan, lang)));
     }
     if !plan.tools.is_empty() {
         page.heading(2, say!(lang, "plan-corrections"));
@@ -93,8 +98,8 @@ fn heading(key: &'static str, lang: Lang) -> String {
 }
 
 /// The mark after a figure from an unconfirmed row.
-fn mark(because: &[Because]) -> &'static str {
-    if because.iter().any(|reason| reason.unconfirmed.is_some()) { MARK } else { "" }
+pub(super) fn mark<'b>(because: impl IntoIterator<Item = &'b Because>) -> &'static str {
+    if because.into_iter().any(|reason| reason.unconfirmed.is_some()) { MARK } else { "" }
 }
 
 fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
@@ -129,6 +134,26 @@ fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
     ]));
 }
 
+/// What the part of a set-up lies on, and who says so: the file, or tools that come out below the part.
+fn supports(setup: &SetUp, plan: &Plan, lang: Lang) -> String {
+    let key = match plan.part.fixture.height {
+        Some(_) => "plan-supports-given",
+        None if setup.supports > Micrometres::ZERO => "plan-supports-assumed",
+        None => "plan-supports-none",
+    };
+    lang.say(&Note::new(key).with("setup", setup.number).with("height", setup.supports))
+}
+
+/// Where the clamps press, with which force and screw.
+pub(super) fn clamps_of(clamping: &Clamping, lang: Lang) -> String {
+    let points = clamping.clamps.iter().map(|point| say!(lang, "plan-point", x = point.x, y = point.y));
+    let points = points.collect::<Vec<_>>().join(", ");
+    let key = if clamping.proposed { "plan-clamps-proposed" } else { "plan-clamps" };
+    let screw = format!("{}{}", clamping.screw, mark(&clamping.because));
+    let sentence = Note::new(key).with("points", points).with("force", rounded(clamping.force_per_clamp_n.0, 0));
+    lang.say(&sentence.with("screw", screw).with("distance", clamping.safe_distance_mm))
+}
+
 fn clamps(page: &mut Document, clamping: &Clamping, lang: Lang) {
     page.paragraph(say!(
         lang,
@@ -138,17 +163,16 @@ fn clamps(page: &mut Document, clamping: &Clamping, lang: Lang) {
         distance = rounded(clamping.distance_mm.to_mm(), 1),
         force = rounded(clamping.force_n.0, 0)
     ));
-    let points = clamping.clamps.iter().map(|point| say!(lang, "plan-point", x = point.x, y = point.y));
-    let points = points.collect::<Vec<_>>().join(", ");
-    let key = if clamping.proposed { "plan-clamps-proposed" } else { "plan-clamps" };
-    let screw = format!("{}{}", clamping.screw, mark(&clamping.because));
-    let (bears, each) = (clamping.screw_bears_n.0, clamping.force_per_clamp_n.0);
-    let mut sentence = Note::new(key).with("points", points).with("force", rounded(each, 0));
-    sentence = sentence.with("screw", screw).with("distance", clamping.safe_distance_mm);
-    page.paragraph(lang.say(&sentence));
-    if bears < each {
-        page.paragraph(say!(lang, "plan-weak-screw", bears = rounded(bears, 0), force = rounded(each, 0)));
+    page.paragraph(clamps_of(clamping, lang));
+    if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
+        page.paragraph(weak_screw(clamping, lang));
     }
+}
+
+/// That the screw does not bear its share.
+pub(super) fn weak_screw(clamping: &Clamping, lang: Lang) -> String {
+    let (bears, each) = (clamping.screw_bears_n.0, clamping.force_per_clamp_n.0);
+    say!(lang, "plan-weak-screw", bears = rounded(bears, 0), force = rounded(each, 0))
 }
 
 /// The existing parts of the time, and their sum.

@@ -22,9 +22,10 @@ use technolog_turning::schemes::Schemes;
 use technolog_turning::shaft::{Division, Moves};
 use technolog_words::say;
 
+use super::doubts::is_of_row;
 use super::{Doubts, Lang};
 use cells::{Cell, arrow, figure, span, table};
-use phrases::{finding, material, rests_on, said, word};
+use phrases::{finding, material, rests_on, said, unconfirmed, word};
 
 pub use drawing::drawing;
 pub use frames::frames;
@@ -79,10 +80,10 @@ fn findings<'f>(page: &mut Document, all: impl Iterator<Item = &'f note::Finding
         section(page, say!(lang, "turn-findings"));
     }
     if let Some(counted) = counted {
-        page.push(finding(&note::Finding::of_part(note::Severity::Doubtful, counted), lang));
+        page.push(unconfirmed(&counted, lang));
     }
     for one in listed {
-        page.push(finding(one, lang));
+        page.push(if is_of_row(&one.note) { unconfirmed(&one.note, lang) } else { finding(one, lang) });
     }
 }
 

@@ -26,7 +26,7 @@ pub struct Args {
 }
 
 /// The formats of an audit and of a comparison.
-const FORMATS: [Format; 5] = [Format::Text, Format::Json, Format::Yaml, Format::Markdown, Format::Html];
+pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Yaml, Format::Markdown, Format::Html];
 
 /// Audits a plan or a folder of them.
 ///
@@ -34,7 +34,7 @@ const FORMATS: [Format; 5] = [Format::Text, Format::Json, Format::Yaml, Format::
 /// The plan file cannot be used; all its mistakes are reported at once. For a folder: it has no plan, or some cannot
 /// be used, which its table reports.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("audit", &FORMATS)?;
+    let format = context.format("audit", FORMATS)?;
     let knowledge = knowledge::load(context)?;
     let auditor = Auditor::new(knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     let scheme = args.marks.as_deref().map(|path| file::scheme(path, context)).transpose()?;

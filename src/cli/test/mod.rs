@@ -70,6 +70,9 @@ impl CaseFileRun {
     }
 }
 
+/// The formats of its answers.
+pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Junit, Format::Markdown, Format::Html];
+
 /// Runs every case of the files.
 ///
 /// # Errors
@@ -79,11 +82,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let found = collect(&args.paths, context)?;
     files::spare_inputs(&found, args.write, context)?;
     // The file of `--write -o FILE` is a copy of the cases, not the answer.
-    let formats = [Format::Text, Format::Json, Format::Junit, Format::Markdown, Format::Html];
     let format = match context.format {
         None if args.write => Format::Text,
-        Some(format) if args.write && formats.contains(&format) => format,
-        _ => context.format("test", &formats)?,
+        Some(format) if args.write && FORMATS.contains(&format) => format,
+        _ => context.format("test", FORMATS)?,
     };
     let knowledge = knowledge::load(context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);

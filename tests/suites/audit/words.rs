@@ -179,7 +179,13 @@ fn cyrillic(letter: char) -> bool {
 /// A page without what stands in it on purpose: names of the plan and of files, ids of tables and rules where they are
 /// named as such, our own commands, and what the spoilt plans say.
 fn without_names(plan: &str, page: &str) -> Vec<String> {
-    let page = page.split_whitespace().collect::<Vec<_>>().join(" ").replace(plan, "").replace("technolog order", "");
+    let page = page
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
+        .replace(plan, "")
+        .replace("technolog order", "")
+        .replace("technolog table NAME", "");
     let of_file = |word: &str| [".yaml", ".yml", ".json", ".nc"].iter().any(|end| word.contains(end));
     let mut before = String::new();
     let mut kept = Vec::new();

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use technolog::program::lathe::recognised;
 use technolog_testing::root;
 
 use super::{command, folder};
@@ -29,6 +30,7 @@ fn what_is_not_there_is_told_with_what_is() {
         ("check program.nc --part foo.yaml", "--> foo.yaml:5:10", "gf2171, ir500pmf4"),
         ("explain plate.yaml --hole В", "[unknown-hole]", "the part file has `B`"),
         ("explain plate.yaml --hole zzz", "[unknown-hole]", "A, B"),
+        ("explain plate.yaml", "[hole-missing]: which group of holes is meant", "help: there are: A, B"),
         ("table A.18", "[unknown-table]", "`A.18a`, `A.18b`"),
         ("turn pin.yaml --show program --number 9", "[no-such-program]", "help: give one of these with --number: 1: "),
     ] {
@@ -36,4 +38,101 @@ fn what_is_not_there_is_told_with_what_is() {
         assert_eq!((answer.code, answer.answer.as_str()), (Some(2), ""), "{arguments}: {}", answer.beside);
         assert!(answer.beside.contains(told) && answer.beside.contains(help), "{arguments}: {}", answer.beside);
     }
+}
+
+/// A student checks what `turn` wrote and forgets the control: one message, naming it, instead of a hundred wrong words.
+#[test]
+fn a_program_of_a_lathe_is_told_from_that_of_a_mill() {
+    let folder = folder("lathe-program");
+    let part = root().join("examples/turned-sleeve.yaml");
+    let part = part.to_str().unwrap();
+    for (control, reader) in [("linuxcnc", "linuxcnc-lathe"), ("fanuc", "fanuc-lathe"), ("sinumerik", "sinumerik")] {
+        let file = format!("{control}.nc");
+        let written = command(&folder, &["turn", part, "--show", "program", "--control", control, "-o", &file], b"");
+        assert_eq!(written.code, Some(0), "{}", written.beside);
+        let said = command(&folder, &["check", &file], b"");
+        assert_eq!((said.code, said.answer.as_str()), (Some(2), ""), "{control}: {}", said.beside);
+        let expected = format!(
+            "error[program-of-lathe]: this is a program of a lathe, and 2c42-65 is the control of a mill\n\
+             help: name the control of the lathe: --control {reader}\n"
+        );
+        assert_eq!(said.beside, expected);
+        let said = command(&folder, &["check", &file, "--control", reader, "--part", part, "--set-up", "1"], b"");
+        assert_eq!(said.code, Some(0), "{control}: {}{}", said.answer, said.beside);
+    }
+}
+
+/// No program of a mill in the repository is taken for one of a lathe.
+#[test]
+fn no_program_of_a_mill_is_taken_for_one_of_a_lathe() {
+    let mut programs = vec![root().join("examples/appendix-g/program.nc")];
+    let mut folders: Vec<_> = ["programs", "programs-linuxcnc", "programs-fanuc", "audit-programs", "written", "proof"]
+        .map(|name| root().join("tests").join(name))
+        .into();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                programs.push(path);
+            }
+        }
+    }
+    assert!(programs.len() > 300, "{}", programs.len());
+    for path in programs {
+        let text = String::from_utf8_lossy(&fs::read(&path).unwrap()).into_owned();
+        assert!(recognised(&text).is_empty(), "{}", path.display());
+    }
+}
+
+/// `turn --show program` writes one set-up: it says which, and how the others are had.
+#[test]
+fn a_program_of_one_set_up_says_how_the_others_are_had() {
+    let folder = folder("one-set-up");
+    let part = root().join("examples/turned-sleeve.yaml");
+    let part = part.to_str().unwrap();
+    for (number, other) in [("1", "2"), ("2", "1")] {
+        let said = command(&folder, &["turn", part, "--show", "program", "--number", number], b"");
+        let told =
+            format!("this is program {number} of 2, for set-up {number} only; for the others: --number {other}\n");
+        assert!(said.beside.contains(&told), "{}", said.beside);
+    }
+}
+
+/// A control that is offered only for its setting sheet says so where a program is asked of it, and has the sheet.
+#[test]
+fn a_control_without_programs_says_what_works() {
+    let folder = folder("nc-201");
+    let part = root().join("examples/turned-sleeve.yaml");
+    let part = part.to_str().unwrap();
+    let said = command(&folder, &["turn", part, "--show", "program", "--control", "nc-201"], b"");
+    assert!(
+        said.code == Some(2) && said.beside.contains("help: the setting sheet is there: --show setting;"),
+        "{}",
+        said.beside
+    );
+    let said = command(&folder, &["turn", part, "--show", "setting", "--control", "nc-201"], b"");
+    assert_eq!(said.code, Some(0), "{}", said.beside);
+}
+
+/// A finding of the plan has no code of a program to show.
+#[test]
+fn a_finding_of_the_plan_shows_no_code() {
+    let folder = folder("no-code");
+    let part = root().join("examples/plate.yaml");
+    let said = command(&folder, &["program", part.to_str().unwrap()], b"");
+    assert!(said.beside.starts_with("note: no height of the fixture is given"), "{}", said.beside);
+    let said = command(&folder, &["program", part.to_str().unwrap(), "--show", "setting"], b"");
+    assert!(
+        said.answer.contains("\n# Clamps [0; -130], [0; 130] (proposed): 1352 N each, screw M10*"),
+        "{}",
+        said.answer
+    );
+    let said = command(&folder, &["plan", part.to_str().unwrap()], b"");
+    assert!(
+        said.answer.contains("Set-up 1: the part on supports of 10 mm, so that tools have room below it"),
+        "{}",
+        said.answer
+    );
 }

@@ -3,17 +3,20 @@
 use std::process::Command;
 
 use technolog::program::lathe::{LatheAct, LatheFeed, LatheLanguage, LatheSpeed, Subprogram, read};
+use technolog::turning::jobs::Work;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::setting::setting;
 use technolog::turning::operation::times::times;
 use technolog::turning::operation::tool_table::tool_table;
 use technolog::turning::tooling::Lathe;
+use technolog::words::{Lang, say};
 use technolog_testing::KNOWLEDGE;
 
 use crate::operation::{example, planned};
 
 fn table_of(name: &str) -> String {
-    tool_table(&setting(&planned(&example(name)), "linuxcnc", &KNOWLEDGE).unwrap(), "Втулка")
+    let setting = setting(&planned(&example(name)), "linuxcnc", &KNOWLEDGE).unwrap();
+    tool_table(&setting, "Втулка", |work| work.name().to_owned())
 }
 
 /// By hand from the catalog: noses of 0.8 and of a blade 0.4 mm, as diameters; a right-hand tool outside is 2 for LinuxCNC
@@ -27,6 +30,16 @@ fn a_tool_table_has_a_line_for_each_place_of_the_turret() {
     assert_eq!(lines[1], "T2 P2 X+0.000 Z+0.000 D+1.600 I+275.000 J+355.000 Q3 ;S32U-PCLNR12, rough");
     assert_eq!(lines[4], "T5 P5 X+0.000 Z+0.000 D+0.800 Q2 ;MGEHR 2525-4, groove");
     assert!(table.is_ascii() && table.starts_with(';') && table.ends_with('\n'));
+}
+
+/// Head and remarks are of one language: Ukrainian goes into Latin letters, nothing of it is English.
+#[test]
+fn a_tool_table_is_of_one_language() {
+    let setting = setting(&planned(&example("turned-bushing")), "linuxcnc", &KNOWLEDGE).unwrap();
+    let named = |work: Work| Lang::UK.term("turn-does", work.name()).to_owned();
+    let table = tool_table(&setting, &say!(Lang::UK, "turn-tool-table-head", part = "Втулка"), named);
+    assert!(table.is_ascii() && table.contains(";PCLNR 2525M12, pidrizaty torets, tochyty nachorno\n"), "{table}");
+    assert!(["touch", "face", "rough", "groove", "until"].iter().all(|word| !table.contains(word)), "{table}");
 }
 
 /// A drill has no nose, and points along the axis.

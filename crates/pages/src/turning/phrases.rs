@@ -8,6 +8,7 @@ use technolog_turning::length::Half;
 use technolog_words::say;
 
 use super::super::Lang;
+use super::super::sheet::MARK;
 use super::cells::figure;
 
 /// A note as a line.
@@ -37,6 +38,11 @@ pub(super) fn finding(finding: &note::Finding, lang: Lang) -> FindingBlock {
         note::Severity::Note => Severity::Note,
     };
     FindingBlock::new(severity, lang.term("word", finding.severity.name()), said(&finding.note, lang))
+}
+
+/// What is said of rows that nothing confirms, under the mark that their figures have.
+pub(super) fn unconfirmed(note: &Note, lang: Lang) -> FindingBlock {
+    FindingBlock::new(Severity::Doubtful, MARK, said(note, lang))
 }
 
 /// A word of the general vocabulary, as a figure of a sentence.

@@ -14,6 +14,9 @@ pub(super) fn doubts(operation: &Operation) -> Vec<Finding> {
         let stretches = set_up.set_up.outer.iter().chain(&set_up.set_up.inner);
         rows.extend(stretches.flat_map(|stretch| &stretch.classes).map(|class| &class.because));
         rows.extend(set_up.sides.iter().flat_map(of_side));
+        for job in &set_up.jobs {
+            rows.extend(job.because.iter().chain(job.conditions.iter().flat_map(|conditions| &conditions.because)));
+        }
     }
     let notes = rows.into_iter().filter_map(Because::doubt);
     notes.map(|note: Note| Finding::of_part(Severity::Doubtful, note)).collect()

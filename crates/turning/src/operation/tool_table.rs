@@ -6,7 +6,7 @@
 
 use std::fmt::Write;
 
-use crate::turning::jobs::{Body, JobTool};
+use crate::turning::jobs::{Body, JobTool, Work};
 use crate::turning::tooling::{Hand, Place, ToolKind};
 use crate::units::Degrees;
 use technolog_core::ascii::ascii;
@@ -16,8 +16,9 @@ use super::setting::Setting;
 /// The control that has such a table.
 pub const CONTROL: &str = "linuxcnc";
 
-/// The file; `head` is the comment before its lines, one line of ASCII. The offsets are 0 until they are measured.
-pub fn tool_table(setting: &Setting, head: &str) -> String {
+/// The file; `head` is the comment before its lines, one line of ASCII, `named` the name of a job in its language. The
+/// offsets are 0 until they are measured.
+pub fn tool_table(setting: &Setting, head: &str, named: impl Fn(Work) -> String) -> String {
     let mut file = format!("; {}\n", ascii(head).replace('\n', " "));
     for tool in &setting.tools {
         let station = &tool.station;
@@ -26,7 +27,7 @@ pub fn tool_table(setting: &Setting, head: &str) -> String {
         let angles =
             edges(&station.tool).map_or_else(String::new, |(front, back)| format!(" I{:+.3} J{:+.3}", front.0, back.0));
         let orientation = tool.orientation.unwrap_or_default();
-        let works: Vec<&str> = tool.works.iter().map(|work| work.name()).collect();
+        let works: Vec<String> = tool.works.iter().map(|work| ascii(&named(*work))).collect();
         let remark = format!("{}, {}", ascii(&station.tool.designation), works.join(", ")).replace(';', ",");
         // Writing to a string cannot fail.
         let _ = writeln!(file, "T{place} P{place} X+0.000 Z+0.000 D{nose:+.3}{angles} Q{orientation} ;{remark}");

@@ -1,5 +1,5 @@
 lathe-language-not-documented = nothing is written for { $control }: no public description of its language was found, of its words for turning only the names { $words } are known
-    .help = take linuxcnc or sinumerik, or add rows to the tables lathe-… from its manual
+    .help = the setting sheet is there: --show setting; programs are written for linuxcnc, fanuc and sinumerik, and for others when their words are added to the tables lathe-… from the manual
 lathe-way-empty = the toolpath has no move
     .help = check whether there is stock over the contour
 lathe-contour-empty = the contour has no piece

@@ -7,6 +7,10 @@ audit-summary = { $error ->
         [one] 1 note
        *[other] { $note } notes
     }; of these { $follow } follow from others
+audit-unconfirmed = { $count ->
+        [one] { $count } finding rests
+       *[other] { $count } findings rest
+    } on rows that nothing confirms, of { $tables }: each such row is marked “unconfirmed” below, and `technolog table NAME` says why
 # Sections.
 audit-section-route = Route
 audit-section-tools = Cutters

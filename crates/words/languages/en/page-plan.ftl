@@ -89,6 +89,9 @@ plan-largest-force = Hole { $hole } needs the largest clamping force: M = { $tor
 plan-clamps = Clamps { $points }: { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-weak-screw = The screw is too weak: it bears { $bears } N, and { $force } N are needed.
+plan-supports-given = Set-up { $setup }: the part on supports of { $height } mm, as the file says.
+plan-supports-assumed = Set-up { $setup }: the part on supports of { $height } mm, so that tools have room below it; the file gives no height (fixture.height).
+plan-supports-none = Set-up { $setup }: no supports are needed, no tool comes out below the part; the file gives no height (fixture.height).
 plan-times = { $parts } = { $total } min
 plan-time-machine = Machine time { $time }
 plan-time-feed-out = out of the holes at feed { $time }

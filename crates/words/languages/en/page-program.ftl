@@ -25,6 +25,8 @@ encoding-statement = { $text }: statement of the control
 # What the operator sets before a program runs.
 setting-title = Setting of the machine: { $part }
 setting-stand = set-up { $setup }: the part on supports of { $supports } mm; { $nose } mm from the table to the spindle nose with the ram up
+setting-mark = * rests on a row of a table that nothing confirms; `technolog plan … --all-problems` says why
+setting-clamps-of-second = set-up { $setup }: the places of the clamps are to be chosen anew, the plan has those of the first set-up only
 setting-tool = T{ $place } H{ $corrector }: { $designation }, Ø{ $diameter }, length { $length } mm
 setting-length = Assembly length
 setting-file = Zeros and corrections

@@ -149,6 +149,7 @@ turn-program = { $number }: set-up { $set_up }, { $count ->
        *[other] tools
     } { $tools }
 turn-program-not-written = { $program }: { $why }
+turn-one-of-programs = this is program { $number } of { $of }, for set-up { $set_up } only; for the others: { $others }
 turn-no-such-program = there is no program of this number
 turn-programs-are = give one of these with --number: { $known }
 turn-no-programs = there is no program, because no zone of the part could be planned
@@ -163,7 +164,7 @@ turn-setting-shank = Shank, { $unit }
 turn-setting-tip = Tip
 turn-setting-measured = How the offsets are measured
 turn-setting-offsets = T{ $place }: X: { $x }; Z: { $z }
-turn-tool-table-head = { $part }: X and Z are 0 until they are measured, touch off into the tool table
+turn-tool-table-head = { $part }: X and Z are 0 until they are measured: touch the part off and enter them in the tool table
 set-x-diameter = touch a turned diameter and enter what it measures
 set-x-bore = touch a bore and enter what it measures
 set-x-axis = the tool stands on the axis of the spindle: X 0

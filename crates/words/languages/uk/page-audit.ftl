@@ -1,6 +1,11 @@
 # The page of an audit.
 audit-title = Перевірка плану «{ $plan }»
 audit-summary = помилок – { $error }, хибних значень – { $wrong }, сумнівних – { $doubtful }, зауважень – { $note }; з них наслідки інших – { $follow }
+audit-unconfirmed = { $count ->
+        [one] { $count } запис спирається
+        [few] { $count } записи спираються
+       *[other] { $count } записів спираються
+    } на непідтверджені рядки таблиць { $tables }: кожен такий рядок нижче позначено «не підтверджено», а чому – каже `technolog table NAME`
 # Sections.
 audit-section-route = Маршрут
 audit-section-tools = Різальний інструмент

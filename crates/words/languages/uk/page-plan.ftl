@@ -78,6 +78,9 @@ plan-largest-force = Найбільша потрібна сила закріпл
 plan-clamps = Притискачі { $points }: сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
 plan-clamps-proposed = Притискачі { $points } (запропоновано): сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
 plan-weak-screw = Гвинт заслабкий: витримує { $bears } Н, а потрібно { $force } Н.
+plan-supports-given = Установ { $setup }: деталь на опорах { $height } мм, як задано у файлі.
+plan-supports-assumed = Установ { $setup }: деталь на опорах { $height } мм, щоб інструментові було куди вийти під деталлю; у файлі висоти не задано (fixture.height).
+plan-supports-none = Установ { $setup }: опори не потрібні, інструмент під деталь не виходить; у файлі висоти не задано (fixture.height).
 plan-times = { $parts } = { $total } хв
 plan-time-machine = Машинний час { $time }
 plan-time-feed-out = виведення на робочій подачі { $time }

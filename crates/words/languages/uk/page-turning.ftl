@@ -150,6 +150,7 @@ turn-program = { $number }: установ { $set_up }, { $count ->
        *[many] інструменти
     } { $tools }
 turn-program-not-written = { $program }: { $why }
+turn-one-of-programs = записано програму { $number } з { $of }, лише для установа { $set_up }; решта: { $others }
 turn-no-such-program = немає програми з таким номером
 turn-programs-are = вкажіть у --number одну з цих: { $known }
 turn-no-programs = програм немає, бо жодної зони деталі не спроєктовано
@@ -164,7 +165,7 @@ turn-setting-shank = Державка, { $unit }
 turn-setting-tip = Положення вершини
 turn-setting-measured = Як виміряти вильоти
 turn-setting-offsets = T{ $place }: X: { $x }; Z: { $z }
-turn-tool-table-head = { $part }: X і Z дорівнюють 0, доки їх не виміряно, touch off у таблицю інструментів
+turn-tool-table-head = { $part }: X і Z дорівнюють 0, доки їх не виміряно: торкніться деталі й уведіть їх у таблицю інструментів
 set-x-diameter = торкнутися обточеного діаметра й увести його виміряне значення
 set-x-bore = торкнутися розточеного отвору й увести його виміряний діаметр
 set-x-axis = інструмент стоїть на осі шпинделя: X 0

@@ -6,6 +6,7 @@
 //! - `block` one block and the motions it makes, `state` the state kept between blocks;
 //! - `contour` elements of contours and the frame of passes, `roughing` passes over them, `cycles` the cycles that
 //!   make passes over a contour, `threads` those that cut threads;
+//! - `recognise` whether a text is certainly a program of a lathe;
 //! - `run` the execution of the blocks; `motion` the result; `time` its duration; `rules` all rules.
 
 mod block;
@@ -14,6 +15,7 @@ mod control;
 mod cycles;
 mod expression;
 mod motion;
+mod recognise;
 mod roughing;
 mod rules;
 mod run;
@@ -30,6 +32,7 @@ mod words;
 pub use crate::tables::controls::lathe_reading::LatheReader;
 pub use control::LatheLanguage;
 pub use motion::{LatheAct, LatheFeed, LatheModes, LatheMotion, LathePlace, LathePoint, LatheSpeed, LatheTool};
+pub use recognise::recognised;
 pub use run::{LatheRun, Subprogram, read};
 pub use time::{LatheRates, LatheTimes, times};
 

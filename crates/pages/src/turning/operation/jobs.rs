@@ -10,6 +10,7 @@ use technolog_turning::operation::{Operation, SetUpWork};
 use technolog_turning::program::Speed;
 use technolog_words::say;
 
+use super::super::super::sheet::MARK;
 use super::super::Lang;
 use super::super::cells::{Cell, fixed, table};
 
@@ -19,7 +20,11 @@ pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], 
     for set_up in operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty()) {
         let rows = set_up.jobs.iter().map(|job| row(job, set_up, place(&stations, job), lang)).collect();
         page.heading(3, say!(lang, "turn-set-up", number = set_up.set_up.number));
-        page.push(table(columns(lang), rows, lang));
+        let mut jobs = table(columns(lang), rows, lang);
+        if set_up.jobs.iter().any(|job| !mark(job).is_empty()) {
+            jobs.notes.push(say!(lang, "plan-mark", mark = MARK).into());
+        }
+        page.push(jobs);
         if let Some(times) = times.iter().find(|times| times.set_up == set_up.set_up.number) {
             page.paragraph(time(times, lang));
         }
@@ -32,6 +37,12 @@ pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], 
     if !times.is_empty() {
         page.paragraph(say!(lang, "turn-job-time-without"));
     }
+}
+
+/// What stands behind the tool of a job that rests on an unconfirmed row.
+fn mark(job: &Job) -> &'static str {
+    let conditions = job.conditions.iter().flat_map(|conditions| &conditions.because);
+    super::super::super::sheet::mark(job.because.iter().chain(conditions))
 }
 
 fn columns(lang: Lang) -> [Column; 9] {
@@ -62,7 +73,7 @@ fn row(job: &Job, set_up: &SetUpWork, place: Option<u32>, lang: Lang) -> Vec<Cel
         .or_else(|| job.pace.cutting_speed(diameter(job, set_up)));
     let or_empty = |figure: Option<f64>, places| figure.map_or_else(Cell::empty, |figure| Cell::Figure(figure, places));
     vec![
-        place.map_or_else(Cell::empty, |place| format!("T{place}").into()),
+        place.map_or_else(|| mark(job).into(), |place| format!("T{place}{}", mark(job)).into()),
         lang.term("turn-does", job.work.name()).into(),
         lang.term("turn-side", job.side.name()).into(),
         job.tool.designation.as_str().into(),
