@@ -139,20 +139,22 @@ pub fn program(
                 let others = others.map(|number| format!("--number {number}")).collect::<Vec<_>>().join(", ");
                 let (number, set_up) = (wanted.number, written.set_up);
                 let of = all.len();
-                super::output::complain(&say!(
+                let said = say!(
                     context.lang,
                     "turn-one-of-programs",
                     number = number,
                     of = of,
                     set_up = set_up,
                     others = others
-                ));
+                );
+                super::output::complain(&format!("{said}\n"));
             }
             // Nobody sees the page at the machine.
             let mut set_ups = operation.set_ups.iter().map(|one| &one.set_up);
             let is_held = set_ups.any(|one| one.number == written.set_up && one.holds_at.is_some());
             if !is_held {
-                super::output::complain(&say!(context.lang, "set-up-not-held", number = written.set_up));
+                let said = say!(context.lang, "set-up-not-held", number = written.set_up);
+                super::output::complain(&format!("{said}\n"));
             }
             Ok(if operation.has_errors() || !is_held { Outcome::Findings } else { Outcome::Done })
         }
