@@ -81,11 +81,40 @@ rows! {
         width: Micrometres,
         depth: Micrometres,
     }
+
+    /// Deviations of metric threads and the tolerance of their crests, by pitch.
+    pub struct ThreadDeviations of One("thread-deviations") {
+        pitch: Micrometres,
+        e: Micrometres,
+        f: Micrometres,
+        g: Micrometres,
+        crest_4: Micrometres,
+        crest_6: Micrometres,
+        crest_8: Option<Micrometres>,
+    }
+
     /// Constants of the minor diameter of internal metric threads.
     pub struct ThreadMinorDiameter of One("thread-minor-diameter") complete name {
         name: Named<'t, MinorDiameterConstant>,
         value: f64,
     } shown { used }
+
+    /// Tolerance of the pitch diameter of metric threads, by range of diameters and pitch.
+    pub struct ThreadPitchTolerance of One("thread-pitch-tolerance") {
+        over: Micrometres,
+        up_to: Micrometres,
+        pitch: Micrometres,
+        outer_4: Micrometres,
+        outer_5: Micrometres,
+        outer_6: Micrometres,
+        outer_7: Micrometres,
+        outer_8: Option<Micrometres>,
+        inner_4: Micrometres,
+        inner_5: Micrometres,
+        inner_6: Micrometres,
+        inner_7: Micrometres,
+        inner_8: Option<Micrometres>,
+    }
 }
 
 vocabulary! {

@@ -211,8 +211,8 @@ impl<'s> Carried<'s> {
 
     fn hold_threads(&mut self) {
         for (thread, pass) in self.target.threads.iter().zip(&self.passes) {
-            let (crest, root) = (thread.thread.crest.0, thread.thread.root.0);
-            let left = (pass.unwrap_or(crest) - root) * (crest - root).signum();
+            let (crest, shallow) = (thread.thread.crest.0, thread.thread.shallow.0);
+            let left = (pass.unwrap_or(crest) - shallow) * (crest - shallow).signum();
             if left > TOLERANCE {
                 self.faults.add(Fault::ThreadShallow { surface: thread.surface.clone(), left: Mm(left) });
             }

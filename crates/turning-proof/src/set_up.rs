@@ -87,7 +87,9 @@ impl Piece {
 pub struct Thread {
     /// The radius of its crests, to which its cylinder is turned before.
     pub crest: Mm,
-    /// The radius of its roots.
+    /// The radius that its deepest pass must reach: the pitch diameter with the most metal that its tolerance allows.
+    pub shallow: Mm,
+    /// The radius that no pass may go beyond: the pitch diameter with the least metal.
     pub root: Mm,
 }
 

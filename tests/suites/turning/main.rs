@@ -22,6 +22,7 @@ mod read_back;
 mod schemes;
 mod setting;
 mod tailstock;
+mod threads;
 mod tools;
 mod transitions;
 mod workpiece;

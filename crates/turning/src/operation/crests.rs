@@ -2,7 +2,6 @@
 //! of the drawing.
 
 use crate::turning::contour::{Contour, Piece, Profile, Side, SurfaceKind};
-use crate::turning::jobs::thread::Crests;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::workpiece::Workpiece;
@@ -27,7 +26,7 @@ fn lowered(profile: &Profile, workpiece: &Workpiece) -> Vec<Lowered> {
         let outer = profile.side == Side::Outer && surface.kind == SurfaceKind::Thread;
         let ([thread], true) = (surface.pieces.as_slice(), outer) else { continue };
         let name = surface.name.to_string();
-        let crests = workpiece.threads.iter().find(|one| one.surface == name).and_then(Crests::of);
+        let crests = workpiece.threads.iter().find(|one| one.surface == name).and_then(|one| one.crests.as_ref());
         let relief = profile.surfaces.get(index + 1).filter(|next| next.kind.is_additional());
         let ends = relief.and_then(|relief| relief.pieces.last()).map_or(thread.to.z, |last| last.to.z);
         all.extend(crests.map(|crests| Lowered { thread: *thread, ends, radius: crests.middle_radius() }));

@@ -5,13 +5,11 @@ use technolog_turning_proof as proof;
 
 use crate::note::{Figure, Finding, Note, Severity, Told};
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Surface, SurfaceKind, Turn};
-use crate::turning::jobs::thread::Crests;
 use crate::turning::jobs::{Body, JobTool, UNKNOWN_EDGE};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::tooling::{Hand, Place, ToolKind};
 use crate::turning::toolpath::{Purpose, Toolpath};
-use crate::turning::workpiece::Workpiece;
 use crate::units::{Degrees, Micrometres};
 use proof::{At, Block, Cutter, Fault, Holder, Mm, Motion, MotionKind, Sense, SetUp, Stock};
 
@@ -291,9 +289,8 @@ fn over(profile: &Profile, length: Half) -> Profile {
 }
 
 fn surface_pieces(surface: &Surface, operation: &Operation) -> Vec<proof::ProfilePiece> {
-    let workpiece = &operation.workpiece;
     let later = operation.elsewhere.iter().find(|one| one.surface == surface.name);
-    let thread = (surface.kind == SurfaceKind::Thread).then(|| thread(surface, workpiece)).flatten();
+    let thread = (surface.kind == SurfaceKind::Thread).then(|| thread(surface, operation)).flatten();
     let piece = |piece: &Piece| proof::ProfilePiece {
         path: proof_piece(piece),
         surface: Some((&surface.name).told()),
@@ -303,18 +300,35 @@ fn surface_pieces(surface: &Surface, operation: &Operation) -> Vec<proof::Profil
     surface.pieces.iter().map(piece).collect()
 }
 
-/// The crests of a thread are its surface; its roots are 0.6134 P below outside, and at the nominal diameter inside
-/// (ISO 724, ISO 965).
-fn thread(surface: &Surface, workpiece: &Workpiece) -> Option<proof::Thread> {
+/// The crests of a thread are its surface as it is turned. Its passes must come between the limits of the pitch diameter: the
+/// tip of a pass lies H/2 − r = √3/4 · P − r beyond the pitch line that it makes, with the nose radius r of the tool.
+fn thread(surface: &Surface, operation: &Operation) -> Option<proof::Thread> {
     let name = surface.name.to_string();
-    let thread = workpiece.threads.iter().find(|thread| thread.surface == name)?;
+    let thread = operation.workpiece.threads.iter().find(|thread| thread.surface == name)?;
     let crest = surface.pieces.first()?.from.radius.to_mm();
-    let nominal = thread.size.to_mm() / 2.0;
-    let inside = crest < nominal - 1e-6;
-    let root = if inside { nominal + ROUNDING } else { nominal - 0.6134 * thread.pitch.to_mm() - ROUNDING };
-    // It is drawn at the nominal diameter and turned to the middle of its tolerance.
-    let turned = Crests::of(thread).filter(|_| !inside).map_or(crest, |crests| crests.middle_radius().to_mm());
-    Some(proof::Thread { crest: Mm(turned), root: Mm(root) })
+    let inside = crest < thread.size.to_mm() / 2.0 - 1e-6;
+    let basic = thread.basic_pitch_diameter();
+    let (least, most) = thread.flanks.as_ref().map_or((basic, basic), |limits| (limits.least, limits.most));
+    let beyond = libm::sqrt(3.0) / 4.0 * thread.pitch.to_mm() - threading_nose(surface, operation);
+    let tip = |pitch_diameter: Micrometres, outwards: f64| pitch_diameter.to_mm() / 2.0 + outwards * beyond;
+    let (shallow, root) = if inside {
+        (tip(least, 1.0) - ROUNDING, tip(most, 1.0) + ROUNDING)
+    } else {
+        (tip(most, -1.0) + ROUNDING, tip(least, -1.0) - ROUNDING)
+    };
+    // It is drawn at the nominal diameter and turned to the middle of what its tolerance leaves.
+    let turned = thread.crests.as_ref().map_or(crest, |crests| crests.middle_radius().to_mm());
+    Some(proof::Thread { crest: Mm(turned), shallow: Mm(shallow), root: Mm(root) })
+}
+
+/// The nose radius of the tool that cuts a thread, mm; a sharp point where none does.
+fn threading_nose(surface: &Surface, operation: &Operation) -> f64 {
+    let mut jobs = operation.set_ups.iter().flat_map(|work| &work.jobs);
+    let job = jobs.find(|job| job.thread.is_some() && job.surfaces.contains(&surface.name));
+    match job.map(|job| &job.tool.body) {
+        Some(Body::Insert { nose_radius_mm, .. }) => nose_radius_mm.to_mm(),
+        _ => 0.0,
+    }
 }
 
 fn tool(tool: &JobTool) -> proof::Tool {

@@ -21,6 +21,7 @@ mod relief;
 mod settings;
 mod stepped;
 mod thread;
+mod thread_limits;
 mod walk;
 mod walk_groove;
 
@@ -39,6 +40,7 @@ pub use blank::{Blank, StockKind};
 pub use file::schema;
 pub use preparation::{Advice, advice};
 pub use read::{read_turned, read_turned_node, read_workpiece};
+pub use thread_limits::{ThreadLimits, ToleranceRow, tolerance_rows};
 
 /// The contents of a turned part's file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -123,6 +125,19 @@ pub struct Thread {
     pub size: Micrometres,
     /// Its pitch, mm.
     pub pitch: Micrometres,
+    /// The limits of its crests, outside; none where the tables have none of its class.
+    #[serde(skip)]
+    pub crests: Option<ThreadLimits>,
+    /// The limits of its pitch diameter; none where the tables have none of its class.
+    #[serde(skip)]
+    pub flanks: Option<ThreadLimits>,
+}
+
+impl Thread {
+    /// The pitch diameter of the basic profile, 3/4 H = 0.6495 P below the nominal one (ISO 724).
+    pub fn basic_pitch_diameter(&self) -> Micrometres {
+        thread_limits::basic_pitch_diameter(self.size, self.pitch)
+    }
 }
 
 /// The limits of roughing; missing ones follow from tool, lathe and rules.

@@ -12,6 +12,7 @@ use super::Thread;
 use super::groove::GrooveForm;
 use super::items::{Along, ContourItem, GrooveValues, ItemShape, Measure};
 use super::thread::ThreadSize;
+use super::thread_limits;
 
 /// How far the ends of an arc may be off its circle, because they are rounded.
 const SLACK: Half = Half::new(2);
@@ -277,7 +278,8 @@ impl Walk<'_, '_, '_> {
         match (thread_size, self.last()) {
             (Some((thread_size, _)), Some(surface)) if self.walked.surfaces.len() > before => {
                 let (written, size, pitch) = (thread_size.written.clone(), thread_size.size, thread_size.pitch);
-                let thread = Thread { surface: surface.name.to_string(), written, size, pitch };
+                let (crests, flanks) = thread_limits::of(thread_size, self.walked.side, self.reader.knowledge);
+                let thread = Thread { surface: surface.name.to_string(), written, size, pitch, crests, flanks };
                 self.walked.threads.push(thread);
             }
             _ => self.walked.whole = false,

@@ -28,7 +28,7 @@ swept-corner = { $surface }: an inner corner keeps the round of the nose, r = { 
         [one] corner
        *[other] corners
     } in all
-swept-thread-shallow = { $surface }: the deepest pass of the thread ends { $left } mm before its root
+swept-thread-shallow = { $surface }: the deepest pass of the thread ends { $left } mm short of the pitch diameter that its tolerance allows
 # What cannot be followed at all.
 swept-no-contour = the proof of the program has no outer contour of the part
 swept-no-tool = block { $block } moves a tool that the set-up does not have

@@ -35,7 +35,7 @@ swept-corner = { $surface }: у внутрішньому куті лишаєть
         [few] кути
        *[many] кутів
     }
-swept-thread-shallow = { $surface }: найглибший хід не доходить до западини різі на { $left } мм
+swept-thread-shallow = { $surface }: найглибшому ходу різі бракує { $left } мм до середнього діаметра, який дозволяє її допуск
 # What cannot be followed at all.
 swept-no-contour = для перевірки програми немає зовнішнього контуру деталі
 swept-no-tool = кадр { $block } переміщує інструмент, якого в установі немає

@@ -1,12 +1,11 @@
 //! Metric threads, outside and in a bore, turned pass by pass towards the chuck: right-hand threads with a right-hand
 //! tool.
 //!
-//! Depth: the flanks are those of the profile of ISO 68-1 for any nose of the insert. From the crests to the sharp
-//! point of the flanks it is 7/8 H outside and 3/4 H in a bore, with H = √3/2 · P; a round tip of radius r ends r
-//! before that point. Inserts of full profile have r = H/6 outside, so 17/24 H = 0.6134 P, and H/12 in a bore, so 2/3 H
-//! = 0.5774 P: as makers' tables of passes have it.
+//! Depth: the flanks are cut to the middle of the limits of the pitch diameter (ISO 965-1), for any nose of the insert.
+//! From the pitch line to the sharp point of the flanks it is H/2, with H = √3/2 · P; a round tip of radius r ends r before
+//! that point. Inserts of full profile have r = H/6 outside and H/12 in a bore. On the basic profile that makes makers'
+//! depths: 17/24 H = 0.6134 P below the nominal diameter outside, 2/3 H = 0.5774 P from the minor diameter in a bore.
 
-mod crests;
 mod passes;
 mod room;
 
@@ -20,14 +19,14 @@ use crate::note::{Because, Note};
 use crate::tables::turning::jobs::{
     JobLimit, ThreadingFirstPassFor, ThreadingInfeedFor, ThreadingPasses, ThreadingSpeedFor,
 };
-use crate::turning::contour::{Side, Surface};
+use crate::turning::contour::{Side, Surface, SurfaceName};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::tooling::{Hand, Lathe, Place, Spindle, ToolKind, TurningTool};
 use crate::turning::toolpath::{Purpose, Toolpath};
-use crate::turning::workpiece::Thread;
+use crate::turning::workpiece::{Thread, ThreadLimits, ToleranceRow, tolerance_rows};
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
 use technolog_cutting::{rpm_at, speed_at};
 
@@ -36,7 +35,6 @@ use super::limits::Limits;
 use super::refused::{NoJob, no_figure};
 use super::site::{self, Site};
 use super::{Job, JobTool, Pace, ThreadCut, Work};
-pub use crests::Crests;
 use passes::Divided;
 pub use passes::Passes;
 use room::Room;
@@ -67,8 +65,9 @@ pub fn thread(
     let mut limits = Limits::of(bench.knowledge);
     let side = site.side();
     let tool = insert(site, surface, thread.pitch, piece.to.z, bench)?;
-    let (crest, root) = radii(side, thread, piece.from.radius, &tool)?;
-    let (rpm, mut because) = spindle(thread, lathe, bench)?;
+    let crest = thread.crests.as_ref().map_or(piece.from.radius, ThreadLimits::middle_radius);
+    let root = root_radius(side, thread, &tool);
+    let (rpm, mut because) = spindle(thread.pitch, root.max(crest).diameter(), lathe, bench)?;
     because.insert(0, Because::row(tool.row, Note::new("job-tool-taken").with("tool", tool.designation)));
     let lost = thread.pitch.to_mm() * rpm.0 / limits.ratio(JobLimit::ThreadRunOut)?;
     let entry =
@@ -124,7 +123,8 @@ pub fn thread(
         notes.push(Note::new("thread-pulled-out").with("surface", &surface.name).with("length", found.to - piece.to.z));
     }
     notes.extend(crests(side, thread, &surface.name));
-    notes.extend(flanks(side, thread, &surface.name));
+    notes.push(flanks(thread, &surface.name));
+    because.extend(of_flanks(thread, bench));
     because.extend(limits.because);
     Ok(Job {
         work: Work::Thread,
@@ -142,7 +142,8 @@ pub fn thread(
     })
 }
 
-/// An insert for a pitch at that place: full profile first, because it also cuts the crests.
+/// An insert for a pitch that works there: of full profile first, because its tip is as round as the root
+/// of the profile.
 fn insert<'k>(
     site: Site<'_>,
     surface: &Surface,
@@ -188,34 +189,40 @@ fn is_full(tool: &TurningTool<'_>) -> bool {
     tool.pitch.is_some_and(|(least, most)| least == most)
 }
 
-/// The radii of crests and roots. Crests are the turned surface; roots follow from the basic profile.
-fn radii(side: Side, thread: &Thread, turned: Half, tool: &TurningTool<'_>) -> Tried<(Half, Half), NoJob> {
+/// The radius of the roots: by the pitch diameter in the middle of its limits, or that of the basic profile where these are
+/// not known.
+fn root_radius(side: Side, thread: &Thread, tool: &TurningTool<'_>) -> Half {
     let triangle = TRIANGLE * thread.pitch.to_mm();
-    let nominal = thread.size.to_mm() / 2.0;
+    let pitch_line = pitch_diameter(thread).to_mm() / 2.0;
     let tip = match (is_full(tool), side) {
         (true, Side::Outer) => triangle / 6.0,
         (true, Side::Inner) => triangle / 12.0,
         (false, _) => tool.nose_radius.unwrap_or_default().to_mm(),
     };
-    let root = match side {
-        Side::Outer => nominal - (7.0 / 8.0 * triangle - tip),
-        // D1 is 5/8 H below D.
-        Side::Inner => nominal - 5.0 / 8.0 * triangle + (3.0 / 4.0 * triangle - tip),
-    };
-    Ok((turned, Half::from(root)))
+    let beyond = triangle / 2.0 - tip;
+    Half::from(if side == Side::Outer { pitch_line - beyond } else { pitch_line + beyond })
 }
 
-/// The spindle speed of a thread, with its rows: the threading speed at the nominal diameter, limited by the feed
-/// rate of the lathe.
-fn spindle(thread: &Thread, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<(RevsPerMinute, Vec<Because>), NoJob> {
+/// The pitch diameter that the passes make.
+fn pitch_diameter(thread: &Thread) -> Micrometres {
+    thread.flanks.as_ref().map_or_else(|| thread.basic_pitch_diameter(), ThreadLimits::middle)
+}
+
+/// The spindle speed of a thread, with the rows behind it: the speed of threading on its largest diameter, as fast as the
+/// feed of the lathe follows.
+fn spindle(
+    pitch: Micrometres,
+    diameter: Micrometres,
+    lathe: &Lathe<'_>,
+    bench: &Bench<'_, '_>,
+) -> Tried<(RevsPerMinute, Vec<Because>), NoJob> {
     let asked = bench.knowledge.ask(&ThreadingSpeedFor { material_group: bench.material.group })?;
     let Some(speed) = asked.winner()?.map(|row| row.speed) else {
         return Err(no_figure(ThreadingSpeedFor::TABLE, bench));
     };
-    let pitch = thread.pitch;
     let (_, most) = lathe.feed_z;
     let follows = RevsPerMinute(most.0 / pitch.to_mm());
-    let wanted = rpm_at(speed, thread.size);
+    let wanted = rpm_at(speed, diameter);
     let rpm = lathe.spindle.at_most(RevsPerMinute(wanted.0.min(follows.0)));
     let rate = MillimetresPerMinute(rpm.0 * pitch.to_mm());
     if rate.0 > most.0 {
@@ -226,7 +233,7 @@ fn spindle(thread: &Thread, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<(
         // Whole revolutions, as in a program; rounded down to keep the feed within the limit.
         Spindle::Range { min, .. } => RevsPerMinute(rpm.0.floor().max(min.0)),
     };
-    let MetresPerMinute(used) = speed_at(rpm, thread.size).rounded(1);
+    let MetresPerMinute(used) = speed_at(rpm, diameter).rounded(1);
     let note = Note::new("thread-speed").with("wanted", speed.0).with("speed", used).with("spindle", rpm.0);
     let mut because = vec![Because::answer(&asked.answer, note)];
     if follows.0 < wanted.0 {
@@ -294,21 +301,38 @@ fn way(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site
     path
 }
 
-/// The note about the flanks: passes end at the basic profile, and the rest is left to gauging.
-fn flanks(side: Side, thread: &Thread, surface: &crate::turning::contour::SurfaceName) -> Option<Note> {
-    let below = Crests::pitch_below(thread).filter(|_| side == Side::Outer)?;
-    Some(
-        Note::new("thread-flanks")
-            .with("surface", surface)
-            .with("thread", thread.written.as_str())
-            .with("below", below),
-    )
+/// To which pitch diameter the passes go, and between which limits it is measured.
+fn flanks(thread: &Thread, surface: &SurfaceName) -> Note {
+    let named = |code| {
+        let written = thread.written.as_str();
+        Note::new(code).with("surface", surface).with("thread", written).with("made", pitch_diameter(thread))
+    };
+    match &thread.flanks {
+        Some(limits) => named("thread-flanks")
+            .with("class", limits.class.as_str())
+            .with("least", limits.least)
+            .with("most", limits.most),
+        None => named("thread-flanks-basic"),
+    }
+}
+
+/// The rows behind the limits of the pitch diameter.
+fn of_flanks(thread: &Thread, bench: &Bench<'_, '_>) -> Vec<Because> {
+    let Some(limits) = &thread.flanks else { return Vec::new() };
+    let told = |row| {
+        let (row, code, value) = match row {
+            ToleranceRow::Deviation(row) => (row, "thread-deviation", limits.deviation),
+            ToleranceRow::Pitch(row) => (row, "thread-tolerance", limits.tolerance()),
+        };
+        Because::row(row, Note::new(code).with("class", limits.class.as_str()).with("value", value))
+    };
+    tolerance_rows(thread, bench.knowledge).into_iter().map(told).collect()
 }
 
 /// The notes about the crests of an outer thread.
-fn crests(side: Side, thread: &Thread, surface: &crate::turning::contour::SurfaceName) -> Option<Note> {
+fn crests(side: Side, thread: &Thread, surface: &SurfaceName) -> Option<Note> {
     let named = |code| Note::new(code).with("surface", surface);
-    match (side, Crests::of(thread)) {
+    match (side, &thread.crests) {
         (Side::Inner, _) => None,
         (Side::Outer, Some(crests)) => Some(
             named("thread-crests")

@@ -54,24 +54,24 @@ fn mm(half: Half) -> f64 {
     half.to_mm()
 }
 
-/// ISO 724: d3 of M36x2 is 33.546. By hand: h = 17/24·0.866·2 = 1.2269; 8 passes by area, the first 1.2269/√8 = 0.4338.
-/// 45 m/min on Ø36 are 398 1/min, of the spindle's steps 355: the run-out is 2·355/1800 = 0.394, the entry the greater
-/// of 3.605 times that, 1.42, and two pitches.
+/// ISO 965-2: d2 of M36x2-6g is 34.493 to 34.663, 34.578 in the middle; its roots lie 2/3 H = 1.1547 below, at Ø33.4233. Its
+/// crests are 35.682 to 35.962: from Ø35.822 h = 1.1994, in 8 passes by area, the first 1.1994/√8 = 0.4240. 60 m/min on Ø36 are 530 1/min, of the
+/// spindle's steps 500: the run-out is 2·500/1800 = 0.556, the entry the greater of 3.615 times that, 2.01, and two pitches.
 #[test]
-fn a_bolt_is_cut_to_the_minor_diameter_of_iso_724() {
+fn a_bolt_is_cut_to_the_middle_of_its_pitch_diameter() {
     let made = job(&part(&bolt("M36x2", "-30", RELIEF), "", "steel-45"), Side::Outer, Passes::Area).unwrap();
     let cut = made.thread.clone().unwrap();
-    assert!((2.0 * mm(cut.root_radius_mm) - 33.546).abs() < 0.001, "{}", cut.root_radius_mm);
-    assert_eq!(cut.crest_radius_mm, Half::from(18.0));
+    assert!((2.0 * mm(cut.root_radius_mm) - 33.4233).abs() < 0.001, "{}", cut.root_radius_mm);
+    assert_eq!(cut.crest_radius_mm, Half::from(17.911));
     let depths: Vec<f64> = cut.depths_mm.iter().map(|depth| mm(*depth)).collect();
     assert_eq!(depths.len(), 9, "eight passes and one more at the last depth: {depths:?}");
-    assert!((depths[0] - 0.4338).abs() < 0.001 && (depths[3] - 0.8676).abs() < 0.001, "{depths:?}");
-    assert!((depths[7] - 1.2269).abs() < 0.001 && depths[7] == depths[8], "{depths:?}");
-    assert_eq!(made.pace.speed().unwrap(), Speed::Spindle(RevsPerMinute(355.0)));
+    assert!((depths[0] - 0.4240).abs() < 0.001 && (depths[3] - 0.8481).abs() < 0.001, "{depths:?}");
+    assert!((depths[7] - 1.1994).abs() < 0.001 && depths[7] == depths[8], "{depths:?}");
+    assert_eq!(made.pace.speed().unwrap(), Speed::Spindle(RevsPerMinute(500.0)));
     assert!((made.pace.feeds().unwrap().thread.0 - 2.0).abs() < 1e-12);
     assert!((mm(cut.from_z_mm) - (2.0 - 4.0)).abs() < 0.001, "two pitches before the thread at Z 2");
-    // The relief is 1.5 deep with 45°: below the roots from 1.227 behind the thread on.
-    assert!((mm(cut.to_z_mm) - 31.227).abs() < 0.001, "{}", cut.to_z_mm);
+    // The relief is 1.5 deep with 45°: below the roots from 1.288 behind the thread on.
+    assert!((mm(cut.to_z_mm) - 31.288).abs() < 0.001, "{}", cut.to_z_mm);
     assert!((cut.infeed_angle_deg.0 - 29.5).abs() < 1e-9);
     // The way: nine passes, each at the depth of its pass, to the same end.
     let passes: Vec<_> = made.path.moves.iter().filter(|one| one.purpose == Purpose::Thread).collect();
@@ -79,14 +79,14 @@ fn a_bolt_is_cut_to_the_minor_diameter_of_iso_724() {
     for (one, depth) in passes.iter().zip(&cut.depths_mm) {
         assert_eq!(one.to, Point { radius: cut.crest_radius_mm - *depth, z: cut.to_z_mm });
     }
-    // By the flank: the first pass begins (1.2269 − 0.4338)·tan 29.5° = 0.4487 before the last.
+    // By the flank: the first pass begins (1.1994 − 0.4240)·tan 29.5° = 0.4387 before the last.
     let starts: Vec<f64> = made
         .path
         .pieces()
         .filter(|(_, purpose)| *purpose == Purpose::Thread)
         .map(|(piece, _)| mm(piece.from.z))
         .collect();
-    assert!((starts[0] + 2.0 + 0.4487).abs() < 0.001 && (starts[8] + 2.0).abs() < 0.001, "{starts:?}");
+    assert!((starts[0] + 2.0 + 0.4387).abs() < 0.001 && (starts[8] + 2.0).abs() < 0.001, "{starts:?}");
 }
 
 /// The flank-true depths are those of the makers' tables: Mitsubishi's outer 0.61 P, inner 0.577 P.
@@ -106,7 +106,8 @@ fn depths_are_those_of_the_makers_tables() {
     }
 }
 
-/// ISO 724: D1 of M36x2 is 33.835. The drill leaves Ø34; the roots lie 2/3 H = 1.1547 outside of D1.
+/// ISO 965-2: D2 of M36x2-6H is 34.701 to 34.925, 34.813 in the middle. The drill leaves Ø34; the roots lie 5/6 H = 1.4434
+/// outside of D2.
 #[test]
 fn a_nut_is_cut_from_its_bore_outwards() {
     let outer = "  - {from: {d: 34, z: 0}}\n  - {face: 90}\n  - {cylinder: -100}\n";
@@ -118,7 +119,7 @@ fn a_nut_is_cut_from_its_bore_outwards() {
     let inner = "  - {from: {d: 34, z: 0}}\n  - {thread: M36x2, to: -40}\n";
     let made = job(&part(outer, inner, "steel-45"), Side::Inner, Passes::Depth).unwrap();
     let cut = made.thread.unwrap();
-    assert!((2.0 * mm(cut.root_radius_mm) - (33.835 + 2.0 * 1.1547)).abs() < 0.002, "{}", cut.root_radius_mm);
+    assert!((2.0 * mm(cut.root_radius_mm) - (34.813 + 1.4434)).abs() < 0.001, "{}", cut.root_radius_mm);
     let crest = mm(cut.crest_radius_mm);
     let depths: Vec<f64> = cut.depths_mm.iter().map(|depth| mm(*depth)).collect();
     assert!((crest + depths[depths.len() - 1] - mm(cut.root_radius_mm)).abs() < 0.001);
@@ -153,8 +154,9 @@ fn a_thread_without_relief_is_pulled_out() {
     let outer = "  - {from: {d: 0, z: 0}}\n  - {face: 33}\n  - {chamfer: 1.5}\n  - {thread: M36x1.5, to: -30}\n  - {cylinder: -60}\n  - {face: 90}\n  - {cylinder: -100}\n";
     let made = job(&part(outer, "", "steel-45"), Side::Outer, Passes::Area).unwrap();
     let cut = made.thread.unwrap();
-    // h = 0.9202 and 1 mm of lift at 45°.
-    assert!((mm(cut.to_z_mm) - 31.920).abs() < 0.001, "{}", cut.to_z_mm);
+    // d2 of 6g is 34.844 to 34.994, in the middle 34.919, 0.866 above the roots: 0.9735 below Ø36, where the cylinder behind
+    // stays, and 1 mm of lift at 45°.
+    assert!((mm(cut.to_z_mm) - 31.974).abs() < 0.001, "{}", cut.to_z_mm);
     assert!((cut.infeed_angle_deg.0).abs() < 1e-9, "a fine thread is fed straight in");
     let ends: Vec<Half> =
         made.path.moves.iter().filter(|one| one.purpose == Purpose::Thread).map(|one| one.to.z).collect();
@@ -170,6 +172,38 @@ fn the_spindle_is_held_by_the_feed_of_the_lathe() {
     let made = job(&part(&outer, "", "steel-45"), Side::Outer, Passes::Area).unwrap();
     assert_eq!(made.pace.speed().unwrap(), Speed::Spindle(RevsPerMinute(560.0)));
     assert!(made.because.iter().any(|why| why.note.code() == "thread-feed-follows"));
+}
+
+/// d2 of M30x2-6g is 28.493 to 28.663: whatever the nose of the insert, its flanks go to 28.578. A sharp point would end
+/// H = 1.7321 below, one of r 0.1 by 2 r less, full profile, r = H/6, by H/3 less. M20x3 has no limits: the basic profile
+/// has d2 = 18.051 and, of full profile, d3 = 16.319 (ISO 724).
+#[test]
+fn the_flanks_are_the_same_for_any_nose() {
+    let knowledge = shipped::knowledge().unwrap();
+    let tools = TurningTool::all(&knowledge).unwrap();
+    let of_pitch = |pitch: i64| {
+        let pitch = Micrometres::new(pitch);
+        let is_of = |tool: &&TurningTool<'_>| tool.works == Place::Outer && tool.pitch == Some((pitch, pitch));
+        tools.iter().find(is_of).unwrap().clone()
+    };
+    let thread = |size: &str, relief: &str| part(&bolt(size, "-30", relief), "", "steel-45").threads[0].clone();
+    let fine = thread("M30x2-6g", RELIEF);
+    let root = |tool: &TurningTool<'_>, thread: &Thread| 2.0 * mm(root_radius(Side::Outer, thread, tool));
+    let full = of_pitch(2_000);
+    assert!((root(&full, &fine) - 27.4233).abs() < 0.001);
+    let range = Some((Micrometres::new(500), Micrometres::new(3_000)));
+    let partial = TurningTool { pitch: range, nose_radius: Some(Micrometres::new(100)), ..full.clone() };
+    assert!((root(&partial, &fine) - (28.578 - 1.7321 + 0.2)).abs() < 0.001);
+    let coarse = thread("M20x3", "  - {groove: rectangular, width: 7, depth: 2.5}\n");
+    assert!((root(&of_pitch(3_000), &coarse) - 16.319).abs() < 0.001);
+    let name = SurfaceName::Place(Side::Outer, 3);
+    assert_eq!(flanks(&coarse, &name).code(), "thread-flanks-basic");
+    let note = flanks(&fine, &name);
+    let told = ["made", "least", "most"].map(|figure| note.figure_text(figure).unwrap());
+    assert_eq!(
+        (note.code(), told.map(|one| one.to_string())),
+        ("thread-flanks", ["28.578", "28.493", "28.663"].map(str::to_owned))
+    );
 }
 
 /// An insert is for one pitch or for a range; the table cannot say that its least is not above its largest.
