@@ -116,7 +116,7 @@ pub fn finish_feed(cut: &TurningCut<'_, '_>, roughness: Roughness) -> Tried<Feed
         because.push(Because::row(rule.row, Note::new("feed-strength-factor").with("factor", rule.factor)));
     }
     let (factor, of_factor) = bounds::ratio(cut.knowledge, Limit::RoughnessPracticeFactor)?;
-    let most = libm::sqrt(ARC * asked.ra_um() * nose.to_mm() / (1000.0 * factor));
+    let most = feed_of_nose(asked, nose, factor).0;
     if most < feed {
         // Rounded down, so that the surface is never rougher.
         feed = (most * 1000.0).floor() / 1000.0;
@@ -124,6 +124,12 @@ pub fn finish_feed(cut: &TurningCut<'_, '_>, roughness: Roughness) -> Tried<Feed
         because.push(Because { note, ..of_factor });
     }
     Ok(Feed { feed: MillimetresPerRev(feed), because })
+}
+
+/// The feed at which a nose leaves a roughness, where the surface is so much rougher than the geometrical one:
+/// s = √(31.2·Ra·r/(1000·k)).
+pub fn feed_of_nose(roughness: Roughness, nose: Micrometres, rougher: f64) -> MillimetresPerRev {
+    MillimetresPerRev(libm::sqrt(ARC * roughness.ra_um() * nose.to_mm() / (1000.0 * rougher)))
 }
 
 /// Ra of a row of arcs: s²/(18·√3·r), so that s² = 31.18·r·Ra; tables of makers print 31.2.
