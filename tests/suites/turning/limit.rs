@@ -226,11 +226,11 @@ fn a_boring_bar_is_held_by_its_stiffness() {
 }
 
 /// Fed across the axis the edge behind the tip cuts, 5 degrees off the face: 0.66·12·cos 5 = 7.89 mm, for PDJNR with 32
-/// degrees 0.5·15·cos 32 = 6.36 mm; and the drive of X bears the feed, that of Z the side.
+/// degrees 0.5·15·cos 32 = 6.36 mm, for SVJBR with 52 degrees 0.2·16·cos 52 = 1.97 mm; and the drive of X bears the feed, that of Z the side.
 #[test]
 fn across_the_axis_the_other_edge_and_the_other_drive() {
     let knowledge = knowledge();
-    for (tool, depth) in [("PCLNR 2525M12", 7.8), ("PDJNR 2525M15", 6.3)] {
+    for (tool, depth) in [("PCLNR 2525M12", 7.8), ("PDJNR 2525M15", 6.3), ("SVJBR 2525M16", 1.9)] {
         let case = Case::new(knowledge, "16k20f3", tool, "steel-45");
         let cut = case.cut(65.0, Direction::Transverse);
         let limit = limiting_depth(&cut, MillimetresPerRev(0.4), Speed::Spindle(RevsPerMinute(400.0))).unwrap();

@@ -8,6 +8,7 @@ use technolog_words::say;
 
 use super::Lang;
 use super::cells::{Cell, table};
+use super::phrases::said;
 
 /// The tool list and setting sheet of an operation.
 pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
@@ -27,7 +28,10 @@ pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
 
 fn stands(stand: &Stand, lang: Lang) -> Item {
     let held = lang.say(&stand.held);
-    say!(lang, "turn-setting-stand", number = stand.set_up, held = held, stock = stand.face_stock_mm).into()
+    let mut item: Item =
+        say!(lang, "turn-setting-stand", number = stand.set_up, held = held, stock = stand.face_stock_mm).into();
+    item.items = stand.notes.iter().map(|note| Item::from(said(note, lang))).collect();
+    item
 }
 
 fn columns(lang: Lang) -> [Column; 10] {

@@ -11,6 +11,7 @@ pub(super) fn doubts(operation: &Operation) -> Vec<Finding> {
     rows.extend(operation.elsewhere.iter().flat_map(|one| [&one.because, &one.because_allowance]));
     for set_up in &operation.set_ups {
         rows.push(&set_up.set_up.because);
+        rows.extend(set_up.grip.iter().flat_map(|grip| &grip.because));
         let stretches = set_up.set_up.outer.iter().chain(&set_up.set_up.inner);
         rows.extend(stretches.flat_map(|stretch| &stretch.classes).map(|class| &class.because));
         rows.extend(set_up.sides.iter().flat_map(of_side));

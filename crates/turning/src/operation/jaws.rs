@@ -24,6 +24,8 @@ pub struct Jaws {
     pub length_mm: Half,
     /// The required length, by `turning-hold`.
     pub least_mm: Half,
+    /// Whether they grip a surface that is finished already, which hard jaws would mark.
+    pub soft: bool,
     /// Their body, if the lathe's record gives the size of its chuck.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body: Option<ChuckBody>,
@@ -58,6 +60,12 @@ impl Jaws {
             Some(body) => note.with("sweep", body.sweep_mm),
             None => note,
         }
+    }
+
+    /// That jaws on a finished surface are soft and bored to it.
+    pub fn bored(&self) -> Option<Note> {
+        let note = Note::new("jaws-bored").with("grips", self.grips_mm).with("length", self.length_mm);
+        self.soft.then_some(note)
     }
 
     /// The jaws in a set-up; none between centres, and where no cylinder is long enough for them.
@@ -99,6 +107,7 @@ impl Jaws {
             }),
             None => None,
         };
-        Ok(Some(Self { front_mm, grips_mm, length_mm: to - front_mm, least_mm: least, body }))
+        let soft = matches!(set_up.holds_at, Some(Hold::Surface { .. }));
+        Ok(Some(Self { front_mm, grips_mm, length_mm: to - front_mm, least_mm: least, soft, body }))
     }
 }

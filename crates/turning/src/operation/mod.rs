@@ -21,7 +21,8 @@ pub mod depth;
 mod doubts;
 pub mod drill;
 mod features;
-pub mod held;
+pub mod grip;
+mod held;
 mod jaws;
 mod jobs;
 pub mod layers;
@@ -47,7 +48,7 @@ use crate::note::{Finding, Note, Severity};
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
-use crate::turning::jobs::Job;
+use crate::turning::jobs::{Body, Job, Work as JobWork};
 use crate::turning::workpiece::{Advice, Workpiece, advice};
 use crate::turning::zones::{self, SetUp};
 use layers::Layers;
@@ -55,6 +56,7 @@ use tools::Bench;
 use work::{Hollow, ZoneWork};
 
 pub use barred::{Barred, Stage};
+pub use grip::Grip;
 pub use jaws::{ChuckBody, Jaws};
 pub use tailstock::Tailstock;
 
@@ -86,6 +88,9 @@ pub struct SetUpWork {
     /// The jaws that hold the part; none between centres, and where no cylinder is long enough for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jaws: Option<Jaws>,
+    /// How hard they must hold it; none where no force of a cut is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grip: Option<Grip>,
     /// The tailstock before the free end, between centres.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tailstock: Option<Tailstock>,
@@ -214,7 +219,10 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         let bench = Bench { held, barred: own, ..bench.clone() };
         let sides = sides(&set_up, &bench, &mut findings)?;
         let jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
-        done.push(SetUpWork { set_up, jaws, tailstock, sides, jobs });
+        let grip = Grip::of(jaws.as_ref(), &jobs, knowledge)?;
+        findings.extend(grip.as_ref().and_then(|grip| grip.finding(set_up.number)));
+        findings.extend(slug(&set_up, &done, &jobs, workpiece));
+        done.push(SetUpWork { set_up, jaws, grip, tailstock, sides, jobs });
     }
     let mut operation = Operation {
         workpiece: workpiece.clone(),
@@ -230,6 +238,23 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
     findings.extend(doubts::doubts(&operation));
     operation.findings = merged(findings);
     Ok(operation)
+}
+
+/// That facing the far end sets free a disc: an earlier set-up has bored or drilled the solid blank as far as the face, and the
+/// last passes open the hole from behind.
+fn slug(set_up: &SetUp, before: &[SetUpWork], jobs: &[Job], workpiece: &Workpiece) -> Option<Finding> {
+    let faced = set_up.turned_over && jobs.iter().any(|job| job.work == JobWork::Face);
+    if !faced || workpiece.blank.inner.is_some() {
+        return None;
+    }
+    let earlier = before.iter().flat_map(|one| &one.jobs).filter(|job| job.work == JobWork::Drill);
+    let deep = earlier.filter(|job| job.path.moves.iter().any(|one| one.to.z >= workpiece.length()));
+    let diameters = deep.filter_map(|job| match job.tool.body {
+        Body::Drill { diameter_mm, .. } => Some(diameter_mm),
+        _ => None,
+    });
+    let note = Note::new("face-frees-slug").with("number", set_up.number).with("diameter", diameters.max()?);
+    Some(Finding::of_part(Severity::Doubtful, note))
 }
 
 /// The material in the state that the file says.

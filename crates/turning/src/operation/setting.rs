@@ -14,10 +14,11 @@ use crate::tables::controls::lathe::{LatheControl, LatheControls, LatheTipPlaces
 use crate::turning::jobs::{Body, JobTool, Tip, Work};
 use crate::turning::length::Half;
 use crate::turning::tooling::{Hand, Place, ToolKind, TurningTool};
+use crate::turning::zones::Hold;
 use crate::units::Degrees;
 
-use super::Operation;
 use super::programs::{Station, place, stations};
+use super::{Grip, Jaws, Operation, SetUpWork, Tailstock};
 
 /// The setting of an operation for a control.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -41,6 +42,8 @@ pub struct Stand {
     pub held: Note,
     /// The length of the stock before Z 0, mm.
     pub face_stock_mm: Half,
+    /// Where the jaws or the centre stand, how hard the jaws hold, and how Z 0 is found.
+    pub notes: Vec<Note>,
 }
 
 /// A tool with its setting.
@@ -80,11 +83,11 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
             set_up: work.set_up.number,
             held: work.set_up.because.note.clone(),
             face_stock_mm: if work.set_up.turned_over { far } else { part.blank.face() },
+            notes: stand_notes(work, part.length()),
         }
     });
     let tools = stations.iter().map(|station| {
-        let uses =
-            |set_up: &&super::SetUpWork| set_up.jobs.iter().any(|job| place(&stations, job) == Some(station.place));
+        let uses = |set_up: &&SetUpWork| set_up.jobs.iter().any(|job| place(&stations, job) == Some(station.place));
         let mut works = Vec::new();
         for job in operation.set_ups.iter().flat_map(|set_up| &set_up.jobs) {
             if place(&stations, job) == Some(station.place) && !works.contains(&job.work) {
@@ -118,6 +121,21 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
         set_ups: set_ups.collect(),
         tools: tools.collect::<Result<_, KnowledgeError>>()?,
     })
+}
+
+/// What the operator sets of a set-up beside its tools.
+fn stand_notes(work: &SetUpWork, length: Half) -> Vec<Note> {
+    let mut notes: Vec<Note> = work.jaws.iter().map(Jaws::note).collect();
+    notes.extend(work.jaws.iter().filter_map(Jaws::bored));
+    notes.extend(work.grip.iter().map(Grip::note));
+    notes.extend(work.tailstock.iter().map(Tailstock::note));
+    if work.set_up.holds_at == Some(Hold::Centres) {
+        notes.push(Note::new("set-driver"));
+    }
+    if work.set_up.turned_over {
+        notes.push(Note::new("set-zero-again").with("length", length));
+    }
+    notes
 }
 
 /// The tip of a drill points along the axis to the chuck.
@@ -181,6 +199,10 @@ mod tests {
         let setting = of("linuxcnc");
         let stock: Vec<f64> = setting.set_ups.iter().map(|stand| stand.face_stock_mm.to_mm()).collect();
         assert_eq!(stock, [1.0, 29.0]);
+        // Soft jaws and a new zero after turning over, and only then.
+        let codes = |stand: &Stand| stand.notes.iter().map(|note| note.code().to_owned()).collect::<Vec<_>>();
+        assert_eq!(codes(&setting.set_ups[0]), ["jaws-close", "grip-required"]);
+        assert_eq!(codes(&setting.set_ups[1]), ["jaws-close", "jaws-bored", "grip-required", "set-zero-again"]);
         assert!(setting.tools.iter().all(|tool| !tool.set_ups.is_empty() && !tool.works.is_empty()));
     }
 

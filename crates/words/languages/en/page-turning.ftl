@@ -100,14 +100,12 @@ turn-no-tool = none
 turn-limit = t_lim
 turn-depth-of-pass = t_p
 turn-zones-key = t_lim: limiting depth of cut, t_p: depth of a pass; φ, φ1: the angle needed ≤ that of the tool.
-turn-angles-key = φ, φ1: the angle needed ≤ that of the tool.
 turn-of-zone = zone { $zone }: { $said }
 turn-limits = zone { $zone }: at a feed of { $feed } mm/rev the depth is limited by { $bound }; all limits, mm: { $bounds }
 turn-bound = { $bound } { $depth }
 turn-tool-refused = zone { $zone }: { $tool } does not fit: { $why }
 turn-closed-zones = Additional elements: closed zones
 turn-closed-zone = Z { $from } → { $to } of set-up { $number }
-turn-tool-width = Tool width
 turn-transitions = Schemes of rough transitions (lecture 12.4)
 turn-work = Zone { $zone }, Z { $from } → { $to }
 turn-depth-of-work = Depth of a pass t_p = { $depth } mm.
@@ -175,6 +173,8 @@ set-z-point = touch a finished face with the point and enter its Z
 set-z-thread = bring the point over a finished face by eye and enter its Z
 set-z-nose = the centre of the nose; no face touches it, so measure it with a presetter
 set-z-presetter = the theoretical point; the edge leans over a face, so measure it with a presetter
+set-zero-again = Z 0 anew after turning over: the finished part is { $length } mm long, so Z 0 lies so far from the finished face at the chuck
+set-driver = the driver is not chosen: a dog, or a face driver smaller than what is turned at that end; a live centre in the tailstock
 # Drawings.
 turn-panel = { $variant }: cutting path { $path } mm, { $count } { $count ->
         [one] pass

@@ -30,3 +30,6 @@ tool-only-for-grooves = a grooving tool is for closed zones, and this one is { $
 jaws-close = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm; turning they sweep at most Ø{ $sweep }
 jaws-close-alone = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm
 jaws-grip-little = set-up { $number }: to stay off the tool the jaws grip { $length } mm, and { $least } mm are required: use bored jaws, or a smaller depth of cut
+jaws-bored = the surface is finished: soft jaws, bored to Ø{ $grips } over { $length } mm
+grip-required = on Ø{ $grips } the jaws must press with { $force } kN together: the heaviest cut pulls with { $pull } kN there, friction { $friction }, safety { $safety }
+grip-too-weak = set-up { $number }: the heaviest cut requires { $force } kN of the jaws on Ø{ $grips }, and a hand chuck of this size gives about { $given } kN: take a power chuck, a smaller depth or feed, a thicker cylinder to grip, or a tailstock

@@ -24,6 +24,10 @@ pub(super) fn schemes(
     page.heading(3, say!(lang, "turn-work", zone = place(set_up, side, zone, lang), from = from, to = to));
     page.paragraph(say!(lang, "turn-depth-of-work", depth = rounded(work.levels.depth.to_mm(), lang)));
     page.paragraph(conditions(work, lang));
+    let because = work.pace.conditions.iter().flat_map(|found| &found.because);
+    if let Some(held) = because.into_iter().find(|one| one.note.code() == "feed-bound-by-nose") {
+        page.paragraph(reasoned(held, lang));
+    }
     page.paragraph(reasoned(&work.because, lang));
     page.push(compared(work, lang));
     let even = work.quickest_even.as_ref().filter(|even| Some(*even) != work.quickest.as_ref());

@@ -17,6 +17,8 @@ pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetU
     page.heading(3, say!(lang, "turn-set-up", number = one.number));
     let notes = one.notes.iter().map(|note| said(note, lang)).chain([reasoned(&one.because, lang)]);
     let notes = notes.chain(set_up.jaws.iter().map(|jaws| said(&jaws.note(), lang)));
+    let notes = notes.chain(set_up.jaws.iter().filter_map(|jaws| jaws.bored()).map(|note| said(&note, lang)));
+    let notes = notes.chain(set_up.grip.iter().map(|grip| said(&grip.note(), lang)));
     let notes = notes.chain(set_up.tailstock.iter().map(|tailstock| said(&tailstock.note(), lang)));
     page.blocks.push(Block::List(notes.map(Item::from).collect()));
     for (side, stretch) in [(Side::Outer, &one.outer), (Side::Inner, &one.inner)] {

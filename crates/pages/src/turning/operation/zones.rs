@@ -11,7 +11,7 @@ use technolog_turning::zones::Feed;
 use technolog_words::say;
 
 use super::super::cells::{Cell, fixed, rounded, span, table};
-use super::super::phrases::{terms, word, z};
+use super::super::phrases::{reasoned, terms, word, z};
 use super::super::{Lang, section};
 
 pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
@@ -34,14 +34,13 @@ pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
             Feed::Across => say!(lang, "turn-zone-face"),
             Feed::Along => lang.term("word", one.zone.kind.name()),
         };
-        let depths: Vec<String> = one.works.iter().map(|work| fixed(work.levels.depth.to_mm(), 2, lang)).collect();
         let depth = one.depth.as_ref();
         let mut row: Vec<Cell> = vec![place(set_up, side, one, lang).into(), kind.into()];
         row.extend(bounds(one, lang));
         row.extend([
             one.tool.as_ref().map_or(say!(lang, "turn-no-tool"), |tool| tool.designation.as_str()).into(),
             depth.map_or_else(Cell::empty, |depth| Cell::Figure(depth.limiting_depth_mm.to_mm(), 2)),
-            depths.join("; ").into(),
+            depths(one, lang).into(),
             schemes(one, lang).into(),
         ]);
         row
@@ -80,30 +79,41 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
         span("φ1", "°").keep(Keep::Optional),
         // A designation stays on one line.
         Column::text(say!(lang, "turn-tool")).least(14),
-        Column::number(say!(lang, "turn-tool-width"), mm).keep(Keep::Useful),
+        Column::number(lang.say(&Note::new("turn-limit")), mm).keep(Keep::Useful),
+        span(lang.say(&Note::new("turn-depth-of-pass")), mm),
         Column::text(say!(lang, "turn-scheme")),
     ];
-    let (mut rows, mut refused) = (Vec::new(), Vec::new());
+    let (mut rows, mut told) = (Vec::new(), Vec::new());
     let sides = operation.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)));
     for (set_up, side) in sides {
         for one in side.hollows.iter().flat_map(|hollow| &hollow.zones) {
+            let span = say!(
+                lang,
+                "turn-closed-zone",
+                number = set_up.set_up.number,
+                from = z(one.zone.from_z, lang),
+                to = z(one.zone.to_z, lang)
+            );
             if one.tool.is_none() {
-                let span = say!(
-                    lang,
-                    "turn-closed-zone",
-                    number = set_up.set_up.number,
-                    from = z(one.zone.from_z, lang),
-                    to = z(one.zone.to_z, lang)
-                );
-                refused.extend(one.fit.refused.iter().map(|one| refused_tool(&span, &one.tool, &one.why, lang)));
+                told.extend(one.fit.refused.iter().map(|one| refused_tool(&span, &one.tool, &one.why, lang)));
             }
-            let width = one.tool.as_ref().and_then(|tool| tool.width_mm);
+            let depth = one.depth.as_ref();
+            if let Some(limit) = depth.and_then(|depth| depth.limit.as_ref()) {
+                told.push(limits(&span, limit, lang).into());
+            }
+            for work in &one.works {
+                let because = work.pace.conditions.iter().flat_map(|found| &found.because);
+                let held = because.into_iter().find(|one| one.note.code() == "feed-bound-by-nose");
+                told.extend(held.map(|held| Item::from(reasoned(held, lang))));
+            }
+            told.dedup();
             let mut row: Vec<Cell> =
                 vec![Cell::count(usize::from(set_up.set_up.number)), lang.term("turn-side", side.side.name()).into()];
             row.extend(bounds(one, lang));
             row.extend([
                 one.tool.as_ref().map_or(say!(lang, "turn-no-tool"), |tool| tool.designation.as_str()).into(),
-                width.map_or_else(Cell::empty, |width| Cell::Figure(width.to_mm(), 2)),
+                depth.map_or_else(Cell::empty, |depth| Cell::Figure(depth.limiting_depth_mm.to_mm(), 2)),
+                depths(one, lang).into(),
                 schemes(one, lang).into(),
             ]);
             rows.push(row);
@@ -114,10 +124,10 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
     }
     section(page, say!(lang, "turn-closed-zones"));
     let mut zones = table(columns, rows, lang);
-    zones.notes.push(say!(lang, "turn-angles-key").into());
+    zones.notes.push(lang.say(&Note::new("turn-zones-key")).into());
     page.push(zones);
-    if !refused.is_empty() {
-        page.blocks.push(Block::List(refused));
+    if !told.is_empty() {
+        page.blocks.push(Block::List(told));
     }
 }
 
@@ -137,6 +147,12 @@ fn bounds(one: &ZoneWork, lang: Lang) -> [Cell; 4] {
         angle(zone.needs.main.0, has.map(|tool| tool.main_angle_deg.0)).into(),
         angle(zone.needs.secondary.0, has.map(|tool| tool.secondary_angle_deg.0)).into(),
     ]
+}
+
+/// The depth of the passes of each work.
+fn depths(one: &ZoneWork, lang: Lang) -> String {
+    let depths: Vec<String> = one.works.iter().map(|work| fixed(work.levels.depth.to_mm(), 2, lang)).collect();
+    depths.join("; ")
 }
 
 fn schemes(one: &ZoneWork, lang: Lang) -> String {
