@@ -57,6 +57,7 @@ fn cells() -> impl Iterator<Item = &'static str> {
 /// Names of sources, of people, of standards and of figures, which no language translates.
 const NAMES: &[&str] = &[
     "LinuxCNC",
+    "Handbook",
     "Fanuc",
     "Series",
     "MD",

@@ -4,7 +4,8 @@ audit-summary = помилок – { $error }, хибних значень – {
 audit-unconfirmed = { $count ->
         [one] { $count } запис спирається
         [few] { $count } записи спираються
-       *[other] { $count } записів спираються
+        [many] { $count } записів спираються
+       *[other] { $count } запису спирається
     } на непідтверджені рядки таблиць { $tables }: кожен такий рядок нижче позначено «не підтверджено», а чому – каже `technolog table NAME`
 # Sections.
 audit-section-route = Маршрут
