@@ -1,6 +1,7 @@
 //! Feeds of turning, by the tables.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::contract::TableRow;
 use crate::knowledge::units::Megapascals;
 use crate::knowledge::{Column, Knowledge, Question};
 use crate::note::{Because, Note};
@@ -78,6 +79,11 @@ fn nose_feed(cut: &TurningCut<'_, '_>) -> Result<Option<(MillimetresPerRev, Beca
     let most = (row.share * nose.to_mm() * 100.0 + 1e-9).floor() / 100.0;
     let note = Note::new("feed-bound-by-nose").with("feed", most).with("share", row.share).with("radius", nose);
     Ok(Some((MillimetresPerRev(most), Because::row(row.row, note))))
+}
+
+/// Whether a reason is that the nose bounds the roughing feed.
+pub fn is_nose_bound(because: &Because) -> bool {
+    because.table == InsertNoseFeed::CONTRACT.which.id()
 }
 
 /// The feed that leaves a roughness, by the nose radius: nine cells are from `boring-finish-feed`, the others from

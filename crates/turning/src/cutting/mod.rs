@@ -32,7 +32,9 @@ use technolog_cutting::figures::Asking;
 pub use bounds::{Bound, Load, UnknownBound};
 pub use bounds::{bar_overhang, jaw_clearance, least_sensible_depth, wall_share};
 pub use conditions::{TurningConditions, conditions};
-pub use feed::{Feed, cuts_back, feed_of_nose, finish_feed, least_finishing_depth, rough_feed, unsaid_roughness};
+pub use feed::{
+    Feed, cuts_back, feed_of_nose, finish_feed, is_nose_bound, least_finishing_depth, rough_feed, unsaid_roughness,
+};
 pub use limit::{BoundTold, LimitingDepth, limiting_depth};
 pub use refusal::{BarTooLong, CuttingRefusal, FigureOwner, MissingFigure, NonPositive, Process};
 pub use stiffness::{Flexibility, HeldPart, PartSection};

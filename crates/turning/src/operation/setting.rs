@@ -166,6 +166,7 @@ fn along_z(tool: &JobTool) -> &'static str {
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests {
     use super::*;
     use crate::shipped;

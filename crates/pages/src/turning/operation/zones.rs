@@ -3,7 +3,7 @@
 use crate::document::{Block, Column, Document, Inlines, Item, Keep};
 use crate::note::{Figure, Note};
 use technolog_turning::contour::Side;
-use technolog_turning::cutting::LimitingDepth;
+use technolog_turning::cutting::{LimitingDepth, is_nose_bound};
 use technolog_turning::length::Half;
 use technolog_turning::operation::work::ZoneWork;
 use technolog_turning::operation::{Operation, SetUpWork, SideWork};
@@ -103,7 +103,7 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
             }
             for work in &one.works {
                 let because = work.pace.conditions.iter().flat_map(|found| &found.because);
-                let held = because.into_iter().find(|one| one.note.code() == "feed-bound-by-nose");
+                let held = because.into_iter().find(|one| is_nose_bound(one));
                 told.extend(held.map(|held| Item::from(reasoned(held, lang))));
             }
             told.dedup();
