@@ -30,7 +30,7 @@ fn main() -> Result<(), String> {
 }
 
 fn listed(problems: &[technolog_knowledge::Diagnostic]) -> String {
-    let lines: Vec<String> = problems.iter().map(|problem| problem.told(english)).collect();
+    let lines: Vec<String> = problems.iter().map(|problem| problem.text(english)).collect();
     format!("the knowledge base has {} faults:\n{}", lines.len(), lines.join("\n"))
 }
 

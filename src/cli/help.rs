@@ -39,11 +39,11 @@ pub fn command(lang: Lang) -> Command {
     let command = bare();
     let names: Vec<String> = command.get_subcommands().map(|inner| inner.get_name().to_owned()).collect();
     let heading = lang.word("help-commands");
-    let command = told(command, lang).subcommand_help_heading(heading);
+    let command = translated(command, lang).subcommand_help_heading(heading);
     let format = command.get_arguments().find(|arg| arg.get_id() == "format").cloned();
     names.into_iter().fold(command, |command, name| {
         command.mut_subcommand(&name, |inner| {
-            let inner = told(inner, lang);
+            let inner = translated(inner, lang);
             // Of the options that all commands have, this one means something else for each.
             match format.clone() {
                 Some(format) => inner.arg(format.help(formats(&name, lang))),
@@ -83,7 +83,7 @@ fn formats(command: &str, lang: Lang) -> String {
     }
 }
 
-fn told(command: Command, lang: Lang) -> Command {
+fn translated(command: Command, lang: Lang) -> Command {
     let name = command.get_name().to_owned();
     let template = format!("{{about-with-newline}}\n{}: {{usage}}\n\n{{all-args}}", lang.word("help-usage"));
     let positional: Vec<_> = command.get_positionals().map(|arg| arg.get_id().clone()).collect();

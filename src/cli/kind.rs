@@ -17,7 +17,7 @@ pub fn or_other(
     problems: Vec<Diagnostic>,
     context: &Context,
 ) -> Vec<Diagnostic> {
-    match told(file, text, wanted, context) {
+    match wrong_kind(file, text, wanted, context) {
         Some(problem) => vec![problem],
         None => problems,
     }
@@ -28,13 +28,13 @@ pub fn or_other(
 /// # Errors
 /// It is of another kind.
 pub fn refuse_other(file: &str, text: &str, wanted: FileKind, context: &Context) -> Result<(), CliError> {
-    let Some(problem) = told(file, text, wanted, context) else { return Ok(()) };
+    let Some(problem) = wrong_kind(file, text, wanted, context) else { return Ok(()) };
     let texts = Texts::default().with(file, file.to_owned(), Cow::Owned(text.to_owned()));
     Err(CliError::Unusable { problems: vec![problem], texts })
 }
 
 /// The problem of a file of another kind; none if it may be of the wanted one.
-pub fn told(file: &str, text: &str, wanted: FileKind, context: &Context) -> Option<Diagnostic> {
+pub fn wrong_kind(file: &str, text: &str, wanted: FileKind, context: &Context) -> Option<Diagnostic> {
     let (kind, place) = other_kind(file, text, wanted)?;
     let [is, wanted] = [kind, wanted].map(|kind| context.word(kind.name()));
     let message = say!(context.lang, "cli-other-kind", is = is, wanted = wanted);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Serialize, Serializer};
 
 use crate::knowledge::diagnostic::Place;
-use crate::note::{Because, Figure, Note, Severity, Told as _, Word};
+use crate::note::{Because, Figure, IntoFigure as _, Note, Severity, Word};
 use crate::plan::{CuttingMethod, Operation};
 use crate::reason::OfOther;
 use technolog_core::lang::Lang;
@@ -424,7 +424,7 @@ impl Stated {
     pub(super) fn factor(&self, name: &str) -> Figure {
         match self.method {
             CuttingMethod::Card => Figure::Word(Word { of: "factor", id: name.to_owned().into() }),
-            CuttingMethod::Formula => name.told(),
+            CuttingMethod::Formula => name.into_figure(),
         }
     }
 }

@@ -26,7 +26,7 @@ pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
 }
 
 /// The field, if a finding already reports a slip of it.
-pub(super) fn told(findings: &[AuditFinding], field: String) -> Vec<String> {
+pub(super) fn roots_of(findings: &[AuditFinding], field: String) -> Vec<String> {
     let slip = |one: &AuditFinding| one.field == field && grave(one) && one.follows_from.is_empty();
     if findings.iter().any(slip) { vec![field] } else { Vec::new() }
 }

@@ -53,10 +53,10 @@ pub fn read_cases(file: &str, text: &str, around: Around<'_>) -> CaseFile {
 }
 
 /// A mistake with its remedy.
-type Told = (Note, Option<Note>);
+type IntoFigure = (Note, Option<Note>);
 
 /// The identity of a mistake; for a mistake in the form, with its words.
-fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<Told>) {
+fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<IntoFigure>) {
     let words = match mistake {
         Mistake::Form(own) => Some((own.message.clone(), own.help.clone())),
         Mistake::Meaning(..) => None,

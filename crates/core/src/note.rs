@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use crate::knowledge::vocabulary::Severity;
-pub use technolog_note::{Figure, Note, Told, Word};
+pub use technolog_note::{Figure, IntoFigure, Note, Word};
 
 use crate::knowledge::{Answer, Column, RowRef, Source, Table};
 
@@ -132,7 +132,7 @@ impl Because {
     /// A note that the row is not confirmed, with the reason; none where it is.
     pub fn doubt(&self) -> Option<Note> {
         let why = self.unconfirmed.as_ref()?;
-        let row = self.row.map_or_else(|| "-".told(), Told::told);
+        let row = self.row.map_or_else(|| "-".into_figure(), IntoFigure::into_figure);
         Some(
             Note::new("unconfirmed")
                 .with("table", &self.table)

@@ -28,7 +28,7 @@ impl Stroke {
     }
 
     /// The travel of the quill to the tool's lowest point, if the nose has that height with the quill retracted.
-    pub fn way(&self, nose: Micrometres) -> Micrometres {
+    pub fn travel(&self, nose: Micrometres) -> Micrometres {
         nose - self.lowest - self.length
     }
 }
@@ -106,10 +106,10 @@ mod tests {
         let short = stroke(155, 103, 54);
         let nose = lowest_nose(&[short, long], Some(Micrometres::from_mm(250))).unwrap();
         assert_eq!(nose, Micrometres::from_mm(318));
-        assert_eq!(short.way(nose), Micrometres::from_mm(318 - 54 - 155));
+        assert_eq!(short.travel(nose), Micrometres::from_mm(318 - 54 - 155));
         // Where the machine keeps the nose higher, it is farther down to the bottom.
         let nose = lowest_nose(&[short, long], Some(Micrometres::from_mm(400))).unwrap();
-        assert_eq!(short.way(nose), Micrometres::from_mm(400 - 54 - 155));
+        assert_eq!(short.travel(nose), Micrometres::from_mm(400 - 54 - 155));
         assert_eq!(lowest_nose(&[], None), None);
     }
 }

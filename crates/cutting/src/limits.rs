@@ -47,7 +47,7 @@ impl<'k> Margin<'k> {
         Ok(Self { share: margin.share, row: margin.row })
     }
 
-    fn told(self) -> Because {
+    fn reason(self) -> Because {
         Because::row(self.row, Note::new("load-margin").with("percent", round_to(self.share * 100.0, 0)))
     }
 }
@@ -110,7 +110,7 @@ fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresP
                 .with("limit", round_to(bound.limit, 1));
             let mut because = borne.map_or_else(Vec::new, |borne| borne.because);
             because.push(Because::row(bound.row, note));
-            because.extend(bound.margin.map(Margin::told));
+            because.extend(bound.margin.map(Margin::reason));
             borne = Some(Borne { feed, limit: bound.kind, because });
         }
     }

@@ -51,13 +51,13 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
         found = at(cut, Some(feed), tabulated, shop)?;
         limited_by = Some(limit);
         because.extend(reasons);
-        because.push(told("speed-for-feed", feed, &found, Some(before), shop)?);
+        because.push(feed_reason("speed-for-feed", feed, &found, Some(before), shop)?);
     }
     let mut held = limits::hold(&found.draft, limited_by, cut, shop)?;
     because.append(&mut held.because);
     if held.feed != found.draft.feed {
         found = at(cut, Some(held.feed), tabulated, shop)?;
-        because.push(told("life-for-feed", held.feed, &found, None, shop)?);
+        because.push(feed_reason("life-for-feed", held.feed, &found, None, shop)?);
     }
     Ok(found.held(LimitedConditions { because, ..held }))
 }
@@ -93,7 +93,7 @@ fn at(
 }
 
 /// A note that the figures belong to the final feed and not to that of the tables.
-fn told(
+fn feed_reason(
     code: &'static str,
     feed: MillimetresPerRev,
     found: &DraftAtFeed,

@@ -114,7 +114,7 @@ pub(super) fn reach_of_quill(setup: &SetUp, plan: &Plan, shop: &Shop<'_>, findin
         let part = &plan.part;
         let zero_height = setup.supports + part.blank.thickness - part.datum.top;
         let stroke = Stroke { length: tool.length_mm, highest: zero_height + out, lowest: zero_height + end };
-        let way = stroke.way(setup.nose);
+        let way = stroke.travel(setup.nose);
         if way > shop.machine.travel_z {
             let note = Note::new("quill-too-short")
                 .with("tool", work.tool)

@@ -70,7 +70,7 @@ impl Diagnostic {
 
 impl Diagnostic {
     /// One line: `file:line:column: fault [code]; remedy`; `say` makes the sentences.
-    pub fn told(&self, say: impl Fn(&Note) -> String) -> String {
+    pub fn text(&self, say: impl Fn(&Note) -> String) -> String {
         let place = self.place.as_ref().map_or_else(String::new, |place| format!("{place}: "));
         let help = self.help.as_ref().map_or_else(String::new, |help| format!("; {}", say(help)));
         format!("{place}{} [{}]{help}", say(&self.message), self.code)
@@ -79,7 +79,7 @@ impl Diagnostic {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.told(Note::to_string))
+        f.write_str(&self.text(Note::to_string))
     }
 }
 

@@ -25,9 +25,9 @@ impl From<&KnowledgeError> for Note {
     }
 }
 
-impl technolog_note::Told for KnowledgeError {
-    fn told(self) -> technolog_note::Figure {
-        Note::from(&self).told()
+impl technolog_note::IntoFigure for KnowledgeError {
+    fn into_figure(self) -> technolog_note::Figure {
+        Note::from(&self).into_figure()
     }
 }
 

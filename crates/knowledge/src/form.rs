@@ -177,7 +177,7 @@ impl<'n, F> Fields<'n, F> {
                 _ if node.is_null() && key.text.bytes().all(|byte| byte.is_ascii_digit()) => {
                     note!("yaml-write-decimal-point-number-comma")
                 }
-                Some(hint) => hint.told(),
+                Some(hint) => hint.to_note(),
                 None => note!("case-known-here", names = known.join(", ")),
             };
             meant.extend(hint.map(|hint| missing_key(hint.key(), self.place).message));

@@ -26,7 +26,7 @@ impl<'k> Hint<'k> {
     }
 
     /// As a sentence.
-    pub(crate) fn told(&self) -> Note {
+    pub(crate) fn to_note(&self) -> Note {
         match *self {
             Self::Meant(key) => note!("cli-did-you-mean", name = key),
             Self::Alphabet(key) => note!("yaml-write-key-in-latin-letters", near = key),
@@ -99,11 +99,11 @@ mod tests {
         &["name", "diameter", "depth", "through", "thread", "step", "steps", "state", "state_diameter", "cone"];
 
     /// The hint for the last key of the mapping, in both languages.
-    fn told(text: &str) -> Option<[String; 2]> {
+    fn hint_for(text: &str) -> Option<[String; 2]> {
         let root = parse("t.yaml", text).0.unwrap();
         let NodeKind::Map(entries) = &root.kind else { panic!("{text}") };
         let hint = of(&entries.last().unwrap().0.text, KNOWN, &present(KNOWN, entries))?;
-        Some([Lang::EN, Lang::UK].map(|lang| lang.say(&hint.told())))
+        Some([Lang::EN, Lang::UK].map(|lang| lang.say(&hint.to_note())))
     }
 
     #[test]
@@ -125,10 +125,10 @@ mod tests {
             ("diameтр", "diameter"),
         ] {
             let both = [format!("did you mean `{meant}`?"), format!("можливо, `{meant}`?")];
-            assert_eq!(told(&format!("{typed}: 1\n")), Some(both), "{typed}");
+            assert_eq!(hint_for(&format!("{typed}: 1\n")), Some(both), "{typed}");
         }
         for typed in ["colour", "колір", "верстат", "як", "y", "nose", "wide", "count", "hole"] {
-            assert_eq!(told(&format!("{typed}: 1\n")), None, "{typed}");
+            assert_eq!(hint_for(&format!("{typed}: 1\n")), None, "{typed}");
         }
     }
 
@@ -139,18 +139,18 @@ mod tests {
                 format!("some letters are Cyrillic; write `{meant}` in Latin letters"),
                 format!("деякі букви тут кириличні; напишіть `{meant}` латиницею"),
             ];
-            assert_eq!(told(&format!("{typed}: 1\n")), Some(both), "{typed}");
+            assert_eq!(hint_for(&format!("{typed}: 1\n")), Some(both), "{typed}");
         }
     }
 
     #[test]
     fn a_key_that_stands_already_is_not_proposed() {
         for typed in ["diametr", "діаметр", "dіameter"] {
-            let [en, uk] = told(&format!("diameter: 1\n{typed}: 1\n")).unwrap();
+            let [en, uk] = hint_for(&format!("diameter: 1\n{typed}: 1\n")).unwrap();
             assert_eq!(en, "`diameter` already stands at line 1; remove this key or correct it", "{typed}");
             assert_eq!(uk, "`diameter` уже стоїть у рядку 1; приберіть цей ключ або виправте його", "{typed}");
         }
         // Of two equally near keys, the free one.
-        assert_eq!(told("step: 1\nstepe: 1\n").unwrap()[0], "did you mean `steps`?");
+        assert_eq!(hint_for("step: 1\nstepe: 1\n").unwrap()[0], "did you mean `steps`?");
     }
 }

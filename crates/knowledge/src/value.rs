@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use technolog_note::{Figure, Told};
+use technolog_note::{Figure, IntoFigure};
 
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
 
@@ -47,12 +47,12 @@ impl Value {
     }
 }
 
-impl Told for Value {
-    fn told(self) -> Figure {
+impl IntoFigure for Value {
+    fn into_figure(self) -> Figure {
         match self {
             Self::Int(_) | Self::Number(..) | Self::Length(_) | Self::Grade(_) => Figure::number(self.to_string()),
-            Self::List(items) => Figure::list(items.into_iter().map(Told::told)),
-            Self::Text(_) | Self::Bool(_) | Self::Roughness(_) => self.to_string().told(),
+            Self::List(items) => Figure::list(items.into_iter().map(IntoFigure::into_figure)),
+            Self::Text(_) | Self::Bool(_) | Self::Roughness(_) => self.to_string().into_figure(),
         }
     }
 }

@@ -126,55 +126,55 @@ impl Ord for Figure {
 }
 
 /// A value that can be a figure of a sentence.
-pub trait Told {
+pub trait IntoFigure {
     /// The figure.
-    fn told(self) -> Figure;
+    fn into_figure(self) -> Figure;
 }
 
-impl Told for Figure {
-    fn told(self) -> Figure {
+impl IntoFigure for Figure {
+    fn into_figure(self) -> Figure {
         self
     }
 }
 
-impl<T: Told + Clone> Told for &T {
-    fn told(self) -> Figure {
-        self.clone().told()
+impl<T: IntoFigure + Clone> IntoFigure for &T {
+    fn into_figure(self) -> Figure {
+        self.clone().into_figure()
     }
 }
 
-impl Told for &str {
-    fn told(self) -> Figure {
+impl IntoFigure for &str {
+    fn into_figure(self) -> Figure {
         Figure::Text(self.to_owned().into())
     }
 }
 
-impl Told for String {
-    fn told(self) -> Figure {
+impl IntoFigure for String {
+    fn into_figure(self) -> Figure {
         Figure::Text(self.into())
     }
 }
 
-impl Told for Cow<'static, str> {
-    fn told(self) -> Figure {
+impl IntoFigure for Cow<'static, str> {
+    fn into_figure(self) -> Figure {
         Figure::Text(self)
     }
 }
 
-impl Told for std::sync::Arc<str> {
-    fn told(self) -> Figure {
-        (&*self).told()
+impl IntoFigure for std::sync::Arc<str> {
+    fn into_figure(self) -> Figure {
+        (&*self).into_figure()
     }
 }
 
-impl Told for std::path::Display<'_> {
-    fn told(self) -> Figure {
-        self.to_string().told()
+impl IntoFigure for std::path::Display<'_> {
+    fn into_figure(self) -> Figure {
+        self.to_string().into_figure()
     }
 }
 
-impl Told for Note {
-    fn told(self) -> Figure {
+impl IntoFigure for Note {
+    fn into_figure(self) -> Figure {
         Figure::Note(Box::new(self))
     }
 }
@@ -183,8 +183,8 @@ impl Told for Note {
 #[macro_export]
 macro_rules! told_as_number {
     ($($number:ty),+) => {
-        $(impl $crate::Told for $number {
-            fn told(self) -> $crate::Figure {
+        $(impl $crate::IntoFigure for $number {
+            fn into_figure(self) -> $crate::Figure {
                 $crate::Figure::Number(self.to_string().into())
             }
         })+
@@ -195,8 +195,8 @@ macro_rules! told_as_number {
 #[macro_export]
 macro_rules! told_as_text {
     ($($text:ty),+) => {
-        $(impl $crate::Told for $text {
-            fn told(self) -> $crate::Figure {
+        $(impl $crate::IntoFigure for $text {
+            fn into_figure(self) -> $crate::Figure {
                 $crate::Figure::Text(self.to_string().into())
             }
         })+

@@ -13,7 +13,7 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-pub use figure::{Figure, Named, Told, Word};
+pub use figure::{Figure, IntoFigure, Named, Word};
 
 /// A sentence of the program, independent of language: its code and its figures.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -138,8 +138,8 @@ impl Note {
 
     /// Adds a figure.
     #[must_use]
-    pub fn with(mut self, name: impl Into<Cow<'static, str>>, value: impl Told) -> Self {
-        self.params.insert(name.into(), value.told());
+    pub fn with(mut self, name: impl Into<Cow<'static, str>>, value: impl IntoFigure) -> Self {
+        self.params.insert(name.into(), value.into_figure());
         self
     }
 

@@ -7,7 +7,7 @@ use super::sheet::route::stops;
 use super::sheet::{cell, exactly, number};
 use super::words::say;
 use crate::document::{Block, Column, Document, Field, Inlines, Item, Table};
-use crate::note::{Figure, Finding, Told};
+use crate::note::{Figure, Finding, IntoFigure};
 use crate::part::Point;
 use crate::plan::{Plan, Stop, ToolVisit, Visiting};
 use crate::units::{Micrometres, Minutes};
@@ -72,7 +72,7 @@ fn saving(now: f64, before: f64) -> f64 {
 
 /// How the holes of a group are visited, with the times of each method.
 fn visiting(visiting: &Visiting, lang: Lang) -> Item {
-    let why = Figure::List(visiting.because.iter().map(|why| (&why.note).told()).collect(), "; ");
+    let why = Figure::List(visiting.because.iter().map(|why| (&why.note).into_figure()).collect(), "; ");
     let mut items = vec![Item::from(say!(
         lang,
         "order-times-of-methods",

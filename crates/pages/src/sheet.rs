@@ -5,7 +5,7 @@ use crate::job::{self, SetUp};
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
-use crate::note::{Because, Figure, Note, Severity, Told};
+use crate::note::{Because, Figure, IntoFigure, Note, Severity};
 use crate::plan::{Clamping, Plan};
 use crate::shop::Shop;
 use crate::units::{Micrometres, round_to};
@@ -67,7 +67,7 @@ pub(crate) fn number(value: f64, places: u32, lang: Lang) -> String {
 
 /// A length in mm with the separator of the language, without trailing zeros.
 pub(crate) fn mm(value: Micrometres, lang: Lang) -> String {
-    lang.figure(&value.told())
+    lang.figure(&value.into_figure())
 }
 
 /// A number for a sentence, without trailing zeros.

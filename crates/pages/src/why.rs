@@ -2,7 +2,7 @@
 
 use crate::document::{Block, Document, Inlines, Item};
 use crate::knowledge::Source;
-use crate::note::{Because, Figure, Told};
+use crate::note::{Because, Figure, IntoFigure};
 use crate::plan::{HolePlan, Plan};
 use crate::units::round_to;
 
@@ -12,7 +12,7 @@ use super::{Lang, operation_verb, sheet};
 /// The reasons of one group of holes.
 pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
     let drawn = plan.part.holes.iter().find(|known| known.name == hole.name);
-    let size = drawn.map_or(Figure::Text("".into()), |drawn| (&drawn.diameter).told());
+    let size = drawn.map_or(Figure::Text("".into()), |drawn| (&drawn.diameter).into_figure());
     let mut page =
         Document::new(lang.tag(), say!(lang, "explain-title", hole = hole.name.as_str(), size = size).trim_end());
     match &hole.route {

@@ -80,7 +80,7 @@ impl Fault {
             Self::TooMuch { operation, stock, most } => {
                 of("proof-too-much", operation).with("stock", stock).with("most", most)
             }
-            Self::Wanting { operation, what } => what.told(of(what.code(), operation)),
+            Self::Wanting { operation, what } => what.with_figures(of(what.code(), operation)),
             Self::TooWide { operation, diameter, may_be, limit } => {
                 of("proof-too-wide", operation).with("diameter", diameter).with("may_be", may_be).with("limit", limit)
             }
@@ -170,7 +170,7 @@ impl Wanting {
         }
     }
 
-    fn told(self, note: Note) -> Note {
+    fn with_figures(self, note: Note) -> Note {
         match self {
             Self::Grade(best, ordinary, asked) => {
                 note.with("best", best).with("ordinary", ordinary).with("asked", asked)

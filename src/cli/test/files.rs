@@ -109,7 +109,7 @@ pub fn read(found: &SourceFile, anywhere: bool, knowledge: &Knowledge, context: 
     let (files, codes) = (beside(found, anywhere, context), codes());
     let mut read = read_cases(&found.shown, &found.text, around(knowledge, &codes, &files));
     if !read.mistakes.is_empty()
-        && let Some(other) = kind::told(&found.shown, &found.text, FileKind::Cases, context)
+        && let Some(other) = kind::wrong_kind(&found.shown, &found.text, FileKind::Cases, context)
     {
         read.mistakes = vec![Mistake::Form(other)];
     }

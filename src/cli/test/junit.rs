@@ -55,7 +55,7 @@ fn case(ran: &Ran, file: &str, context: &Context) -> String {
     let line = ran.case.place.line;
     let head = format!("    <testcase name=\"{name}\" classname=\"{file}\" file=\"{file}\" line=\"{line}\"");
     let Some(first) = ran.failures.first() else { return head + "/>\n" };
-    let lines = ran.failures.iter().flat_map(|failure| page::told(failure, context.lang));
+    let lines = ran.failures.iter().flat_map(|failure| page::failure_lines(failure, context.lang));
     let told: String = lines.chain(page::origin(ran, context.lang)).map(|line| line + "\n").collect();
     format!(
         "{head}>\n      <failure type=\"expectation\" message=\"{}\">{}</failure>\n    </testcase>\n",

@@ -101,7 +101,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     for (found, read) in found.iter().zip(&mut read) {
         let failures: Vec<Vec<Failure>> = failures.by_ref().take(read.cases.len()).collect();
         let written = if args.write { write(found, read, &failures, &asker, anywhere, context)? } else { Vec::new() };
-        runs.push(told(found, read, failures, &written, context));
+        runs.push(run_of(found, read, failures, &written, context));
     }
     // With --write the file of -o is the copy of the cases.
     let screen = if args.write { None } else { context.output.as_deref() };
@@ -160,7 +160,7 @@ fn write(
     }
 }
 
-fn told(
+fn run_of(
     found: &SourceFile,
     read: &mut CaseFile,
     failures: Vec<Vec<Failure>>,

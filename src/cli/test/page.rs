@@ -22,7 +22,7 @@ pub fn page(runs: &[CaseFileRun], lang: Lang) -> Document {
     for run in runs {
         for ran in run.cases.iter().filter(|ran| !ran.passed()) {
             let words = say!(lang, "test-case", name = cut(&ran.case.name));
-            let lines = ran.failures.iter().flat_map(|failure| told(failure, lang)).chain(origin(ran, lang));
+            let lines = ran.failures.iter().flat_map(|failure| failure_lines(failure, lang)).chain(origin(ran, lang));
             page.push(FindingBlock {
                 place: Some(ran.case.place.to_string()),
                 details: lines.map(|line| Inlines::from(line.as_str())).collect(),
@@ -75,7 +75,7 @@ pub fn origin(ran: &Ran, lang: Lang) -> impl Iterator<Item = String> {
 }
 
 /// A failure: its place, its path in the answer, and the two values with the reasons.
-pub fn told(failure: &Failure, lang: Lang) -> Vec<String> {
+pub fn failure_lines(failure: &Failure, lang: Lang) -> Vec<String> {
     let place = &failure.place;
     let mut lines = vec![format!("{}:{} {}", place.line, place.column, failure.path)];
     lines.push(say!(lang, "test-expected", value = cut(&expected(failure, lang))));

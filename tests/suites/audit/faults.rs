@@ -187,7 +187,7 @@ fn an_endless_number_of_a_plan_is_refused_as_it_is_written() {
     let text = format!("{before}\"stops\":{to}\"at\":[1e400,{behind}");
     let none = |_: &str| Err("no files here".to_owned());
     let problems = read_plan("plan.json", &text, &KNOWLEDGE, &none).err().unwrap().problems;
-    let told: Vec<String> = problems.iter().map(|one| one.told(|note| Lang::EN.say(note))).collect();
+    let told: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
     assert!(told.len() == 1 && told[0].contains("`1e400` is beyond 1000000000"), "{told:?}");
 }
 

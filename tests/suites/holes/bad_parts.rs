@@ -66,7 +66,7 @@ fn found(path: &Path) -> Vec<(String, String, String)> {
         .iter()
         .map(|one| {
             let place = one.place.as_ref().map_or_else(|| "-".to_owned(), |it| place(it.line, it.column));
-            (place, one.code.to_owned(), one.told(|note| technolog::words::Lang::EN.say(note)))
+            (place, one.code.to_owned(), one.text(|note| technolog::words::Lang::EN.say(note)))
         })
         .collect()
 }

@@ -16,7 +16,7 @@ use technolog::words::Lang;
 use technolog_testing::{KNOWLEDGE, root};
 
 fn told(problems: &[Diagnostic]) -> Vec<String> {
-    problems.iter().map(|one| one.told(|note| Lang::EN.say(note))).collect()
+    problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect()
 }
 
 /// What is wrong with a plan whose part is sound.

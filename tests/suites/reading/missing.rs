@@ -23,7 +23,7 @@ fn said(text: &str, turned: bool) -> (Vec<String>, Vec<String>) {
     } else {
         read_part("f", text, &KNOWLEDGE).err().unwrap_or_default()
     };
-    let told = problems.iter().map(|problem| problem.told(|note| Lang::EN.say(note)));
+    let told = problems.iter().map(|problem| problem.text(|note| Lang::EN.say(note)));
     told.partition(|told| told.contains("[missing-key]"))
 }
 

@@ -48,7 +48,7 @@ pub(super) fn check<'a>(
         if let Some(why) = named::unsuited(cutter, &need, machine) {
             let mut unsuited = finding(Severity::Error, why.note());
             if why.is_of_reach() {
-                unsuited.follows_from = roots::told(findings, context.field(Id::new(Scope::Row(at), Q::Depth)));
+                unsuited.follows_from = roots::roots_of(findings, context.field(Id::new(Scope::Row(at), Q::Depth)));
             }
             if let Unfit::OfOther(other) = why {
                 if !matches!(other, OfOther::Thread { .. }) {

@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::yaml::{Node, NodeKind};
-use crate::note::{Figure, Note, Severity, Told as _, Word};
+use crate::note::{Figure, IntoFigure as _, Note, Severity, Word};
 use crate::plan::Operation;
 
 use super::super::context::Context;
@@ -169,11 +169,11 @@ fn value(path: &str, text: &str) -> Figure {
         _ if matches!(text, "true" | "false" | "null") => own("audit-value"),
         "operation" => Figure::operation(text.to_owned()),
         "scheme" => Figure::scheme(text),
-        "name" | "hole" | "designation" | "standard" | "table" => text.told(),
+        "name" | "hole" | "designation" | "standard" | "table" => text.into_figure(),
         "feature" | "face" | "way" | "kind" => own("audit-value"),
         "limited_by" | "shank" => Figure::word(text.to_owned()),
         _ if text.parse::<f64>().is_ok() => Figure::number(text.to_owned()),
-        _ => text.told(),
+        _ => text.into_figure(),
     }
 }
 

@@ -112,7 +112,7 @@ fn holder(
     if slip && length(&|id| graph.right(id)).is_some_and(|right| right >= needed) {
         finding.follows_from = vec![field];
     } else {
-        finding.follows_from = roots::told(findings, context.field(Id::new(Scope::Row(row), Q::Depth)));
+        finding.follows_from = roots::roots_of(findings, context.field(Id::new(Scope::Row(row), Q::Depth)));
     }
     findings.push(finding.resting_on(context.holder(tool).map(|holder| Because::row(holder.row, Note::new("named")))));
 }

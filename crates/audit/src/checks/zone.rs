@@ -191,7 +191,7 @@ impl ZoneCheck<'_, '_> {
         let (Some(nose), Some(longest)) = (zone::lowest_nose(&strokes, least), longest) else { return Ok(found) };
         let held = least.filter(|_| nose > longest.stroke.passes_from());
         for one in reaches {
-            let way = one.stroke.way(nose);
+            let way = one.stroke.travel(nose);
             let told = found.iter().any(|(tool, _)| *tool == longest.tool || *tool == one.tool);
             if way <= machine.travel_z || told {
                 continue;

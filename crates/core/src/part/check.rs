@@ -337,7 +337,7 @@ holes:
     fn problems(holes: &str) -> Vec<String> {
         let knowledge = shipped::knowledge().unwrap();
         let problems = read_part("part", &format!("{HEAD}{holes}"), &knowledge).err().unwrap_or_default();
-        problems.iter().map(|one| one.told(|note| technolog_words::Lang::EN.say(note))).collect()
+        problems.iter().map(|one| one.text(|note| technolog_words::Lang::EN.say(note))).collect()
     }
 
     fn hole(name: &str, keys: &str) -> String {

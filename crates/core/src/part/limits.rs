@@ -126,7 +126,7 @@ mod tests {
 
     /// The part, or each problem with its code and place.
     fn read(text: &str) -> Result<Part, Vec<String>> {
-        let told = |one: &crate::knowledge::Diagnostic| one.told(|note| Lang::EN.say(note));
+        let told = |one: &crate::knowledge::Diagnostic| one.text(|note| Lang::EN.say(note));
         read_part("p", text, &shipped::knowledge().unwrap()).map_err(|problems| problems.iter().map(told).collect())
     }
 

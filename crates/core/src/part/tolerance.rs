@@ -35,15 +35,15 @@ impl fmt::Display for ToleratedDiameter {
     }
 }
 
-impl technolog_note::Told for ToleratedDiameter {
+impl technolog_note::IntoFigure for ToleratedDiameter {
     /// `Ø29.3H13`, its number with the separator of the language.
-    fn told(self) -> technolog_note::Figure {
+    fn into_figure(self) -> technolog_note::Figure {
         let shown = self.to_string();
-        let Some(size) = shown.strip_prefix('Ø') else { return shown.told() };
+        let Some(size) = shown.strip_prefix('Ø') else { return shown.into_figure() };
         let end = size.find(|sign: char| !sign.is_ascii_digit() && sign != '.').unwrap_or(size.len());
         let (number, zone) = size.split_at(end);
         let number = technolog_note::Figure::number(number.to_owned());
-        technolog_note::Figure::List(vec!["Ø".told(), number, zone.told()], "")
+        technolog_note::Figure::List(vec!["Ø".into_figure(), number, zone.into_figure()], "")
     }
 }
 

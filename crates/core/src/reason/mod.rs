@@ -10,7 +10,7 @@ mod tools;
 pub use cutting::Uncut;
 pub use tools::{CutterFault, HolderFault, NoSize, OfOther, Unfit};
 
-use crate::note::{Figure, Note, Told};
+use crate::note::{Figure, IntoFigure, Note};
 use crate::plan::Operation;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
@@ -144,7 +144,7 @@ impl Reason {
             }
             Self::NoScheme { it, roughness, centre, columns } => {
                 // Ukrainian numbers contain commas themselves.
-                let columns = Figure::List(columns.iter().map(Told::told).collect(), "; ");
+                let columns = Figure::List(columns.iter().map(IntoFigure::into_figure).collect(), "; ");
                 new("no-scheme")
                     .with("it", it)
                     .with("roughness", roughness)

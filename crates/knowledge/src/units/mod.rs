@@ -31,9 +31,9 @@ technolog_note::told_as_text!(Unit);
 #[error("{0}")]
 pub struct ParseError(pub Note);
 
-impl technolog_note::Told for ParseError {
-    fn told(self) -> technolog_note::Figure {
-        self.0.told()
+impl technolog_note::IntoFigure for ParseError {
+    fn into_figure(self) -> technolog_note::Figure {
+        self.0.into_figure()
     }
 }
 

@@ -85,11 +85,11 @@ impl fmt::Display for Roughness {
     }
 }
 
-impl technolog_note::Told for Roughness {
+impl technolog_note::IntoFigure for Roughness {
     /// `Ra 2.5`, its number with the separator of the language.
-    fn told(self) -> technolog_note::Figure {
+    fn into_figure(self) -> technolog_note::Figure {
         let (name, value) = self.spelled();
-        technolog_note::Figure::List(vec![name.told(), value.told()], " ")
+        technolog_note::Figure::List(vec![name.into_figure(), value.into_figure()], " ")
     }
 }
 

@@ -45,9 +45,9 @@ mod tests {
         ] {
             let (_, problems) = parse("t.yaml", text);
             let [problem] = problems.as_slice() else { panic!("{text:?}: {problems:?}") };
-            let told = problem.told(|note| Lang::EN.say(note));
+            let told = problem.text(|note| Lang::EN.say(note));
             assert!(told.contains(what) && told.contains(mend), "{text:?}: {told}");
-            let told = problem.told(|note| Lang::UK.say(note));
+            let told = problem.text(|note| Lang::UK.say(note));
             let letters = |is: fn(&char) -> bool| told.chars().filter(is).count();
             let (latin, cyrillic) = (letters(char::is_ascii_alphabetic), letters(|sign| ('а'..='я').contains(sign)));
             assert!(cyrillic > 2 * latin, "{text:?}: {told}");

@@ -270,7 +270,7 @@ mod tests {
         let (root, problems) = parse("t.yaml", text);
         assert!(root.is_none());
         assert_eq!(problems.len(), 1, "{problems:?}");
-        problems[0].told(|note| Lang::EN.say(note))
+        problems[0].text(|note| Lang::EN.say(note))
     }
 
     #[test]
@@ -306,7 +306,7 @@ mod tests {
                 [format!("a: 1\nb: x{sign}y\n"), format!("a: 1\nb: \"x{sign}y\"\n"), format!("a: 1\nb{sign}: 1\n")]
             {
                 let (_, problems) = parse("t.yaml", &text);
-                let told: Vec<String> = problems.iter().map(|one| one.told(|note| Lang::EN.say(note))).collect();
+                let told: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
                 assert!(
                     told[0].starts_with("t.yaml:2:") && told[0].contains("[control-character]"),
                     "{text:?}: {told:?}"
@@ -369,7 +369,7 @@ mod tests {
             assert!(root.is_some() && problems.iter().all(|one| one.code == "duplicate-key"), "{text}");
             let (root, problems) = parse_within(99, "t.yaml", &text);
             assert!(root.is_none());
-            let told = problems.last().unwrap().told(|note| Lang::EN.say(note));
+            let told = problems.last().unwrap().text(|note| Lang::EN.say(note));
             assert!(told.contains("the file has more than 99 values [too-many-values]; "), "{told}");
             let line = text.lines().count();
             assert!(told.starts_with(&format!("t.yaml:{line}:")), "{told}");

@@ -26,7 +26,7 @@ use crate::knowledge::diagnostic::Diagnostic;
 use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, MotionStep, Sink};
-use crate::note::{Note, Severity, Told};
+use crate::note::{IntoFigure, Note, Severity};
 use crate::tables::controls::Letter;
 use written::{Form, WrittenProgram};
 
@@ -184,7 +184,7 @@ impl Fault {
 
     /// With one more figure.
     #[must_use]
-    fn with(mut self, name: &'static str, value: impl Told) -> Self {
+    fn with(mut self, name: &'static str, value: impl IntoFigure) -> Self {
         self.note = self.note.with(name, value);
         self
     }

@@ -50,7 +50,7 @@ impl<'a, S: Sink> Running<'a, S> {
     /// Counts one more block; false, with a fault, where the budget is spent.
     pub fn spend(&mut self, span: TextSpan, number: Option<u32>) -> bool {
         if self.left == 0 {
-            self.tell((self.breach)("run-too-long", span, number).with("budget", self.budget));
+            self.report((self.breach)("run-too-long", span, number).with("budget", self.budget));
             return false;
         }
         self.left -= 1;
@@ -66,7 +66,7 @@ impl<'a, S: Sink> Running<'a, S> {
         }
         self.left = self.left.saturating_sub(made);
         for fault in faults {
-            self.tell(fault);
+            self.report(fault);
         }
     }
 
@@ -77,7 +77,7 @@ impl<'a, S: Sink> Running<'a, S> {
 
     /// A return in the main program.
     pub fn nowhere_to_return(&mut self, span: TextSpan, number: Option<u32>) -> BlockOutcome {
-        self.tell((self.breach)("return-without-call", span, number));
+        self.report((self.breach)("return-without-call", span, number));
         BlockOutcome::Out
     }
 
@@ -85,13 +85,13 @@ impl<'a, S: Sink> Running<'a, S> {
     pub fn too_deep(&mut self, depth: usize, limit: usize, span: TextSpan, number: Option<u32>) -> bool {
         let deep = depth >= limit;
         if deep {
-            self.tell((self.breach)("calls-too-deep", span, number).with("limit", limit));
+            self.report((self.breach)("calls-too-deep", span, number).with("limit", limit));
         }
         deep
     }
 
     /// Reports a fault once for each word and rule, with the calls that led there.
-    pub fn tell(&mut self, mut fault: Fault) {
+    pub fn report(&mut self, mut fault: Fault) {
         if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
             fault.calls.clone_from(&self.calls);
             self.faults.push(fault);
@@ -101,7 +101,7 @@ impl<'a, S: Sink> Running<'a, S> {
     /// The faults found, at the end: systems without a zero are reported at the first block.
     pub fn finish(mut self, first: TextSpan) -> Vec<Fault> {
         for (system, axes) in without_zero(&self.spans) {
-            self.tell((self.breach)("zero-not-set", first, None).with("system", system).with("axes", axes));
+            self.report((self.breach)("zero-not-set", first, None).with("system", system).with("axes", axes));
         }
         self.faults
     }

@@ -2,7 +2,7 @@
 //! and the rejected candidates.
 
 use crate::document::{Align, Block, Column, Document, Field, Inlines, Item, Table};
-use crate::note::{Figure, Note, Told};
+use crate::note::{Figure, IntoFigure, Note};
 use crate::part::{Face, Hole};
 use crate::plan::{Achieved, Alternative, Feature, HolePlan, Operation, Plan, Route, RouteSource, Stop, Transition};
 use crate::units::Micrometres;
@@ -86,9 +86,9 @@ pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     let step = transition.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
     let thread = hole.thread_at(transition.step).filter(|_| transition.operation == Operation::Tap);
     match (thread, step) {
-        (Some(thread), _) => thread.written.clone().told(),
-        (None, Some(step)) => (&step.diameter).told(),
-        (None, None) => (&hole.diameter).told(),
+        (Some(thread), _) => thread.written.clone().into_figure(),
+        (None, Some(step)) => (&step.diameter).into_figure(),
+        (None, None) => (&hole.diameter).into_figure(),
     }
 }
 
@@ -156,7 +156,7 @@ fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> 
 fn achieved(achieved: Option<&Achieved>, lang: Lang) -> String {
     let Some(achieved) = achieved else { return String::new() };
     let it = achieved.it.map(|it| format!("IT{it}"));
-    let roughness = achieved.roughness.map(|roughness| lang.figure(&roughness.told()));
+    let roughness = achieved.roughness.map(|roughness| lang.figure(&roughness.into_figure()));
     it.into_iter().chain(roughness).collect::<Vec<_>>().join(", ")
 }
 

@@ -37,7 +37,7 @@ pub fn operation_drawing(operation: &Operation, all: bool, lang: Lang) -> String
             for zone in &side.zones {
                 for work in &zone.works {
                     for transition in work.transitions.iter().filter(|one| all || work.taken == Some(one.scheme)) {
-                        top = way(&mut canvas, (set_up, side, zone), work, transition, top, lang);
+                        top = draw_toolpath(&mut canvas, (set_up, side, zone), work, transition, top, lang);
                     }
                 }
             }
@@ -124,7 +124,7 @@ fn axis(canvas: &mut Canvas, view: &View, near: Point, far: Point) {
 }
 
 /// The toolpath over a zone, as large as possible; returns its lower end.
-fn way(
+fn draw_toolpath(
     canvas: &mut Canvas,
     (set_up, side, zone): (&SetUpWork, &SideWork, &ZoneWork),
     work: &Work,
@@ -164,7 +164,7 @@ fn way(
         }
     }
     view.line(canvas, stock.rough.pieces.iter().copied(), Pen::solid("#333333", 1.3));
-    view.way(canvas, &transition.path);
+    view.toolpath(canvas, &transition.path);
     numbers(canvas, &view, transition);
     let bottom = top + TITLE + MARGIN + tall + 46.0;
     legend(canvas, transition, bottom, lang);

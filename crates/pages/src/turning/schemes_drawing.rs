@@ -45,7 +45,7 @@ pub(super) fn panels(canvas: &mut Canvas, found: &Sequences, schemes: &Schemes, 
         canvas.text((left + MARGIN, top + TITLE - 8.0), 14.0, Anchor::Start, &title);
         stock(canvas, schemes, &place);
         part(canvas, found, lang, &place);
-        way(canvas, scheme, &place);
+        draw_toolpath(canvas, scheme, &place);
     }
     let bottom = top + schemes.schemes.len().div_ceil(2) as f64 * height;
     if schemes.schemes.is_empty() {
@@ -81,7 +81,7 @@ fn stock(canvas: &mut Canvas, schemes: &Schemes, place: &impl Fn(Point) -> At) {
 }
 
 /// The path with its points. A name is placed where it covers no other name, and left out if there is no such place.
-fn way(canvas: &mut Canvas, scheme: &SchemeEntry, place: &impl Fn(Point) -> At) {
+fn draw_toolpath(canvas: &mut Canvas, scheme: &SchemeEntry, place: &impl Fn(Point) -> At) {
     for (before, vertex) in scheme.path.iter().zip(scheme.path.iter().skip(1)) {
         let (from, to) = (place(before.at), place(vertex.at));
         let pen = if vertex.motion == Motion::Rapid { RAPID } else { FEED };

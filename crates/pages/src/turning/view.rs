@@ -81,8 +81,8 @@ impl View {
     }
 
     /// A toolpath, each move with the pen of its purpose and an arrow in its middle.
-    pub(super) fn way(&self, canvas: &mut Canvas, way: &Toolpath) {
-        for (piece, purpose) in way.pieces() {
+    pub(super) fn toolpath(&self, canvas: &mut Canvas, path: &Toolpath) {
+        for (piece, purpose) in path.pieces() {
             let pen = pen_of(purpose);
             self.line(canvas, [piece], pen);
             let (from, to) = (self.at(piece.from), self.at(piece.to));

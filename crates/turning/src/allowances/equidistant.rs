@@ -6,7 +6,7 @@
 //! either. Strips are joined at a convex corner and overlap at a concave one. The rough contour is the outer boundary
 //! of all strips together (`union` finds it). Arcs keep their centres.
 
-use crate::note::{Figure, Note, Told};
+use crate::note::{Figure, IntoFigure, Note};
 use crate::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use crate::turning::length::Half;
 use crate::turning::point::Vector;
@@ -64,8 +64,8 @@ pub enum EquidistantError {
     NotJoined,
 }
 
-impl Told for EquidistantError {
-    fn told(self) -> Figure {
+impl IntoFigure for EquidistantError {
+    fn into_figure(self) -> Figure {
         let note = match self {
             Self::Empty => Note::new("equidistant-empty"),
             Self::Count { pieces, distances } => {
@@ -77,7 +77,7 @@ impl Told for EquidistantError {
             Self::Vanished => Note::new("equidistant-vanished"),
             Self::NotJoined => Note::new("equidistant-not-joined"),
         };
-        note.told()
+        note.into_figure()
     }
 }
 

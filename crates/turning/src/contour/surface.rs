@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use crate::note::{Figure, Told, Word};
+use crate::note::{Figure, IntoFigure, Word};
 use crate::turning::length::Half;
 use crate::units::{ItGrade, Roughness};
 
@@ -42,13 +42,13 @@ impl From<&str> for SurfaceName {
     }
 }
 
-impl Told for SurfaceName {
-    fn told(self) -> Figure {
+impl IntoFigure for SurfaceName {
+    fn into_figure(self) -> Figure {
         match self {
-            Self::Given(name) => name.told(),
+            Self::Given(name) => name.into_figure(),
             Self::Place(side, number) => {
                 let side = Figure::Word(Word { of: "surface", id: side.name().into() });
-                Figure::List(vec![side, number.told()], " ")
+                Figure::List(vec![side, number.into_figure()], " ")
             }
         }
     }

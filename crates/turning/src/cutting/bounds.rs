@@ -6,7 +6,7 @@ use technolog_note::note;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Figure, Finding, Note, Severity, Told};
+use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::tables::lathes::LatheQuantity as Q;
 use crate::tables::turning::tools::{InsertEdgeShare, Limit, TurningLimits};
 use crate::turning::tooling::{Shank, TurningTool};
@@ -282,7 +282,7 @@ pub(super) fn checks(
 }
 
 /// A constant of `turning-limits` with its reason; `of` reads the required figure from the row.
-fn constant<T: Told + Clone>(
+fn constant<T: IntoFigure + Clone>(
     knowledge: &Knowledge,
     name: Limit,
     of: impl Fn(&TurningLimits<'_>) -> Option<T>,

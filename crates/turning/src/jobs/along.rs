@@ -59,14 +59,14 @@ pub fn dip(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolp
 fn seen_outside(
     contour: &Contour,
     standing: &Contour,
-    way: impl FnOnce(&Contour, &Contour, Option<Half>) -> Toolpath,
+    make_path: impl FnOnce(&Contour, &Contour, Option<Half>) -> Toolpath,
 ) -> Toolpath {
     if contour.side == Side::Outer {
-        return way(contour, standing, None);
+        return make_path(contour, standing, None);
     }
     let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
     let top = most(contour).max(most(standing));
-    let seen = way(&contour.inside_out(top), &standing.inside_out(top), Some(top));
+    let seen = make_path(&contour.inside_out(top), &standing.inside_out(top), Some(top));
     let moves = seen.pieces().map(|(piece, purpose)| {
         let piece = piece.inside_out(top);
         Move { to: piece.to, curve: piece.curve, purpose }

@@ -4,7 +4,7 @@ use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Figure, Note, Told};
+use crate::note::{Because, Figure, IntoFigure, Note};
 use crate::tables::turning::jobs::{JobLimit, JobLimits};
 use crate::units::Micrometres;
 
@@ -29,7 +29,7 @@ impl<'k> Limits<'k> {
         self.constant(name, |row| row.length)
     }
 
-    fn constant<T: Told + Copy>(
+    fn constant<T: IntoFigure + Copy>(
         &mut self,
         name: JobLimit,
         of: impl Fn(&JobLimits<'_>) -> Option<T>,

@@ -394,12 +394,12 @@ impl Finishing<'_> {
         Ok(found.map(|index| candidates.swap_remove(index)))
     }
 
-    /// The job; `way` makes its toolpath from the contours after and before, both as the nose meets them.
+    /// The job; `make_path` makes its toolpath from the contours after and before, both as the nose meets them.
     fn job(
         &self,
         bench: &Bench<'_, '_>,
         findings: &mut Vec<Finding>,
-        way: impl FnOnce(&Contour, &Contour, Clearance) -> Option<Toolpath>,
+        make_path: impl FnOnce(&Contour, &Contour, Clearance) -> Option<Toolpath>,
     ) -> Result<Option<Job>, KnowledgeError> {
         let Some(tool) = self.tool(bench)? else {
             let note = Note::new("no-tool-to-finish").with("side", self.side.name());
@@ -436,7 +436,7 @@ impl Finishing<'_> {
         let made = JobTool::of(&tool);
         let wall = wall(&made, bench.knowledge)?;
         let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm, wall };
-        let Some(path) = way(&seen, &standing, clearance) else { return Ok(None) };
+        let Some(path) = make_path(&seen, &standing, clearance) else { return Ok(None) };
         let pace = finishing(pace_of(&paced, bench), bench);
         let pace = constant_speed(pace, paced.conditions.as_ref(), bench);
         let chosen = tools::chosen(&tool, 1, bench)?;

@@ -3,7 +3,7 @@
 
 use technolog_turning_proof as proof;
 
-use crate::note::{Figure, Finding, Note, Severity, Told};
+use crate::note::{Figure, Finding, IntoFigure, Note, Severity};
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Surface, SurfaceKind, Turn};
 use crate::turning::jobs::{Body, JobTool, UNKNOWN_EDGE};
 use crate::turning::length::Half;
@@ -143,7 +143,7 @@ pub fn told<'a>(
     let own: Vec<Figure> = stretches
         .flat_map(|stretch| &stretch.profile.surfaces)
         .filter(|surface| undone.iter().all(|(name, _)| **name != surface.name))
-        .map(|surface| (&surface.name).told())
+        .map(|surface| (&surface.name).into_figure())
         .collect();
     let is_told = move |fault: &&Fault| match fault {
         Fault::Stands { surface, .. } | Fault::Corner { surface, .. } | Fault::ThreadShallow { surface, .. } => {
@@ -193,7 +193,7 @@ pub fn rejected(operation: &Operation, proven: &Proven) -> Option<Note> {
 /// allowance that is left for another machine.
 fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) -> bool {
     let Some(surface) = surface else { return false };
-    let of = operation.elsewhere.iter().find(|one| (&one.surface).told() == *surface);
+    let of = operation.elsewhere.iter().find(|one| (&one.surface).into_figure() == *surface);
     let Some(allowance) = of.map(|one| one.allowance_mm.to_mm()) else { return false };
     let profiles = operation.set_ups.iter().flat_map(|set_up| [&set_up.set_up.outer, &set_up.set_up.inner]);
     let cut_in = profiles.flatten().flat_map(|side| &side.profile.surfaces).filter(|one| one.kind.is_additional());
@@ -293,7 +293,7 @@ fn surface_pieces(surface: &Surface, operation: &Operation) -> Vec<proof::Profil
     let thread = (surface.kind == SurfaceKind::Thread).then(|| thread(surface, operation)).flatten();
     let piece = |piece: &Piece| proof::ProfilePiece {
         path: proof_piece(piece),
-        surface: Some((&surface.name).told()),
+        surface: Some((&surface.name).into_figure()),
         allowance: Mm(later.map_or(0.0, |one| one.allowance_mm.to_mm())),
         thread,
     };

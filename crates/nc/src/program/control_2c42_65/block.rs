@@ -17,7 +17,7 @@ use super::state::{CYCLE, ControlState, LENGTH, MOTION, ONE_SHOT, PLANE, RADIUS,
 use super::words::{BlockWords, Function, WordValue, letter};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Side, Turning};
-use crate::note::{Figure, Note, Told};
+use crate::note::{Figure, IntoFigure, Note};
 use crate::program::limits::{Spans, speed_off_steps};
 use crate::program::{Call, Fault, Setting, Subject, TextSpan};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -58,11 +58,11 @@ pub(super) enum After {
 impl Maker<'_> {
     /// Reports a broken rule.
     pub(super) fn fault(&mut self, code: &'static str, span: TextSpan) {
-        self.tell(code, span, &[]);
+        self.report(code, span, &[]);
     }
 
     /// Reports a broken rule with its figures.
-    pub(super) fn tell(&mut self, code: &'static str, span: TextSpan, figures: &[(&'static str, Figure)]) {
+    pub(super) fn report(&mut self, code: &'static str, span: TextSpan, figures: &[(&'static str, Figure)]) {
         let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.tell_note(code, span, note);
     }
@@ -152,7 +152,7 @@ impl Maker<'_> {
     pub(super) fn take_feed(&mut self, feed: WordValue) {
         let limit = self.machine.feed_max.0;
         if feed.thousandths as f64 / 1000.0 > limit {
-            self.tell("feed-beyond-machine", feed.span, &[("limit", limit.told())]);
+            self.report("feed-beyond-machine", feed.span, &[("limit", limit.into_figure())]);
         }
         self.state.feed = feed.thousandths;
     }
@@ -237,10 +237,10 @@ impl Maker<'_> {
         let actual = self.state.actual;
         if self.state.floating.iter().all(Option::is_none) && actual != place {
             let shown = |at: Position| crate::motion::trace::position(at);
-            self.tell(
+            self.report(
                 "change-elsewhere",
                 function.span,
-                &[("at", shown(actual).told()), ("place", shown(place).told())],
+                &[("at", shown(actual).into_figure()), ("place", shown(place).into_figure())],
             );
         }
         if self.state.turning != Turning::Stopped {
@@ -277,7 +277,7 @@ impl Maker<'_> {
         match self.setting.correctors.get(&number) {
             Some(value) => *value,
             None => {
-                self.tell("corrector-unknown", span, &[("number", number.told())]);
+                self.report("corrector-unknown", span, &[("number", number.into_figure())]);
                 Micrometres::ZERO
             }
         }
@@ -326,10 +326,10 @@ impl Maker<'_> {
         let changed = changed.or(words.get('D').filter(|_| active).map(|word| word.span));
         let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.has(function.code));
         if let Some(offset) = offset.filter(|_| active && words.g[RADIUS].is_none()) {
-            self.tell(
+            self.report(
                 "offset-with-radius-correction",
                 offset.span,
-                &[("function", format!("G{:02}", offset.code).told())],
+                &[("function", format!("G{:02}", offset.code).into_figure())],
             );
         }
         let Some(span) = changed else { return };

@@ -17,7 +17,7 @@
 use super::block::Maker;
 use super::state::{CYCLE, PLANE, SYSTEM};
 use super::words::{BlockWords, WordValue, letter};
-use crate::note::Told;
+use crate::note::IntoFigure;
 use crate::program::limits::Floating;
 use std::collections::BTreeMap;
 
@@ -69,10 +69,10 @@ impl Maker<'_> {
         let missing: Vec<String> =
             cycle.required.iter().filter(|it| self.parameter(**it).is_none()).map(ToString::to_string).collect();
         if !missing.is_empty() {
-            self.tell(
+            self.report(
                 "cycle-parameter-missing",
                 span,
-                &[("cycle", format!("G{code}").told()), ("words", missing.join(", ").told())],
+                &[("cycle", format!("G{code}").into_figure()), ("words", missing.join(", ").into_figure())],
             );
             return;
         }
@@ -83,7 +83,7 @@ impl Maker<'_> {
         let levels = self.levels(axis);
         let (in_steps, out_at_feed) = (cycle.in_steps, cycle.out_at_feed);
         if words.cycle.is_none() && self.on_the_way_to_the_change() {
-            self.tell("cycle-at-tool-change", span, &[("cycle", format!("G{code}").told())]);
+            self.report("cycle-at-tool-change", span, &[("cycle", format!("G{code}").into_figure())]);
         }
         self.run_cycle(code, levels, in_steps, out_at_feed, span);
         if !self.broken() {
@@ -107,7 +107,11 @@ impl Maker<'_> {
         match self.holes.get(&hole) {
             Some((calls, block)) => {
                 let first = path(calls, *block);
-                self.tell("hole-twice", span, &[("cycle", format!("G{cycle}").told()), ("first", first.told())]);
+                self.report(
+                    "hole-twice",
+                    span,
+                    &[("cycle", format!("G{cycle}").into_figure()), ("first", first.into_figure())],
+                );
             }
             None => {
                 self.holes.insert(hole, (self.calls.to_vec(), self.block));
@@ -196,7 +200,7 @@ impl Maker<'_> {
         let [step, clearance] = ['V', 'W'].map(|address| self.parameter(address).unwrap_or_default());
         for (address, value) in [('V', step), ('W', clearance)] {
             if value <= 0 {
-                self.tell("cycle-step-not-positive", span, &[("address", address.told())]);
+                self.report("cycle-step-not-positive", span, &[("address", address.into_figure())]);
             }
         }
         if self.broken() {

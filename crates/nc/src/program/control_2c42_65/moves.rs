@@ -5,7 +5,7 @@ use super::state::{ONE_SHOT, PLANE, SYSTEM};
 use super::words::{BlockWords, Function, WordValue};
 use crate::motion::geometry::{distance, in_plane, sweep};
 use crate::motion::{Axis, Motion, Position, Sense};
-use crate::note::Told;
+use crate::note::IntoFigure;
 use crate::program::TextSpan;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
@@ -43,7 +43,7 @@ impl Maker<'_> {
             _ => {}
         }
         if let Some(stray) = words.centre.iter().flatten().next().filter(|_| !arc) {
-            self.tell("word-unused", stray.span, &[("word", "I, J, K".to_owned().told())]);
+            self.report("word-unused", stray.span, &[("word", "I, J, K".to_owned().into_figure())]);
         }
         let moves = words.any_axis() || (arc && centred);
         if !moves {
@@ -87,7 +87,7 @@ impl Maker<'_> {
     pub(super) fn may_move(&mut self, axis: Axis, span: TextSpan) -> bool {
         let homed = self.state.homed[axis.index()];
         if !homed {
-            self.tell("not-homed", span, &[("axis", axis.letter().told())]);
+            self.report("not-homed", span, &[("axis", axis.letter().into_figure())]);
         }
         homed
     }
@@ -123,7 +123,7 @@ impl Maker<'_> {
         let Some(factor) = self.control.offsets.get(function.code).copied() else { return };
         if self.cycle_in_force() {
             let name = format!("G{:02}", function.code);
-            self.tell("offset-in-cycle", function.span, &[("function", name.told())]);
+            self.report("offset-in-cycle", function.span, &[("function", name.into_figure())]);
             return;
         }
         let value = self.corrector(self.state.radius_corrector, function.span).micrometres() * factor;
@@ -177,7 +177,11 @@ impl Maker<'_> {
         // without being wrong.
         if (radius - other).abs() > 2.0 * self.machine.resolution.to_mm() {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
-            self.tell("arc-radius", span, &[("start", shown(radius).told()), ("end", shown(other).told())]);
+            self.report(
+                "arc-radius",
+                span,
+                &[("start", shown(radius).into_figure()), ("end", shown(other).into_figure())],
+            );
             return None;
         }
         let helix = words.g[ONE_SHOT].filter(|function| function.code == 10);
@@ -223,7 +227,7 @@ impl Maker<'_> {
         let made = (whole + angle / std::f64::consts::TAU) * value as f64 / 1000.0;
         if (made - climb.to_mm()).abs() > 2.0 * self.machine.resolution.to_mm() {
             let made = Micrometres::from_mm_rounded(made).to_string();
-            self.tell("helix-pitch", pitch.span, &[("climb", climb.told()), ("made", made.told())]);
+            self.report("helix-pitch", pitch.span, &[("climb", climb.into_figure()), ("made", made.into_figure())]);
             return None;
         }
         Some(whole as u32)
@@ -248,7 +252,11 @@ impl Maker<'_> {
             _ => self.setting.fixed_point,
         };
         let Some(goal) = goal else {
-            self.tell("fixed-point-unknown", function.span, &[("function", format!("G{:02}", function.code).told())]);
+            self.report(
+                "fixed-point-unknown",
+                function.span,
+                &[("function", format!("G{:02}", function.code).into_figure())],
+            );
             return;
         };
         let through = if function.code == 30 {

@@ -12,7 +12,7 @@ use super::text::{self, Block};
 use super::words::BlockWords;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, MotionStep, Sink};
-use crate::note::Told;
+use crate::note::IntoFigure;
 use crate::program::running::{BUDGET, BlockOutcome, Running};
 use crate::program::{Call, Fault, Setting};
 
@@ -155,7 +155,7 @@ impl Maker<'_> {
         let step = self.machine.resolution.micrometres().max(1);
         let finer = words.axes.iter().flatten().find(|word| word.thousandths % step != 0);
         if let Some(word) = finer {
-            self.tell("finer-than-machine", word.span, &[("step", self.machine.resolution.told())]);
+            self.report("finer-than-machine", word.span, &[("step", self.machine.resolution.into_figure())]);
         }
     }
 }

@@ -6,7 +6,7 @@ use super::moves::Target;
 use super::words::{BlockWords, WordValue};
 use crate::motion::geometry::{Point, distance, in_plane};
 use crate::motion::{Axis, Motion, Sense};
-use crate::note::Told;
+use crate::note::IntoFigure;
 use crate::program::TextSpan;
 use crate::units::Micrometres;
 
@@ -29,7 +29,7 @@ impl Maker<'_> {
                 None
             }
             (Some(_), Some(radius)) if centre.iter().any(Option::is_some) => {
-                self.tell("word-unused", radius.span, &[("word", "R".to_owned().told())]);
+                self.report("word-unused", radius.span, &[("word", "R".to_owned().into_figure())]);
                 None
             }
             (Some(_), Some(radius)) => self.by_radius(start, end, radius, sense),
@@ -37,8 +37,9 @@ impl Maker<'_> {
         };
         let turns = if self.control.kind == IsoControl::LinuxCnc { self.take(words, 'P') } else { None };
         if let Some(given) = turns.filter(|given| given.millionths < 1_000_000 || given.millionths % 1_000_000 != 0) {
-            let figures = [("address", "P".told()), ("low", 1_u32.told()), ("high", 99_999_u32.told())];
-            self.tell("number-out-of-range", given.span, &figures);
+            let figures =
+                [("address", "P".into_figure()), ("low", 1_u32.into_figure()), ("high", 99_999_u32.into_figure())];
+            self.report("number-out-of-range", given.span, &figures);
         }
         let turns = turns.map_or(0, |given| u32::try_from(given.millionths / 1_000_000 - 1).unwrap_or_default());
         let feed_mm_per_min = self.feed(span);
@@ -79,7 +80,11 @@ impl Maker<'_> {
             if part > 0.0 { off > 100.0 * near || (off > near && off > part * radius.max(other)) } else { off > near };
         if wrong {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
-            self.tell("arc-radius", span, &[("start", shown(radius).told()), ("end", shown(other).told())]);
+            self.report(
+                "arc-radius",
+                span,
+                &[("start", shown(radius).into_figure()), ("end", shown(other).into_figure())],
+            );
             return None;
         }
         Some(middle)
@@ -96,10 +101,10 @@ impl Maker<'_> {
         let half = chord / 2.0;
         if half > radius.abs() + self.control.arc_tolerance.0 {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
-            self.tell(
+            self.report(
                 "arc-radius-short",
                 given.span,
-                &[("radius", shown(radius.abs()).told()), ("needed", shown(half).told())],
+                &[("radius", shown(radius.abs()).into_figure()), ("needed", shown(half).into_figure())],
             );
             return None;
         }

@@ -11,7 +11,7 @@ use super::state::ControlState;
 use super::words::{BlockWords, Function, WordValue, place};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning, geometry};
-use crate::note::{Figure, Note, Told};
+use crate::note::{Figure, IntoFigure, Note};
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
 use crate::program::{Fault, Setting, Subject, TextSpan};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -55,7 +55,7 @@ impl Maker<'_> {
     }
 
     /// Reports a broken rule with its figures.
-    pub(super) fn tell(&mut self, code: &'static str, span: TextSpan, figures: &[(&'static str, Figure)]) {
+    pub(super) fn report(&mut self, code: &'static str, span: TextSpan, figures: &[(&'static str, Figure)]) {
         let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.fault(code, span).note = note;
     }
@@ -90,7 +90,7 @@ impl Maker<'_> {
         for (letter, given) in
             unused.into_iter().flatten().filter(|(letter, _)| !self.used[place(*letter)]).collect::<Vec<_>>()
         {
-            self.tell("word-unused", given.span, &[("word", letter.told())]);
+            self.report("word-unused", given.span, &[("word", letter.into_figure())]);
         }
         after
     }
@@ -101,7 +101,7 @@ impl Maker<'_> {
             self.state.feed = feed.value() * if self.state.inches() { 25.4 } else { 1.0 };
             let limit = self.machine.feed_max.0;
             if self.state.feed > limit {
-                self.tell("feed-beyond-machine", feed.span, &[("limit", limit.told())]);
+                self.report("feed-beyond-machine", feed.span, &[("limit", limit.into_figure())]);
             }
         }
         if let Some(speed) = self.take(words, 'S') {
@@ -208,7 +208,11 @@ impl Maker<'_> {
         let at = self.state.at;
         if self.state.floating.iter().all(Option::is_none) && at != place {
             let shown = crate::motion::trace::position;
-            self.tell("change-elsewhere", function.span, &[("at", shown(at).told()), ("place", shown(place).told())]);
+            self.report(
+                "change-elsewhere",
+                function.span,
+                &[("at", shown(at).into_figure()), ("place", shown(place).into_figure())],
+            );
         }
         if self.state.turning != Turning::Stopped {
             self.spindle(Turning::Stopped);
@@ -228,7 +232,7 @@ impl Maker<'_> {
             Some(seconds) => self.wait(seconds),
             None => {
                 let address = if self.control.kind == IsoControl::Fanuc { "P, X" } else { "P" };
-                self.tell("dwell-time-missing", function.span, &[("words", address.to_owned().told())]);
+                self.report("dwell-time-missing", function.span, &[("words", address.to_owned().into_figure())]);
             }
         }
     }
@@ -273,7 +277,7 @@ impl Maker<'_> {
             match self.setting.correctors.get(&number) {
                 Some(known) => value = *known,
                 None if number == 0 => {}
-                None => self.tell("corrector-unknown", function.span, &[("number", number.told())]),
+                None => self.report("corrector-unknown", function.span, &[("number", number.into_figure())]),
             }
         }
         self.state.length = value;

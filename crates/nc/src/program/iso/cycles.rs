@@ -20,7 +20,7 @@ use super::control::{Bottom, Cycle, Group, Inwards, IsoControl, Outwards};
 use super::programs::calls;
 use super::words::{BlockWords, Function, place};
 use crate::motion::{Axis, Motion, Position, Turning};
-use crate::note::Told;
+use crate::note::IntoFigure;
 use crate::program::TextSpan;
 use crate::units::Micrometres;
 
@@ -63,7 +63,7 @@ impl Maker<'_> {
         let hole = Axis::ALL.iter().any(|axis| words.get(axis.letter()).is_some());
         if !hole && linuxcnc {
             if given.is_some() {
-                self.tell("axes-missing", span, &[("function", format!("G{}", code / 10).told())]);
+                self.report("axes-missing", span, &[("function", format!("G{}", code / 10).into_figure())]);
             }
             return;
         }
@@ -77,8 +77,9 @@ impl Maker<'_> {
         let missing: Vec<String> =
             cycle.required.iter().filter(|it| self.parameter(**it).is_none()).map(ToString::to_string).collect();
         if !missing.is_empty() {
-            let figures = [("cycle", format!("G{}", code / 10).told()), ("words", missing.join(", ").told())];
-            self.tell("cycle-parameter-missing", span, &figures);
+            let figures =
+                [("cycle", format!("G{}", code / 10).into_figure()), ("words", missing.join(", ").into_figure())];
+            self.report("cycle-parameter-missing", span, &figures);
             return;
         }
         if self.state.mode(Group::Plane) != Some(170) {
@@ -110,7 +111,7 @@ impl Maker<'_> {
                 let value = if address == 'P' { given.millionths } else { given.length(inches).micrometres() };
                 self.state.parameters[place(address)] = Some(value);
                 if address == 'Q' && value <= 0 {
-                    self.tell("cycle-step-not-positive", given.span, &[("address", "Q".to_owned().told())]);
+                    self.report("cycle-step-not-positive", given.span, &[("address", "Q".to_owned().into_figure())]);
                 }
             }
         }
@@ -126,11 +127,11 @@ impl Maker<'_> {
         let Some(given) = words.get(address).filter(|_| named) else { return 1 };
         self.take(words, address);
         if given.millionths % 1_000_000 != 0 {
-            self.tell("number-not-whole", given.span, &[("address", address.told())]);
+            self.report("number-not-whole", given.span, &[("address", address.into_figure())]);
         }
         let repeats = given.millionths / 1_000_000;
         if repeats < i64::from(self.control.kind == IsoControl::LinuxCnc) {
-            self.tell("cycle-step-not-positive", given.span, &[("address", address.told())]);
+            self.report("cycle-step-not-positive", given.span, &[("address", address.into_figure())]);
         }
         repeats
     }
@@ -141,7 +142,7 @@ impl Maker<'_> {
         let (r, bottom) = if self.state.absolute() { (origin + r, origin + z) } else { (initial + r, initial + r + z) };
         if bottom > r {
             let shown = |level: Micrometres| (level - origin).to_string();
-            self.tell("cycle-levels", span, &[("z", shown(bottom).told()), ("r", shown(r).told())]);
+            self.report("cycle-levels", span, &[("z", shown(bottom).into_figure()), ("r", shown(r).into_figure())]);
             return None;
         }
         let clear = match (self.state.to_initial_level(), self.control.kind) {

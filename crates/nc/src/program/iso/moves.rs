@@ -5,7 +5,7 @@ use super::block::Maker;
 use super::control::{Effect, Group, IsoControl};
 use super::words::{BlockWords, Function};
 use crate::motion::{Axis, Motion, Position};
-use crate::note::Told;
+use crate::note::IntoFigure;
 use crate::program::TextSpan;
 use crate::program::limits::Floating;
 
@@ -40,8 +40,8 @@ impl Maker<'_> {
         if let Some(function) = words.one_shot(Effect::Return, self.control) {
             let other = words.function(Group::Motion).or(cycle.filter(|_| !off));
             if let Some(other) = other.filter(|_| self.control.kind == IsoControl::LinuxCnc) {
-                let figures = [("first", other.name().told()), ("second", function.name().told())];
-                self.tell("axes-taken-twice", function.span, &figures);
+                let figures = [("first", other.name().into_figure()), ("second", function.name().into_figure())];
+                self.report("axes-taken-twice", function.span, &figures);
                 return;
             }
             return self.returning(function, words);
@@ -104,7 +104,7 @@ impl Maker<'_> {
     fn finer_than_machine(&mut self, value: crate::units::Micrometres, span: TextSpan) {
         let step = self.machine.resolution.micrometres().max(1);
         if !self.state.inches() && value.micrometres() % step != 0 {
-            self.tell("finer-than-machine", span, &[("step", self.machine.resolution.told())]);
+            self.report("finer-than-machine", span, &[("step", self.machine.resolution.into_figure())]);
         }
     }
 
@@ -137,13 +137,13 @@ impl Maker<'_> {
             || self.control.kind == IsoControl::LinuxCnc
             || self.take(words, 'P').is_none_or(|point| point.millionths == 2_000_000);
         let Some(goal) = goal.filter(|_| second) else {
-            self.tell("fixed-point-unknown", function.span, &[("function", function.name().told())]);
+            self.report("fixed-point-unknown", function.span, &[("function", function.name().into_figure())]);
             return;
         };
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| words.get(axis.letter()).is_some()).collect();
         let through = self.target(words, false);
         if named.is_empty() && self.control.kind == IsoControl::Fanuc {
-            self.tell("axes-missing", function.span, &[("function", function.name().told())]);
+            self.report("axes-missing", function.span, &[("function", function.name().into_figure())]);
             return;
         }
         self.go(Motion::Rapid, through.at, through.floating, function.span);

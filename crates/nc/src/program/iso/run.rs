@@ -88,7 +88,7 @@ impl<S: Sink> ProgramRun<'_, S> {
             let block = BlockRef { line: span.line, number };
             self.running.take(&MotionStep { motion: Motion::End, at: self.state.at, block });
         } else {
-            self.running.tell(fault("program-without-end", span, number));
+            self.running.report(fault("program-without-end", span, number));
         }
     }
 
@@ -156,7 +156,7 @@ impl<S: Sink> ProgramRun<'_, S> {
                 BlockOutcome::On => {
                     // The run reached the next program or the end of the text.
                     let head = self.blocks.get(range.start).map_or((call.span, None), |it| (it.span, it.number));
-                    self.running.tell(fault("program-without-end", head.0, head.1));
+                    self.running.report(fault("program-without-end", head.0, head.1));
                     return BlockOutcome::Out;
                 }
                 BlockOutcome::Out => return BlockOutcome::Out,

@@ -11,7 +11,7 @@ use super::rules::fault;
 use super::state::State;
 use super::words::{BlockWords, Value};
 use crate::motion::{Sense, Turning};
-use crate::note::Told;
+use crate::note::IntoFigure;
 use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe_reading::{Does, LatheGroup};
 use crate::units::{MillimetresPerRev, Seconds};
@@ -51,11 +51,11 @@ const ARC_TOLERANCE: (f64, f64) = (0.005, 0.001);
 
 impl Maker<'_> {
     /// Reports a broken rule.
-    pub fn tell(&mut self, code: &'static str, span: TextSpan) {
+    pub fn report(&mut self, code: &'static str, span: TextSpan) {
         self.faults.push(fault(code, span, self.number));
     }
 
-    pub fn tell_with(&mut self, code: &'static str, span: TextSpan, name: &'static str, value: impl Told) {
+    pub fn report_with(&mut self, code: &'static str, span: TextSpan, name: &'static str, value: impl IntoFigure) {
         self.faults.push(fault(code, span, self.number).with(name, value));
     }
 
@@ -85,7 +85,7 @@ impl Maker<'_> {
         if let Some(span) = limit {
             match words.take("S").map(|value| value.value).filter(|value| *value > 0.0) {
                 Some(value) => self.state.limit = Some(value),
-                None => self.tell("lathe-limit-without-speed", span),
+                None => self.report("lathe-limit-without-speed", span),
             }
         }
         if let Some(value) = words.take("LIMS") {
@@ -98,7 +98,7 @@ impl Maker<'_> {
             && self.state.turning != Turning::Stopped
             && self.state.limit.is_none()
         {
-            self.tell("lathe-no-limit", function.span);
+            self.report("lathe-no-limit", function.span);
         }
         self.feed_and_speed(words, limit.is_some());
         self.tool(words);
@@ -130,10 +130,10 @@ impl Maker<'_> {
                 _ => {}
             }
             if function.does == Does::Inches {
-                self.tell("lathe-inches", function.span);
+                self.report("lathe-inches", function.span);
             }
             if matches!(function.does, Does::CompensationLeft | Does::CompensationRight) {
-                self.tell_with("lathe-compensation", function.span, "word", function.code.clone());
+                self.report_with("lathe-compensation", function.span, "word", function.code.clone());
             }
             self.state.modes.insert(function.group, function.does);
             self.state.said.insert(function.group);
@@ -152,7 +152,7 @@ impl Maker<'_> {
         {
             let (value, span) = (feed.value, feed.span);
             if value <= 0.0 {
-                self.tell("feed-zero", span);
+                self.report("feed-zero", span);
             }
             self.state.feed = Some(value);
         }
@@ -173,7 +173,7 @@ impl Maker<'_> {
         if let Some(given) = &given {
             let whole = given.value >= 0.0 && given.value < 1e6 && (given.value % 1.0).abs() < 1e-9;
             if !whole {
-                self.tell_with("number-not-whole", given.span, "address", "T");
+                self.report_with("number-not-whole", given.span, "address", "T");
                 return;
             }
             let number = given.value as u32;
@@ -224,11 +224,11 @@ impl Maker<'_> {
                 _ => continue,
             };
             if turning != Turning::Stopped && self.state.speed.is_none_or(|speed| speed <= 0.0) {
-                self.tell("spindle-without-speed", function.span);
+                self.report("spindle-without-speed", function.span);
             }
             let cutting = self.state.is(LatheGroup::SpeedMode, Does::CuttingSpeed);
             if turning != Turning::Stopped && cutting && self.state.limit.is_none() {
-                self.tell("lathe-no-limit", function.span);
+                self.report("lathe-no-limit", function.span);
             }
             self.state.turning = turning;
             self.put_here(LatheAct::Spindle);
@@ -250,7 +250,7 @@ impl Maker<'_> {
         };
         match time.filter(|time| *time >= 0.0) {
             Some(time) => self.put_here(LatheAct::Dwell { seconds: Seconds(time) }),
-            None => self.tell_with("dwell-time-missing", span, "words", "G4"),
+            None => self.report_with("dwell-time-missing", span, "words", "G4"),
         }
     }
 
@@ -277,7 +277,7 @@ impl Maker<'_> {
             return;
         }
         for value in words.unused() {
-            self.tell_with("word-unused", value.span, "word", value.name);
+            self.report_with("word-unused", value.span, "word", value.name);
         }
     }
 
@@ -291,7 +291,7 @@ impl Maker<'_> {
         }
         let Some(mode) = self.state.modes.get(&LatheGroup::Motion).copied() else {
             if axes {
-                self.tell("motion-missing", self.span);
+                self.report("motion-missing", self.span);
             }
             return;
         };
@@ -343,19 +343,19 @@ impl Maker<'_> {
     pub fn before_moving(&mut self, span: TextSpan, cuts: bool) {
         self.start_said(span);
         if self.state.modes.get(&LatheGroup::Plane).is_some_and(|plane| *plane != Does::PlaneZx) {
-            self.tell("lathe-plane", span);
+            self.report("lathe-plane", span);
         }
         if !cuts {
             return;
         }
         match self.state.tool {
-            None => self.tell("lathe-no-tool-yet", span),
-            Some(LatheTool { number: 0, .. }) => self.tell("lathe-no-tool-yet", span),
-            Some(LatheTool { offset: None, .. }) => self.tell("lathe-no-offset", span),
+            None => self.report("lathe-no-tool-yet", span),
+            Some(LatheTool { number: 0, .. }) => self.report("lathe-no-tool-yet", span),
+            Some(LatheTool { offset: None, .. }) => self.report("lathe-no-offset", span),
             Some(_) => {}
         }
         if self.state.turning == Turning::Stopped {
-            self.tell("feed-without-spindle", span);
+            self.report("feed-without-spindle", span);
         }
     }
 
@@ -372,18 +372,18 @@ impl Maker<'_> {
             .map(|(_, code)| code.clone())
             .collect();
         if !unsaid.is_empty() {
-            self.tell_with("lathe-start-unsaid", span, "words", unsaid.join(" "));
+            self.report_with("lathe-start-unsaid", span, "words", unsaid.join(" "));
         }
     }
 
     /// A line or an arc at feed.
     fn cut(&mut self, shape: PathShape, span: TextSpan) {
         let Some(feed) = self.state.feed() else {
-            self.tell("feed-zero", span);
+            self.report("feed-zero", span);
             return;
         };
         if self.state.at.point().is_none() || shape.to.point().is_none() {
-            self.tell("lathe-place-unknown", span);
+            self.report("lathe-place-unknown", span);
             return;
         }
         let act = match shape.round {
@@ -407,11 +407,11 @@ impl Maker<'_> {
             words.take("SF");
         }
         let Some(lead) = lead.filter(|lead| *lead > 0.0) else {
-            self.tell("lathe-no-lead", span);
+            self.report("lathe-no-lead", span);
             return;
         };
         let (Some(from), Some(end)) = (self.state.at.point(), to.point()) else {
-            self.tell("lathe-place-unknown", span);
+            self.report("lathe-place-unknown", span);
             return;
         };
         self.thread_to(from, end, lead, span);
@@ -421,7 +421,7 @@ impl Maker<'_> {
     /// axis.
     pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, lead: f64, span: TextSpan) {
         if self.state.is(LatheGroup::SpeedMode, Does::CuttingSpeed) {
-            self.tell("lathe-thread-at-cutting-speed", span);
+            self.report("lathe-thread-at-cutting-speed", span);
         }
         let (dx, dz) = ((to.radius_mm - from.radius_mm).abs(), (to.z_mm - from.z_mm).abs());
         let along = match self.language.kind {
@@ -439,7 +439,7 @@ impl Maker<'_> {
             return Some(PathShape { to, round: None });
         }
         let (Some(from), Some(end)) = (self.state.at.point(), to.point()) else {
-            self.tell("lathe-place-unknown", span);
+            self.report("lathe-place-unknown", span);
             return None;
         };
         let (from, end) = (spot(from), spot(end));
@@ -455,7 +455,7 @@ impl Maker<'_> {
     fn centre_of_radius(&mut self, from: PassPoint, to: PassPoint, ccw: bool, given: &Value) -> Option<PassPoint> {
         let (chord, radius) = (from.to(to), given.value);
         if chord < 1e-9 || radius.abs() < 1e-9 {
-            self.tell("arc-radius-alone", given.span);
+            self.report("arc-radius-alone", given.span);
             return None;
         }
         // A rounded radius may be a little smaller than half the chord.
@@ -482,7 +482,7 @@ impl Maker<'_> {
         let distance = |name: &str| words.take(name).map(|value| value.value);
         let (i, k) = (distance("I"), distance("K"));
         if i.is_none() && k.is_none() {
-            self.tell("arc-without-centre", span);
+            self.report("arc-without-centre", span);
             return None;
         }
         let centre = PassPoint { z: from.z + k.unwrap_or_default(), x: from.x + i.unwrap_or_default() };
@@ -513,7 +513,7 @@ impl Maker<'_> {
             let (absolute, relative) =
                 (words.take(name).cloned(), if fanuc { words.take(step).cloned() } else { None });
             if let (Some(_), Some(relative)) = (&absolute, &relative) {
-                self.tell_with("word-twice", relative.span, "address", step);
+                self.report_with("word-twice", relative.span, "address", step);
                 return None;
             }
             let axis = if is_x { &mut to.radius_mm } else { &mut to.z_mm };
@@ -523,7 +523,7 @@ impl Maker<'_> {
                 (Some(value), _) if !incremental => *axis = Some(value.value * by),
                 (Some(value), _) | (None, Some(value)) => {
                     let Some(here) = here else {
-                        self.tell("lathe-place-unknown", value.span);
+                        self.report("lathe-place-unknown", value.span);
                         return None;
                     };
                     *axis = Some(here + value.value * by);

@@ -25,7 +25,7 @@ impl Maker<'_> {
         let fields = self.language.cycle(cycle, form);
         let missing: Vec<String> = fields.required.iter().filter(|it| words.look(it).is_none()).cloned().collect();
         if !missing.is_empty() {
-            self.tell_with("lathe-cycle-field", span, "field", missing.join(", "));
+            self.report_with("lathe-cycle-field", span, "field", missing.join(", "));
             let last = self.faults.len() - 1;
             self.faults[last].subject = Some(Subject::Function(cycle.to_owned()));
         }
@@ -38,7 +38,7 @@ impl Maker<'_> {
         if value <= 0.0 || !value.is_finite() {
             let span = given.as_ref().map_or(span, |given| given.span);
             let field = given.map_or_else(String::new, |given| given.name);
-            self.tell_with("lathe-cycle-value", span, "field", field);
+            self.report_with("lathe-cycle-value", span, "field", field);
         }
         value
     }
@@ -54,7 +54,7 @@ impl Maker<'_> {
         let pointless =
             words.all().iter().find(|it| lengths.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
         if let Some(value) = pointless.filter(|_| !thread) {
-            self.tell_with("number-without-point", value.span, "address", value.name.clone());
+            self.report_with("number-without-point", value.span, "address", value.name.clone());
         }
     }
 
@@ -65,7 +65,7 @@ impl Maker<'_> {
         let z = words.take("Z").map(|it| it.value).or(self.state.at.z_mm);
         let place = LathePlace { radius_mm: x, z_mm: z };
         if place.point().is_none() || self.state.at.point().is_none() {
-            self.tell("lathe-place-unknown", span);
+            self.report("lathe-place-unknown", span);
             return None;
         }
         place.point()
@@ -93,18 +93,18 @@ impl Maker<'_> {
         }
         for field in ["D", "E"] {
             if let Some(given) = words.take(field).filter(|it| it.value != 0.0).cloned() {
-                self.tell_with("lathe-cycle-not-read", given.span, "word", format!("{}{}", given.name, given.value));
+                self.report_with("lathe-cycle-not-read", given.span, "word", format!("{}{}", given.name, given.value));
             }
         }
         // The first motion of the subprogram leads from the tool to the contour, whatever its function.
         let mut legs = legs;
         let Some(first) = legs.first_mut() else {
-            self.tell("lathe-contour-short", span);
+            self.report("lathe-contour-short", span);
             return;
         };
         first.from = spot(begin);
         if legs.len() < 2 {
-            self.tell("lathe-contour-short", span);
+            self.report("lathe-contour-short", span);
             return;
         }
         if does == Does::Finish {
@@ -136,7 +136,7 @@ impl Maker<'_> {
             first.from.z = first.to.z;
         }
         if let Some(leg) = legs.iter().find(|leg| !leg.is_monotone()) {
-            self.tell_with("lathe-not-monotone", span, "line", leg.line);
+            self.report_with("lathe-not-monotone", span, "line", leg.line);
             return;
         }
         let ends = legs.first().map(|it| it.from).zip(legs.last().copied());
@@ -152,8 +152,8 @@ impl Maker<'_> {
     pub(super) fn strokes(&mut self, made: Result<Vec<Stroke>, NoPasses>, frame: PassFrame, span: TextSpan) {
         match made {
             Ok(strokes) => strokes.into_iter().for_each(|stroke| self.stroke(stroke, frame, span)),
-            Err(NoPasses::TooMany) => self.tell_with("run-too-long", span, "budget", crate::program::running::BUDGET),
-            Err(NoPasses::Above) => self.tell("lathe-cycle-begins-inside", span),
+            Err(NoPasses::TooMany) => self.report_with("run-too-long", span, "budget", crate::program::running::BUDGET),
+            Err(NoPasses::Above) => self.report("lathe-cycle-begins-inside", span),
         }
     }
 
@@ -168,7 +168,7 @@ impl Maker<'_> {
             (Stroke::Rapid(_), _) => LatheAct::Rapid,
             (_, None) => {
                 if !self.broken() {
-                    self.tell("feed-zero", span);
+                    self.report("feed-zero", span);
                 }
                 return;
             }
@@ -217,7 +217,7 @@ impl Maker<'_> {
     ) {
         self.before_moving(span, true);
         if legs.len() < 2 {
-            self.tell("lathe-contour-short", span);
+            self.report("lathe-contour-short", span);
             return;
         }
         if does == Does::Finish {
@@ -226,7 +226,7 @@ impl Maker<'_> {
         }
         let across = does == Does::RoughAcross;
         let Some((depth, retract)) = (if across { self.state.first.across } else { self.state.first.along }) else {
-            self.tell_with("lathe-cycle-first-block", span, "word", name(does));
+            self.report_with("lathe-cycle-first-block", span, "word", name(does));
             return;
         };
         let allowance = PassPoint {
@@ -246,13 +246,13 @@ impl Maker<'_> {
         let frame = PassFrame::of(first.to, last.to, across);
         let framed: Vec<Leg> = moved.iter().map(|leg| frame.leg(*leg)).collect();
         if first.round.is_some() {
-            self.tell_with("lathe-not-monotone", span, "line", first.line);
+            self.report_with("lathe-not-monotone", span, "line", first.line);
             return;
         }
         let rises = |leg: &&Leg| leg.is_monotone() && leg.to.x >= leg.from.x - SAME;
         let wrong = framed.iter().skip(1).find(|leg| if type_two { !leg.is_monotone() } else { !rises(leg) });
         if let Some(leg) = wrong {
-            self.tell_with("lathe-not-monotone", span, "line", leg.line);
+            self.report_with("lathe-not-monotone", span, "line", leg.line);
             return;
         }
         let start = frame.into(shift(spot(begin)));
@@ -264,7 +264,7 @@ impl Maker<'_> {
             return;
         }
         let passes = Passes { depth, retract, budget: self.budget };
-        self.tell_with("lathe-cycle-from-memory", span, "word", name(does));
+        self.report_with("lathe-cycle-from-memory", span, "word", name(does));
         if type_two {
             self.rough(&moved, across, (depth, retract), span);
         } else {
@@ -292,7 +292,7 @@ impl Maker<'_> {
 
     /// G70 of Fanuc: one pass along the contour with its own feeds, then back to the start.
     fn finish(&mut self, legs: &[Leg], begin: LathePoint, span: TextSpan) {
-        self.tell_with("lathe-cycle-from-memory", span, "word", "G70");
+        self.report_with("lathe-cycle-from-memory", span, "word", "G70");
         let kept = self.state.feed;
         for leg in legs {
             if leg.feed.is_some() {

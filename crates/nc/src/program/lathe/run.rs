@@ -187,12 +187,12 @@ impl Run<'_> {
         if matches!(self.program(0..self.programs.end, 0), Next::On) {
             let last = self.blocks.get(self.programs.end.wrapping_sub(1));
             if let Some((span, number)) = last.map(|block| (block.span, block.number)) {
-                self.tell(fault("program-without-end", span, number));
+                self.report(fault("program-without-end", span, number));
             }
         }
     }
 
-    fn tell(&mut self, fault: Fault) {
+    fn report(&mut self, fault: Fault) {
         if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
             self.faults.push(fault);
         }
@@ -217,7 +217,7 @@ impl Run<'_> {
     fn block(&mut self, index: usize, depth: usize) -> Next {
         let Some(block) = self.blocks.get(index) else { return Next::Out };
         if self.left == 0 {
-            self.tell(fault("run-too-long", block.span, block.number).with("budget", BUDGET));
+            self.report(fault("run-too-long", block.span, block.number).with("budget", BUDGET));
             return Next::Out;
         }
         self.left -= 1;
@@ -228,7 +228,7 @@ impl Run<'_> {
                 }
                 None => {
                     let problem = fault("lathe-parameter-unknown", *span, block.number).with("word", name.clone());
-                    self.tell(problem);
+                    self.report(problem);
                 }
             }
         }
@@ -277,11 +277,11 @@ impl Run<'_> {
             self.motions.extend(motions);
         }
         self.state = state;
-        faults.into_iter().for_each(|fault| self.tell(fault));
+        faults.into_iter().for_each(|fault| self.report(fault));
         match after {
             After::End => return Next::Out,
             After::Return if depth == 0 => {
-                self.tell(fault("return-without-call", block.span, block.number));
+                self.report(fault("return-without-call", block.span, block.number));
                 return Next::Out;
             }
             After::Return => return Next::Back,
@@ -312,11 +312,11 @@ impl Run<'_> {
         let Some(range) = self.programs.named.get(name).cloned() else {
             let is_word = self.language.kind == LatheReader::Sinumerik;
             let (code, key) = if is_word { ("unknown-word", "word") } else { ("subprogram-missing", "number") };
-            self.tell(fault(code, span, number).with(key, name.to_owned()));
+            self.report(fault(code, span, number).with(key, name.to_owned()));
             return Next::On;
         };
         if depth >= DEPTH {
-            self.tell(fault("calls-too-deep", span, number).with("limit", DEPTH));
+            self.report(fault("calls-too-deep", span, number).with("limit", DEPTH));
             return Next::Out;
         }
         for _ in 0..times {
@@ -339,7 +339,7 @@ impl Run<'_> {
         if self.language.kind == LatheReader::LinuxCnc {
             let name = words.take("Q").map_or(0.0, |value| value.value).max(0.0) as u64;
             let Some(range) = self.programs.named.get(&name.to_string()).cloned() else {
-                maker.tell_with("lathe-contour-missing", span, "name", name.to_string());
+                maker.report_with("lathe-contour-missing", span, "name", name.to_string());
                 return None;
             };
             let begin = maker.begin_of_words(words, span)?;
@@ -353,16 +353,16 @@ impl Run<'_> {
             return None;
         }
         let (Some(first), Some(last)) = (words.take("P").map(|it| it.value), words.take("Q").map(|it| it.value)) else {
-            maker.tell_with("lathe-cycle-field", span, "field", "P, Q");
+            maker.report_with("lathe-cycle-field", span, "field", "P, Q");
             return None;
         };
         let find = |number: f64| self.blocks.iter().position(|it| it.number.is_some_and(|it| f64::from(it) == number));
         let (Some(from), Some(to)) = (find(first), find(last)) else {
-            maker.tell_with("lathe-contour-missing", span, "name", format!("N{first} … N{last}"));
+            maker.report_with("lathe-contour-missing", span, "name", format!("N{first} … N{last}"));
             return None;
         };
         let Some(begin) = maker.state.at.point() else {
-            maker.tell("lathe-place-unknown", span);
+            maker.report("lathe-place-unknown", span);
             return None;
         };
         let legs = self.legs(maker, from..to + 1, begin, true)?;
@@ -380,7 +380,7 @@ impl Run<'_> {
             "CYCLE97" => maker.cycle97(arguments, span),
             "CYCLE95" => {
                 let Some(Argument::Text(contour)) = arguments.first() else {
-                    maker.tell_with("lathe-cycle-field", span, "field", "NPP");
+                    maker.report_with("lathe-cycle-field", span, "field", "NPP");
                     return;
                 };
                 let contour = contour.trim_end_matches(".SPF");
@@ -391,7 +391,7 @@ impl Run<'_> {
                 });
                 let range = marked.or_else(|| self.programs.named.get(contour).cloned());
                 let Some(range) = range.filter(|_| !self.programs.unread.iter().any(|name| name == contour)) else {
-                    maker.tell_with("lathe-contour-missing", span, "name", contour.to_owned());
+                    maker.report_with("lathe-contour-missing", span, "name", contour.to_owned());
                     return;
                 };
                 let nowhere = LathePoint { radius_mm: f64::NAN, z_mm: f64::NAN };
@@ -399,7 +399,7 @@ impl Run<'_> {
                     maker.cycle95(arguments, span, legs);
                 }
             }
-            _ => maker.tell_with("lathe-cycle-not-read", span, "word", name.to_owned()),
+            _ => maker.report_with("lathe-cycle-not-read", span, "word", name.to_owned()),
         }
     }
 
@@ -429,13 +429,13 @@ impl Run<'_> {
                 match function.does {
                     Does::Return => break,
                     Does::Thread | Does::ThreadBox => {
-                        inner.tell_with("lathe-contour-word", function.span, "word", function.code.clone())
+                        inner.report_with("lathe-contour-word", function.span, "word", function.code.clone())
                     }
                     _ if modes.contains(&function.group) => {
                         inner.state.modes.insert(function.group, function.does);
                     }
                     _ if finite && function.group != LatheGroup::OneShot => {}
-                    _ => inner.tell_with("lathe-contour-word", function.span, "word", function.code.clone()),
+                    _ => inner.report_with("lathe-contour-word", function.span, "word", function.code.clone()),
                 }
             }
             for name in ["S", "T"] {
@@ -448,7 +448,7 @@ impl Run<'_> {
                 let round = matches!(mode, Some(Does::Clockwise | Does::Counterclockwise));
                 // LinuxCNC takes an arc in a contour without its own function as G2.
                 if round && !said && self.language.kind == LatheReader::LinuxCnc {
-                    inner.tell("lathe-arc-unsaid", block.span);
+                    inner.report("lathe-arc-unsaid", block.span);
                 }
                 let Some(mode) = mode else {
                     maker.faults.push(fault("motion-missing", block.span, block.number));

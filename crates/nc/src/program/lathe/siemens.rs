@@ -31,7 +31,7 @@ impl Maker<'_> {
     fn call_fields(&mut self, cycle: &str, arguments: &[Argument], span: TextSpan) -> Option<Fields> {
         let known = self.language.cycle(cycle, Form::One);
         if arguments.len() > known.all.len() {
-            self.tell_with("lathe-cycle-fields-too-many", span, "most", known.all.len());
+            self.report_with("lathe-cycle-fields-too-many", span, "most", known.all.len());
             return None;
         }
         let mut values = Vec::new();
@@ -40,7 +40,7 @@ impl Maker<'_> {
                 Argument::Number(expression) => {
                     let value = expression.value(&self.state.parameters);
                     if value.is_none() {
-                        self.tell_with("lathe-parameter-unknown", span, "word", cycle.to_owned());
+                        self.report_with("lathe-parameter-unknown", span, "word", cycle.to_owned());
                     }
                     value
                 }
@@ -51,7 +51,7 @@ impl Maker<'_> {
         let fields = Fields { names: known.all, values };
         let missing: Vec<String> = known.required.into_iter().filter(|name| fields.get(name).is_none()).collect();
         if !missing.is_empty() {
-            self.tell_with("lathe-cycle-field", span, "field", missing.join(", "));
+            self.report_with("lathe-cycle-field", span, "field", missing.join(", "));
             return None;
         }
         (!self.broken()).then_some(fields)
@@ -73,14 +73,14 @@ impl Maker<'_> {
             ("DAM", fields.or_zero("DAM") != 0.0),
         ];
         if let Some((field, _)) = wrong.iter().find(|(_, wrong)| *wrong) {
-            self.tell_with("lathe-cycle-value", span, "field", *field);
+            self.report_with("lathe-cycle-value", span, "field", *field);
             return;
         }
         let (Some(first), Some(last)) = (legs.first().copied(), legs.last().copied()) else {
-            self.tell("lathe-contour-short", span);
+            self.report("lathe-contour-short", span);
             return;
         };
-        self.tell_with("lathe-cycle-from-memory", span, "word", "CYCLE95");
+        self.report_with("lathe-cycle-from-memory", span, "word", "CYCLE95");
         let (across, inside) = (kind % 2 == 0, (kind - 1) % 4 >= 2);
         // The cycle works towards the chuck, across towards the axis (inside away from it), whatever the direction of
         // the contour.
@@ -110,7 +110,7 @@ impl Maker<'_> {
         let frame = PassFrame::of(first.from, last.to, across);
         let framed: Vec<Leg> = legs.iter().map(|leg| frame.leg(*leg)).collect();
         if let Some(leg) = framed.iter().find(|leg| !leg.is_monotone()) {
-            self.tell_with("lathe-not-monotone", span, "line", leg.line);
+            self.report_with("lathe-not-monotone", span, "line", leg.line);
             return;
         }
         let top = framed.iter().map(|leg| leg.from.x.max(leg.to.x)).fold(f64::NEG_INFINITY, f64::max);
@@ -172,10 +172,10 @@ impl Maker<'_> {
             ("SPL", (fields.or_zero("SPL") - fields.or_zero("FPL")).abs() < SAME),
         ];
         if let Some((field, _)) = wrong.iter().find(|(_, wrong)| *wrong) {
-            self.tell_with("lathe-cycle-value", span, "field", *field);
+            self.report_with("lathe-cycle-value", span, "field", *field);
             return;
         }
-        self.tell_with("lathe-cycle-from-memory", span, "word", "CYCLE97");
+        self.report_with("lathe-cycle-from-memory", span, "word", "CYCLE97");
         let (inside, area) = (variant % 2 == 0, variant > 2);
         let out = if inside { -1.0 } else { 1.0 };
         let (begin, end) = (fields.or_zero("SPL"), fields.or_zero("FPL"));

@@ -55,7 +55,7 @@ impl Maker<'_> {
         let which = number("L").map_or(0.0, |it| it.value);
         let tapers = Tapers { length, entry: which == 1.0 || which == 3.0, exit: which == 2.0 || which == 3.0 };
         let Some(drive) = self.state.at.point() else {
-            self.tell("lathe-place-unknown", span);
+            self.report("lathe-place-unknown", span);
             return;
         };
         if self.broken() {
@@ -69,7 +69,7 @@ impl Maker<'_> {
             } else {
                 "Q"
             };
-            self.tell_with("lathe-cycle-value", span, "field", field);
+            self.report_with("lathe-cycle-value", span, "field", field);
             return;
         }
         let slope = libm::tan(angle.to_radians());
@@ -78,7 +78,7 @@ impl Maker<'_> {
             .take_while(|depth| *depth < full)
             .collect();
         if depths.len() == MOST_PASSES {
-            self.tell_with("run-too-long", span, "budget", MOST_PASSES);
+            self.report_with("run-too-long", span, "budget", MOST_PASSES);
             return;
         }
         depths.extend(std::iter::repeat_n(full, springs + 1));
@@ -126,7 +126,7 @@ impl Maker<'_> {
         let whole = code.clamp(0.0, 999_999.0) as u32;
         let (passes, run_out, angle) = (whole / 10_000, whole / 100 % 100, whole % 100);
         if ![80, 60, 55, 30, 29, 0].contains(&angle) || passes == 0 {
-            self.tell_with("lathe-cycle-value", span, "field", "P");
+            self.report_with("lathe-cycle-value", span, "field", "P");
         }
         let values = [f64::from(passes), f64::from(run_out) / 10.0, f64::from(angle), least, allowance];
         self.state.first.thread = Some(values);
@@ -136,7 +136,7 @@ impl Maker<'_> {
     fn thousandths(&mut self, given: Option<Value>) -> f64 {
         let Some(given) = given else { return 0.0 };
         if given.point {
-            self.tell_with("number-not-whole", given.span, "address", given.name.clone());
+            self.report_with("number-not-whole", given.span, "address", given.name.clone());
         }
         given.value / 1000.0
     }
@@ -151,7 +151,7 @@ impl Maker<'_> {
     fn fanuc_thread(&mut self, words: &BlockWords, span: TextSpan) {
         self.before_moving(span, true);
         let Some([finishes, run_out, angle, least, allowance]) = self.state.first.thread else {
-            self.tell_with("lathe-cycle-first-block", span, "word", "G76");
+            self.report_with("lathe-cycle-first-block", span, "word", "G76");
             return;
         };
         if !self.fields(words, "G76", Form::Second, span) {
@@ -163,13 +163,13 @@ impl Maker<'_> {
         let taper = words.take("R").cloned().map_or(0.0, |it| self.millimetres(&it));
         let Some((begin, end)) = self.ends_of_thread(words, None, span) else { return };
         if height <= 0.0 || first <= 0.0 || allowance >= height {
-            self.tell_with("lathe-cycle-value", span, "field", if first <= 0.0 { "Q" } else { "P" });
+            self.report_with("lathe-cycle-value", span, "field", if first <= 0.0 { "Q" } else { "P" });
             return;
         }
         if self.broken() {
             return;
         }
-        self.tell_with("lathe-cycle-from-memory", span, "word", "G76");
+        self.report_with("lathe-cycle-from-memory", span, "word", "G76");
         let (mut depths, mut depth) = (Vec::new(), 0.0_f64);
         for pass in 1..=MOST_PASSES {
             let next = (first * libm::sqrt(pass as f64)).max(depth + least);
@@ -205,7 +205,7 @@ impl Maker<'_> {
         span: TextSpan,
     ) -> Option<(LathePoint, LathePoint)> {
         let Some(begin) = self.state.at.point() else {
-            self.tell("lathe-place-unknown", span);
+            self.report("lathe-place-unknown", span);
             return None;
         };
         let mut end = self.shape(words, Does::Rapid, span)?.to.point()?;
@@ -214,7 +214,7 @@ impl Maker<'_> {
             end.z_mm = if z { end.z_mm } else { kept.z_mm };
         }
         if spot(begin).to(spot(end)) < 1e-9 || (begin.radius_mm - end.radius_mm).abs() < 1e-9 {
-            self.tell_with("lathe-cycle-value", span, "field", "X");
+            self.report_with("lathe-cycle-value", span, "field", "X");
             return None;
         }
         Some((begin, end))
@@ -254,7 +254,7 @@ impl Maker<'_> {
             self.state.box_taper = taper.value;
         }
         let Some(lead) = self.state.lead.filter(|lead| *lead > 0.0) else {
-            self.tell("lathe-no-lead", span);
+            self.report("lathe-no-lead", span);
             return;
         };
         let said = words.doing(Does::ThreadBox).is_some();
@@ -270,7 +270,7 @@ impl Maker<'_> {
             self.state.box_taper = words.look("R").map_or(0.0, |taper| taper.value);
         }
         self.of_cycle = true;
-        self.tell_with("lathe-cycle-from-memory", span, "word", "G92");
+        self.report_with("lathe-cycle-from-memory", span, "word", "G92");
         self.thread_pass(begin, begin.z_mm, (end, self.state.box_taper), 0.0, (lead, 0.0), span);
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::motion::BlockRef;
-use crate::note::{self, Note, Severity, Told};
+use crate::note::{self, IntoFigure, Note, Severity};
 use crate::plan::Operation;
 use crate::units::Micrometres;
 
@@ -172,23 +172,26 @@ pub enum DeviationFigure {
     Text(String),
 }
 
-impl Told for DeviationFigure {
-    fn told(self) -> note::Figure {
+impl IntoFigure for DeviationFigure {
+    fn into_figure(self) -> note::Figure {
         match self {
-            Self::Length(length) => length.told(),
-            Self::Point(at) => shown(at).told(),
+            Self::Length(length) => length.into_figure(),
+            Self::Point(at) => shown(at).into_figure(),
             Self::Points(points) => note::Figure::list(points.into_iter().map(in_brackets)),
-            Self::Number(number) => number.told(),
-            Self::Count(count) => count.told(),
+            Self::Number(number) => number.into_figure(),
+            Self::Count(count) => count.into_figure(),
             Self::Operation(operation) => note::Figure::operation(operation.name()),
-            Self::Text(text) => text.told(),
+            Self::Text(text) => text.into_figure(),
         }
     }
 }
 
 /// A point as drawings have it: `[-175; 50]`.
 fn in_brackets([x, y]: [Micrometres; 2]) -> note::Figure {
-    note::Figure::List(vec!["[".told(), x.told(), "; ".told(), y.told(), "]".told()], "")
+    note::Figure::List(
+        vec!["[".into_figure(), x.into_figure(), "; ".into_figure(), y.into_figure(), "]".into_figure()],
+        "",
+    )
 }
 
 macro_rules! figures {

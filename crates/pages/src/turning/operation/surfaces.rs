@@ -1,7 +1,7 @@
 //! The surfaces of each set-up: their data from the drawing, their class (main or additional), and their allowances.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep};
-use crate::note::Told;
+use crate::note::IntoFigure;
 use technolog_turning::contour::Side;
 use technolog_turning::elements::Element;
 use technolog_turning::operation::{Operation, SetUpWork, SideWork};
@@ -54,7 +54,7 @@ fn elements(page: &mut Document, operation: &Operation, stretch: &TurnedSide, wo
             );
         }
         rows.push(vec![
-            lang.figure(&(&surface.name).told()).into(),
+            lang.figure(&(&surface.name).into_figure()).into(),
             lang.term("word", surface.kind.name()).into(),
             arrow(figure(from.radius.diameter(), lang), figure(to.radius.diameter(), lang)).into(),
             arrow(z(from.z, lang), z(to.z, lang)).into(),

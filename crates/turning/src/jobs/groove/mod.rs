@@ -53,7 +53,7 @@ pub fn groove(site: Site<'_>, surface: &Surface, bench: &Bench<'_, '_>) -> Tried
     because.extend(limits.because);
     let corner = Half::of(tool.nose_radius.unwrap_or_default());
     let name = &surface.name;
-    let mut notes = vec![told(&ways, by_nose).with("surface", name).with("tool", tool.designation)];
+    let mut notes = vec![division_note(&ways, by_nose).with("surface", name).with("tool", tool.designation)];
     if ways.steps > 1 {
         notes.push(Note::new("groove-pecked").with("surface", name).with("steps", ways.steps));
     }
@@ -81,7 +81,7 @@ pub fn groove(site: Site<'_>, surface: &Surface, bench: &Bench<'_, '_>) -> Tried
 }
 
 /// The note about the cutting of the groove.
-fn told(ways: &Ways, by_nose: bool) -> Note {
+fn division_note(ways: &Ways, by_nose: bool) -> Note {
     if by_nose {
         return Note::new("groove-by-nose");
     }

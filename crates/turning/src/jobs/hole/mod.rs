@@ -146,7 +146,7 @@ pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         step: Half::from(cycle.step.unwrap_or(1.0) * drill.diameter.to_mm()),
         back: Half::of(cycle.clearance.unwrap_or_default()),
     };
-    let (path, count) = steps.way(hole.face - approach, hole.face, tip);
+    let (path, count) = steps.toolpath(hole.face - approach, hole.face, tip);
     let note = Note::new("job-drilled").with("diameter", drill.diameter).with("tip", tip).with("steps", count);
     because.push(Because::answer(
         &asked.answer,
@@ -261,7 +261,7 @@ struct Steps {
 
 impl Steps {
     /// The path of the point along the axis, and its steps.
-    fn way(self, from: Half, face: Half, tip: Half) -> (Toolpath, i64) {
+    fn toolpath(self, from: Half, face: Half, tip: Half) -> (Toolpath, i64) {
         let at = |z: Half| Point { radius: Half::ZERO, z };
         let mut path = Toolpath::at(at(from));
         let stepped = matches!(self.kind, HoleCycle::Peck | HoleCycle::ChipBreak);

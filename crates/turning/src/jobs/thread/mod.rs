@@ -102,7 +102,7 @@ pub fn thread(
             .collect(),
         infeed_angle_deg: angle,
     };
-    let path = way(&cut, side, lift, found.pull_out.then_some(piece.to.z), site);
+    let path = toolpath(&cut, side, lift, found.pull_out.then_some(piece.to.z), site);
     let (speed, feeds) = (Speed::Spindle(rpm), Feeds::all(MillimetresPerRev(thread.pitch.to_mm())));
     let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
     let mut notes = vec![
@@ -272,7 +272,7 @@ fn divided(
 
 /// The toolpath: from before the thread, pass by pass, and back. With an inclined infeed, a shallower pass begins
 /// earlier by the remaining travel along the flank.
-fn way(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site: Site<'_>) -> Toolpath {
+fn toolpath(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site: Site<'_>) -> Toolpath {
     let out = |radius: Half, by: Half| if side == Side::Outer { radius + by } else { radius - by };
     let above = out(cut.crest_radius_mm, lift);
     let deepest = cut.depths_mm.last().copied().unwrap_or_default();
