@@ -179,7 +179,7 @@ fn refuse_lathe(text: &str, control: &str, context: &Context) -> Result<(), CliE
     if controls.is_empty() {
         return Ok(());
     }
-    let named: Vec<String> = controls.iter().map(|control| format!("--control {control}")).collect();
+    let named: Vec<String> = controls.iter().map(|control| format!("--control {}", control.name())).collect();
     let message = say!(context.lang, "check-of-lathe", control = control);
     let help = say!(context.lang, "check-name-lathe", controls = named.join(", "));
     Err(Diagnostic::error("program-of-lathe", message, None).help(help).into())

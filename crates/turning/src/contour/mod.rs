@@ -33,6 +33,12 @@ impl Contour {
         Self { side, pieces: lines.filter(|piece| !piece.is_nothing()).collect() }
     }
 
+    /// The face of the free end, as far as it begins with one that leads outwards, and the rest.
+    pub fn split_at_face(&self) -> (&[Piece], &[Piece]) {
+        let faces = self.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius);
+        self.pieces.split_at(faces.count())
+    }
+
     /// Where it begins, at the free end.
     pub fn start(&self) -> Option<Point> {
         self.pieces.first().map(|piece| piece.from)

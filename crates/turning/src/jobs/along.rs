@@ -84,9 +84,7 @@ fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearan
     let first_z = standing.start().map_or(start.z, |first| first.z.min(start.z));
     let home = Point { radius: clear, z: first_z - approach };
     let mut path = Toolpath::at(home);
-    let faces =
-        contour.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius).count();
-    let (face, rest) = contour.pieces.split_at(faces);
+    let (face, rest) = contour.split_at_face();
     if let (Some(first), Some(last), None) = (face.first(), face.last(), ceiling) {
         let stands = standing.radii_at(first.from.z).map_or(last.to.radius, |(_, most)| most.max(last.to.radius));
         let outside = Point { radius: stands + approach, z: first.from.z };

@@ -42,6 +42,11 @@ impl Stage {
 }
 
 impl Barred {
+    /// Whether another bars the same tool from the same work, whatever the proof found.
+    pub fn is_same(&self, other: &Self) -> bool {
+        (self.set_up, self.side, self.stage, &self.tool) == (other.set_up, other.side, other.stage, &other.tool)
+    }
+
     /// The finding for the page.
     pub fn finding(&self) -> Finding {
         let note = Note::new("tool-barred").with("number", self.set_up).with("tool", self.tool.clone());

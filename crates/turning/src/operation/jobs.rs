@@ -333,9 +333,7 @@ fn without_face(contour: &Contour) -> Contour {
 
 /// The face at the beginning of a contour, and the rest.
 fn split_at_face(contour: &Contour) -> (Contour, Contour) {
-    let faces =
-        contour.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius).count();
-    let (face, rest) = contour.pieces.split_at(faces);
+    let (face, rest) = contour.split_at_face();
     let of = |pieces: &[Piece]| Contour { side: contour.side, pieces: pieces.to_vec() };
     (of(face), of(rest))
 }

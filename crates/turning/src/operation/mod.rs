@@ -152,11 +152,15 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     let mut last = plan_without(workpiece, &barred, knowledge)?;
     let mut best = last.clone();
     for _ in 0..ATTEMPTS {
-        let rejected = barred::rejected(&last);
-        if rejected.is_empty() {
+        let known = barred.len();
+        for one in barred::rejected(&last) {
+            if !barred.iter().any(|known: &Barred| known.is_same(&one)) {
+                barred.push(one);
+            }
+        }
+        if barred.len() == known {
             break;
         }
-        barred.extend(rejected);
         last = plan_without(workpiece, &barred, knowledge)?;
         if last.badness() < best.badness() {
             best = last.clone();

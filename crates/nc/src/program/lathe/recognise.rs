@@ -3,6 +3,8 @@
 //! Only what no program of a mill has counts: two axes and no third, no plane XY, no drilling cycle of a mill, and a word
 //! that belongs to turning. Where that is not all there the answer is that nobody knows.
 
+use super::LatheReader;
+
 /// What a text shows.
 #[derive(Default)]
 struct Signs {
@@ -24,20 +26,20 @@ struct Signs {
     siemens: bool,
 }
 
-/// The controls of lathes that a text may be for, where it is surely for a lathe; empty else.
-pub fn recognised(text: &str) -> Vec<&'static str> {
+/// The controls of lathes that a text may be for, where it is surely for a lathe; otherwise empty.
+pub fn recognised(text: &str) -> Vec<LatheReader> {
     let mut signs = Signs::default();
     text.lines().for_each(|line| signs.line(line));
     if !signs.x || !signs.z || signs.of_mill {
         Vec::new()
     } else if signs.siemens {
-        vec!["sinumerik"]
+        vec![LatheReader::Sinumerik]
     } else if signs.diameter && signs.plane {
-        vec!["linuxcnc-lathe"]
+        vec![LatheReader::LinuxCnc]
     } else if signs.place_and_offset && !signs.change {
-        vec!["fanuc-lathe"]
+        vec![LatheReader::Fanuc]
     } else if signs.cutting_speed && signs.plane {
-        vec!["linuxcnc-lathe", "sinumerik"]
+        vec![LatheReader::LinuxCnc, LatheReader::Sinumerik]
     } else {
         Vec::new()
     }
@@ -93,10 +95,10 @@ mod tests {
     #[test]
     fn words_of_turning_tell_a_lathe() {
         for (text, controls) in [
-            ("G18 G21 G7 G40 G90 G95\nT1 M6 G43\nG0 X64 Z4", &["linuxcnc-lathe"][..]),
-            ("O0001\nG21 G40 G99\nT0101\nG97 S560 M3\nG0 X64. Z4.", &["fanuc-lathe"]),
-            ("G18 DIAMON G95\nT1 D1\nG0 X64 Z4\nCYCLE95(\"Y\", 5)", &["sinumerik"]),
-            ("G18 G96 S150\nT1 D1\nG0 X64 Z4 (Y is none)", &["linuxcnc-lathe", "sinumerik"]),
+            ("G18 G21 G7 G40 G90 G95\nT1 M6 G43\nG0 X64 Z4", &[LatheReader::LinuxCnc][..]),
+            ("O0001\nG21 G40 G99\nT0101\nG97 S560 M3\nG0 X64. Z4.", &[LatheReader::Fanuc]),
+            ("G18 DIAMON G95\nT1 D1\nG0 X64 Z4\nCYCLE95(\"Y\", 5)", &[LatheReader::Sinumerik]),
+            ("G18 G96 S150\nT1 D1\nG0 X64 Z4 (Y is none)", &[LatheReader::LinuxCnc, LatheReader::Sinumerik]),
         ] {
             assert_eq!(recognised(text), controls, "{text}");
         }
