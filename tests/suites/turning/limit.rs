@@ -60,6 +60,7 @@ impl<'k> Case<'k> {
             surface: Surface::Rolled,
             bore_depth: None,
             part: None,
+            grip: None,
         }
     }
 }

@@ -229,6 +229,7 @@ rows! {
         drilled: bool,
         least_stock: Option<Micrometres>,
         step: Option<Micrometres>,
+        largest: Option<Micrometres>,
     }
 
     /// Allowances for finish turning after rough turning.
@@ -301,6 +302,7 @@ rows! {
         diameter: Micrometres,
     } {
         least_length: Micrometres,
+        shortest: Micrometres,
     }
 
     /// Modulus of elasticity of the part.

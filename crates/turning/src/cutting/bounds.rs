@@ -39,6 +39,8 @@ pub enum Bound {
     PartStiffness,
     /// The bending stress of the part is too large.
     PartStrength,
+    /// The pull of the cut is more than the jaws hold.
+    Grip,
     /// The depth would be more than the radius of the part.
     PartRadius,
     /// The end of the handbook's feeds and formulas.
@@ -59,6 +61,7 @@ impl Bound {
             Self::SpindlePower => "spindle-power",
             Self::PartStiffness => "part-stiffness",
             Self::PartStrength => "part-strength",
+            Self::Grip => "grip",
             Self::PartRadius => "part-radius",
             Self::Handbook => "handbook",
         }
@@ -133,6 +136,8 @@ enum Measure {
     Force(Component),
     /// The main force and a component across the part, together.
     Across(Component),
+    /// The main force and the component along the axis, together, at the diameter that the jaws grip.
+    Pull(Component, Micrometres),
     Torque,
     Power,
     Depth,
@@ -211,6 +216,10 @@ impl Check {
                 let (main, across) = (main()?.0, forces.at(component, depth, speed)?.0);
                 Load::ForceN(Newtons(libm::sqrt(main * main + across * across)))
             }
+            Measure::Pull(component, grips) => {
+                let along = forces.at(component, depth, speed)?;
+                Load::ForceN(pull(torque(main()?, cut.diameter), along, grips))
+            }
             Measure::Torque => Load::TorqueNM(torque(main()?, cut.diameter)),
             Measure::Power => Load::PowerKw(power(main()?, speed)),
             Measure::Depth => Load::DepthMm(depth),
@@ -253,6 +262,13 @@ pub(super) fn checks(
     }
     if !cut.is_inner() && !cut.tool.plunges() && cut.direction == Direction::Longitudinal {
         tried.push((Bound::PartRadius, None, Ok(part_radius(cut))));
+    }
+    if let Some(grip) = cut.grip {
+        let along = along_axis(cut);
+        let measure = Measure::Pull(along, grip.grips);
+        let capacity = Load::ForceN(grip.most);
+        let check = Check { bound: Bound::Grip, measure, capacity, because: grip.because.clone() };
+        tried.push((Bound::Grip, Some(along), Ok(check)));
     }
     let (mut checks, mut missing) = (Vec::new(), Vec::new());
     if let Some(part) = cut.part.filter(|_| !cut.is_inner()) {
@@ -382,6 +398,31 @@ pub(super) fn bar_reaches(cut: &TurningCut<'_, '_>) -> Tried<(), CuttingRefusal>
     let (Some(depth), Some(Shank::Round { .. })) = (cut.bore_depth, cut.tool.shank) else { return Ok(()) };
     let reaches = bar_overhang(cut.tool, depth, cut.knowledge);
     reaches.map(|_| ()).map_err(|refusal| refusal.map(CuttingRefusal::BarTooLong))
+}
+
+/// What the jaws hold without slipping: μ·F/S.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GripLimit {
+    /// The diameter that they grip.
+    pub grips: Micrometres,
+    /// The largest pull at that diameter.
+    pub most: Newtons,
+    /// The rows behind it.
+    pub because: Vec<Because>,
+}
+
+/// The pull at a diameter of the jaws by a torque and a force along the axis: √((2·M/d)² + P²), N, with M in N·mm.
+pub fn pull(torque: NewtonMetres, along: Newtons, grips: Micrometres) -> Newtons {
+    let around = 2000.0 * torque.0 / grips.to_mm();
+    Newtons(libm::sqrt(around * around + along.0 * along.0))
+}
+
+/// The component along the axis: Px, in facing Py.
+fn along_axis(cut: &TurningCut<'_, '_>) -> Component {
+    match cut.direction {
+        Direction::Transverse if !cut.tool.plunges() => Component::Radial,
+        _ => Component::Axial,
+    }
 }
 
 /// The component that bends the part: in longitudinal turning and plunging Py, in facing Px, which is perpendicular

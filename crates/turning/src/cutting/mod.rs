@@ -29,7 +29,7 @@ use crate::turning::tooling::{Lathe, Place, TurningTool};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
 
-pub use bounds::{Bound, Load, UnknownBound};
+pub use bounds::{Bound, GripLimit, Load, UnknownBound, pull};
 pub use bounds::{bar_overhang, jaw_clearance, least_sensible_depth, wall_share};
 pub use conditions::{TurningConditions, conditions};
 pub use feed::{
@@ -61,6 +61,8 @@ pub struct TurningCut<'a, 'k> {
     pub bore_depth: Option<Micrometres>,
     /// The deflection of the part there; none if it is unknown or does not matter.
     pub part: Option<&'a Flexibility>,
+    /// What the jaws hold; none if it is unknown or does not matter.
+    pub grip: Option<&'a GripLimit>,
 }
 
 /// The direction of the feed.

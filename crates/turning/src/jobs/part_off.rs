@@ -150,6 +150,7 @@ mod tests {
             material,
             elsewhere: &[],
             held: None,
+            grip: None,
             barred: Vec::new(),
             knowledge: &knowledge,
         };

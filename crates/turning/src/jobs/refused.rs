@@ -4,10 +4,30 @@ use crate::error::Refusal;
 use crate::note::{Figure, Note};
 use crate::reason::Uncut;
 use crate::turning::contour::SurfaceName;
-use crate::turning::cutting::{Bound, CuttingRefusal, FigureOwner};
+use crate::turning::cutting::{Bound, CuttingRefusal};
 use crate::turning::length::Half;
 use crate::units::{Micrometres, MillimetresPerMinute, Newtons, RevsPerMinute, round_to};
 use technolog_cutting::figures::{self, Asking};
+
+/// What the tables of cutting conditions are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Operation {
+    Drilling,
+    Grooving,
+    Threading,
+}
+
+impl Operation {
+    /// Its name among the operations.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Drilling => "drill",
+            Self::Grooving => "grooving",
+            Self::Threading => "threading",
+        }
+    }
+}
 
 /// Why a job cannot be made.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +39,8 @@ pub enum NoJob {
     NoTool { surface: SurfaceName },
     /// Speed or feed is not known.
     Cutting(CuttingRefusal),
+    /// The tables of cutting conditions have no figures for it.
+    NoFigures { operation: Operation, why: Uncut },
     /// It is not a groove with walls and a floor.
     NotAValley { surface: SurfaceName },
     /// Even the narrowest blade is wider than the floor permits.
@@ -71,6 +93,7 @@ impl NoJob {
             Self::NoLathe => new("job-needs-lathe"),
             Self::NoTool { surface } => new("job-no-tool").with("surface", surface),
             Self::Cutting(why) => why.note(),
+            Self::NoFigures { operation, why } => why.note().with("operation", Figure::operation(operation.name())),
             Self::NotAValley { surface } => new("groove-no-valley").with("surface", surface),
             Self::TooNarrow { surface, room, width } => {
                 new("groove-too-narrow").with("surface", surface).with("room", room).with("width", width)
@@ -129,11 +152,11 @@ impl NoJob {
 }
 
 /// A refusal of the tables of cutting conditions.
-pub(super) fn of_tables(refusal: Refusal<Uncut>) -> Refusal<NoJob> {
-    refusal.map(|why| NoJob::Cutting(CuttingRefusal::Figure(FigureOwner::Cutting(why).into())))
+pub(super) fn of_tables(operation: Operation, refusal: Refusal<Uncut>) -> Refusal<NoJob> {
+    refusal.map(|why| NoJob::NoFigures { operation, why })
 }
 
 /// A missing figure of a table for the material.
-pub(super) fn no_figure<'k>(table: &str, who: &impl Asking<'k>) -> Refusal<NoJob> {
-    of_tables(figures::missing(table, who))
+pub(super) fn no_figure<'k>(operation: Operation, table: &str, who: &impl Asking<'k>) -> Refusal<NoJob> {
+    of_tables(operation, figures::missing(table, who))
 }

@@ -77,7 +77,13 @@ pub fn depth(
         findings.push(Finding::of_part(Severity::Error, CuttingRefusal::NoLimitingDepth.note()));
         return Ok(None);
     };
-    match Refusal::split(limit(&cut, task.stock))? {
+    let mut found = Refusal::split(limit(&cut, task.stock))?;
+    // What a chuck holds is no figure of its own record: it makes passes shallower, but never forbids them.
+    let least = Half::of(least_sensible_depth(bench.knowledge)?);
+    if cut.grip.is_some() && found.as_ref().map_or(true, |(_, depth)| *depth < least) {
+        found = Refusal::split(limit(&TurningCut { grip: None, ..cut }, task.stock))?;
+    }
+    match found {
         Ok((mut limit, depth)) => {
             limit.because.push(skin);
             findings.extend(limit.findings());
@@ -188,7 +194,9 @@ fn cut<'a, 'k>(
     let because = Because::answer(&asked.answer, note);
     let (tool, material) = (task.tool, &bench.material);
     let (diameter, direction, bore_depth, part) = (task.diameter, task.direction, task.bore_depth, task.part);
-    Ok(Some((TurningCut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth, part }, because)))
+    let grip = bench.grip.as_ref();
+    let cut = TurningCut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth, part, grip };
+    Ok(Some((cut, because)))
 }
 
 /// Rates and distances at a depth of passes, for finishing with the roughness that the pass must leave: from the file, otherwise from the conditions, otherwise from the table
@@ -210,8 +218,10 @@ pub fn pace(
             Ok(mut conditions) => {
                 conditions.because.push(skin);
                 findings.extend(conditions.findings());
-                if !conditions.exceeded.is_empty() {
-                    let bounds: Vec<String> = conditions.exceeded.iter().map(|bound| bound.name().to_owned()).collect();
+                // The grip of the jaws is a finding of the set-up.
+                let exceeded = conditions.exceeded.iter().filter(|bound| **bound != Bound::Grip);
+                let bounds: Vec<String> = exceeded.map(|bound| bound.name().to_owned()).collect();
+                if !bounds.is_empty() {
                     let note = Note::new("bounds-exceeded").with("tool", task.tool.designation).with("depth", depth);
                     findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", bounds.join(", "))));
                 }

@@ -61,24 +61,25 @@ pub(super) fn before_boring(
     let asked = knowledge.ask(&BoreDrillFor { diameter: narrow.diameter().max(Micrometres::ZERO) })?;
     let rule = asked.need(&narrow.diameter().to_string())?;
     findings.extend(doubtful_row(rule.row));
-    let stock_and_step = match (rule.drilled, rule.least_stock, rule.step) {
-        (true, Some(stock), Some(step)) => Some((stock, step)),
+    let stock_and_step = match (rule.drilled, rule.least_stock, rule.step, rule.largest) {
+        (true, Some(stock), Some(step), Some(largest)) => Some((stock, step, largest)),
         (true, ..) => {
             return Err(KnowledgeError::lacks(&rule.row.table.id, note!("turned-bore-drilled-has-stock-step")));
         }
         (false, ..) => None,
     };
-    let most = |stock: Micrometres| (narrow - Half::of(stock)).diameter();
-    let drill =
-        stock_and_step.map(|(stock, step)| (most(stock).micrometres() / step.micrometres().max(1), stock, step));
-    let Some((steps, stock, step)) = drill.filter(|(steps, ..)| *steps > 0) else {
+    let drill = stock_and_step.map(|(stock, step, largest)| {
+        let most = (narrow - Half::of(stock)).diameter().min(largest);
+        (most.micrometres() / step.micrometres().max(1), stock, step, largest)
+    });
+    let Some((steps, stock, step, largest)) = drill.filter(|(steps, ..)| *steps > 0) else {
         let note = Note::new("bore-too-narrow-to-drill").with("diameter", narrow.diameter());
         findings.push(Finding::of_part(Severity::Error, note));
         return Ok(None);
     };
     let diameter = Micrometres::new(step.micrometres().saturating_mul(steps));
     let note = Note::new("bore-drilled-first").with("diameter", diameter).with("depth", end.z);
-    let note = note.with("stock", stock).with("step", step);
+    let note = note.with("stock", stock).with("step", step).with("largest", largest);
     findings.push(Finding::of_part(Severity::Note, note.clone()));
     let because = Because::answer(&asked.answer, note);
     Ok(Some((Drilled { diameter_mm: diameter, depth_mm: end.z, because }, without_middle(rough, diameter))))

@@ -6,8 +6,9 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure as Row};
+use crate::turning::cutting::{GripLimit, pull as turning_pull};
 use crate::turning::jobs::{Job, Work};
-use crate::units::{Micrometres, NewtonMetres, Newtons};
+use crate::units::{Micrometres, Newtons};
 
 use super::jaws::Jaws;
 
@@ -44,6 +45,32 @@ impl Grip {
         let Some(pull) = jobs.iter().filter_map(|job| pull(job, jaws.grips_mm)).max_by(f64::total_cmp) else {
             return Ok(None);
         };
+        let held = Self::holds(jaws, knowledge)?;
+        let Held { friction, safety, given_n, because } = held;
+        let required_n = Newtons(safety * pull / friction);
+        Ok(Some(Self {
+            grips_mm: jaws.grips_mm,
+            pull_n: Newtons(pull),
+            required_n,
+            given_n,
+            friction,
+            safety,
+            because,
+        }))
+    }
+
+    /// What jaws hold, as a limit of the cuts; none where the size of the chuck is not known.
+    ///
+    /// # Errors The knowledge base lacks a row.
+    pub fn limit(jaws: Option<&Jaws>, knowledge: &Knowledge) -> Result<Option<GripLimit>, KnowledgeError> {
+        let Some(jaws) = jaws.filter(|jaws| jaws.grips_mm > Micrometres::ZERO) else { return Ok(None) };
+        let Held { friction, safety, given_n, because } = Self::holds(jaws, knowledge)?;
+        let most = given_n.map(|given| Newtons(given.0 * friction / safety));
+        Ok(most.map(|most| GripLimit { grips: jaws.grips_mm, most, because }))
+    }
+
+    /// Friction, safety and force of jaws.
+    fn holds(jaws: &Jaws, knowledge: &Knowledge) -> Result<Held, KnowledgeError> {
         let mut because = Vec::new();
         let mut figure = |name: Row| -> Result<f64, KnowledgeError> {
             let row = knowledge.need(name.name(), |row: &LatheWorkholding<'_>| row.name.is(name))?;
@@ -57,16 +84,7 @@ impl Grip {
             Some(body) => Some(Newtons(figure(Row::ChuckForce)? * body.chuck_mm.to_mm())),
             None => None,
         };
-        let required_n = Newtons(safety * pull / friction);
-        Ok(Some(Self {
-            grips_mm: jaws.grips_mm,
-            pull_n: Newtons(pull),
-            required_n,
-            given_n,
-            friction,
-            safety,
-            because,
-        }))
+        Ok(Held { friction, safety, given_n, because })
     }
 
     /// Whether a usual chuck of that size presses hard enough; true where the size is not known.
@@ -96,6 +114,14 @@ impl Grip {
     }
 }
 
+/// What jaws hold with.
+struct Held {
+    friction: f64,
+    safety: f64,
+    given_n: Option<Newtons>,
+    because: Vec<Because>,
+}
+
 /// Newtons as kN, to 0.1 kN.
 fn thousands(force: Newtons) -> f64 {
     crate::units::round_to(force.0 / 1000.0, 1)
@@ -109,19 +135,13 @@ fn pull(job: &Job, grips: Micrometres) -> Option<f64> {
         Work::Face => conditions.radial_force_n,
         _ => conditions.axial_force_n,
     };
-    Some(together(conditions.torque_n_m?, along, grips).0)
-}
-
-/// The pull at a diameter of a torque and a force along the axis: √((2·M/d)² + P²).
-fn together(torque: NewtonMetres, along: Option<Newtons>, grips: Micrometres) -> Newtons {
-    let around = 2000.0 * torque.0 / grips.to_mm();
-    let along = along.map_or(0.0, |force| force.0);
-    Newtons(libm::sqrt(around * around + along * along))
+    Some(turning_pull(conditions.torque_n_m?, along.unwrap_or(Newtons(0.0)), grips).0)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::NewtonMetres;
     use crate::shipped;
     use crate::turning::operation::plan;
     use crate::turning::workpiece::read_workpiece;
@@ -129,7 +149,7 @@ mod tests {
     /// 100 N·m on Ø50 are 4000 N around, with 3000 N along the axis 5000 N.
     #[test]
     fn torque_and_axial_force_pull_together() {
-        let pull = together(NewtonMetres(100.0), Some(Newtons(3000.0)), Micrometres::from_mm_rounded(50.0));
+        let pull = turning_pull(NewtonMetres(100.0), Newtons(3000.0), Micrometres::from_mm_rounded(50.0));
         assert!((pull.0 - 5000.0).abs() < 1e-9, "{pull:?}");
     }
 

@@ -5,12 +5,11 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
-use crate::turning::contour::Contour;
 use crate::turning::cutting::jaw_clearance;
 use crate::turning::length::Half;
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::Workpiece;
-use crate::turning::zones::{Hold, SetUp, least_length};
+use crate::turning::zones::{Hold, JawLengths, SetUp};
 use crate::units::Micrometres;
 
 /// Jaws closed on a cylinder of the blank or the part.
@@ -84,19 +83,19 @@ impl Jaws {
         let length = workpiece.length();
         let turned = set_up.outer.as_ref().and_then(|outer| outer.main.contour.end());
         let turned = turned.map_or(Half::ZERO, |end| end.z);
-        let (from, to, grips_mm) = match &set_up.holds_at {
+        let (from, to, grips_mm, touches) = match &set_up.holds_at {
             None | Some(Hold::Centres) => return Ok(None),
-            Some(Hold::Blank { diameter_mm, length_mm }) => (turned, turned + *length_mm, *diameter_mm),
-            Some(Hold::Surface { name, diameter_mm, .. }) => {
-                let surface = workpiece.outer.surfaces.iter().find(|one| one.name.to_string() == *name);
-                let Some(pieces) = surface.map(|surface| surface.pieces.clone()) else { return Ok(None) };
-                let contour = Contour { side: workpiece.outer.side, pieces };
-                let seen = if set_up.turned_over { contour.turned_over(length) } else { contour };
-                let (Some(from), Some(to)) = (seen.start(), seen.end()) else { return Ok(None) };
-                (from.z, to.z, *diameter_mm)
+            Some(Hold::Blank { diameter_mm, length_mm }) => {
+                (turned, turned + *length_mm, *diameter_mm, *length_mm)
+            }
+            Some(Hold::Surface { diameter_mm, length_mm, over: (from, to), .. }) if set_up.turned_over => {
+                (length - *to, length - *from, *diameter_mm, *length_mm)
+            }
+            Some(Hold::Surface { diameter_mm, length_mm, over: (from, to), .. }) => {
+                (*from, *to, *diameter_mm, *length_mm)
             }
         };
-        let least = least_length(grips_mm, knowledge)?;
+        let least = JawLengths::of(grips_mm, knowledge)?.least;
         let [near, clear] = jaw_clearance(knowledge)?.map(|clearance| turned + Half::of(clearance));
         let front_mm = clear.min(to - least).max(near).max(from).min(to);
         let body = match lathe {
@@ -108,6 +107,6 @@ impl Jaws {
             None => None,
         };
         let soft = matches!(set_up.holds_at, Some(Hold::Surface { .. }));
-        Ok(Some(Self { front_mm, grips_mm, length_mm: to - front_mm, least_mm: least, soft, body }))
+        Ok(Some(Self { front_mm, grips_mm, length_mm: (to - front_mm).min(touches), least_mm: least, soft, body }))
     }
 }

@@ -7,8 +7,8 @@ use crate::note::{Finding, Note, Severity};
 use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
-use crate::turning::allowances::{equidistant, equidistant_over};
-use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Stretches, Surface};
+use crate::turning::allowances::equidistant;
+use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
@@ -17,6 +17,7 @@ use crate::turning::zones::{SetUp, TurnedSide};
 use crate::units::Micrometres;
 
 use super::drill::{self, Drilled};
+use super::intermediate::left;
 use super::tools::Bench;
 
 /// The layers of one side in a set-up, in its coordinates: Z = 0 at the end that is free in it.
@@ -175,36 +176,6 @@ fn up_to(mut rough: Contour, face: Option<Half>) -> Contour {
     rough
 }
 
-/// The main contour with the allowances for other machines, each piece with its surface. None, with a finding, if it
-/// cannot be made.
-fn left(
-    stretch: &TurnedSide,
-    bench: &Bench<'_, '_>,
-    findings: &mut Vec<Finding>,
-) -> Option<Vec<(Piece, Option<usize>)>> {
-    let whole = &stretch.main.contour;
-    let main = &if bench.elsewhere.is_empty() { whole.clone() } else { parted(whole, &stretch.profile, bench) };
-    let along = along(&stretch.profile);
-    let surfaces: Vec<Option<usize>> =
-        main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile, &along)).collect();
-    let later = |surface: &Option<usize>| {
-        let name = surface.and_then(|index| stretch.profile.surfaces.get(index)).map(|surface| &surface.name);
-        let one = bench.elsewhere.iter().find(|one| Some(&one.surface) == name);
-        one.map_or(Half::ZERO, |one| one.allowance_mm)
-    };
-    let distances: Vec<Half> = surfaces.iter().map(later).collect();
-    if distances.iter().all(|distance| *distance == Half::ZERO) {
-        return Some(main.pieces.iter().copied().zip(surfaces).collect());
-    }
-    match equidistant_over(main, &distances) {
-        Ok(over) => Some(over.into_iter().map(|over| (over.piece, surfaces.get(over.of).copied().flatten())).collect()),
-        Err(error) => {
-            findings.push(Finding::of_part(Severity::Error, Note::new("no-intermediate-contour").with("why", error)));
-            None
-        }
-    }
-}
-
 /// The layers before the far face, if a set-up turns nothing else from outside: the face alone, up to the radius of
 /// the part there.
 ///
@@ -248,81 +219,6 @@ fn method(allowances: &Allowances) -> Method {
         Allowances::Stated { on_diameter, on_face } => {
             Method::Stated { on_diameter: Some(*on_diameter), on_face: Some(*on_face) }
         }
-    }
-}
-
-/// A contour with its lines divided at the ends of surfaces: two cylinders of one diameter are one line of the main
-/// contour, but perhaps only one of them is ground later.
-fn parted(contour: &Contour, profile: &Profile, bench: &Bench<'_, '_>) -> Contour {
-    let later = |surface: &Surface| bench.elsewhere.iter().any(|one| one.surface == surface.name);
-    let beside = profile.surfaces.iter().zip(profile.surfaces.iter().skip(1));
-    let differ = beside
-        .filter(|(one, next)| !one.kind.is_additional() && !next.kind.is_additional() && later(one) != later(next));
-    let ends: Vec<Point> = differ.filter_map(|(one, _)| one.pieces.last()).map(|piece| piece.to).collect();
-    let mut pieces = Vec::new();
-    for piece in &contour.pieces {
-        let mut from = piece.from;
-        if piece.is_cylinder() {
-            let inside = |end: &&Point| end.radius == piece.from.radius && piece.from.z < end.z && end.z < piece.to.z;
-            let mut cuts: Vec<Point> = ends.iter().filter(inside).copied().collect();
-            cuts.sort_by_key(|cut| cut.z);
-            cuts.dedup();
-            for cut in cuts {
-                pieces.push(piece.between(from, cut));
-                from = cut;
-            }
-        }
-        pieces.push(piece.between(from, piece.to));
-    }
-    Contour { side: contour.side, pieces }
-}
-
-/// The index of the surface of a piece of the main contour: the first one that touches it and has a piece on the same
-/// line or circle.
-fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usize> {
-    let lies_on = |other: &Piece| touches(piece, other) && same_carrier(piece, other);
-    // At the common end of two surfaces on one line both touch it: the one over the middle of the piece comes first.
-    let over_middle = |other: &Piece| {
-        let (least, most) = (other.from.z.min(other.to.z), other.from.z.max(other.to.z));
-        let middle = Half::new((piece.from.z.halves() + piece.to.z.halves()) / 2);
-        least <= middle && middle <= most && lies_on(other)
-    };
-    let near: Vec<usize> = along.touching(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z)).collect();
-    let of = |test: &dyn Fn(&Piece) -> bool| {
-        let has = |index: &usize| profile.surfaces.get(*index).is_some_and(|one| one.pieces.iter().any(test));
-        near.iter().copied().find(has)
-    };
-    of(&over_middle).or_else(|| of(&lies_on))
-}
-
-/// The ranges of the surfaces of a profile, by the ends of their pieces.
-fn along(profile: &Profile) -> Stretches {
-    let ends = |surface: &Surface| {
-        let ends = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
-        let (least, most) = (ends.clone().min(), ends.max());
-        (least.unwrap_or_default(), most.unwrap_or_default())
-    };
-    Stretches::new(&profile.surfaces.iter().map(ends).collect::<Vec<_>>())
-}
-
-fn touches(one: &Piece, other: &Piece) -> bool {
-    let spans = |a: (Half, Half), b: (Half, Half)| a.0.min(a.1) <= b.0.max(b.1) && b.0.min(b.1) <= a.0.max(a.1);
-    spans((one.from.z, one.to.z), (other.from.z, other.to.z))
-        && spans((one.from.radius, one.to.radius), (other.from.radius, other.to.radius))
-}
-
-/// Whether two pieces are on one line or circle, to two micrometres: ends of pieces are rounded.
-fn same_carrier(one: &Piece, other: &Piece) -> bool {
-    const NEAR: f64 = 0.002;
-    match (one.curve, other.curve, one.centre(), other.centre()) {
-        (Curve::Line, Curve::Line, ..) => {
-            let along = other.chord().unit();
-            [one.from, one.to].into_iter().all(|point| along.cross(other.from.to(point)).abs() < NEAR)
-        }
-        (Curve::Arc { radius: a, .. }, Curve::Arc { radius: b, .. }, Some(here), Some(there)) => {
-            (a - b).to_mm().abs() < NEAR && Point::at(here).to(Point::at(there)).length() < 10.0 * NEAR
-        }
-        _ => false,
     }
 }
 

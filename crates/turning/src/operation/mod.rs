@@ -23,6 +23,7 @@ pub mod drill;
 mod features;
 pub mod grip;
 mod held;
+mod intermediate;
 mod jaws;
 mod jobs;
 pub mod layers;
@@ -198,6 +199,7 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         lathe: lathe.as_ref(),
         material: stated(workpiece, knowledge)?,
         held: None,
+        grip: None,
         elsewhere: &elsewhere,
         barred: Vec::new(),
         knowledge,
@@ -220,7 +222,8 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         let tailstock = Tailstock::of(&set_up, workpiece, lathe.as_ref(), knowledge)?;
         let held = held::Held::of(&set_up, jaws.as_ref(), workpiece, &bench.material, knowledge)?;
         let own = barred.iter().filter(|one| one.set_up == set_up.number).cloned().collect();
-        let bench = Bench { held, barred: own, ..bench.clone() };
+        let grip = Grip::limit(jaws.as_ref(), knowledge)?;
+        let bench = Bench { held, grip, barred: own, ..bench.clone() };
         let sides = sides(&set_up, &bench, &mut findings)?;
         let jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
         let grip = Grip::of(jaws.as_ref(), &jobs, knowledge)?;

@@ -189,20 +189,35 @@ pub fn rejected(operation: &Operation, proven: &Proven) -> Option<Note> {
     }
 }
 
-/// Whether the cut removes only the allowance at the mouth of a groove or a thread: its wall continues through the
-/// allowance that is left for another machine.
+/// Whether the cut removes only the end of an allowance that is left for another machine: the wall of a groove or a thread, or a
+/// slope beside that surface, goes on through it.
 fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) -> bool {
     let Some(surface) = surface else { return false };
-    let of = operation.elsewhere.iter().find(|one| (&one.surface).into_figure() == *surface);
-    let Some(allowance) = of.map(|one| one.allowance_mm.to_mm()) else { return false };
-    let profiles = operation.set_ups.iter().flat_map(|set_up| [&set_up.set_up.outer, &set_up.set_up.inner]);
-    let cut_in = profiles.flatten().flat_map(|side| &side.profile.surfaces).filter(|one| one.kind.is_additional());
-    let mut mouths = cut_in.flat_map(|one| &one.pieces).flat_map(|piece| [piece.from, piece.to]);
-    let near = 2.0 * allowance + 0.01;
-    depth.0 <= allowance + ROUNDING
-        && mouths
-            .any(|mouth| (mouth.z.to_mm() + at.z.0).abs() < near && (mouth.radius.to_mm() - at.radius.0).abs() < near)
+    let profiles = operation.set_ups.iter().flat_map(|set_up| [&set_up.set_up.outer, &set_up.set_up.inner]).flatten();
+    let mut later = operation.elsewhere.iter().flat_map(|one| {
+        let allowance = one.allowance_mm.to_mm();
+        let near = BESIDE * allowance + 0.01;
+        let ends = profiles.clone().flat_map(move |side| {
+            let found = side.profile.surfaces.iter().position(|other| other.name == one.surface);
+            let beside = found.map(|index| index.saturating_sub(1)..index + 2);
+            let neighbours = beside.and_then(|range| {
+                side.profile.surfaces.get(range.start..range.end.min(side.profile.surfaces.len()))
+            });
+            let is_one = neighbours.iter().flat_map(|all| all.iter()).any(|other| (&other.name).into_figure() == *surface);
+            let own = found.filter(|_| is_one).and_then(|index| side.profile.surfaces.get(index));
+            own.into_iter().flat_map(|own| own.pieces.iter().flat_map(|piece| [piece.from, piece.to]))
+        });
+        ends.map(move |end| (end, allowance, near))
+    });
+    later.any(|(end, allowance, near)| {
+        depth.0 <= allowance + ROUNDING
+            && (end.z.to_mm() + at.z.0).abs() < near
+            && (end.radius.to_mm() - at.radius.0).abs() < near
+    })
 }
+
+/// How far along a slope of 15° goes on through an allowance, in allowances.
+const BESIDE: f64 = 3.8;
 
 /// The blank from the axis or its bore at the free end; a bar that is drawn only by its cylinder gets its face.
 fn whole_blank(outer: &Contour, inner: Option<&Contour>) -> Contour {

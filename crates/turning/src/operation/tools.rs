@@ -21,6 +21,7 @@ use crate::turning::zones::{ToolAngles, Zone, fit};
 use crate::units::{Degrees, Micrometres};
 
 use super::held::Held;
+use crate::turning::cutting::GripLimit;
 use super::{Barred, Stage};
 
 /// The context of planning an operation.
@@ -34,6 +35,8 @@ pub struct Bench<'a, 'k> {
     pub material: Material<'k>,
     /// The held part in the set-up; none if it is not held.
     pub held: Option<Held>,
+    /// What the jaws hold; none between centres, and where the size of the chuck is not known.
+    pub grip: Option<GripLimit>,
     /// The surfaces finished on another machine.
     pub elsewhere: &'a [Elsewhere],
     /// The tools that the proof rejected in this set-up.

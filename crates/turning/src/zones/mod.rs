@@ -13,7 +13,8 @@ pub mod fit;
 pub mod join;
 pub mod kind;
 pub mod parts;
-pub mod setup;
+mod hold;
+mod setup;
 
 use serde::Serialize;
 
@@ -28,7 +29,8 @@ pub use fit::{Fit, ToolAngles, fit};
 pub use join::{Returns, idle_returns};
 pub use kind::{SchemeChoice, ZoneKind};
 pub use parts::{Needs, ZonePart};
-pub use setup::{Hold, SetUp, TurnedSide, Workpiece, least_length, set_ups};
+pub use hold::{Hold, JawLengths};
+pub use setup::{SetUp, TurnedSide, Workpiece, set_ups};
 
 /// The stock of one set-up on one side, in the coordinates of that set-up.
 #[derive(Clone, Copy, Debug)]

@@ -13,12 +13,11 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
-use crate::tables::turning::part::{TurningHold, TurningHoldFor};
-use crate::turning::contour::{Contour, Profile, Surface, SurfaceKind};
-use crate::turning::elements::{Angles, Class, Element, Main, classify, main_contour, split};
+use crate::turning::contour::{Contour, Profile, Surface};
+use crate::turning::elements::{Angles, Class, Main, classify, main_contour, split};
 use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
-use crate::units::Micrometres;
+use super::hold::{Hold, hold_blank, hold_part};
 
 /// The part to be turned.
 #[derive(Clone, Copy, Debug)]
@@ -46,30 +45,6 @@ pub struct TurnedSide {
     pub main: Main,
 }
 
-/// The clamping place of the part.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Hold {
-    /// Between centres.
-    Centres,
-    /// In the chuck, by the part of the blank that the set-up does not turn.
-    Blank {
-        /// Its diameter at the far end.
-        diameter_mm: Micrometres,
-        /// The length of it that is left for the jaws.
-        length_mm: Half,
-    },
-    /// In the chuck, by a cylinder that the first set-up made.
-    Surface {
-        /// Its name.
-        name: String,
-        /// Its diameter.
-        diameter_mm: Micrometres,
-        /// Its length.
-        length_mm: Half,
-    },
-}
-
 /// A set-up.
 #[derive(Clone, Debug, Serialize)]
 pub struct SetUp {
@@ -94,12 +69,60 @@ pub struct SetUp {
     pub notes: Vec<Note>,
 }
 
+/// The surfaces outside, divided between the ends from which they are turned.
+struct Division {
+    near: Option<Profile>,
+    far: Option<Profile>,
+    /// Why the first set-up stops earlier than it could.
+    lent: Option<Note>,
+}
+
 /// The one or two set-ups of a part, for a tool that feeds from the free end of each.
+///
+/// Where the first set-up would leave too little of the blank for the jaws, the last cylinder that it could turn is left to the
+/// second one, if both can then be held.
 ///
 /// # Errors
 /// The knowledge base lacks the rule `turning-element` or `turning-hold`, or a row of one.
 pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Result<Vec<SetUp>, KnowledgeError> {
     let (near, far) = divided(part.outer, tool, knowledge)?;
+    let lent = near.as_ref().filter(|_| part.holding == Holding::Chuck).and_then(|near| lent(near, far.as_ref()));
+    let made = set_ups_of(part, Division { near, far, lent: None }, tool, knowledge)?;
+    let held = |set_ups: &[SetUp]| set_ups.iter().filter(|one| one.holds_at.is_none()).count();
+    if let (Some(lent), true) = (lent, made.first().is_some_and(|first| first.holds_at.is_none())) {
+        let other = set_ups_of(part, lent, tool, knowledge)?;
+        if held(&other) < held(&made) {
+            return Ok(other);
+        }
+    }
+    Ok(made)
+}
+
+/// The division with the last cylinder of the near side, and the grooves in it, left to the far side; none if the near side does
+/// not end with a cylinder of its largest radius behind other surfaces.
+fn lent(near: &Profile, far: Option<&Profile>) -> Option<Division> {
+    let end = near.contour().end()?.radius;
+    let largest = near.contour().radii().is_some_and(|(_, most)| most == end);
+    let upright = |surface: &Surface| surface.pieces.iter().all(|piece| piece.is_cylinder() && piece.from.radius == end);
+    let with = |surface: &&Surface| upright(surface) || surface.kind.is_additional();
+    let behind = near.surfaces.iter().rev().take_while(with).count();
+    // A relief between the shoulder and the cylinder stays with the shoulder.
+    let run = near.surfaces.get(near.surfaces.len() - behind..)?;
+    let first = near.surfaces.len() - behind + run.iter().position(upright)?;
+    let (kept, given) = near.surfaces.split_at_checked(first).filter(|(kept, _)| !kept.is_empty() && largest)?;
+    let begin = given.first()?.pieces.first()?.from;
+    let note = Note::new("setup-lends").with("z", Half::ZERO - begin.z).with("diameter", begin.radius.diameter());
+    let all = given.iter().chain(far.iter().flat_map(|far| &far.surfaces)).cloned().collect();
+    let of = |surfaces| Some(Profile { side: near.side, surfaces });
+    Some(Division { near: of(kept.to_vec()), far: of(all), lent: Some(note) })
+}
+
+fn set_ups_of(
+    part: Workpiece<'_>,
+    Division { near, far, lent }: Division,
+    tool: Angles,
+    knowledge: &Knowledge,
+) -> Result<Vec<SetUp>, KnowledgeError> {
     let (bored, bored_far) = match part.inner {
         Some(inner) => divided(inner, tool, knowledge)?,
         None => (None, None),
@@ -124,7 +147,9 @@ pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Resu
     let over = |profile: Option<Profile>| profile.map(|one| turned_over(&one, part.length));
     let mut notes = Vec::new();
     let lip = far.as_ref().and_then(|far| far.contour().start());
-    if let Some(lip) = lip {
+    if let Some(lent) = lent {
+        notes.push(lent);
+    } else if let Some(lip) = lip {
         let note = Note::new("setup-falls-away").with("z", Half::ZERO - lip.z).with("diameter", lip.radius.diameter());
         notes.push(note.with("secondary", crate::units::round_to(tool.secondary.0, 2)));
     }
@@ -167,96 +192,4 @@ fn turned_over(profile: &Profile, length: Half) -> Profile {
         Surface { pieces: contour.pieces, ..surface.clone() }
     };
     Profile { side: profile.side, surfaces: profile.surfaces.iter().rev().map(over).collect() }
-}
-
-/// The least length for the jaws at a diameter, by the rule `turning-hold`.
-///
-/// # Errors
-/// The knowledge base lacks the rule, or a row of it.
-pub fn least_length(diameter: Micrometres, knowledge: &Knowledge) -> Result<Half, KnowledgeError> {
-    Ok(least_length_because(diameter, Note::new("hold-blank"), knowledge)?.0)
-}
-
-/// The same with its row.
-fn least_length_because(
-    diameter: Micrometres,
-    note: Note,
-    knowledge: &Knowledge,
-) -> Result<(Half, Because), KnowledgeError> {
-    let asked = knowledge.ask(&TurningHoldFor { diameter })?;
-    let least = Half::of(asked.need(&diameter.to_string())?.least_length);
-    let note = note.with("diameter", diameter).with("least", least);
-    Ok((least, Because::answer(&asked.answer, note)))
-}
-
-type HoldDecision = (Option<Hold>, Because);
-
-/// The clamping place of the blank in the first set-up.
-fn hold_blank(
-    part: Workpiece<'_>,
-    outer: Option<&TurnedSide>,
-    knowledge: &Knowledge,
-) -> Result<HoldDecision, KnowledgeError> {
-    if part.holding == Holding::Centres {
-        return Ok((
-            Some(Hold::Centres),
-            Because::table(knowledge.table_of::<TurningHold>()?, Note::new("hold-centres")),
-        ));
-    }
-    let end = part.blank.end().unwrap_or_default();
-    let turned = outer.and_then(|outer| outer.main.contour.end()).map_or(Half::ZERO, |end| end.z);
-    let length = end.z - turned;
-    // The blank may end with its far face, down to the axis or a bore.
-    let radius = part.blank.radii_at(end.z).map_or(end.radius, |(_, most)| most);
-    let diameter = radius.diameter();
-    let code = |long_enough: bool| {
-        Note::new(if long_enough { "hold-blank" } else { "hold-blank-short" }).with("length", length)
-    };
-    let (least, because) = least_length_because(diameter, code(true), knowledge)?;
-    if length >= least {
-        return Ok((Some(Hold::Blank { diameter_mm: diameter, length_mm: length }), because));
-    }
-    Ok((None, least_length_because(diameter, code(false), knowledge)?.1))
-}
-
-/// The clamping place of the part in the second set-up: the thickest of the cylinders that are long enough, and of
-/// these the longest. A thick cylinder transmits the torque with the least force.
-fn hold_part(
-    part: Workpiece<'_>,
-    made: Option<&TurnedSide>,
-    knowledge: &Knowledge,
-) -> Result<HoldDecision, KnowledgeError> {
-    if part.holding == Holding::Centres {
-        return Ok((
-            Some(Hold::Centres),
-            Because::table(knowledge.table_of::<TurningHold>()?, Note::new("hold-centres")),
-        ));
-    }
-    let mut best: Option<(Half, Half, Hold, Because)> = None;
-    let mut passed = Vec::new();
-    for (surface, class) in made.iter().flat_map(|made| made.profile.surfaces.iter().zip(&made.classes)) {
-        let Some(piece) = surface.pieces.first().filter(|piece| piece.is_cylinder()) else { continue };
-        let (radius, length) = (piece.from.radius, piece.to.z - piece.from.z);
-        if surface.kind == SurfaceKind::Thread || class.element != Element::Main {
-            continue;
-        }
-        let note = Note::new("hold-surface").with("surface", &surface.name).with("length", length);
-        let (least, because) = least_length_because(radius.diameter(), note, knowledge)?;
-        if length < least {
-            let short = Note::new("hold-surface-short").with("surface", &surface.name).with("length", length);
-            passed.push(short.with("least", least));
-            continue;
-        }
-        if best.as_ref().is_none_or(|(thick, long, ..)| (*thick, *long) < (radius, length)) {
-            let hold =
-                Hold::Surface { name: surface.name.to_string(), diameter_mm: radius.diameter(), length_mm: length };
-            best = Some((radius, length, hold, because));
-        }
-    }
-    match best {
-        Some((.., hold, because)) => Ok((Some(hold), because.over(passed))),
-        None => {
-            Ok((None, Because::table(knowledge.table_of::<TurningHold>()?, Note::new("hold-nowhere")).over(passed)))
-        }
-    }
 }

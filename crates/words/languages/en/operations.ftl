@@ -33,3 +33,5 @@ operation-grooving = grooving
     .verb = Groove
 operation-centre = centring
     .verb = Centre
+operation-threading = threading
+    .verb = Cut the thread

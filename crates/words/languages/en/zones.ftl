@@ -13,12 +13,13 @@ element-partly = { $surface }: a part of it the tool would make, but the whole e
 setup-first = from the free end
 setup-only = one set-up makes all of it
 setup-falls-away = from Z { $z }, Ø{ $diameter } the contour falls towards the chuck more steeply than φ1 = { $secondary }° and never rises again
+setup-lends = Ø{ $diameter } from Z { $z } is turned in this set-up and not in the first one, which would leave the jaws too little
 setup-bore-widens = the bore widens towards the far face
 setup-far-face = there is stock on the far face
 hold-centres = the part is held between centres
-hold-blank = { $length } mm of the blank's Ø{ $diameter } are left to hold it by (at least { $least } mm are needed)
-hold-blank-short = only { $length } mm of the blank's Ø{ $diameter } are left, at least { $least } mm are needed: take a longer blank or centres
-hold-surface = the part is held by { $surface }, Ø{ $diameter }, { $length } mm long (at least { $least } mm are needed): the thickest of the cylinders that are long enough
+hold-blank = { $length } mm of the blank's Ø{ $diameter } are left to hold it by ({ $least } mm are needed, at the very least { $shortest } mm)
+hold-blank-short = only { $length } mm of the blank's Ø{ $diameter } are left; { $least } mm are needed, at the very least { $shortest } mm and { $clearance } mm more up to the tool: take a longer blank or centres
+hold-surface = the part is held by { $surface }, Ø{ $diameter }, { $length } mm long ({ $least } mm are needed, at the very least { $shortest } mm): the thickest of the cylinders that are long enough
 hold-surface-short = { $surface }: { $length } mm are less than { $least } mm
 hold-nowhere = no turned cylinder is long enough: centres, a mandrel or bored jaws are needed
 # Tools against zones.

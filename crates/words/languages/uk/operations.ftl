@@ -33,3 +33,5 @@ operation-grooving = прорізання
     .verb = Прорізати канавку
 operation-centre = центрування
     .verb = Центрувати
+operation-threading = нарізання різі
+    .verb = Нарізати різь

@@ -115,6 +115,7 @@ word-second-set-up = ще один установ
 word-chuck-and-centre = у патроні з підтисканням центром
 word-part-strength = міцність деталі
 word-part-stiffness = жорсткість деталі
+word-grip = затиск у кулачках
 word-insert-edge = кромка пластини
 word-cutting-force = сила різання на супорті
 word-feed-force = привод подачі

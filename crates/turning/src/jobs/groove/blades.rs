@@ -17,7 +17,7 @@ use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 use technolog_cutting::rpm_at;
 
 use super::super::limits::Limits;
-use super::super::refused::{NoJob, no_figure};
+use super::super::refused::{NoJob, Operation, no_figure};
 use super::super::site::{self, Site};
 use super::valley::{Lie, Valley};
 use super::ways::{self, CuttingEdge, Ways};
@@ -299,7 +299,7 @@ pub(in super::super) fn blade_pace(cut: &TurningCut<'_, '_>, width: Micrometres)
     let (knowledge, material_group) = (cut.knowledge, cut.material.group);
     let asked = knowledge.ask(&GroovingPracticeFor { material_group, width })?;
     let Some(maker) = asked.winner()? else {
-        return Err(no_figure(GroovingPracticeFor::TABLE, cut));
+        return Err(no_figure(Operation::Grooving, GroovingPracticeFor::TABLE, cut));
     };
     let note = Note::new("grooving-practice").with("feed-min", maker.feed_min.0).with("feed-max", maker.feed_max.0);
     let mut because = vec![Because::answer(&asked.answer, note.with("speed", maker.speed_min.0).with("width", width))];

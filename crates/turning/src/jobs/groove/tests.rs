@@ -28,6 +28,7 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
         material,
         elsewhere: &[],
         held: None,
+        grip: None,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

@@ -15,7 +15,7 @@ use technolog_cutting::figures::Asking;
 use technolog_cutting::laws::LoadLaw;
 use technolog_cutting::{Cut, handbook, practice, rpm_at, speed_at};
 
-use super::super::refused::{NoJob, of_tables};
+use super::super::refused::{NoJob, Operation, of_tables};
 
 /// Speed and feed of a tool on the axis.
 pub(super) struct AxialConditions {
@@ -41,11 +41,12 @@ impl<'k> Asking<'k> for Bench<'_, 'k> {
 /// # Errors
 /// The tables have no figures; or even the least feed of the lathe is too much.
 pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried<AxialConditions, NoJob> {
-    let (mut feed, mut because) = handbook::feed(cut, bench).map_err(of_tables)?;
-    let Some((life, of_life)) = handbook::tool_life(cut, bench).map_err(of_tables)? else {
+    let no_figures = |refusal| of_tables(Operation::Drilling, refusal);
+    let (mut feed, mut because) = handbook::feed(cut, bench).map_err(no_figures)?;
+    let Some((life, of_life)) = handbook::tool_life(cut, bench).map_err(no_figures)? else {
         return Err(Refusal::Not(NoJob::NoDrill { diameter: cut.diameter, depth: crate::turning::length::Half::ZERO }));
     };
-    let Some(law) = handbook::formulas(cut, feed, bench).map_err(of_tables)? else {
+    let Some(law) = handbook::formulas(cut, feed, bench).map_err(no_figures)? else {
         return Err(Refusal::Not(NoJob::NoDrill { diameter: cut.diameter, depth: crate::turning::length::Half::ZERO }));
     };
     because.extend(of_life.into_iter().chain(law.speed_because).chain(law.loads_because));

@@ -21,6 +21,7 @@ fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
         material,
         elsewhere: &[],
         held: None,
+        grip: None,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

@@ -32,7 +32,7 @@ use technolog_cutting::{rpm_at, speed_at};
 
 use super::clock::time;
 use super::limits::Limits;
-use super::refused::{NoJob, no_figure};
+use super::refused::{NoJob, Operation, no_figure};
 use super::site::{self, Site};
 use super::{Job, JobTool, Pace, ThreadCut, Work};
 use passes::Divided;
@@ -218,7 +218,7 @@ fn spindle(
 ) -> Tried<(RevsPerMinute, Vec<Because>), NoJob> {
     let asked = bench.knowledge.ask(&ThreadingSpeedFor { material_group: bench.material.group })?;
     let Some(speed) = asked.winner()?.map(|row| row.speed) else {
-        return Err(no_figure(ThreadingSpeedFor::TABLE, bench));
+        return Err(no_figure(Operation::Threading, ThreadingSpeedFor::TABLE, bench));
     };
     let (_, most) = lathe.feed_z;
     let follows = RevsPerMinute(most.0 / pitch.to_mm());

@@ -25,6 +25,7 @@ fn job(workpiece: &Workpiece, side: Side, passes: Passes) -> Result<Job, NoJob> 
         material,
         elsewhere: &[],
         held: None,
+        grip: None,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

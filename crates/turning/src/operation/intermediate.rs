@@ -1,0 +1,202 @@
+//! The contour that this lathe leaves: the main contour with the allowances for other machines.
+
+use crate::note::{Finding, Note, Severity};
+use crate::turning::allowances::{Over, equidistant_over};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Stretches, Surface};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::zones::TurnedSide;
+
+use super::tools::Bench;
+
+/// The main contour with the allowances for other machines, each piece with its surface. None, with a finding, if it
+/// cannot be made.
+pub(super) fn left(
+    stretch: &TurnedSide,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Option<Vec<(Piece, Option<usize>)>> {
+    let whole = &stretch.main.contour;
+    let main = &if bench.elsewhere.is_empty() { whole.clone() } else { parted(whole, &stretch.profile, bench) };
+    let along = along(&stretch.profile);
+    let surfaces: Vec<Option<usize>> =
+        main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile, &along)).collect();
+    let later = |surface: &Option<usize>| {
+        let name = surface.and_then(|index| stretch.profile.surfaces.get(index)).map(|surface| &surface.name);
+        let one = bench.elsewhere.iter().find(|one| Some(&one.surface) == name);
+        one.map_or(Half::ZERO, |one| one.allowance_mm)
+    };
+    let distances: Vec<Half> = surfaces.iter().map(later).collect();
+    if distances.iter().all(|distance| *distance == Half::ZERO) {
+        return Some(main.pieces.iter().copied().zip(surfaces).collect());
+    }
+    match equidistant_over(main, &distances) {
+        Ok(over) => {
+            let is_face = |over: &Over| main.pieces.get(over.of).is_some_and(|piece| piece.is_face());
+            let steps = over.iter().map(|over| over.piece.is_face() && !is_face(over)).collect::<Vec<_>>();
+            let own = |over: Over| (over.piece, surfaces.get(over.of).copied().flatten());
+            Some(without_steps(over.into_iter().map(own).zip(steps).collect()))
+        }
+        Err(error) => {
+            findings.push(Finding::of_part(Severity::Error, Note::new("no-intermediate-contour").with("why", error)));
+            None
+        }
+    }
+}
+
+/// A piece and the index of its surface in the profile.
+type Owned = (Piece, Option<usize>);
+
+/// The contour, with a mark at each step that is no face of the part, with its slopes led on to the raised cylinders beside them, in place of a step as high as the allowance: no nose
+/// makes the corner of such a step, and after grinding the whole slope is there.
+fn without_steps(pieces: Vec<(Owned, bool)>) -> Vec<Owned> {
+    let mut kept: Vec<Owned> = Vec::new();
+    let mut rest = pieces.into_iter().peekable();
+    while let Some(((piece, surface), is_step)) = rest.next() {
+        let step = is_step.then_some(piece);
+        let beside = step.zip(kept.last().copied()).zip(rest.peek().copied());
+        let led = beside.and_then(|((step, (before, _)), ((after, _), _))| {
+            led_on(before, step, after).map(|slope| (slope, after)).or_else(|| {
+                // The same seen from the other end.
+                let slope = led_on(after.reversed(), step.reversed(), before.reversed())?;
+                Some((before, slope.reversed()))
+            })
+        });
+        match (led, kept.last_mut(), rest.peek_mut()) {
+            (Some((before, after)), Some(last), Some(next)) => {
+                let corner = if before.is_cylinder() { after.from } else { before.to };
+                last.0 = Piece { to: corner, ..before };
+                next.0.0 = Piece { from: corner, ..after };
+            }
+            _ => kept.push((piece, surface)),
+        }
+    }
+    kept
+}
+
+/// A slope led on over the step behind it to the cylinder above; none if these are no slope, step and cylinder, or if the
+/// cylinder is too short for it.
+fn led_on(slope: Piece, step: Piece, cylinder: Piece) -> Option<Piece> {
+    let along = slope.direction_at_end();
+    let rise = (step.to.radius - step.from.radius).to_mm();
+    let sloping = slope.curve == Curve::Line && along.z != 0.0 && along.radius * rise > 0.0;
+    if !sloping || !cylinder.is_cylinder() {
+        return None;
+    }
+    let z = step.from.z + Half::from(rise * along.z / along.radius);
+    let within = (cylinder.to.z - z).to_mm() * along.z > 0.0;
+    within.then_some(Piece { to: Point { radius: step.to.radius, z }, ..slope })
+}
+
+/// A contour with its lines divided at the ends of surfaces: two cylinders of one diameter are one line of the main
+/// contour, but perhaps only one of them is ground later.
+fn parted(contour: &Contour, profile: &Profile, bench: &Bench<'_, '_>) -> Contour {
+    let later = |surface: &Surface| bench.elsewhere.iter().any(|one| one.surface == surface.name);
+    let beside = profile.surfaces.iter().zip(profile.surfaces.iter().skip(1));
+    let differ = beside
+        .filter(|(one, next)| !one.kind.is_additional() && !next.kind.is_additional() && later(one) != later(next));
+    let ends: Vec<Point> = differ.filter_map(|(one, _)| one.pieces.last()).map(|piece| piece.to).collect();
+    let mut pieces = Vec::new();
+    for piece in &contour.pieces {
+        let mut from = piece.from;
+        if piece.is_cylinder() {
+            let inside = |end: &&Point| end.radius == piece.from.radius && piece.from.z < end.z && end.z < piece.to.z;
+            let mut cuts: Vec<Point> = ends.iter().filter(inside).copied().collect();
+            cuts.sort_by_key(|cut| cut.z);
+            cuts.dedup();
+            for cut in cuts {
+                pieces.push(piece.between(from, cut));
+                from = cut;
+            }
+        }
+        pieces.push(piece.between(from, piece.to));
+    }
+    Contour { side: contour.side, pieces }
+}
+
+/// The index of the surface of a piece of the main contour: the first one that touches it and has a piece on the same
+/// line or circle.
+fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usize> {
+    let lies_on = |other: &Piece| touches(piece, other) && same_carrier(piece, other);
+    // At the common end of two surfaces on one line both touch it: the one over the middle of the piece comes first.
+    let over_middle = |other: &Piece| {
+        let (least, most) = (other.from.z.min(other.to.z), other.from.z.max(other.to.z));
+        let middle = Half::new((piece.from.z.halves() + piece.to.z.halves()) / 2);
+        least <= middle && middle <= most && lies_on(other)
+    };
+    let near: Vec<usize> = along.touching(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z)).collect();
+    let of = |test: &dyn Fn(&Piece) -> bool| {
+        let has = |index: &usize| profile.surfaces.get(*index).is_some_and(|one| one.pieces.iter().any(test));
+        near.iter().copied().find(has)
+    };
+    of(&over_middle).or_else(|| of(&lies_on))
+}
+
+/// The ranges of the surfaces of a profile, by the ends of their pieces.
+fn along(profile: &Profile) -> Stretches {
+    let ends = |surface: &Surface| {
+        let ends = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
+        let (least, most) = (ends.clone().min(), ends.max());
+        (least.unwrap_or_default(), most.unwrap_or_default())
+    };
+    Stretches::new(&profile.surfaces.iter().map(ends).collect::<Vec<_>>())
+}
+
+fn touches(one: &Piece, other: &Piece) -> bool {
+    let spans = |a: (Half, Half), b: (Half, Half)| a.0.min(a.1) <= b.0.max(b.1) && b.0.min(b.1) <= a.0.max(a.1);
+    spans((one.from.z, one.to.z), (other.from.z, other.to.z))
+        && spans((one.from.radius, one.to.radius), (other.from.radius, other.to.radius))
+}
+
+/// Whether two pieces are on one line or circle, to two micrometres: ends of pieces are rounded.
+fn same_carrier(one: &Piece, other: &Piece) -> bool {
+    const NEAR: f64 = 0.002;
+    match (one.curve, other.curve, one.centre(), other.centre()) {
+        (Curve::Line, Curve::Line, ..) => {
+            let along = other.chord().unit();
+            [one.from, one.to].into_iter().all(|point| along.cross(other.from.to(point)).abs() < NEAR)
+        }
+        (Curve::Arc { radius: a, .. }, Curve::Arc { radius: b, .. }, Some(here), Some(there)) => {
+            (a - b).to_mm().abs() < NEAR && Point::at(here).to(Point::at(there)).length() < 10.0 * NEAR
+        }
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    fn contour(points: &[(f64, f64)]) -> Vec<Owned> {
+        let points: Vec<Point> = points.iter().map(|(radius, z)| at(*radius, *z)).collect();
+        points.windows(2).map(|ends| (Piece::line(ends[0], ends[1]), None)).collect()
+    }
+
+    /// A contour in which every face of 0.2 is a step over an allowance.
+    fn stepped(points: &[(f64, f64)]) -> Vec<(Owned, bool)> {
+        let is_step = |piece: &Piece| piece.is_face() && piece.length_mm() < 0.21;
+        contour(points).into_iter().map(|one| (one, is_step(&one.0))).collect()
+    }
+
+    /// A chamfer of 45° that rises to a cylinder with 0.2 goes on by 0.2 along the axis; one that falls behind it begins 0.2
+    /// earlier; a face of the part stays.
+    #[test]
+    fn a_chamfer_goes_on_to_the_raised_cylinder() {
+        let points = [(18.0, 0.0), (20.0, 2.0), (20.2, 2.0), (20.2, 30.0), (20.0, 30.0), (18.0, 32.0), (25.0, 32.0)];
+        let led = [(18.0, 0.0), (20.2, 2.2), (20.2, 29.8), (18.0, 32.0), (25.0, 32.0)];
+        assert_eq!(without_steps(stepped(&points)), contour(&led));
+        let faced = [(20.2, 0.0), (20.2, 30.0), (24.0, 30.0), (25.0, 31.0), (25.0, 40.0)];
+        assert_eq!(without_steps(stepped(&faced)), contour(&faced));
+    }
+
+    /// A slope of 5° would lead on beyond a cylinder of 1 mm.
+    #[test]
+    fn a_cylinder_too_short_keeps_its_step() {
+        let points = [(19.0, 0.0), (20.0, 11.0), (20.2, 11.0), (20.2, 12.0)];
+        assert_eq!(without_steps(stepped(&points)), contour(&points));
+    }
+}
