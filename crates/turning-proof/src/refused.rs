@@ -82,7 +82,7 @@ fn is_possible(tool: &Tool) -> bool {
         Cutter::Blade { width, corner_radius, depth, .. } | Cutter::FaceBlade { width, corner_radius, depth } => {
             not_negative(corner_radius) && lengths(&[width, depth])
         }
-        Cutter::Thread { angle, reach, .. } => point(angle.0) && lengths(&[reach]),
+        Cutter::Thread { angle, reach, beside, .. } => point(angle.0) && lengths(&[reach, beside]),
         Cutter::Drill { diameter, point_angle, flute } => {
             point_angle.0 > 0.0 && point_angle.0 <= 180.0 && lengths(&[diameter, flute])
         }

@@ -80,6 +80,8 @@ pub enum Cutter {
         angle: Degrees,
         /// The distance of the point from its holder.
         reach: Mm,
+        /// The distance of the point from the side of the insert, which stands upright towards the chuck. The flank ends there.
+        beside: Mm,
         /// The side where it works.
         side: Side,
     },

@@ -292,7 +292,12 @@ fn a_flange_takes_two_set_ups() {
     assert_eq!(over.profile.contour().corners(), [at(0.0, 0.0), at(20.0, 0.0), at(20.0, 10.0), at(40.0, 10.0)]);
     assert_eq!(over.main.contour.corners(), over.profile.contour().corners());
     assert!(first.faces && second.faces && second.turned_over);
-    let hold = Hold::Surface { name: "outer 4".into(), diameter_mm: mm(40.0).diameter(), length_mm: mm(20.0), over: (mm(30.0), mm(50.0)) };
+    let hold = Hold::Surface {
+        name: "outer 4".into(),
+        diameter_mm: mm(40.0).diameter(),
+        length_mm: mm(20.0),
+        over: (mm(30.0), mm(50.0)),
+    };
     assert_eq!(second.holds_at, Some(hold));
     // 11 mm of Ø84 are left to hold the blank by, and 20 are needed.
     assert_eq!((first.holds_at.clone(), first.because.note.code()), (None, "hold-blank-short"));

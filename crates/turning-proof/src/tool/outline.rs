@@ -39,10 +39,12 @@ impl Outline {
                 let blade = rounded(width.0, corner_radius.0, depth.0).into_iter().map(swap).collect();
                 (vec![blade], vec![behind_face(tool.holder, depth.0)], Side::Outside, Hand::Right)
             }
-            Cutter::Thread { angle, reach, side } => {
-                let half = libm::tan((angle.0 / 2.0).to_radians()) * reach.0;
-                let root = [Vector::new(-half, reach.0), Vector::new(half, reach.0)];
-                let point = vec![Vector::default(), root[0], root[1]];
+            Cutter::Thread { angle, reach, beside, side } => {
+                let slope = libm::tan((angle.0 / 2.0).to_radians());
+                let half = slope * reach.0;
+                let ahead = half.min(beside.0);
+                let root = [Vector::new(-ahead, reach.0), Vector::new(half, reach.0)];
+                let point = vec![Vector::default(), Vector::new(-ahead, ahead / slope), root[0], root[1]];
                 (vec![point], vec![held(tool.holder, Vector::new(half, reach.0), &root)], side, Hand::Right)
             }
             Cutter::Drill { diameter, point_angle, flute } => {

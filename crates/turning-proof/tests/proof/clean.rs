@@ -128,7 +128,7 @@ pub fn thread(last: f64) -> SetUp {
     for radius in [9.5, 9.1, 8.9, last] {
         moves.extend([(Rapid, 4.0, radius), (Pass, -22.0, radius), (Rapid, -22.0, 13.0), (Rapid, 4.0, 13.0)]);
     }
-    let cutter = Cutter::Thread { angle: Degrees(60.0), reach: Mm(3.0), side: Side::Outside };
+    let cutter = Cutter::Thread { angle: Degrees(60.0), reach: Mm(3.0), beside: Mm(3.0), side: Side::Outside };
     let motions = program(0, (4.0, 13.0), &moves);
     let mut work = bar_work(part, 1.0, (0.0, 1.0), bare(cutter), motions);
     let crests =
@@ -151,6 +151,44 @@ fn a_thread_goes_down_to_its_root_and_leaves_its_crests() {
     assert_eq!(proof.left.volume(), work.stock.volume(), "the crests stay");
     // Drawn at its nominal diameter it is turned down to the crests all the same.
     assert_eq!(wrong(&thread(8.775)).len(), 0, "{:?}", wrong(&thread(8.775)));
+}
+
+/// Beside a shoulder of Ø40 the flanks of a large point would open into the metal, at 15.6 mm over the root by 9 mm to each side;
+/// the side of a real insert stands 1.7 mm ahead of its point and clears a shoulder 2 mm ahead.
+#[test]
+fn the_side_of_a_threading_insert_clears_a_shoulder() {
+    let beside = |beside: f64| {
+        let mut work = thread(8.775);
+        let part = [(0.0, 0.0), (0.0, 8.5), (-1.5, 10.0), (-20.0, 10.0), (-20.0, 8.5), (-24.0, 8.5), (-24.0, 20.0)];
+        let mut part = chain(&part);
+        part.push(line("rest", (-24.0, 20.0), (-40.0, 20.0)));
+        part[2].thread = work.profile.outside[2].thread;
+        work.profile.outside = part;
+        let crests = [
+            (0.0, 0.0),
+            (0.0, 8.4),
+            (-1.5, 9.9),
+            (-20.0, 9.9),
+            (-20.0, 8.5),
+            (-24.0, 8.5),
+            (-24.0, 20.0),
+            (-60.0, 20.0),
+        ];
+        work.stock = Stock::between(&Piece::lines(&crests.map(|(z, r)| at(z, r))), &[]);
+        let motions: Vec<(MotionKind, f64, f64)> = [9.5, 9.1, 8.9, 8.775]
+            .into_iter()
+            .flat_map(|radius| [(Pass, -22.0, radius), (Rapid, -22.0, 22.0), (Rapid, 4.0, 22.0), (Rapid, 4.0, radius)])
+            .collect();
+        let mut moves = vec![(Rapid, 4.0, 9.5)];
+        moves.extend(motions);
+        work.motions = program(0, (4.0, 22.0), &moves);
+        work.tools[0].cutter =
+            Cutter::Thread { angle: Degrees(60.0), reach: Mm(16.0), beside: Mm(beside), side: Side::Outside };
+        wrong(&work)
+    };
+    let into = |fault: &Fault| matches!(fault, Fault::Gouge { .. } | Fault::RapidCut { .. });
+    assert!(!beside(1.7).iter().any(into), "{:?}", beside(1.7));
+    assert!(beside(16.0).iter().any(into));
 }
 
 /// 0.3 mm stay on Ø40 for the grinder, with nothing on the face and 0.1 on the shoulder.

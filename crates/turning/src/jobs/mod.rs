@@ -167,6 +167,9 @@ pub enum Body {
         shank_mm: Option<(Micrometres, Micrometres)>,
         /// Diameter of a round bar, mm.
         bar_mm: Option<Micrometres>,
+        /// From the tip of a threading insert to its side towards the chuck, mm.
+        #[serde(skip)]
+        side_mm: Option<Micrometres>,
         /// The smallest bore that a bar enters, mm.
         min_bore_mm: Option<Micrometres>,
     },
@@ -231,6 +234,7 @@ impl JobTool {
                 edge_mm: tool.edge,
                 width_mm: tool.width,
                 blade_depth_mm: tool.groove_depth,
+                side_mm: tool.insert_side,
                 shank_mm,
                 bar_mm,
                 min_bore_mm: tool.min_bore,

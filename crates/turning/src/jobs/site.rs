@@ -53,7 +53,18 @@ pub(super) fn cut<'a, 'k>(
 ) -> Tried<TurningCut<'a, 'k>, NoJob> {
     let (knowledge, material) = (bench.knowledge, &bench.material);
     let (lathe, surface) = (lathe(bench)?, Surface::None);
-    Ok(TurningCut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth: None, part: None, grip: None })
+    Ok(TurningCut {
+        knowledge,
+        lathe,
+        tool,
+        material,
+        diameter,
+        direction,
+        surface,
+        bore_depth: None,
+        part: None,
+        grip: None,
+    })
 }
 
 /// The reach of a bar in a bore: from its row, otherwise by the ratio of `turning-limits` to its diameter. None for a

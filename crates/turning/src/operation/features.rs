@@ -2,18 +2,19 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Finding, Severity};
-use crate::turning::contour::{Side, SurfaceKind};
+use crate::turning::contour::{Side, Surface, SurfaceKind};
 use crate::turning::jobs::groove::groove;
 use crate::turning::jobs::thread::{Passes, thread};
 use crate::turning::jobs::{Job, NoJob, Site};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
-use crate::turning::zones::SetUp;
+use crate::turning::zones::{SetUp, TurnedSide};
 
 use super::SideWork;
 use super::jobs::stretch;
 use super::tools::Bench;
+use super::work::Hollow;
 
 /// The jobs of the grooves and threads of a side. One that cannot be cut is a finding with the failed inequality.
 ///
@@ -27,6 +28,54 @@ pub(super) fn features(
 ) -> Result<Vec<Job>, KnowledgeError> {
     let mut jobs = Vec::new();
     let Some(stretch) = stretch(set_up, side.side) else { return Ok(jobs) };
+    let site = site(stretch, side, bench)?;
+    for surface in &stretch.profile.surfaces {
+        if surface.kind == SurfaceKind::Thread {
+            let name = surface.name.to_string();
+            if let Some(cut) = bench.workpiece.threads.iter().find(|thread| thread.surface == name) {
+                jobs.extend(made(thread(site, surface, cut, Passes::Area, bench), findings)?);
+            }
+        } else if surface.kind.is_additional() {
+            jobs.extend(made(groove(site, surface, bench), findings)?);
+        }
+    }
+    Ok(jobs)
+}
+
+/// The job of a hollow that no turning tool reaches into: a blade cuts it like a groove. Where none does, the findings are those of
+/// the turning tools.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub(super) fn hollow(
+    set_up: &SetUp,
+    side: &SideWork,
+    hollow: &Hollow,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<Job>, KnowledgeError> {
+    let Some(stretch) = stretch(set_up, side.side) else { return Ok(None) };
+    let surfaces: Vec<_> = hollow.surfaces.iter().filter_map(|index| stretch.profile.surfaces.get(*index)).collect();
+    let Some(floor) = surfaces.iter().find(|surface| surface.pieces.iter().any(|piece| piece.is_cylinder())) else {
+        findings.extend(hollow.lacking.clone());
+        return Ok(None);
+    };
+    let whole = Surface { kind: SurfaceKind::RectangularGroove, pieces: hollow.under.clone(), ..(*floor).clone() };
+    match Refusal::split(groove(site(stretch, side, bench)?, &whole, bench))? {
+        Ok(job) => {
+            let surfaces = surfaces.into_iter().map(|surface| surface.name.clone()).collect();
+            Ok(Some(Job { surfaces, ..job }))
+        }
+        Err(why) => {
+            findings.extend(hollow.lacking.clone());
+            findings.push(Finding::of_part(Severity::Wrong, why.note()));
+            Ok(None)
+        }
+    }
+}
+
+/// Where the tools of a side come from.
+fn site<'a>(stretch: &'a TurnedSide, side: &SideWork, bench: &Bench<'_, '_>) -> Result<Site<'a>, KnowledgeError> {
     let (table, _) = rates::of_table(bench.knowledge)?;
     let (approach, retract) = bench
         .workpiece
@@ -42,18 +91,7 @@ pub(super) fn features(
             narrowest.unwrap_or_default() - retract
         }
     };
-    let site = Site { profile: &stretch.profile, clear: Point { radius, z: start - approach } };
-    for surface in &stretch.profile.surfaces {
-        if surface.kind == SurfaceKind::Thread {
-            let name = surface.name.to_string();
-            if let Some(cut) = bench.workpiece.threads.iter().find(|thread| thread.surface == name) {
-                jobs.extend(made(thread(site, surface, cut, Passes::Area, bench), findings)?);
-            }
-        } else if surface.kind.is_additional() {
-            jobs.extend(made(groove(site, surface, bench), findings)?);
-        }
-    }
-    Ok(jobs)
+    Ok(Site { profile: &stretch.profile, clear: Point { radius, z: start - approach } })
 }
 
 /// A job, or the finding why there is none.

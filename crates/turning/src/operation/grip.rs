@@ -141,10 +141,10 @@ fn pull(job: &Job, grips: Micrometres) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::NewtonMetres;
     use crate::shipped;
     use crate::turning::operation::plan;
     use crate::turning::workpiece::read_workpiece;
+    use crate::units::NewtonMetres;
 
     /// 100 N·m on Ø50 are 4000 N around, with 3000 N along the axis 5000 N.
     #[test]

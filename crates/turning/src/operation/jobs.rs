@@ -62,7 +62,11 @@ pub(super) fn jobs(
         jobs.extend(drilled);
         jobs.extend(finish(set_up, side, bench, findings)?);
         for hollow in &side.hollows {
-            jobs.extend(finish_hollow(set_up, side, hollow, bench, findings)?);
+            if hollow.zones.is_empty() {
+                jobs.extend(features::hollow(set_up, side, hollow, bench, findings)?);
+            } else {
+                jobs.extend(finish_hollow(set_up, side, hollow, bench, findings)?);
+            }
         }
         jobs.extend(features::features(set_up, side, bench, findings)?);
     }

@@ -15,6 +15,7 @@
 
 mod barred;
 pub mod by_passes;
+mod centred;
 mod clip;
 mod crests;
 pub mod depth;
@@ -149,6 +150,16 @@ impl Operation {
 /// # Errors
 /// The knowledge base lacks a table or a row that must be there.
 pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
+    if let Some((centred, finding)) = centred::centred(workpiece, knowledge)? {
+        let mut operation = plan_best(&centred, knowledge)?;
+        operation.findings.insert(0, finding);
+        return Ok(operation);
+    }
+    plan_best(workpiece, knowledge)
+}
+
+/// The best plan of several attempts.
+fn plan_best(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     let mut barred = Vec::new();
     let mut last = plan_without(workpiece, &barred, knowledge)?;
     let mut best = last.clone();

@@ -200,10 +200,10 @@ fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) 
         let ends = profiles.clone().flat_map(move |side| {
             let found = side.profile.surfaces.iter().position(|other| other.name == one.surface);
             let beside = found.map(|index| index.saturating_sub(1)..index + 2);
-            let neighbours = beside.and_then(|range| {
-                side.profile.surfaces.get(range.start..range.end.min(side.profile.surfaces.len()))
-            });
-            let is_one = neighbours.iter().flat_map(|all| all.iter()).any(|other| (&other.name).into_figure() == *surface);
+            let neighbours = beside
+                .and_then(|range| side.profile.surfaces.get(range.start..range.end.min(side.profile.surfaces.len())));
+            let is_one =
+                neighbours.iter().flat_map(|all| all.iter()).any(|other| (&other.name).into_figure() == *surface);
             let own = found.filter(|_| is_one).and_then(|index| side.profile.surfaces.get(index));
             own.into_iter().flat_map(|own| own.pieces.iter().flat_map(|piece| [piece.from, piece.to]))
         });
@@ -370,6 +370,7 @@ fn tool(tool: &JobTool) -> proof::Tool {
             edge_mm,
             width_mm,
             blade_depth_mm,
+            side_mm,
             shank_mm,
             bar_mm,
             min_bore_mm,
@@ -394,7 +395,8 @@ fn tool(tool: &JobTool) -> proof::Tool {
                 ToolKind::Grooving => Cutter::Blade { width, corner_radius, depth, side },
                 ToolKind::FaceGrooving => Cutter::FaceBlade { width, corner_radius, depth },
                 ToolKind::Threading => {
-                    Cutter::Thread { angle: proof::Degrees(60.0), reach: mm(edge_mm.unwrap_or(UNKNOWN_EDGE)), side }
+                    let reach = mm(edge_mm.unwrap_or(UNKNOWN_EDGE));
+                    Cutter::Thread { angle: proof::Degrees(60.0), reach, beside: side_mm.map_or(reach, mm), side }
                 }
             };
             let blade = matches!(kind, ToolKind::Grooving | ToolKind::FaceGrooving);

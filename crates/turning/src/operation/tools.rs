@@ -21,8 +21,8 @@ use crate::turning::zones::{ToolAngles, Zone, fit};
 use crate::units::{Degrees, Micrometres};
 
 use super::held::Held;
-use crate::turning::cutting::GripLimit;
 use super::{Barred, Stage};
+use crate::turning::cutting::GripLimit;
 
 /// The context of planning an operation.
 #[derive(Clone, Debug)]

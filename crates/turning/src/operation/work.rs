@@ -6,7 +6,7 @@ use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::BlankShape;
 use crate::turning::allowances::equidistant;
-use crate::turning::contour::{Contour, Profile, Side};
+use crate::turning::contour::{Contour, Piece, Profile, Side};
 use crate::turning::cutting::{Direction, cuts_back};
 use crate::turning::elements::{Main, Valley};
 use crate::turning::length::Half;
@@ -169,8 +169,14 @@ pub struct Hollow {
     /// The contours of the side with this hollow opened.
     #[serde(skip)]
     pub layers: Layers,
-    /// Its zones.
+    /// Its pieces.
+    #[serde(skip)]
+    pub under: Vec<Piece>,
+    /// Its zones; empty if a blade must cut it.
     pub zones: Vec<ZoneWork>,
+    /// Why no turning tool cuts it.
+    #[serde(skip)]
+    pub lacking: Vec<Finding>,
 }
 
 /// The hollows of a side, in the order of Z. Grooves are cut by blades elsewhere; metal that no tool reaches is a
@@ -197,11 +203,21 @@ pub fn hollows(
         let Some(contour) = opened(&stretch.main, valley).filter(Contour::is_monotone) else { continue };
         let main = Main { contour, valleys: Vec::new() };
         let stretch = TurnedSide { main, ..stretch.clone() };
-        let Some(layers) = layers::layers(&stretch, set_up, None, bench, findings)? else { continue };
+        let mut found = Vec::new();
+        let Some(layers) = layers::layers(&stretch, set_up, None, bench, &mut found)? else {
+            findings.extend(found);
+            continue;
+        };
         let ground = Layers { blank: outside.rough.clone(), ..layers.clone() };
-        let zones = zones(&ground, bench, findings)?;
-        let lips = (valley.lips.0.z, valley.lips.1.z);
-        hollows.push(Hollow { lips, surfaces: valley.surfaces.clone(), layers, zones });
+        let mut zones = zones(&ground, bench, &mut found)?;
+        let mut lacking = Vec::new();
+        if zones.iter().all(ZoneWork::is_cleared) {
+            findings.extend(found);
+        } else {
+            (zones, lacking) = (Vec::new(), found);
+        }
+        let (lips, under) = ((valley.lips.0.z, valley.lips.1.z), valley.under.clone());
+        hollows.push(Hollow { lips, surfaces: valley.surfaces.clone(), layers, under, zones, lacking });
     }
     Ok(hollows)
 }

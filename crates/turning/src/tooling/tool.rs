@@ -2,6 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef};
+use crate::tables::turning::jobs::{JobLimit, JobLimits};
 use crate::tables::turning::tools::{TOOL_TABLES, TurningToolRow};
 use crate::units::{Decimal, Micrometres};
 
@@ -62,6 +63,8 @@ pub struct TurningTool<'k> {
     pub face_diameter: Option<Micrometres>,
     /// Least and largest pitch of a threading tool.
     pub pitch: Option<(Micrometres, Micrometres)>,
+    /// From the tip of a threading insert to its side, which stands upright towards the chuck.
+    pub insert_side: Option<Micrometres>,
     /// Carbide grades of its inserts, in the names of `tool-material-factor`; empty if the row has none.
     pub grades: Vec<&'k str>,
 }
@@ -73,9 +76,11 @@ impl<'k> TurningTool<'k> {
     /// A table is missing, or a row lacks a required cell.
     pub fn all(knowledge: &'k Knowledge) -> Result<Vec<Self>, KnowledgeError> {
         let mut tools = Vec::new();
+        let side = JobLimit::ThreadInsertSide;
+        let side = knowledge.need(side.name(), |row: &JobLimits<'_>| row.name == side)?.length;
         for table in TOOL_TABLES {
             for row in knowledge.table(table)?.rows() {
-                tools.push(Self::of(row?));
+                tools.push(Self::of(row?, side));
             }
         }
         Ok(tools)
@@ -90,7 +95,7 @@ impl<'k> TurningTool<'k> {
         Ok(Self::all(knowledge)?.into_iter().find(|tool| plain(tool.designation) == wanted))
     }
 
-    fn of(tool: TurningToolRow<'k>) -> Self {
+    fn of(tool: TurningToolRow<'k>, side: Option<Micrometres>) -> Self {
         let round = tool.bar_diameter.map(|diameter| Shank::Round { diameter });
         let square = tool.shank_height.zip(tool.shank_width);
         Self {
@@ -111,6 +116,7 @@ impl<'k> TurningTool<'k> {
             groove_depth: tool.groove_depth,
             face_diameter: tool.face_diameter_min,
             pitch: tool.pitch_min.zip(tool.pitch_max),
+            insert_side: side.filter(|_| tool.kind == ToolKind::Threading),
             grades: tool.grades.unwrap_or_default(),
         }
     }

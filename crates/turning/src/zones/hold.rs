@@ -61,11 +61,7 @@ impl JawLengths {
     }
 
     /// The same with its row.
-    fn because(
-        diameter: Micrometres,
-        note: Note,
-        knowledge: &Knowledge,
-    ) -> Result<(Self, Because), KnowledgeError> {
+    fn because(diameter: Micrometres, note: Note, knowledge: &Knowledge) -> Result<(Self, Because), KnowledgeError> {
         let asked = knowledge.ask(&TurningHoldFor { diameter })?;
         let row = asked.need(&diameter.to_string())?;
         let lengths = Self { least: Half::of(row.least_length), shortest: Half::of(row.shortest) };

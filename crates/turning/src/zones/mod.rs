@@ -10,10 +10,10 @@
 //! Zones of a bore are found inside out, and given in the radii of the bore.
 
 pub mod fit;
+mod hold;
 pub mod join;
 pub mod kind;
 pub mod parts;
-mod hold;
 mod setup;
 
 use serde::Serialize;
@@ -26,10 +26,10 @@ use crate::units::{Degrees, Micrometres};
 use super::contour::{Contour, Side};
 use super::length::{Half, negative_z};
 pub use fit::{Fit, ToolAngles, fit};
+pub use hold::{Hold, JawLengths};
 pub use join::{Returns, idle_returns};
 pub use kind::{SchemeChoice, ZoneKind};
 pub use parts::{Needs, ZonePart};
-pub use hold::{Hold, JawLengths};
 pub use setup::{SetUp, TurnedSide, Workpiece, set_ups};
 
 /// The stock of one set-up on one side, in the coordinates of that set-up.

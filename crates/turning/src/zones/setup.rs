@@ -10,6 +10,7 @@
 
 use serde::Serialize;
 
+use super::hold::{Hold, hold_blank, hold_part};
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
@@ -17,7 +18,6 @@ use crate::turning::contour::{Contour, Profile, Surface};
 use crate::turning::elements::{Angles, Class, Main, classify, main_contour, split};
 use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
-use super::hold::{Hold, hold_blank, hold_part};
 
 /// The part to be turned.
 #[derive(Clone, Copy, Debug)]
@@ -103,7 +103,8 @@ pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Resu
 fn lent(near: &Profile, far: Option<&Profile>) -> Option<Division> {
     let end = near.contour().end()?.radius;
     let largest = near.contour().radii().is_some_and(|(_, most)| most == end);
-    let upright = |surface: &Surface| surface.pieces.iter().all(|piece| piece.is_cylinder() && piece.from.radius == end);
+    let upright =
+        |surface: &Surface| surface.pieces.iter().all(|piece| piece.is_cylinder() && piece.from.radius == end);
     let with = |surface: &&Surface| upright(surface) || surface.kind.is_additional();
     let behind = near.surfaces.iter().rev().take_while(with).count();
     // A relief between the shoulder and the cylinder stays with the shoulder.

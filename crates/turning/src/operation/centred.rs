@@ -1,0 +1,59 @@
+//! A part between centres: its ends are faced and centred before, because the centres stand where a tool would face them.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::note::{Finding, Note, Severity};
+use crate::tables::turning::jobs::CentreHole;
+use crate::turning::contour::{Contour, Piece, Side};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::shaft::Holding;
+use crate::turning::workpiece::Workpiece;
+
+use super::clip;
+
+/// The part as it comes between the centres: its blank without the stock on both faces, which are made; and the finding that says
+/// so. None in a chuck, and where nothing stands on the faces.
+///
+/// # Errors
+/// The knowledge base lacks the table of centre holes.
+pub(super) fn centred(
+    workpiece: &Workpiece,
+    knowledge: &Knowledge,
+) -> Result<Option<(Workpiece, Finding)>, KnowledgeError> {
+    let (blank, length) = (&workpiece.blank, workpiece.length());
+    let (near, far) = (blank.face(), blank.end() - length);
+    let solid = workpiece.inner.is_none() && blank.inner.is_none();
+    if workpiece.holding != Holding::Centres || !solid || (near <= Half::ZERO && far <= Half::ZERO) {
+        return Ok(None);
+    }
+    let mut made = workpiece.clone();
+    made.blank.outer = faced(&blank.outer, length);
+    let ends = made.outer.surfaces.iter_mut().filter(|surface| {
+        let at_end = |z: Half| z <= Half::ZERO || z >= length;
+        surface.pieces.iter().all(|piece| piece.is_face() && at_end(piece.from.z))
+    });
+    ends.for_each(|surface| surface.stated_allowance = Some(Half::ZERO));
+    let thinnest = [made.blank.outer.pieces.iter().find(|piece| !piece.is_face()), made.blank.outer.pieces.last()];
+    let thinnest = thinnest.into_iter().flatten().map(|piece| piece.from.radius.min(piece.to.radius)).min();
+    let diameter = thinnest.unwrap_or_default().diameter();
+    let rows = knowledge.rows::<CentreHole<'_>>()?;
+    let hole = rows.into_iter().filter(|row| row.part_diameter <= diameter).max_by_key(|row| row.pilot);
+    let note = Note::new(if hole.is_some() { "ends-centred-before" } else { "ends-faced-before" });
+    let note = note.with("near", near.max(Half::ZERO)).with("far", far.max(Half::ZERO));
+    let note = match hole {
+        Some(hole) => note.with("pilot", hole.pilot),
+        None => note,
+    };
+    Ok(Some((made, Finding::of_part(Severity::Doubtful, note))))
+}
+
+/// A blank's outside between its made faces.
+fn faced(outer: &Contour, length: Half) -> Contour {
+    let mut faced = clip::between(outer, Half::ZERO, length);
+    if let Some(start) = faced.pieces.iter().find(|piece| !piece.is_face()).map(|piece| piece.from) {
+        faced.pieces.retain(|piece| !(piece.is_face() && piece.from.z == start.z));
+        faced.pieces.insert(0, Piece::line(Point { radius: Half::ZERO, z: start.z }, start));
+    }
+    Contour { side: Side::Outer, ..faced }
+}
