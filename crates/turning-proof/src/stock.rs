@@ -1,6 +1,6 @@
 //! The metal, as a region of the half-plane.
 
-use crate::plane::{Convex, Region, Vector};
+use crate::plane::{Convex, Region, Rule, Vector};
 use crate::set_up::Piece;
 use crate::units::{At, CubicMm, Mm};
 
@@ -30,6 +30,15 @@ impl Stock {
     #[must_use]
     pub fn turned_over(&self, length: Mm) -> Self {
         Self(self.0.mirrored(-length.0))
+    }
+
+    /// Its connected pieces that reach nearer to the free end than a place: what lies wholly behind was cut off.
+    #[must_use]
+    pub fn before(&self, place: Mm) -> Self {
+        let reaches = |piece: &Region| piece.window().most.z > place.0;
+        let whole = |piece: Region| self.0.made(&piece, Rule::Both);
+        let kept = self.0.outer_pieces().filter(reaches).map(whole);
+        Self(kept.reduce(|all, piece| all.made(&piece, Rule::Either)).unwrap_or_default())
     }
 
     /// Its outlines, for drawings: outer ones counter-clockwise with Z to the right and the radius up, those of

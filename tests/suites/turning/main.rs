@@ -11,6 +11,7 @@
 mod allowances;
 mod elements;
 mod equidistant;
+mod everyday;
 mod extremes;
 mod limit;
 mod operation;

@@ -271,7 +271,8 @@ fn flange() -> Profile {
 }
 
 fn made(outer: &Profile, inner: Option<&Profile>, blank: &Contour, length: f64) -> Vec<SetUp> {
-    let part = Workpiece { outer, inner, length: mm(length), blank, holding: Holding::Chuck };
+    let part =
+        Workpiece { outer, inner, length: mm(length), blank, holding: Holding::Chuck, lends: true, parted: None };
     set_ups(part, Angles::CONTOURING, &KNOWLEDGE).unwrap()
 }
 
@@ -283,7 +284,7 @@ fn names(stretch: Option<&technolog::turning::zones::TurnedSide>) -> Vec<String>
 /// held by the thickest cylinder that is long enough: Ø80, 20 mm long (15 are needed), and not Ø30.
 #[test]
 fn a_flange_takes_two_set_ups() {
-    let blank = outer(&[(0.0, -1.0), (42.0, -1.0), (42.0, 61.0)]);
+    let blank = outer(&[(0.0, -1.0), (42.0, -1.0), (42.0, 75.0)]);
     let found = made(&flange(), None, &blank, 60.0);
     let [first, second] = found.as_slice() else { panic!("{found:?}") };
     assert_eq!(names(first.outer.as_ref()), ["outer 1", "outer 2", "outer 3", "outer 4"]);
@@ -299,14 +300,49 @@ fn a_flange_takes_two_set_ups() {
         over: (mm(30.0), mm(50.0)),
     };
     assert_eq!(second.holds_at, Some(hold));
-    // 11 mm of Ø84 are left to hold the blank by, and 20 are needed.
-    assert_eq!((first.holds_at.clone(), first.because.note.code()), (None, "hold-blank-short"));
+    // 25 mm of Ø84 are left to hold the blank by, and 20 are needed.
+    assert_eq!(first.because.note.code(), "hold-blank");
     let said: Vec<String> = second.notes.iter().map(|note| Lang::EN.say(note)).collect();
     assert_eq!(said.len(), 2);
     assert_eq!(
         said[0],
         "from Z -50, Ø80 the contour falls towards the chuck more steeply than φ1 = 30° and never rises again"
     );
+}
+
+/// With 11 mm of Ø84 behind Ø80 (10 are the very least, and 3 more up to the tool) a turner holds the flange itself: Ø80 is turned in the
+/// second set-up, when the part is held by Ø30 (30 mm long, 10 are needed).
+#[test]
+fn a_flange_too_near_to_the_end_is_turned_from_there() {
+    let blank = outer(&[(0.0, -1.0), (42.0, -1.0), (42.0, 61.0)]);
+    let found = made(&flange(), None, &blank, 60.0);
+    let [first, second] = found.as_slice() else { panic!("{found:?}") };
+    assert_eq!(names(first.outer.as_ref()), ["outer 1", "outer 2", "outer 3"]);
+    assert_eq!(names(second.outer.as_ref()), ["outer 7", "outer 6", "outer 5", "outer 4"]);
+    let Some(Hold::Blank { length_mm, .. }) = &first.holds_at else { panic!("{:?}", first.holds_at) };
+    assert_eq!(*length_mm, mm(31.0));
+    assert!(matches!(&second.holds_at, Some(Hold::Surface { name, .. }) if name == "outer 2"));
+    assert!(second.notes.iter().any(|note| note.code() == "setup-lends"));
+}
+
+/// Jaws reach over a groove: two stretches of 9 mm of Ø120 are 18, of which 10 are the least.
+#[test]
+fn jaws_reach_over_a_groove() {
+    let groove = (SurfaceKind::PulleyGroove, 60.0, 36.0);
+    let items = [
+        (Face, 25.0, 0.0),
+        (Cylinder, 25.0, 14.0),
+        (Face, 60.0, 14.0),
+        (Cylinder, 60.0, 23.0),
+        groove,
+        (Cylinder, 60.0, 45.0),
+        (Face, 25.0, 45.0),
+        (Cylinder, 25.0, 60.0),
+    ];
+    let part = profile(Side::Outer, (0.0, 0.0), &items);
+    let found = made(&part, None, &outer(&[(0.0, -1.0), (64.0, -1.0), (64.0, 75.0)]), 60.0);
+    let Some(Hold::Surface { length_mm, over, .. }) = &found[1].holds_at else { panic!("{:?}", found[1].holds_at) };
+    assert_eq!((*length_mm, *over), (mm(18.0), (mm(23.0 - 9.0), mm(45.0))));
 }
 
 /// 12.3-2: a part that rises towards the chuck, with its far face ready, takes one.
@@ -317,7 +353,17 @@ fn one_set_up_makes_what_it_reaches() {
         (0.0, 0.0),
         &[(Face, 15.0, 0.0), (Cylinder, 15.0, 30.0), (Face, 20.0, 30.0), (Cylinder, 20.0, 50.0)],
     );
-    let found = made(&part, None, &outer(&[(0.0, 0.0), (25.0, 0.0), (25.0, 50.0)]), 50.0);
+    let blank = outer(&[(0.0, 0.0), (25.0, 0.0), (25.0, 50.0)]);
+    let whole = Workpiece {
+        outer: &part,
+        inner: None,
+        length: mm(50.0),
+        blank: &blank,
+        holding: Holding::Chuck,
+        lends: false,
+        parted: None,
+    };
+    let found = set_ups(whole, Angles::CONTOURING, &KNOWLEDGE).unwrap();
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].notes.last().unwrap().code(), "setup-only");
     // What falls gently behind the largest radius is reached too.
@@ -325,7 +371,15 @@ fn one_set_up_makes_what_it_reaches() {
     assert_eq!(made(&gentle, None, &outer(&[(25.0, 0.0), (25.0, 50.0)]), 50.0).len(), 1);
     // Between centres nothing is held by a cylinder.
     let blank = outer(&[(0.0, 0.0), (25.0, 0.0), (25.0, 50.0)]);
-    let part = Workpiece { outer: &part, inner: None, length: mm(50.0), blank: &blank, holding: Holding::Centres };
+    let part = Workpiece {
+        outer: &part,
+        inner: None,
+        length: mm(50.0),
+        blank: &blank,
+        holding: Holding::Centres,
+        lends: true,
+        parted: None,
+    };
     assert_eq!(set_ups(part, Angles::CONTOURING, &KNOWLEDGE).unwrap()[0].holds_at, Some(Hold::Centres));
 }
 
@@ -427,7 +481,7 @@ proptest! {
             }).collect(),
         };
         let blank = outer(&[(120.0, 0.0), (120.0, length.to_mm())]);
-        let work = Workpiece { outer: &part, inner: None, length, blank: &blank, holding: Holding::Chuck };
+        let work = Workpiece { outer: &part, inner: None, length, blank: &blank, holding: Holding::Chuck, lends: true, parted: None };
         let found = set_ups(work, Angles::CONTOURING, &KNOWLEDGE).unwrap();
         let mut pieces: Vec<Piece> = Vec::new();
         for set_up in &found {

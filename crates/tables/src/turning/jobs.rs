@@ -48,6 +48,8 @@ vocabulary! {
         PartingSlowFeed = "parting-slow-feed",
         /// From the jaws to the parting tool.
         PartingJawGap = "parting-jaw-gap",
+        /// The stock left on a parted face that is faced afterwards.
+        PartingFaceStock = "parting-face-stock",
         /// The distance by which the full diameter of a drill comes out of a through hole.
         DrillBreakthrough = "drill-breakthrough",
         /// The diameter of a centring spot, divided by that of the next drill.

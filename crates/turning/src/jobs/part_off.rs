@@ -1,6 +1,6 @@
 //! Parting off: the part is cut from the bar behind its far face.
 
-use crate::error::{Refusal, Tried};
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::tables::turning::jobs::{JobLimit, PartingBladeFor};
 use crate::turning::contour::{Side, SurfaceName};
@@ -36,6 +36,30 @@ pub struct Parting {
     pub clear: Half,
     /// The far face, if it is a surface of the drawing.
     pub surfaces: Vec<SurfaceName>,
+}
+
+/// The width of the blade that parts a bar.
+///
+/// # Errors
+/// No blade is long enough, with the inequality; or the knowledge base lacks a table.
+pub fn width(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Micrometres, NoJob> {
+    Ok(blade(parting, &mut Limits::of(bench.knowledge), bench)?.1)
+}
+
+/// The least distance of the jaws behind the blade.
+///
+/// # Errors
+/// The knowledge base lacks it.
+pub fn jaw_gap(bench: &Bench<'_, '_>) -> Result<Micrometres, KnowledgeError> {
+    Limits::of(bench.knowledge).length(JobLimit::PartingJawGap)
+}
+
+/// The stock that parting leaves on the face for the second set-up.
+///
+/// # Errors
+/// The knowledge base lacks it.
+pub fn face_stock(bench: &Bench<'_, '_>) -> Result<Micrometres, KnowledgeError> {
+    Limits::of(bench.knowledge).length(JobLimit::PartingFaceStock)
 }
 
 /// The job of parting off, with the narrowest suitable blade: it wastes the least bar.

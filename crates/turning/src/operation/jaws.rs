@@ -85,7 +85,7 @@ impl Jaws {
         let turned = turned.map_or(Half::ZERO, |end| end.z);
         let (from, to, grips_mm, touches) = match &set_up.holds_at {
             None | Some(Hold::Centres) => return Ok(None),
-            Some(Hold::Blank { diameter_mm, length_mm }) => (turned, turned + *length_mm, *diameter_mm, *length_mm),
+            Some(Hold::Blank { diameter_mm, length_mm, from }) => (*from, *from + *length_mm, *diameter_mm, *length_mm),
             Some(Hold::Surface { diameter_mm, length_mm, over: (from, to), .. }) if set_up.turned_over => {
                 (length - *to, length - *from, *diameter_mm, *length_mm)
             }

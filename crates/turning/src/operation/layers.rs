@@ -8,7 +8,7 @@ use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
-use crate::turning::contour::{Contour, Piece, Side};
+use crate::turning::contour::{Contour, Curve, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
@@ -136,21 +136,42 @@ pub fn layers(
         let (blank, rough, left) = (short(&blank), short(&rough), short(&left));
         return Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }));
     }
-    let by = run_out(&left, set_up, bench)?;
-    let (blank, rough, left) = (longer(blank, by), longer(rough, by), longer(left, by));
+    let by = run_out(&left, bench)?;
+    let (blank, rough, left) = match slope_at_end(&left).filter(|_| set_up.turned_over && by > Half::ZERO) {
+        Some(slope) => (blank, rough, leading_on(left, by, slope)),
+        None if set_up.turned_over => (blank, rough, left),
+        None => (longer(blank, by), longer(rough, by), longer(left, by)),
+    };
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
 }
 
-/// The overrun at the end of the first set-up's range: the round nose of the tool must leave no metal that the second
-/// set-up does not reach. The overrun is at the same radius, over a falling contour or into the stock beyond.
+/// The overrun at the end of a set-up's range: the round nose of the tool must leave no metal that the other set-up does not
+/// reach. In the first set-up it is at the same radius, over a falling contour or into the stock beyond.
 ///
 /// # Errors
 /// The knowledge base lacks the table of motions.
-fn run_out(left: &Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
+fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
     let ends_open = left.end().is_some_and(|end| end.radius > Half::ZERO);
     let (table, _) = rates::of_table(bench.knowledge)?;
     let by = bench.workpiece.rates.map_or(table.approach, |rates| rates.main.approach);
-    Ok(if ends_open && !set_up.turned_over { Half::of(by) } else { Half::ZERO })
+    Ok(if ends_open { Half::of(by) } else { Half::ZERO })
+}
+
+/// How far a contour rises at its end along the axis, in its own lengths; none where it ends with a cylinder, a face or a fall.
+/// In the second set-up a chamfer goes on into the air over the cylinder that was made before, or the round nose leaves metal at
+/// its end.
+fn slope_at_end(left: &Contour) -> Option<f64> {
+    let last = left.pieces.last().filter(|last| last.curve == Curve::Line && left.side == Side::Outer)?;
+    let along = last.chord();
+    (along.z > 0.0 && along.radius > 0.0).then(|| along.radius / along.z)
+}
+
+/// A contour led on along a slope at its end.
+fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour {
+    let Some(end) = contour.end() else { return contour };
+    let radius = end.radius + Half::from(by.to_mm() * slope);
+    contour.pieces.push(Piece::line(end, Point { radius, z: end.z + by }));
+    contour
 }
 
 /// A contour extended along the axis at its end.

@@ -29,6 +29,7 @@ mod jaws;
 mod jobs;
 pub mod layers;
 mod level;
+mod parted;
 mod pocket;
 pub mod prepare;
 pub mod programs;
@@ -51,9 +52,11 @@ use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
 use crate::turning::jobs::{Body, Job, Work as JobWork};
+use crate::turning::length::Half;
 use crate::turning::workpiece::{Advice, Workpiece, advice};
 use crate::turning::zones::{self, SetUp};
 use layers::Layers;
+use parted::Parted;
 use tools::Bench;
 use work::{Hollow, ZoneWork};
 
@@ -100,6 +103,9 @@ pub struct SetUpWork {
     pub sides: Vec<SideWork>,
     /// The work of its tools, in order.
     pub jobs: Vec<Job>,
+    /// Z of the face at which the part is parted off in the end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parted_mm: Option<Half>,
 }
 
 /// The roughing of a set-up on one side.
@@ -194,17 +200,6 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()),
     );
     let elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
-    let set_ups = zones::set_ups(
-        zones::Workpiece {
-            outer: &workpiece.outer,
-            inner: workpiece.inner.as_ref(),
-            length: workpiece.length(),
-            blank: &workpiece.blank.outer,
-            holding: workpiece.holding,
-        },
-        Angles::CONTOURING,
-        knowledge,
-    )?;
     let bench = Bench {
         workpiece,
         lathe: lathe.as_ref(),
@@ -215,15 +210,37 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         barred: Vec::new(),
         knowledge,
     };
+    let mut parted = Parted::of(workpiece, &bench)?;
+    let mut set_ups = zones::set_ups(
+        zones::Workpiece {
+            outer: &workpiece.outer,
+            inner: workpiece.inner.as_ref(),
+            length: workpiece.length(),
+            blank: &workpiece.blank.outer,
+            holding: workpiece.holding,
+            lends: !workpiece.is_only_roughed(),
+            parted: parted.map(Parted::jaws_from),
+        },
+        Angles::CONTOURING,
+        knowledge,
+    )?;
+    // A far face that nothing holds the part for is parted to length.
+    let only_faced = |one: &SetUp| one.outer.is_none() && one.inner.is_none() && one.holds_at.is_none();
+    if parted.is_some() && set_ups.get(1).is_some_and(only_faced) {
+        parted = parted.map(Parted::to_length);
+        set_ups.truncate(1);
+    }
+    let cut_off = parted.map(|parted| parted.workpiece(workpiece));
     let mut done = Vec::new();
     for set_up in set_ups {
+        let workpiece = cut_off.as_ref().filter(|_| set_up.turned_over).unwrap_or(workpiece);
         if set_up.holds_at.is_none() {
             let note = Note::new("set-up-not-held").with("number", set_up.number);
             // A far face alone can be parted off in the first set-up.
             let turns = set_up.outer.is_some() || set_up.inner.is_some();
             findings.push(Finding::of_part(if turns { Severity::Wrong } else { Severity::Doubtful }, note));
         }
-        if set_up.faces && set_up.outer.is_none() {
+        if set_up.faces && set_up.outer.is_none() && parted.is_none() {
             let length = workpiece.blank.end() - workpiece.length();
             let note = Note::new("far-face-cut-away").with("number", set_up.number).with("length", length);
             findings.push(Finding::of_part(Severity::Note, note));
@@ -234,13 +251,18 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         let held = held::Held::of(&set_up, jaws.as_ref(), workpiece, &bench.material, knowledge)?;
         let own = barred.iter().filter(|one| one.set_up == set_up.number).cloned().collect();
         let grip = Grip::limit(jaws.as_ref(), knowledge)?;
-        let bench = Bench { held, grip, barred: own, ..bench.clone() };
+        let bench = Bench { workpiece, held, grip, barred: own, ..bench.clone() };
         let sides = sides(&set_up, &bench, &mut findings)?;
-        let jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
+        let mut jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
+        let parts = parted.filter(|_| !set_up.turned_over);
+        if let Some(parted) = parts {
+            jobs.extend(parted.job(jaws.as_ref(), &bench, &mut findings)?);
+        }
         let grip = Grip::of(jaws.as_ref(), &jobs, knowledge)?;
         findings.extend(grip.as_ref().and_then(|grip| grip.finding(set_up.number)));
         findings.extend(slug(&set_up, &done, &jobs, workpiece));
-        done.push(SetUpWork { set_up, jaws, grip, tailstock, sides, jobs });
+        let parted_mm = parts.map(Parted::face);
+        done.push(SetUpWork { set_up, jaws, grip, tailstock, sides, jobs, parted_mm });
     }
     let mut operation = Operation {
         workpiece: workpiece.clone(),

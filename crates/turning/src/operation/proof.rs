@@ -44,7 +44,12 @@ pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork
     let workpiece = &operation.workpiece;
     let number = set_up.set_up.number;
     let earlier = operation.set_ups.iter().zip(before).take_while(|(work, _)| work.set_up.number != number);
-    let left = earlier.filter_map(|(work, one)| Some((one.proof.as_ref().ok()?.left.clone(), work.set_up.turned_over)));
+    let left = earlier.filter_map(|(work, one)| {
+        let left = one.proof.as_ref().ok()?.left.clone();
+        // The rest of a bar stays in the chuck.
+        let left = if work.parted_mm.is_some() { left.before(Mm(-workpiece.length().to_mm())) } else { left };
+        Some((left, work.set_up.turned_over))
+    });
     let (mut stock, over) = left.last().unwrap_or_else(|| {
         let inner = workpiece.blank.inner.as_ref();
         let outer = chain(&whole_blank(&workpiece.blank.outer, inner));

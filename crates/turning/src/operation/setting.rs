@@ -78,7 +78,8 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
     let part = &operation.workpiece;
     let worked = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty());
     let set_ups = worked.map(|work| {
-        let far = part.blank.end() - part.length();
+        let end = operation.set_ups.iter().find_map(|one| one.parted_mm).unwrap_or(part.blank.end());
+        let far = end - part.length();
         Stand {
             set_up: work.set_up.number,
             held: work.set_up.because.note.clone(),

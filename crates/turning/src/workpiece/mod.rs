@@ -108,6 +108,12 @@ impl Workpiece {
         self.outer.contour().end().map_or(Half::ZERO, |end| end.z)
     }
 
+    /// Whether its file gives no allowance at all: the short form, whose diameters are those after roughing.
+    pub fn is_only_roughed(&self) -> bool {
+        let none = Micrometres::ZERO;
+        self.allowances == Allowances::Stated { on_diameter: none, on_face: none }
+    }
+
     /// Its largest diameter.
     pub fn largest_diameter(&self) -> Micrometres {
         self.outer.contour().radii().map_or(Micrometres::ZERO, |(_, most)| most.diameter())

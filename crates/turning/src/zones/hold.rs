@@ -27,6 +27,9 @@ pub enum Hold {
         diameter_mm: Micrometres,
         /// The length of it that is left for the jaws.
         length_mm: Half,
+        /// Where that begins.
+        #[serde(skip)]
+        from: Half,
     },
     /// In the chuck, by a cylinder that the first set-up made.
     Surface {
@@ -92,7 +95,8 @@ pub(super) fn hold_blank(
     }
     let end = part.blank.end().unwrap_or_default();
     let turned = outer.and_then(|outer| outer.main.contour.end()).map_or(Half::ZERO, |end| end.z);
-    let length = end.z - turned;
+    let from = part.parted.unwrap_or(turned);
+    let length = end.z - from;
     // The blank may end with its far face, down to the axis or a bore.
     let radius = part.blank.radii_at(end.z).map_or(end.radius, |(_, most)| most);
     let diameter = radius.diameter();
@@ -100,7 +104,7 @@ pub(super) fn hold_blank(
     let lengths = JawLengths::of(diameter, knowledge)?;
     if length >= lengths.least.min(lengths.shortest + near) {
         let because = JawLengths::because(diameter, Note::new("hold-blank").with("length", length), knowledge)?.1;
-        return Ok((Some(Hold::Blank { diameter_mm: diameter, length_mm: length }), because));
+        return Ok((Some(Hold::Blank { diameter_mm: diameter, length_mm: length, from }), because));
     }
     let note = Note::new("hold-blank-short").with("length", length).with("clearance", near);
     Ok((None, JawLengths::because(diameter, note, knowledge)?.1))

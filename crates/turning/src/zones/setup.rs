@@ -32,6 +32,10 @@ pub struct Workpiece<'a> {
     pub blank: &'a Contour,
     /// The way of clamping.
     pub holding: Holding,
+    /// Whether the last cylinder may be left to a second set-up for want of room for the jaws.
+    pub lends: bool,
+    /// Z from which the jaws may stand in the first set-up, where the part is parted off there.
+    pub parted: Option<Half>,
 }
 
 /// The work of one set-up on one side, in its own coordinates: Z = 0 at the end that is free in it.
@@ -86,7 +90,10 @@ struct Division {
 /// The knowledge base lacks the rule `turning-element` or `turning-hold`, or a row of one.
 pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Result<Vec<SetUp>, KnowledgeError> {
     let (near, far) = divided(part.outer, tool, knowledge)?;
-    let lent = near.as_ref().filter(|_| part.holding == Holding::Chuck).and_then(|near| lent(near, far.as_ref()));
+    let lent = near
+        .as_ref()
+        .filter(|_| part.holding == Holding::Chuck && part.lends)
+        .and_then(|near| lent(near, far.as_ref()));
     let made = set_ups_of(part, Division { near, far, lent: None }, tool, knowledge)?;
     let held = |set_ups: &[SetUp]| set_ups.iter().filter(|one| one.holds_at.is_none()).count();
     if let (Some(lent), true) = (lent, made.first().is_some_and(|first| first.holds_at.is_none())) {

@@ -83,13 +83,19 @@ fn blades<'k>(
     let mut tools = TurningTool::all(bench.knowledge)?;
     tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.width.is_some() && tool.nose_radius.is_some());
     tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
-    let exact = |tool: &TurningTool<'_>| {
-        let at_once = edge(tool).and_then(|edge| valley.centres(edge.corner).map(|way| edge.room(&way) < 0.002));
-        surface.grade.is_some() && at_once.unwrap_or_default()
+    let at_once = |tool: &TurningTool<'_>| {
+        let room = edge(tool).and_then(|edge| valley.centres(edge.corner).map(|way| edge.room(&way)));
+        room.is_some_and(|room| room < 0.002)
+    };
+    // Short blades are for grooves of retaining rings, which are as wide as they.
+    let short = |tool: &TurningTool<'_>| {
+        let (width, depth) = (tool.width.unwrap_or_default(), tool.groove_depth.unwrap_or_default());
+        2 * depth.micrometres() <= 3 * width.micrometres()
     };
     tools.sort_by_key(|tool| {
-        let width = tool.width.unwrap_or_default();
-        (exact(tool), std::cmp::Reverse(width), tool.hand == Hand::L)
+        let (width, at_once) = (tool.width.unwrap_or_default(), at_once(tool));
+        let exact = surface.grade.is_some() && at_once;
+        (exact, short(tool) && !at_once, std::cmp::Reverse(width), tool.hand == Hand::L)
     });
     Ok(tools)
 }

@@ -311,7 +311,8 @@ fn reliefs_before_a_shoulder_are_cut() {
         ("grinding-relief, width: 3, depth: 0.25", "MGEHR 2525-2"),
         ("grinding-relief, width: 5, depth: 0.5", "MGEHR 2525-4"),
         ("thread-relief, width: 5, depth: 1.5", "MGEHR 2525-3"),
-        ("grinding-relief, width: 1.6, depth: 0.25", "SVJBR 2525M16"),
+        ("grinding-relief, width: 1.6, depth: 0.25", "CGR-1.3"),
+        ("grinding-relief, width: 1.1, depth: 0.25", "SVJBR 2525M16"),
     ] {
         let own = part(&before(kind), "", "steel-45");
         let (made, surface) = job(&own, Side::Outer);
@@ -326,9 +327,12 @@ fn reliefs_before_a_shoulder_are_cut() {
 #[test]
 fn what_no_tool_makes_is_refused() {
     let refused = |outer: &str, inner: &str, side| job(&part(outer, inner, "steel-45"), side).0.unwrap_err();
-    let narrow = refused(&outside("rectangular, width: 1.5, depth: 4"), "", Side::Outer);
+    let narrow = refused(&outside("rectangular, width: 0.9, depth: 0.5"), "", Side::Outer);
     assert_eq!(narrow.note().code(), "groove-too-narrow", "{narrow:?}");
-    assert_eq!(narrow.note().figure_text("width").unwrap(), "2");
+    assert_eq!(narrow.note().figure_text("width").unwrap(), "1");
+    // A blade of 1.3 mm enters 1.9 mm deep.
+    let slot = refused(&outside("rectangular, width: 1.5, depth: 4"), "", Side::Outer);
+    assert_eq!(slot.note().code(), "groove-beyond-blade", "{slot:?}");
     let deep = refused(&outside("rectangular, width: 6, depth: 21"), "", Side::Outer);
     assert_eq!(deep.note().code(), "groove-beyond-blade", "{deep:?}");
     // Both mouths of a corner relief lead under the metal: 135° and 45° with the angle of any insert are over 180°.

@@ -1,0 +1,119 @@
+//! A part that is parted off its bar at the end of the first set-up.
+
+use crate::error::{KnowledgeError, Refusal};
+use crate::note::{Finding, Severity};
+use crate::turning::contour::{Contour, SurfaceName};
+use crate::turning::jobs::Job;
+use crate::turning::jobs::part_off::{Parting, face_stock, jaw_gap, part_off, width};
+use crate::turning::length::Half;
+use crate::turning::shaft::Holding;
+use crate::turning::workpiece::{StockKind, Workpiece};
+use crate::turning::zones::JawLengths;
+use crate::units::Micrometres;
+
+use super::tools::Bench;
+use super::{Jaws, clip};
+
+/// Where a bar is parted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Parted {
+    /// The stock on the far face, for the second set-up; zero where there is none.
+    pub stock: Half,
+    /// The width of the blade.
+    width: Half,
+    /// From the blade to the jaws.
+    gap: Half,
+    /// The length of the part.
+    length: Half,
+}
+
+impl Parted {
+    /// Parting behind the part, where its bar or tube is long enough for the blade and the jaws behind it, and thin enough for a
+    /// blade of the catalog; with the stock for a second set-up.
+    ///
+    /// # Errors
+    /// The knowledge base lacks a table.
+    pub fn of(workpiece: &Workpiece, bench: &Bench<'_, '_>) -> Result<Option<Self>, KnowledgeError> {
+        let bar = matches!(workpiece.blank.kind, StockKind::Bar | StockKind::Tube);
+        if workpiece.holding != Holding::Chuck || !bar || bench.lathe.is_none() {
+            return Ok(None);
+        }
+        let (length, stock) = (workpiece.length(), Half::of(face_stock(bench)?));
+        let task = Self { stock, width: Half::ZERO, gap: Half::of(jaw_gap(bench)?), length }.task(workpiece, None);
+        let Ok(blade) = Refusal::split(width(&task, bench))? else { return Ok(None) };
+        let parted = Self { stock, width: Half::of(blade), gap: Half::of(jaw_gap(bench)?), length };
+        let least = JawLengths::of(task.bar, bench.knowledge)?.least;
+        Ok((workpiece.blank.end() - parted.jaws_from() >= least).then_some(parted))
+    }
+
+    /// Z of the face that it leaves.
+    pub fn face(self) -> Half {
+        self.length + self.stock
+    }
+
+    /// Z from which the jaws may stand.
+    pub fn jaws_from(self) -> Half {
+        self.face() + self.width + self.gap
+    }
+
+    /// Without stock: nothing follows.
+    pub const fn to_length(self) -> Self {
+        Self { stock: Half::ZERO, ..self }
+    }
+
+    /// The part with the blank that is left of the bar.
+    pub fn workpiece(self, workpiece: &Workpiece) -> Workpiece {
+        let mut parted = workpiece.clone();
+        let cut = |contour: &Contour| {
+            let mut cut = clip::between(contour, Half::ZERO - workpiece.blank.face(), self.face());
+            if let Some(first) = contour.pieces.first().filter(|first| first.is_face()) {
+                cut.pieces.insert(0, *first);
+            }
+            cut
+        };
+        parted.blank.outer = cut(&workpiece.blank.outer);
+        parted.blank.inner = workpiece.blank.inner.as_ref().map(cut);
+        parted
+    }
+
+    fn task(self, workpiece: &Workpiece, jaws: Option<&Jaws>) -> Parting {
+        let at = workpiece.blank.outer.radii().map_or(Half::ZERO, |(_, most)| most);
+        let bore = workpiece.blank.inner.as_ref().and_then(Contour::radii).map_or(Half::ZERO, |(least, _)| least);
+        let ends = workpiece
+            .outer
+            .surfaces
+            .iter()
+            .filter(|surface| surface.pieces.iter().all(|piece| piece.is_face() && piece.from.z == self.length));
+        let surfaces: Vec<SurfaceName> = ends.map(|surface| surface.name.clone()).collect();
+        Parting {
+            bar: at.diameter(),
+            bore: bore.diameter(),
+            face: self.face(),
+            jaws: jaws.map(|jaws| jaws.front_mm),
+            clear: at + Half::of(CLEAR),
+            surfaces: if self.stock == Half::ZERO { surfaces } else { Vec::new() },
+        }
+    }
+
+    /// The job; none, with a finding, if it cannot be made.
+    ///
+    /// # Errors
+    /// The knowledge base lacks a table.
+    pub fn job(
+        self,
+        jaws: Option<&Jaws>,
+        bench: &Bench<'_, '_>,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Option<Job>, KnowledgeError> {
+        match Refusal::split(part_off(&self.task(bench.workpiece, jaws), bench))? {
+            Ok(job) => Ok(Some(job)),
+            Err(why) => {
+                findings.push(Finding::of_part(Severity::Wrong, why.note()));
+                Ok(None)
+            }
+        }
+    }
+}
+
+/// How far off the bar the blade comes and goes.
+const CLEAR: Micrometres = Micrometres::from_mm(2);

@@ -1,0 +1,56 @@
+//! Parts as they stand on everyday drawings: planned whole, or told why not.
+
+use technolog::note::Severity;
+use technolog::turning::jobs::Work;
+use technolog::turning::operation::{Operation, plan};
+use technolog::turning::workpiece::read_turned;
+use technolog_testing::KNOWLEDGE;
+
+fn planned(name: &str) -> Operation {
+    let path = format!("{}/tests/everyday/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap();
+    plan(&read_turned(&path, &text, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap()
+}
+
+fn wrong(operation: &Operation) -> Vec<&str> {
+    let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+    wrong.map(|finding| finding.note.code()).collect()
+}
+
+/// A spool with a neck between two collars, a stud, a flanged bushing, a shaft with a collar in the middle between centres, a flange,
+/// a plug, axles with grooves for retaining rings, the first example of the book.
+#[test]
+fn everyday_parts_are_made_whole() {
+    for name in ["spool", "bolt", "bushing", "shaft", "flange", "plug", "axle", "circlip", "stud", "capfa"] {
+        let operation = planned(name);
+        assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
+        assert!(operation.set_ups.iter().all(|set_up| set_up.set_up.holds_at.is_some()) || name == "plug", "{name}");
+    }
+}
+
+/// The cup has one cylinder and 9 mm of bar behind it: nothing holds it, and its flat bottom is beyond a bar.
+#[test]
+fn a_cup_on_a_stub_is_told() {
+    let operation = planned("cup");
+    let wrong = wrong(&operation);
+    assert!(wrong.contains(&"set-up-not-held") && wrong.contains(&"bore-bottom-stands"), "{wrong:?}");
+}
+
+/// A bar of Ø28 with 49 mm behind the stud is parted with 1 mm for the face; one of Ø65 is too thick for any blade of the catalog.
+#[test]
+fn a_long_thin_bar_is_parted_off() {
+    let stud = planned("stud");
+    assert_eq!(stud.set_ups[0].parted_mm.map(|z| z.to_mm()), Some(42.0));
+    assert!(stud.set_ups[0].jobs.last().is_some_and(|job| job.work == Work::PartOff));
+    assert!(planned("spool").set_ups.iter().all(|set_up| set_up.parted_mm.is_none()));
+}
+
+/// The grooves for retaining rings are as wide as their blades: one plunge each.
+#[test]
+fn rings_have_blades_of_their_width() {
+    let axle = planned("circlip");
+    let blades: Vec<_> =
+        axle.set_ups.iter().flat_map(|set_up| &set_up.jobs).filter(|job| job.work == Work::Groove).collect();
+    let names: Vec<&str> = blades.iter().map(|job| job.tool.designation.as_str()).collect();
+    assert_eq!(names, ["CGR-1.3", "CGR-2.15"]);
+}
