@@ -1,7 +1,7 @@
 //! Tools that the proof rejected for a work, so that the next candidate is planned.
 
 use crate::note::{Finding, Note, Severity};
-use crate::turning::contour::Side;
+use crate::turning::contour::{Side, SurfaceName};
 use crate::turning::jobs::{Job, Work as JobWork};
 
 use super::{Operation, SetUpWork, proof};
@@ -15,6 +15,8 @@ pub struct Barred {
     pub side: Side,
     /// The work.
     pub stage: Stage,
+    /// The grooves and threads that must be left; empty for roughing and finishing.
+    pub surfaces: Vec<SurfaceName>,
     /// The designation of the tool.
     pub tool: String,
     /// The finding of the proof.
@@ -28,6 +30,8 @@ pub enum Stage {
     Roughing,
     /// To finish contours.
     Finishing,
+    /// To cut grooves, hollows and threads: what a tool cannot cut safely is left, so that the rest can be made.
+    Cutting,
 }
 
 impl Stage {
@@ -36,7 +40,8 @@ impl Stage {
         match work {
             JobWork::Face | JobWork::Rough => Some(Self::Roughing),
             JobWork::Finish => Some(Self::Finishing),
-            JobWork::Centre | JobWork::Drill | JobWork::Groove | JobWork::Thread | JobWork::PartOff => None,
+            JobWork::Groove | JobWork::Thread => Some(Self::Cutting),
+            JobWork::Centre | JobWork::Drill | JobWork::PartOff => None,
         }
     }
 }
@@ -44,7 +49,8 @@ impl Stage {
 impl Barred {
     /// Whether another bars the same tool from the same work, whatever the proof found.
     pub fn is_same(&self, other: &Self) -> bool {
-        (self.set_up, self.side, self.stage, &self.tool) == (other.set_up, other.side, other.stage, &other.tool)
+        let own = |one: &Self| (one.set_up, one.side, one.stage, one.tool.clone(), one.surfaces.clone());
+        own(self) == own(other)
     }
 
     /// The finding for the page.
@@ -62,7 +68,8 @@ pub(super) fn rejected(operation: &Operation) -> Vec<Barred> {
             let Some(job) = job_of(set_up, block) else { continue };
             let Some(stage) = Stage::of(job.work) else { continue };
             let (set_up, side, tool) = (set_up.set_up.number, job.side, job.tool.designation.clone());
-            barred.push(Barred { set_up, side, stage, tool, why });
+            let surfaces = if stage == Stage::Cutting { job.surfaces.clone() } else { Vec::new() };
+            barred.push(Barred { set_up, side, stage, surfaces, tool, why });
         }
     }
     barred

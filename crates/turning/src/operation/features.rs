@@ -29,7 +29,7 @@ pub(super) fn features(
     let mut jobs = Vec::new();
     let Some(stretch) = stretch(set_up, side.side) else { return Ok(jobs) };
     let site = site(stretch, side, bench)?;
-    for surface in &stretch.profile.surfaces {
+    for surface in stretch.profile.surfaces.iter().filter(|surface| !bench.leaves(&surface.name)) {
         if surface.kind == SurfaceKind::Thread {
             let name = surface.name.to_string();
             if let Some(cut) = bench.workpiece.threads.iter().find(|thread| thread.surface == name) {
@@ -56,6 +56,9 @@ pub(super) fn hollow(
 ) -> Result<Option<Job>, KnowledgeError> {
     let Some(stretch) = stretch(set_up, side.side) else { return Ok(None) };
     let surfaces: Vec<_> = hollow.surfaces.iter().filter_map(|index| stretch.profile.surfaces.get(*index)).collect();
+    if surfaces.iter().any(|surface| bench.leaves(&surface.name)) {
+        return Ok(None);
+    }
     let Some(floor) = surfaces.iter().find(|surface| surface.pieces.iter().any(|piece| piece.is_cylinder())) else {
         findings.extend(hollow.lacking.clone());
         return Ok(None);

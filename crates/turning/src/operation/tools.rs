@@ -10,7 +10,7 @@ use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::tables::turning::tools::{Preference, TurningToolOrderFor};
 use crate::turning::allowances::capability::Elsewhere;
-use crate::turning::contour::Side;
+use crate::turning::contour::{Side, SurfaceName};
 use crate::turning::elements::{self, Angles};
 use crate::turning::jobs;
 use crate::turning::length::Half;
@@ -43,6 +43,13 @@ pub struct Bench<'a, 'k> {
     pub barred: Vec<Barred>,
     /// Every table.
     pub knowledge: &'k Knowledge,
+}
+
+impl Bench<'_, '_> {
+    /// Whether a groove or a thread must be left, because the proof rejected its toolpath.
+    pub fn leaves(&self, surface: &SurfaceName) -> bool {
+        self.barred.iter().any(|one| one.stage == Stage::Cutting && one.surfaces.contains(surface))
+    }
 }
 
 /// The tool chosen for a zone.
