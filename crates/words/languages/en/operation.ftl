@@ -10,6 +10,7 @@ bore-too-narrow-to-drill = the bore of Ø{ $diameter } is too narrow to be drill
 no-limiting-depth = the limiting depth is not known: give `roughing: {"{"}limiting_depth: …{"}"}` or a lathe, `machine:`
 no-depth-allowed = { $tool }: no depth is allowed by { $bound }; take a lower feed, a stronger tool or a more powerful lathe
 one-feed-for-all = these feeds are not given: { $feeds }; the main one is taken, so times are approximate
+no-bar-for-bore = zone { $zone }: the bore of Ø{ $bore } is too narrow for the bars of the catalog, the slimmest of which enters Ø{ $least }; drilling and reaming it to size are not planned here
 no-tool-for-zone = zone { $zone } ({ $side }): no tool of the catalog fits: φ ≥ { $main }° and φ1 ≥ { $secondary }° are needed
 scheme-not-possible = zone { $zone }: the scheme { $scheme } is not possible, for the reason in the next line; the quickest of those that leave an even allowance is taken, if there is one
 face-stock-thin = the blank's stock on the face is { $lack } mm less than the finishing allowance: take a longer blank
