@@ -8,6 +8,7 @@ use technolog_turning::operation::programs::{place, stations};
 use technolog_turning::operation::times::Times;
 use technolog_turning::operation::{Operation, SetUpWork};
 use technolog_turning::program::Speed;
+use technolog_turning::zones::Hold;
 use technolog_words::say;
 
 use super::super::super::sheet::MARK;
@@ -101,6 +102,10 @@ fn diameter(job: &Job, set_up: &SetUpWork) -> Option<Micrometres> {
     match (job.work, &job.tool.body, &job.thread) {
         (Work::Drill, Body::Drill { diameter_mm, .. }, _) => Some(*diameter_mm),
         (Work::Thread, _, Some(thread)) => Some(thread.crest_radius_mm.max(thread.root_radius_mm).diameter()),
+        (Work::PartOff, ..) => match set_up.set_up.holds_at {
+            Some(Hold::Blank { diameter_mm, .. }) => Some(diameter_mm),
+            _ => None,
+        },
         (Work::Groove, ..) => {
             let sides = [&set_up.set_up.outer, &set_up.set_up.inner];
             let surfaces = sides.into_iter().flatten().flat_map(|side| &side.profile.surfaces);
