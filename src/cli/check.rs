@@ -230,7 +230,22 @@ fn page(
 
 /// A line of the trace in the language of the page.
 fn motion(step: &MotionStep, lang: Lang) -> String {
-    trace::line_in(step, &|word| lang.find(&format!("trace-{word}")).unwrap_or(word))
+    figures_of(&trace::line_in(step, &|word| lang.find(&format!("trace-{word}")).unwrap_or(word)), lang)
+}
+
+/// The line of a trace with its numbers, `Ø-1.827`, as written in a language.
+pub(super) fn figures_of(line: &str, lang: Lang) -> String {
+    let word = |word: &str| {
+        let begin = word.find(|sign: char| sign.is_ascii_digit() || sign == '-').unwrap_or(word.len());
+        let (letters, rest) = word.split_at(begin);
+        let of_number = |sign: char| sign.is_ascii_digit() || "-.".contains(sign);
+        let (number, unit) = rest.split_at(rest.find(|sign| !of_number(sign)).unwrap_or(rest.len()));
+        match number.parse::<f64>() {
+            Ok(_) => format!("{letters}{}{unit}", lang.figure(&Figure::number(number.to_owned()))),
+            Err(_) => word.to_owned(),
+        }
+    };
+    line.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// The number of findings by severity.

@@ -16,7 +16,7 @@ use technolog::turning::tooling::Lathe;
 use technolog::units::Minutes;
 use technolog::words::say;
 
-use super::check::{Args, FaultMessage, diagnostic, findings, total};
+use super::check::{Args, FaultMessage, diagnostic, figures_of, findings, total};
 use super::diagnostics::Texts;
 use super::{CliError, Context, Format, Lang, Outcome, knowledge, problems, proof, turn, turn_operation};
 
@@ -106,7 +106,8 @@ fn page(
     if !motions.is_empty() {
         page.heading(2, lang.word("check-lathe-trace"));
         let word = |word: &'static str| lang.find(&format!("trace-{word}")).unwrap_or(word);
-        page.push(Block::Code(motions.iter().map(|motion| trace::line_in(motion, &word) + "\n").collect()));
+        let line = |motion| figures_of(&trace::line_in(motion, &word), lang) + "\n";
+        page.push(Block::Code(motions.iter().map(line).collect()));
         page.heading(2, lang.word("check-times"));
         let minutes = |minutes: Minutes| Figure::fixed(minutes.0, 2);
         let (feed, dwell) = (minutes(times.feed_min), minutes(times.dwell_min));

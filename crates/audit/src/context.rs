@@ -7,7 +7,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::units::Percent;
 use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Question, TypedAnswer};
-use crate::note::Note;
+use crate::note::{Figure, IntoFigure, Note};
 use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
@@ -170,12 +170,12 @@ impl<'a> Context<'a> {
 
     /// The steps of the machine below and above a spindle speed, 1/min, `-` where there is none; none if the speed is a
     /// step itself.
-    pub fn steps_around(&self, speed: f64) -> Option<(String, String)> {
+    pub fn steps_around(&self, speed: f64) -> Option<(Figure, Figure)> {
         let steps = &self.shop.machine.spindle_steps;
         if steps.iter().any(|step| (step.0 - speed).abs() < 1e-6) {
             return None;
         }
-        let shown = |step: Option<&RevsPerMinute>| step.map_or_else(|| "-".to_owned(), |step| step.0.to_string());
+        let shown = |step: Option<&RevsPerMinute>| step.map_or_else(|| "-".into_figure(), |step| step.0.into_figure());
         let below = steps.iter().rev().find(|step| step.0 < speed);
         let above = steps.iter().find(|step| step.0 > speed);
         Some((shown(below), shown(above)))

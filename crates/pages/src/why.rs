@@ -13,8 +13,10 @@ use super::{Lang, operation_verb, sheet};
 pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
     let drawn = plan.part.holes.iter().find(|known| known.name == hole.name);
     let size = drawn.map_or(Figure::Text("".into()), |drawn| (&drawn.diameter).into_figure());
-    let mut page =
-        Document::new(lang.tag(), say!(lang, "explain-title", hole = hole.name.as_str(), size = size).trim_end());
+    let mut page = Document::new(
+        lang.tag(),
+        say!(lang, "explain-title", hole = Figure::called(&hole.name), size = size).trim_end(),
+    );
     match &hole.route {
         Some(route) => {
             let (scheme, table) = (Figure::scheme(&route.scheme), route.table.as_str());

@@ -81,7 +81,7 @@ impl Group<'_, '_> {
         let said = if key == "table" { &row.table } else { &row.scheme };
         let place = said.as_ref().map_or(&row.place, |said| &said.place);
         let note = note
-            .with("hole", &self.hole.name)
+            .with("way", way(self.route.way))
             .with("scheme", Figure::scheme(&self.route.scheme))
             .with("table", &self.route.table);
         let finding =
@@ -313,4 +313,13 @@ fn drilled_once(list: &[Operation]) -> Vec<Operation> {
         }
     }
     once
+}
+
+/// What a sentence calls a route of that source.
+const fn way(source: RouteSource) -> &'static str {
+    match source {
+        RouteSource::Tables => "table",
+        RouteSource::Complexes => "complex",
+        RouteSource::Search => "search",
+    }
 }

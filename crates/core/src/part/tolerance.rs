@@ -36,14 +36,20 @@ impl fmt::Display for ToleratedDiameter {
 }
 
 impl technolog_note::IntoFigure for ToleratedDiameter {
-    /// `Ø29.3H13`, its number with the separator of the language.
+    /// `Ø29.3H13` or `Ø8 +0.1/-0.1`, its numbers with the separator of the language.
     fn into_figure(self) -> technolog_note::Figure {
         let shown = self.to_string();
-        let Some(size) = shown.strip_prefix('Ø') else { return shown.into_figure() };
-        let end = size.find(|sign: char| !sign.is_ascii_digit() && sign != '.').unwrap_or(size.len());
-        let (number, zone) = size.split_at(end);
-        let number = technolog_note::Figure::number(number.to_owned());
-        technolog_note::Figure::List(vec!["Ø".into_figure(), number, zone.into_figure()], "")
+        let Some(mut rest) = shown.strip_prefix('Ø') else { return shown.into_figure() };
+        let mut parts = vec!["Ø".into_figure()];
+        while !rest.is_empty() {
+            let of_number = |sign: char| sign.is_ascii_digit() || "+-.".contains(sign);
+            let (part, behind) = rest.split_at(rest.find(|sign| !of_number(sign)).unwrap_or(rest.len()));
+            parts.extend((!part.is_empty()).then(|| technolog_note::Figure::number(part.to_owned())));
+            let (part, behind) = behind.split_at(behind.find(of_number).unwrap_or(behind.len()));
+            parts.extend((!part.is_empty()).then(|| part.into_figure()));
+            rest = behind;
+        }
+        technolog_note::Figure::List(parts, "")
     }
 }
 

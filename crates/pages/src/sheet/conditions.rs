@@ -106,7 +106,7 @@ fn limits(plan: &Plan, lang: Lang) -> Vec<Item> {
                 let line = say!(
                     lang,
                     "plan-limited",
-                    hole = hole.name.as_str(),
+                    hole = Figure::called(&hole.name),
                     operation = operation(),
                     diameter = transition.diameter_mm,
                     by = Figure::word(conditions.limited_by.name())
@@ -120,7 +120,7 @@ fn limits(plan: &Plan, lang: Lang) -> Vec<Item> {
                 lines.push(say!(
                     lang,
                     "plan-card",
-                    hole = hole.name.as_str(),
+                    hole = Figure::called(&hole.name),
                     operation = operation(),
                     feed = rounded(card.feed_mm_per_rev.0, 3),
                     speed = rounded(card.speed_m_per_min.0, 1),

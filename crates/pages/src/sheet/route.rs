@@ -1,7 +1,7 @@
 //! The route section of the page: transitions in the order of work, the accuracy of each, the order over the holes,
 //! and the rejected candidates.
 
-use crate::document::{Align, Block, Column, Document, Field, Inlines, Item, Table};
+use crate::document::{Align, Block, Column, Document, Field, Inlines, Item, Keep, Table};
 use crate::note::{Figure, IntoFigure, Note};
 use crate::part::{Face, Hole};
 use crate::plan::{Achieved, Alternative, Feature, HolePlan, Operation, Plan, Route, RouteSource, Stop, Transition};
@@ -20,7 +20,7 @@ pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
         let mut table = Table::new([
             Column { align: Align::Right, ..Column::text(lang.word("cli-row-number")) },
             Column::text(say!(lang, "plan-step-head")).least(22),
-            Column::text(say!(lang, "plan-scheme")),
+            Column::text(say!(lang, "plan-scheme")).keep(Keep::Optional),
             Column::text("T"),
             Column::text(say!(lang, "plan-cutter")),
             Column::text(say!(lang, "plan-reached")),

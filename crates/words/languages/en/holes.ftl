@@ -53,7 +53,10 @@ travel = approach { $approach } mm, overrun { $overrun } mm
 unconfirmed-counted = figures rest on { $count ->
     [one] one row
    *[other] { $count } rows
-} that nothing confirms, of { $tables }: `--all-problems` lists { $count ->
+} that nothing confirms, of { $tables-count ->
+    [1] table
+   *[other] tables
+} { $tables }: `--all-problems` lists { $count ->
     [one] it
    *[other] them
 }

@@ -44,7 +44,7 @@ plan-by-search-as = пошук ({ $table } { $scheme })
 plan-order = Обхід отворів
 plan-point = [{ $x }; { $y }]
 plan-choices = Вимоги, вибраний маршрут і наступний за ним
-plan-choice = { $required }. Маршрут { $route }, { $time } хв; { $against }
+plan-choice = { $required }. Маршрут: { $route }, { $time } хв; { $against }
 plan-required = IT{ $it }, { $roughness }, допуск міжосьової відстані { $centre } мм
 plan-required-thread = { $thread }, допуск міжосьової відстані { $centre } мм
 plan-no-runner-up = іншого здійсненного маршруту немає
@@ -89,10 +89,10 @@ plan-time-rapid = час холостих ходів { $time }
 plan-time-change = час заміни інструмента { $time }
 plan-time-hand = ручні прийоми під час зупинок програми { $time }
 # Findings: how grave they are.
-plan-impossible = неможливо
+plan-impossible = помилка
 plan-wrong = хибно
 plan-doubtful = сумнівно
-plan-note = до відома
+plan-note = зауваження
 plan-of-hole = отвір { $hole }: { $finding }
 # Why a hole is made as it is.
 explain-title = Отвір { $hole } { $size }

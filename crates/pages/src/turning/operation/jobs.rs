@@ -1,6 +1,6 @@
 //! The jobs of an operation, tool by tool: the page that an operator reads first.
 
-use crate::document::{Block, Column, Document, Item};
+use crate::document::{Block, Column, Document, Inlines, Item, Keep};
 use crate::units::{Micrometres, MillimetresPerRev, Minutes};
 use technolog_turning::jobs::{Body, Job, Pace, Work};
 use technolog_turning::length::Half;
@@ -36,7 +36,7 @@ pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], 
         page.blocks.push(Block::List(told.collect()));
     }
     if !times.is_empty() {
-        page.paragraph(say!(lang, "turn-job-time-without"));
+        page.paragraph(Inlines::sentence(say!(lang, "turn-job-time-without")));
     }
 }
 
@@ -50,10 +50,10 @@ fn columns(lang: Lang) -> [Column; 9] {
     [
         Column::text("T"),
         Column::text(say!(lang, "turn-job")),
-        Column::text(say!(lang, "turn-side")),
+        Column::text(say!(lang, "turn-side")).keep(Keep::Useful),
         Column::text(say!(lang, "turn-tool")),
-        Column::number(say!(lang, "turn-job-nose"), lang.word("unit-mm")),
-        Column::number("f", lang.word("unit-mm-rev")),
+        Column::number(say!(lang, "turn-job-nose"), lang.word("unit-mm")).keep(Keep::Optional),
+        Column::number(say!(lang, "turn-job-feed"), lang.word("unit-mm-rev")),
         Column::number("V", lang.word("unit-m-min")),
         Column::number("n", lang.word("unit-1-min")),
         Column::number(say!(lang, "turn-time"), lang.word("unit-min")),
