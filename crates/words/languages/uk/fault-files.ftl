@@ -59,6 +59,7 @@ unit-tolerance-grade-whole-number-from = `{ $text }` – не квалітет: 
 unit-write-bare-number-millimetres = `{ $text }`: напишіть лише число міліметрів, `{ $number }`
 unit-finer-than-micrometre-at-most = `{ $text }` дрібніше за мікрометр: не більше трьох знаків після крапки
 unit-length-beyond = `{ $text }` – понад { $most } мм
+unit-roughness-decimal-point = `{ $text }`: дробову частину пишуть після крапки, `{ $example }`
 unit-roughness-write-ra-rz-micrometres = `{ $text }` – не шорсткість: напишіть `Ra 2.5` чи `Rz 20`, у мікрометрах
 unit-rz-known-at-only-give = `{ $text }`: Rz відоме лише для 80, 40, 20, 10, 6.3 і 3.2; задайте межу як Ra
 unit-unit-known = `{ $text }` – не одиниця; відомі: { $known }
