@@ -2,7 +2,7 @@
 
 use crate::document::{Block, Document, Inlines, Item};
 use crate::knowledge::Source;
-use crate::note::{Because, Figure, IntoFigure};
+use crate::note::{Because, Figure, IntoFigure, TO_BE_GROUND};
 use crate::plan::{HolePlan, Plan};
 use crate::units::round_to;
 
@@ -37,7 +37,7 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
             2,
             say!(
                 lang,
-                "explain-transition",
+                if transition.elsewhere { "explain-transition-elsewhere" } else { "explain-transition" },
                 number = index + 1,
                 verb = operation_verb(transition.operation.name(), lang),
                 diameter = transition.diameter_mm,
@@ -81,8 +81,10 @@ fn one(reason: &Because, lang: Lang) -> Item {
         place = lang.place(&reason.place)
     );
     let why = reason.reason.iter().map(|why| say!(lang, "explain-reason", why = lang.remark(why).into_owned()));
-    let doubt =
-        reason.unconfirmed.iter().map(|why| say!(lang, "explain-unconfirmed", why = lang.remark(why).into_owned()));
+    let doubt = reason.unconfirmed.iter().map(|why| match why.as_str() {
+        TO_BE_GROUND => say!(lang, "explain-to-be-ground", why = lang.remark(why).into_owned()),
+        _ => say!(lang, "explain-unconfirmed", why = lang.remark(why).into_owned()),
+    });
     let passed = reason.rejected.iter().map(|passed| say!(lang, "explain-not-taken", why = passed.clone()));
     let items = why.chain(doubt).chain(passed).map(|said| sentence(&said)).collect();
     Item { items, ..sentence(&decided) }

@@ -85,6 +85,9 @@ fn hole<'p>(plan: &'p Plan, name: &str) -> Option<&'p Hole> {
 pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     let step = transition.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
     let thread = hole.thread_at(transition.step).filter(|_| transition.operation == Operation::Tap);
+    // A chamfer at the face is on the step that opens there.
+    let opens = matches!(transition.feature, Feature::Chamfer | Feature::Countersink) && transition.face != Face::Back;
+    let step = step.or_else(|| hole.steps.first().filter(|_| opens));
     match (thread, step) {
         (Some(thread), _) => thread.written.clone().into_figure(),
         (None, Some(step)) => (&step.diameter).into_figure(),
@@ -191,15 +194,35 @@ fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
         lang,
         "plan-choice",
         required = requirement(hole(plan, &own.name)?, route.centre_tolerance_mm, lang),
-        route = of_route(route, lang),
+        route = chosen(own, route, lang),
         time = exactly(route.time_min.0, 2),
         against = against
     );
     Some(Field::new(own.name.as_str(), said))
 }
 
-/// The requirements of the drawing for a group: grade, roughness, centre tolerance.
+/// The name of the route taken; with its transitions where the runner-up has the same name.
+fn chosen(own: &HolePlan, route: &Route, lang: Lang) -> String {
+    let name = of_route(route, lang);
+    let alike = |other: &Alternative| route_name(other.way, &other.table, &other.scheme, lang) == name;
+    if !route.runner_up().is_some_and(alike) {
+        return name;
+    }
+    let operations = Figure::operations(own.transitions.iter().map(|made| made.operation.name()));
+    say!(lang, "plan-route-made", route = name, operations = operations)
+}
+
+/// The requirements of the drawing for a group: grade, roughness, centre tolerance, and what its steps require.
 fn requirement(hole: &Hole, centre: Micrometres, lang: Lang) -> String {
+    let main = of_main(hole, centre, lang);
+    let steps = hole.steps.iter().map(|step| match &step.thread {
+        Some(thread) => thread.written.clone(),
+        None => say!(lang, "plan-required-step", diameter = &step.diameter, roughness = step.roughness),
+    });
+    std::iter::once(main).chain(steps).collect::<Vec<_>>().join("; ")
+}
+
+fn of_main(hole: &Hole, centre: Micrometres, lang: Lang) -> String {
     match &hole.thread {
         Some(thread) => say!(lang, "plan-required-thread", thread = thread.written.as_str(), centre = centre),
         None => say!(lang, "plan-required", it = hole.diameter.it, roughness = hole.roughness, centre = centre),

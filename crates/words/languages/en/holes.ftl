@@ -60,5 +60,6 @@ unconfirmed-counted = figures rest on { $count ->
     [one] it
    *[other] them
 }
+to-be-ground = { $table }, row { $row }: { $why }
 unconfirmed = unconfirmed: { $table }, row { $row }: { $why }
 names-look-alike = { $count } groups are named { $name }: their letters look the same, but some are Latin and some Cyrillic; write all names in one alphabet

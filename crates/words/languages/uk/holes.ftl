@@ -59,6 +59,7 @@ unconfirmed-counted = числа спираються на { $count ->
     [1] таблиці
    *[other] таблиць
 } { $tables }: перелік із причинами дає `--all-problems`
+to-be-ground = { $table }, рядок { $row }: { $why }
 unconfirmed = не підтверджено: { $table }, рядок { $row }: { $why }
 names-look-alike = { $count } { $count ->
         [one] групу
