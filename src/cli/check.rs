@@ -91,12 +91,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let text = context.text(&args.program)?;
     let mut held = args.part.as_deref().map(|part| proof::held(part, knowledge, context)).transpose()?;
     let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
-    let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
+    let machine = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
+    let machine = control::machine(machine, knowledge, context)?;
+    let id = machine.id();
     if let Some(own) = of_part.as_deref().filter(|own| *own != id) {
         let message = say!(context.lang, "cli-other-machine", asked = id, own = own);
         return Err(Diagnostic::error("other-machine", message, None).help(context.word("cli-leave-machine")).into());
     }
-    let machine = control::machine(id, knowledge, context)?;
     let control = control::meant(args.control.as_deref(), &machine, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let mut setting = match &args.setting {
