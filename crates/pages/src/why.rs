@@ -2,7 +2,7 @@
 
 use crate::document::{Block, Document, Inlines, Item};
 use crate::knowledge::Source;
-use crate::note::{Because, Figure, IntoFigure, TO_BE_GROUND};
+use crate::note::{Because, Figure, IntoFigure, Note, TO_BE_GROUND};
 use crate::plan::{HolePlan, Plan};
 use crate::units::round_to;
 
@@ -33,19 +33,17 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
         }
     }
     for (index, transition) in hole.transitions.iter().enumerate() {
-        page.heading(
-            2,
-            say!(
-                lang,
-                if transition.elsewhere { "explain-transition-elsewhere" } else { "explain-transition" },
-                number = index + 1,
-                verb = operation_verb(transition.operation.name(), lang),
-                diameter = transition.diameter_mm,
-                tool = transition.tool.number,
-                designation = transition.tool.designation.as_str(),
-                holder = transition.holder.designation.as_str()
-            ),
-        );
+        let key = if transition.elsewhere { "explain-transition-elsewhere" } else { "explain-transition" };
+        let mut made = Note::new(key)
+            .with("number", index + 1)
+            .with("verb", operation_verb(transition.operation.name(), lang))
+            .with("diameter", transition.diameter_mm)
+            .with("designation", transition.tool.designation.as_str())
+            .with("holder", transition.holder.designation.as_str());
+        if !transition.elsewhere {
+            made = made.with("tool", transition.tool.number);
+        }
+        page.heading(2, lang.say(&made));
         page.push(Block::List(reasons(&transition.because, lang)));
         let conditions = &transition.conditions;
         let number = |value, places| Figure::number(round_to(value, places).to_string());
