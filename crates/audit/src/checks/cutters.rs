@@ -48,10 +48,10 @@ pub(super) fn check<'a>(
             if why.is_of_reach() {
                 unsuited.follows_from = roots::roots_of(findings, context.field(Id::new(Scope::Row(at), Q::Depth)));
             }
-            if let Unfit::OfOther(other) = why {
-                if !matches!(other, OfOther::Thread { .. }) {
-                    unsuited.follows_from = diameter(context, graph, at, findings);
-                }
+            if let Unfit::OfOther(other) = why
+                && !matches!(other, OfOther::Thread { .. })
+            {
+                unsuited.follows_from = diameter(context, graph, at, findings);
             }
             findings.push(unsuited);
         } else if let Some(why) = named::of_other_bottom(cutter, hole.through).filter(|_| row.of_main_cylinder()) {
