@@ -44,7 +44,7 @@ fn cells() -> impl Iterator<Item = &'static str> {
         let columns: Vec<usize> = (0..table.columns.len()).filter(|&at| sentences(&table.columns[at])).collect();
         let cells =
             table.rows.iter().flat_map(move |row| columns.clone().into_iter().map(move |at| (at, &row.cells[at])));
-        cells.filter_map(|(at, cell)| match cell {
+        cells.filter_map(move |(at, cell)| match cell {
             Cell::Value(value) => {
                 let (text, column) = (value.as_text()?, table.columns[at].name.as_str());
                 let worded = WORDED.contains(&column) && text.split_whitespace().any(is_english);
