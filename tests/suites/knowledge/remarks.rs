@@ -26,17 +26,19 @@ fn of_tables() -> BTreeSet<&'static str> {
 const SPOKEN: &[(&str, &str)] =
     &[("materials", "delivery_state"), ("machine-ir500pmf4", "text"), ("drill-force-formula", "used")];
 
+/// Whether a word of a text may be an English one.
+fn is_english(word: &str) -> bool {
+    let word = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
+    word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'\'')
+}
+
 /// Columns of addresses, values and few words, of which a single one counts.
 const WORDED: &[&str] = &["page", "text"];
 
 /// The sentences in cells: texts of two English words or more, in columns that are of no one language; of pages, and of
 /// what machines and controls have besides figures, those with a word between the names.
 fn cells() -> impl Iterator<Item = &'static str> {
-    let is_english = |word: &str| {
-        let word = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
-        word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'\'')
-    };
-    let of_table = move |table: &'static Table| {
+    let of_table = |table: &'static Table| {
         let sentences = |column: &Column| {
             let is_named = column.name.ends_with("_uk") || column.name.ends_with("_en");
             column.ty == ColumnType::Text && !is_named
@@ -53,7 +55,7 @@ fn cells() -> impl Iterator<Item = &'static str> {
             _ => None,
         })
     };
-    let is_sentence = move |text: &str| {
+    let is_sentence = |text: &str| {
         let words: Vec<&str> = text.split_whitespace().collect();
         words.windows(2).any(|pair| pair[0].len() > 2 && pair.iter().all(|word| is_english(word)))
     };
