@@ -150,8 +150,8 @@ fn every_row_that_nobody_confirms_is_a_finding() {
         ("steel-45", bored, &[("boring-bars", 10)][..]),
         ("steel-45", blind, &[("hole-defaults", 14), ("taps-machine", 6)]),
         ("steel-30hgsa", drilled, &[("materials", 12)]),
-        ("steel-40x", drilled, &[("materials", 11)]),
-        ("brass-l63", drilled, &[("materials", 35)]),
+        ("steel-65g", drilled, &[("materials", 17)]),
+        ("bronze-bro5c5s5", drilled, &[("materials", 33)]),
     ] {
         let plan = plan_of_hole(material, "gf2171", "30", keys);
         for (table, row) in rows {
