@@ -196,7 +196,7 @@ fn the_card_takes_what_the_part_is_like() {
 }
 
 const STEPPED: &str = "shaft: T\nmaterial: steel-45\nblank: {kind: bar, diameter: 65, length: 103, face: 1.5, \
-                       length_tolerance: 0.6}\nmachine: 16k20f3\nholding: chuck\nouter:\n  - {from: {d: 0, z: 0}}\n  \
+                       length_tolerance: 0.6}\nmachine: 16k20f3\nholding: centres\nouter:\n  - {from: {d: 0, z: 0}}\n  \
                        - {face: 36}\n  - {chamfer: 2}\n  - {cylinder: -30, name: A, grade: h6, roughness: Ra 1.25}\n  \
                        - {face: 50}\n  - {cylinder: -60, grade: h9}\n  - {face: 60}\n  - {cylinder: -100}\n";
 
@@ -207,7 +207,7 @@ fn stepped() -> Workpiece {
     }
 }
 
-/// The bar Ø65 over Ø36.014: the stock of (65 - 36.014)/2 = 14.493 mm is two passes. The edge of the insert bears 7.8
+/// Between centres, where no jaws bound the depth: the bar Ø65 over Ø36.014: the stock of (65 - 36.014)/2 = 14.493 mm is two passes. The edge of the insert bears 7.8
 /// mm, the least of the bounds at 0.5 mm/rev: that is the limit, and 14.493/7.8 = 1.86 is two passes as well. The first
 /// work takes 1.95 mm to Ø61.1; over it the second is calculated there: n = 400, V = π·61.1·400/1000 = 76.8 m/min, not
 /// 81.7 of Ø65.

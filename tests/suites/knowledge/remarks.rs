@@ -110,6 +110,7 @@ const NAMES: &[&str] = &[
     "Haas",
     "Ingersoll",
     "Iscar",
+    "Kennametal",
     "Kyocera",
     "Mitsubishi",
     "Sandvik",
