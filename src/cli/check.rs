@@ -21,7 +21,7 @@ use technolog::units::Minutes;
 use technolog::words::say;
 
 use super::diagnostics::Texts;
-use super::usage::whole;
+use super::usage::whole_number;
 use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind, knowledge, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
@@ -37,7 +37,7 @@ pub struct Args {
     setting: Option<PathBuf>,
     #[arg(long, value_name = "PART.yaml")]
     pub(super) part: Option<PathBuf>,
-    #[arg(long, value_name = "N", requires = "part", value_parser = whole::<1, 9>)]
+    #[arg(long, value_name = "N", requires = "part", value_parser = whole_number::<1, 9>)]
     pub(super) set_up: Option<u32>,
 }
 
@@ -89,7 +89,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
     let text = context.text(&args.program)?;
-    let mut held = args.part.as_deref().map(|part| proof::held(part, knowledge, context)).transpose()?;
+    let mut held = args.part.as_deref().map(|part| proof::planned_job(part, knowledge, context)).transpose()?;
     let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
     let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
     if let Some(own) = of_part.as_deref().filter(|own| *own != id) {
@@ -97,7 +97,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         return Err(Diagnostic::error("other-machine", message, None).help(context.word("cli-leave-machine")).into());
     }
     let machine = control::machine(id, knowledge, context)?;
-    let control = control::meant(args.control.as_deref(), &machine, context)?;
+    let control = control::chosen(args.control.as_deref(), &machine, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let mut setting = match &args.setting {
         None => Setting::default(),

@@ -50,7 +50,7 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
         let operation =
             turn_operation::plan(&turn::read(part, knowledge, context)?.into_workpiece(), knowledge, context)?;
         let set_up = args.set_up.and_then(|number| u8::try_from(number).ok()).unwrap_or(1);
-        run.faults.extend(turned::held(&operation, set_up, &text, &run));
+        run.faults.extend(turned::compare_with_part(&operation, set_up, &text, &run));
     }
     let time = times(&run.motions, rates);
     match format {

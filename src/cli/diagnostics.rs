@@ -114,12 +114,18 @@ pub fn render_within(width: usize, problems: &[Diagnostic], texts: &Texts, lang:
             lines.entry(file).or_insert_with(|| Lines::of(&text.content));
         }
     }
-    let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, &lines, width, lang)).collect();
+    let shown: Vec<String> = problems.iter().map(|problem| problem_text(problem, texts, &lines, width, lang)).collect();
     shown.join("\n")
 }
 
 /// A problem: fault, place, the line itself with a mark under the place, and the remedy.
-fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, width: usize, lang: Lang) -> String {
+fn problem_text(
+    problem: &Diagnostic,
+    texts: &Texts,
+    lines: &BTreeMap<&str, Lines<'_>>,
+    width: usize,
+    lang: Lang,
+) -> String {
     let level = lang.word(match problem.severity {
         Severity::Error => "cli-error",
         Severity::Warning => "cli-warning",

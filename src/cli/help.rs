@@ -25,7 +25,7 @@ pub fn language(default: Lang) -> Lang {
 }
 
 /// The same, from the arguments and the environment alone.
-pub fn asked() -> Lang {
+pub fn requested_language() -> Lang {
     language(Lang::of_environment(std::env::var("LANG").ok().as_deref()))
 }
 

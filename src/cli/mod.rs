@@ -81,7 +81,7 @@ struct Global {
 
 /// A language by its tag; the error lists the existing ones.
 fn language_named(tag: &str) -> Result<Lang, String> {
-    tag.parse().map_err(|fault: technolog::note::Note| help::asked().say(&fault))
+    tag.parse().map_err(|fault: technolog::note::Note| help::requested_language().say(&fault))
 }
 
 /// The commands.

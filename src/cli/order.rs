@@ -24,7 +24,7 @@ use technolog::units::{Micrometres, Minutes};
 
 use super::control::machine;
 use super::diagnostics::Texts;
-use super::usage::whole;
+use super::usage::whole_number;
 use super::{CliError, Context, Format, Outcome, kind, knowledge, plan, words};
 
 // The order of tools and the path over the holes, with its length, time and a lower bound; also of a list of points
@@ -36,9 +36,9 @@ pub struct Args {
     metric: Option<MetricName>,
     #[arg(long)]
     closed: bool,
-    #[arg(long, value_name = "N", value_parser = whole::<0, 100_000>, conflicts_with_all = ["tries", "time"])]
+    #[arg(long, value_name = "N", value_parser = whole_number::<0, 100_000>, conflicts_with_all = ["tries", "time"])]
     effort: Option<u32>,
-    #[arg(long, value_name = "N", value_parser = whole::<0, { u32::MAX }>, conflicts_with = "time")]
+    #[arg(long, value_name = "N", value_parser = whole_number::<0, { u32::MAX }>, conflicts_with = "time")]
     tries: Option<u32>,
     #[arg(long, value_name = "TIME", value_parser = duration)]
     time: Option<Duration>,

@@ -140,7 +140,7 @@ fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
         OpenOptions::new().write(true).open(&path)?;
     }
     remove_stale(&path);
-    let (mut file, temporary) = beside(&path)?;
+    let (mut file, temporary) = temporary_file(&path)?;
     let written = file.write_all(answer).and_then(|()| match &old {
         Some(old) => file.set_permissions(kept(old.permissions())),
         None => Ok(()),
@@ -189,7 +189,7 @@ fn is_number_of_run(text: &str) -> bool {
 }
 
 /// A new file in the same folder, so that the rename stays on one disk.
-fn beside(path: &Path) -> io::Result<(File, PathBuf)> {
+fn temporary_file(path: &Path) -> io::Result<(File, PathBuf)> {
     let Some(name) = path.file_name() else {
         return Err(ErrorKind::InvalidFilename.into());
     };

@@ -60,8 +60,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         "tables" => planner::plan_by_tables,
         _ => planner::plan,
     };
-    let plan =
-        ManuallyDrop::new(made(&args.part, knowledge, context, |part| planned(part, args.method.method(), knowledge))?);
+    let plan = ManuallyDrop::new(plan_file(&args.part, knowledge, context, |part| {
+        planned(part, args.method.method(), knowledge)
+    })?);
     match format {
         Format::Json => context.emit_json(&*plan)?,
         Format::Yaml => context.emit_yaml(&*plan)?,
@@ -120,10 +121,10 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
 /// # Errors
 /// The part file cannot be used; all its mistakes are reported at once.
 pub fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: &Context) -> Result<Plan, CliError> {
-    made(path, knowledge, context, |part| planner::plan(part, method, knowledge))
+    plan_file(path, knowledge, context, |part| planner::plan(part, method, knowledge))
 }
 
-fn made(
+fn plan_file(
     path: &Path,
     knowledge: &Knowledge,
     context: &Context,

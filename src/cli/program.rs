@@ -95,7 +95,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (plan, job) = (&held.plan, &held.job);
     let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
-    let control = control::meant(args.control.as_deref(), &shop.machine, context)?;
+    let control = control::chosen(args.control.as_deref(), &shop.machine, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let written = language.write(job, form);
     let setting = Setting::of_job(job);
@@ -129,7 +129,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             job,
             trace: &steps,
             time: clock.times(),
-            findings: findings.iter().map(|finding| told(finding, context)).collect(),
+            findings: findings.iter().map(|finding| with_message(finding, context)).collect(),
             faults: &faults,
             proof: proof::answer(&proof, context),
         })?,
@@ -158,7 +158,7 @@ fn serious<'a>(plan: &'a Plan, job: &'a Job) -> Vec<&'a Finding> {
     plan.findings.iter().filter(of_plan).chain(&job.findings).collect()
 }
 
-fn told<'a>(finding: &'a Finding, context: &Context) -> FindingMessage<'a> {
+fn with_message<'a>(finding: &'a Finding, context: &Context) -> FindingMessage<'a> {
     FindingMessage { message: context.lang.say(&finding.note), finding }
 }
 

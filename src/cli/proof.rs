@@ -36,7 +36,7 @@ struct ProofMessage<'a> {
 ///
 /// # Errors
 /// The part cannot be used, or the knowledge has no answer.
-pub fn held(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<PlannedJob, CliError> {
+pub fn planned_job(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<PlannedJob, CliError> {
     let plan = plan::make(path, CuttingMethod::default(), knowledge, context)?;
     PlannedJob::of(plan, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }

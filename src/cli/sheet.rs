@@ -17,7 +17,7 @@ const NARROW: usize = 80;
 const WIDE: usize = 120;
 
 /// One table: title, source, rows, then everything that does not fit into cells.
-pub fn whole(table: &Table, lang: Lang, format: Format) -> Document {
+pub fn table_page(table: &Table, lang: Lang, format: Format) -> Document {
     let all: Vec<RowRef<'_>> = table.all_rows().collect();
     let mut page = titled(table, lang);
     let mut source = Inlines::from(lang.place(&table.place).as_str());
@@ -27,7 +27,7 @@ pub fn whole(table: &Table, lang: Lang, format: Format) -> Document {
     page.push(Block::Fields(vec![Field::new(lang.word("cli-source"), source)]));
     let numbered = rows(&mut page, table, &all, lang, format);
     columns(&mut page, table, numbered, lang);
-    said(&mut page, &all, lang);
+    row_remarks(&mut page, &all, lang);
     let gaps = table.uncovered.iter().map(|gap| lang.remark(&gap.reason).into_owned());
     section(&mut page, lang.word("cli-gaps"), gaps);
     section(&mut page, lang.word("cli-notes"), table.notes.iter().map(|note| lang.remark(note).into_owned()));
@@ -48,7 +48,7 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang,
         .map(|(index, column)| {
             let head = shown::head(lang, column, keep(table, index));
             match column.role {
-                ColumnRole::Output => Head { heading: Inlines::from("→ ").then(head.heading.clone()), ..head },
+                ColumnRole::Output => Head { heading: Inlines::from("→ ").append(head.heading.clone()), ..head },
                 _ => head,
             }
         })
@@ -133,7 +133,7 @@ pub fn columns(page: &mut Document, table: &Table, numbered: bool, lang: Lang) {
     let text = |head: &str| Head::text(lang.word(head));
     let number = Head::number(lang.word("cli-row-number"), "");
     let heads =
-        vec![number, text("table-key"), text("table-what"), text("table-symbol"), text("table-expected").least(24)];
+        vec![number, text("table-key"), text("table-what"), text("table-symbol"), text("table-expected").min_width(24)];
     let row = |(number, (_, column)): (usize, (usize, &Column))| {
         let number = if numbered { number.to_string() } else { String::new() };
         let key = Inlines::default().code(&column.name);
@@ -186,7 +186,7 @@ fn about(column: &Column, lang: Lang) -> Vec<String> {
 
 /// The data of rows besides their cells: corrections, doubts, reasons, places, notes. Rows with the same text are
 /// joined.
-pub fn said(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
+pub fn row_remarks(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     let corrections = |row: &Row| -> Vec<String> {
         let said = row.corrections.iter().map(|it| {
             let (column, printed, reason) = (&it.column, &it.printed, lang.remark(&it.reason).into_owned());

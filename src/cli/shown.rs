@@ -42,7 +42,7 @@ pub fn head(lang: Lang, column: &Column, keep: Keep) -> Head {
         && column.ty != ColumnType::Roughness;
     let head = if is_figure { Head::number(name, unit) } else { Head { unit: unit.to_owned(), ..Head::text(name) } };
     // Tables have many columns of short cells.
-    head.keep(keep).least(6)
+    head.keep(keep).min_width(6)
 }
 
 /// With a capital first letter, as in heads.

@@ -70,9 +70,9 @@ fn usage_of(command: &mut Command, arguments: &[String]) -> String {
 ///
 /// # Errors
 /// It is none, or outside the limits.
-pub fn whole<const LEAST: u32, const MOST: u32>(text: &str) -> Result<u32, String> {
+pub fn whole_number<const LEAST: u32, const MOST: u32>(text: &str) -> Result<u32, String> {
     let number = text.parse().ok().filter(|number| (LEAST..=MOST).contains(number));
-    number.ok_or_else(|| say!(help::asked(), "usage-whole-number", least = LEAST, most = MOST))
+    number.ok_or_else(|| say!(help::requested_language(), "usage-whole-number", least = LEAST, most = MOST))
 }
 
 /// The usage line with its two words in the language.
@@ -97,7 +97,7 @@ fn text(value: &ContextValue) -> String {
 mod tests {
     use super::*;
 
-    fn said(arguments: &[&str]) -> String {
+    fn message_of(arguments: &[&str]) -> String {
         let mut command = help::command(Lang::UK);
         let error = command.clone().try_get_matches_from(arguments).unwrap_err();
         let arguments: Vec<String> = arguments.iter().map(|&argument| argument.to_owned()).collect();
@@ -143,7 +143,7 @@ mod tests {
                 "помилка: аргумент `--lang <LANG>` вказано більше одного разу",
             ),
         ] {
-            let said = said(arguments);
+            let said = message_of(arguments);
             assert!(said.starts_with(expected), "{arguments:?}: {said}");
             assert!(said.contains("\nВикористання: technolog") && !said.contains("error"), "{said}");
             assert!(!said.contains("OPTIONS") && !said.contains("COMMAND"), "{said}");
@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn the_usage_is_that_of_the_command() {
-        let said = said(&["technolog", "order", "x", "--effort", "many"]);
+        let said = message_of(&["technolog", "order", "x", "--effort", "many"]);
         assert!(said.contains("\nВикористання: technolog order [ПАРАМЕТРИ] <FILE>\n"), "{said}");
     }
 

@@ -93,7 +93,7 @@ impl Auditor<'_> {
 
     /// The costs of a plan, as stated or else computed from its own figures.
     fn expenses(&self, stated: &Stated) -> Result<Vec<(&'static str, Option<f64>)>, KnowledgeError> {
-        let ours = self.ours(stated)?;
+        let ours = self.own_plan(stated)?;
         let context = Context::new(stated, &ours, self)?;
         let mut graph = Graph::new(stated, self.tolerances());
         rules::add(&context, &mut graph)?;
@@ -154,13 +154,13 @@ impl PlanComparison<'_> {
             };
             let of_a = order(a, pairs.iter().map(|(at, _)| *at).collect());
             let of_b = order(b, pairs.iter().map(|(_, at)| *at).collect());
-            self.say(Section::Route, &Subject::default(), "order", Some(of_a), Some(of_b));
+            self.push_difference(Section::Route, &Subject::default(), "order", Some(of_a), Some(of_b));
         }
         for (_, row) in a.rows.iter().enumerate().filter(|(at, _)| !pairs.iter().any(|(own, _)| own == at)) {
-            self.say(Section::Route, &of_row(row), "row", Some(row.number.to_string()), None);
+            self.push_difference(Section::Route, &of_row(row), "row", Some(row.number.to_string()), None);
         }
         for (_, row) in b.rows.iter().enumerate().filter(|(at, _)| !pairs.iter().any(|(_, own)| own == at)) {
-            self.say(Section::Route, &of_row(row), "row", None, Some(row.number.to_string()));
+            self.push_difference(Section::Route, &of_row(row), "row", None, Some(row.number.to_string()));
         }
         // The same tool serves several rows, and so do the same conditions.
         let (mut tools, mut conditions) = (BTreeSet::new(), BTreeSet::new());
@@ -172,7 +172,7 @@ impl PlanComparison<'_> {
             self.figures(Section::Route, &subject, &one.figures, &two.figures);
             let number = |row: &Row| row.tool.as_ref().map(|tool| format!("T{}", tool.value));
             if number(one) != number(two) {
-                self.say(Section::Route, &subject, "tool", number(one), number(two));
+                self.push_difference(Section::Route, &subject, "tool", number(one), number(two));
             }
             if let (Some(one), Some(two)) = (a.tool_of(one), b.tool_of(two))
                 && tools.insert((one, two))
@@ -258,7 +258,7 @@ impl PlanComparison<'_> {
             let text = |figure: Option<&StatedFigure>| figure.map(|figure| figure.text.clone());
             let key = quantity.key();
             let what = name.map_or_else(|| key.to_owned(), |name| format!("{key}.{name}"));
-            self.say(section, subject, &what, text(a), text(b));
+            self.push_difference(section, subject, &what, text(a), text(b));
             if let Some(last) = self.differences.last_mut() {
                 last.quantity = Some(quantity);
                 last.factor = name.map(|name| self.a.factor(name));
@@ -270,11 +270,18 @@ impl PlanComparison<'_> {
         let [one, two] = [a, b].map(|text| text.as_ref().map(|text| text.value.clone()));
         // The same name with another dash or space is the same.
         if one.as_deref().map(plain) != two.as_deref().map(plain) {
-            self.say(section, subject, what, one, two);
+            self.push_difference(section, subject, what, one, two);
         }
     }
 
-    fn say(&mut self, section: Section, subject: &Subject, what: &str, a: Option<String>, b: Option<String>) {
+    fn push_difference(
+        &mut self,
+        section: Section,
+        subject: &Subject,
+        what: &str,
+        a: Option<String>,
+        b: Option<String>,
+    ) {
         let (subject, what) = (subject.clone(), what.to_owned());
         self.differences.push(Difference { section, subject, what, quantity: None, factor: None, a, b });
     }

@@ -72,7 +72,7 @@ impl<'a> Context<'a> {
 
     /// The cutter of a tool, where its designation is known or clearly misprinted.
     pub fn cutter(&self, tool: usize) -> Option<&NamedCutter<'a>> {
-        self.cutter_near(tool).meant()
+        self.cutter_near(tool).value()
     }
 
     /// The catalog entry near to the designation of a holder.
@@ -82,11 +82,11 @@ impl<'a> Context<'a> {
 
     /// The holder of a tool.
     pub fn holder(&self, tool: usize) -> Option<&HolderRow<'a>> {
-        self.holder_near(tool).meant()
+        self.holder_near(tool).value()
     }
 
     /// Whether a cutter has the taper of the machine, so that it needs no holder.
-    pub fn whole(&self, tool: usize) -> bool {
+    pub fn has_machine_taper(&self, tool: usize) -> bool {
         self.cutter(tool).is_some_and(|cutter| cutter.head.shank == Shank::Taper)
     }
 

@@ -298,7 +298,7 @@ impl AuditFinding {
 
     /// With what is stated and what it should be.
     #[must_use]
-    pub fn beside(mut self, stated: impl ToString, right: impl ToString) -> Self {
+    pub fn with_values(mut self, stated: impl ToString, right: impl ToString) -> Self {
         self.stated = Some(stated.to_string());
         self.right = Some(right.to_string());
         self

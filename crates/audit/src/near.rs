@@ -17,7 +17,7 @@ pub enum NameMatch<T> {
 
 impl<T> NameMatch<T> {
     /// The value that was found or clearly meant.
-    pub fn meant(&self) -> Option<&T> {
+    pub fn value(&self) -> Option<&T> {
         match self {
             Self::Found(found) | Self::Meant(found, _) => Some(found),
             Self::Unstated | Self::Unknown(_) => None,

@@ -11,7 +11,7 @@ use super::graph::{Graph, Rule, Status};
 use super::quantity::Id;
 
 /// Whether a finding is a slip or follows from one; a note is neither.
-fn grave(finding: &AuditFinding) -> bool {
+fn is_fault(finding: &AuditFinding) -> bool {
     finding.severity < Severity::Note
 }
 
@@ -27,7 +27,7 @@ pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
 
 /// The field, if a finding already reports a slip of it.
 pub(super) fn roots_of(findings: &[AuditFinding], field: String) -> Vec<String> {
-    let slip = |one: &AuditFinding| one.field == field && grave(one) && one.follows_from.is_empty();
+    let slip = |one: &AuditFinding| one.field == field && is_fault(one) && one.follows_from.is_empty();
     if findings.iter().any(slip) { vec![field] } else { Vec::new() }
 }
 
@@ -60,7 +60,7 @@ pub(super) fn settle(findings: &mut [AuditFinding]) {
         }
     }
     for at in 0..findings.len() {
-        let Some(root) = findings.get(at).filter(|one| grave(one) && !one.follows_from.is_empty()) else { continue };
+        let Some(root) = findings.get(at).filter(|one| is_fault(one) && !one.follows_from.is_empty()) else { continue };
         let (Some(quantity), Some(stated), Some(right)) = (root.quantity, &root.stated, &root.right) else { continue };
         let change = Change { field: root.field.clone(), quantity, stated: stated.clone(), right: right.clone() };
         let fields = root.follows_from.clone();
@@ -70,7 +70,7 @@ pub(super) fn settle(findings: &mut [AuditFinding]) {
         }
         for field in fields {
             let mut slips = findings.iter_mut().filter(|one| one.field == field && one.follows_from.is_empty());
-            if let Some(slip) = slips.find(|one| grave(one))
+            if let Some(slip) = slips.find(|one| is_fault(one))
                 && !slip.changes.iter().any(|known| known.field == change.field)
             {
                 slip.changes.push(change.clone());
@@ -87,7 +87,7 @@ fn roots(one: &AuditFinding, all: &[AuditFinding]) -> BTreeSet<String> {
         if !seen.insert(field.clone()) {
             continue;
         }
-        let at = || all.iter().filter(|other| other.field == field && grave(other));
+        let at = || all.iter().filter(|other| other.field == field && is_fault(other));
         // A field without a finding of a formula is one that a check names.
         if at().next().is_none() || at().any(|other| other.follows_from.is_empty()) {
             found.insert(field);

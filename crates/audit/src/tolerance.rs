@@ -79,7 +79,7 @@ impl Tolerances {
     }
 
     /// Whether it is a whole number.
-    pub fn whole(&self, quantity: Quantity) -> bool {
+    pub fn is_whole_number(&self, quantity: Quantity) -> bool {
         self.0.get(&quantity).is_some_and(|own| own.whole)
     }
 

@@ -28,7 +28,7 @@ const FAR: f64 = 1000.0;
 
 /// Compares a program of a set-up with the part, after the jobs of earlier set-ups. Returns the findings of the proof
 /// with their lines, or why there is no comparison.
-pub fn held(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
+pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
     let Compared { work, proven, tools } = match compared(operation, set_up, text, run) {
         Ok(compared) => compared,
         Err(why) => return vec![*why],

@@ -245,7 +245,7 @@ impl Reader<'_> {
             Input::Here(node) => read_plan_node(node, self.file, knowledge, files),
             Input::File(path, text) => {
                 // Files named by the plan are relative to the plan.
-                let beside = |name: &str| files(&beside(&path, name));
+                let beside = |name: &str| files(&relative_to(&path, name));
                 read_plan(&path, &text, knowledge, &beside)
             }
         };
@@ -307,7 +307,7 @@ impl Reader<'_> {
 }
 
 /// A name relative to the folder of a file.
-fn beside(path: &str, name: &str) -> String {
+fn relative_to(path: &str, name: &str) -> String {
     match path.rsplit_once('/') {
         Some((folder, _)) if !name.starts_with('/') => format!("{folder}/{name}"),
         _ => name.to_owned(),

@@ -29,18 +29,19 @@ const OF_FINDING: [&str; 5] = ["severity", "rule", "code", "field", "hole"];
 /// # Errors
 /// No object of this kind has such a name.
 pub fn is_called(object: &Object, text: &str) -> Result<bool, UnknownWord> {
-    let has = |key: &str, text: &str| object.get(key).and_then(Value::as_str).is_some_and(|own| same(own, text));
+    let has =
+        |key: &str, text: &str| object.get(key).and_then(Value::as_str).is_some_and(|own| same_letters(own, text));
     if is_transition(object) {
         return Ok(Pattern::read(text)?.fits(object));
     }
     if object.contains_key("designation") {
-        let whole = |(designation, table): (&str, &str)| same(&format!("{designation} {table}"), text);
+        let whole = |(designation, table): (&str, &str)| same_letters(&format!("{designation} {table}"), text);
         let both = texts(object, "designation").zip(texts(object, "table"));
         return Ok(has("designation", text) || both.is_some_and(whole));
     }
     if object.contains_key("code") {
         // Its full name may contain a field with spaces.
-        let whole = name(object).is_some_and(|name| same(&name, text));
+        let whole = name(object).is_some_and(|name| same_letters(&name, text));
         return Ok(whole || text.split_whitespace().all(|word| OF_FINDING.iter().any(|key| has(key, word))));
     }
     Ok(NAMES.iter().any(|key| has(key, text)))
@@ -55,7 +56,7 @@ fn is_transition(object: &Object) -> bool {
 pub const NAMES: [&str; 5] = ["name", "number", "surface", "side", "motion"];
 
 /// Whether two texts are the same up to letters that look alike in both alphabets.
-pub fn same(one: &str, other: &str) -> bool {
+pub fn same_letters(one: &str, other: &str) -> bool {
     one == other || latin(one) == latin(other)
 }
 

@@ -250,7 +250,7 @@ fn matcher(from: &Node, problems: &mut Problems) -> Option<What> {
 
 fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<Part> {
     // A single one needs no brackets.
-    fn several(node: &Node) -> &[Node] {
+    fn as_list(node: &Node) -> &[Node] {
         match &node.kind {
             NodeKind::Seq(nodes) => nodes,
             _ => std::slice::from_ref(node),
@@ -259,16 +259,16 @@ fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<Par
     let mut part = Part::default();
     let mut whole = true;
     if let Some(node) = fields.take("starts") {
-        part.starts = items(several(node), problems);
+        part.starts = items(as_list(node), problems);
         whole &= part.starts.is_some();
     }
     if let Some(node) = fields.take("ends") {
-        part.ends = items(several(node), problems);
+        part.ends = items(as_list(node), problems);
         whole &= part.ends.is_some();
     }
     for (key, list) in [("contains", &mut part.contains), ("lacks", &mut part.lacks)] {
         if let Some(node) = fields.take(key) {
-            let found = all(several(node), problems);
+            let found = all(as_list(node), problems);
             whole &= found.is_some();
             *list = found.unwrap_or_default();
         }

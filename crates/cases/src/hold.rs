@@ -370,7 +370,7 @@ pub fn is_from(finding: &Value, severity: Severity) -> bool {
 
 fn is(text: &str, value: &Value) -> Result<bool, UnknownWord> {
     Ok(match value {
-        Value::String(own) => called::same(own, text),
+        Value::String(own) => called::same_letters(own, text),
         Value::Number(own) => own.as_f64().is_some_and(|own| number_of(text) == Some(own)),
         Value::Bool(own) => text == own.to_string(),
         Value::Object(object) => called::is_called(object, text)?,

@@ -12,7 +12,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::knowledge::diagnostic::nearest;
-use crate::knowledge::input::seen;
+use crate::knowledge::input::show_invisible;
 use crate::knowledge::yaml::{Key, Problems};
 use crate::plan::{AlternativeStep, HolePlan, Plan, RouteSource, Transition};
 
@@ -183,7 +183,7 @@ impl<'s> KeyCheck<'s, '_> {
                     Some(near) => note!("cli-did-you-mean", name = near),
                     None => note!("case-known-here", names = known().collect::<Vec<_>>().join(", ")),
                 };
-                let message = note!("yaml-unknown-key", key = seen(&key.text));
+                let message = note!("yaml-unknown-key", key = show_invisible(&key.text));
                 self.problems.error_help::<()>("unknown-key", message, &key.place, help);
             } else {
                 self.fit(expected, &free);

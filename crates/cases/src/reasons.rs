@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::note::{Because, Finding, Note};
 
-use super::called::same;
+use super::called::same_letters;
 use super::expected::{Expected, What};
 
 /// A reason, as data.
@@ -74,7 +74,7 @@ fn findings(answer: Option<&Value>, hole: Option<&Value>) -> Vec<Why> {
 
 fn not_taken(route: &Value, scheme: &str) -> Option<Why> {
     let others = route.get("alternatives").and_then(Value::as_array)?;
-    let own = |other: &&Value| other.get("scheme").and_then(Value::as_str).is_some_and(|own| same(own, scheme));
+    let own = |other: &&Value| other.get("scheme").and_then(Value::as_str).is_some_and(|own| same_letters(own, scheme));
     let why = others.iter().find(own)?.get("why")?;
     Some(Why::NotTaken { scheme: scheme.to_owned(), why: serde_json::from_value(why.clone()).ok()? })
 }

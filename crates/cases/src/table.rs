@@ -3,7 +3,7 @@
 use serde_json::{Map, Value as Json};
 use technolog_note::note;
 
-use crate::knowledge::alike::{has, latin};
+use crate::knowledge::alike::{latin, matches};
 use crate::knowledge::diagnostic::{Place, nearest};
 use crate::knowledge::table::Cell;
 use crate::knowledge::yaml::{Node, NodeKind, Problems};
@@ -83,7 +83,7 @@ impl Question {
                 let fits = |row: &RowRef<'_>| {
                     self.given.iter().all(|(index, value)| {
                         let column = table.columns.get(*index).zip(row.row().cells.get(*index));
-                        column.is_some_and(|(column, cell)| has(column, cell, value))
+                        column.is_some_and(|(column, cell)| matches(column, cell, value))
                     })
                 };
                 table.all_rows().filter(fits).collect()
@@ -165,7 +165,7 @@ pub fn about<'v>(expected: &mut Expected, rows: &'v Json, table: &Table) -> &'v 
 /// A row as an object: its outputs by column name, with its number and its source.
 fn row_json(row: RowRef<'_>) -> Json {
     let mut object = Map::new();
-    for (index, column) in said(row.table) {
+    for (index, column) in answer_columns(row.table) {
         if let Some(cell) = row.row().cells.get(index) {
             object.insert(column.name.clone(), cell_json(column, cell));
         }
@@ -185,7 +185,7 @@ fn row_json(row: RowRef<'_>) -> Json {
 }
 
 /// The columns of a row's answer.
-fn said(table: &Table) -> Vec<(usize, &Column)> {
+fn answer_columns(table: &Table) -> Vec<(usize, &Column)> {
     match table.kind {
         TableKind::Decision => table.outputs().collect(),
         TableKind::Catalog => table.columns.iter().enumerate().collect(),
@@ -214,13 +214,15 @@ pub fn fit(expected: &mut Expected, table: &Table, problems: &mut Problems) {
         What::List(items) => items.iter_mut().for_each(|item| fit(&mut item.expected, table, problems)),
         What::Map(keys) => {
             for (key, inner) in keys {
-                let column = said(table).into_iter().map(|(_, column)| column).find(|column| column.name == key.text);
+                let column =
+                    answer_columns(table).into_iter().map(|(_, column)| column).find(|column| column.name == key.text);
                 if let (Some(Column { list: true, .. }), What::Is(_)) = (column, &inner.what) {
                     let item = Item { expected: inner.clone(), optional: false };
                     inner.what = What::List(vec![item]);
                 }
                 if column.is_none() && !OF_ROWS.contains(&key.text.as_str()) {
-                    let names = || said(table).into_iter().map(|(_, column)| column.name.as_str()).chain(OF_ROWS);
+                    let names =
+                        || answer_columns(table).into_iter().map(|(_, column)| column.name.as_str()).chain(OF_ROWS);
                     let help = match nearest(&key.text, names()) {
                         Some(near) => note!("cli-did-you-mean", name = near),
                         None => note!("case-known-here", names = names().collect::<Vec<_>>().join(", ")),

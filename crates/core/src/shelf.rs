@@ -95,7 +95,7 @@ impl<'k> Shelf<'k> {
     /// There is no such table, or it is none of cutters.
     pub fn cutters_of(&self, id: &str) -> Result<&CutterTable<'k>, KnowledgeError> {
         let found = self.cutters.iter().find(|cutters| cutters.table.id == id);
-        found.ok_or_else(|| KnowledgeError::lacks(id, note!("part-there-no-such-table-cutters")))
+        found.ok_or_else(|| KnowledgeError::missing(id, note!("part-there-no-such-table-cutters")))
     }
 
     /// Every cutter that makes a transition, whatever its size.
@@ -116,7 +116,7 @@ impl<'k> Shelf<'k> {
     /// There is no such table, or it is none of holders.
     pub fn holders_of(&self, id: &str) -> Result<&[HolderRow<'k>], KnowledgeError> {
         let found = self.holders.iter().find(|(known, _)| *known == id);
-        let (_, rows) = found.ok_or_else(|| KnowledgeError::lacks(id, note!("part-there-no-such-table-holders")))?;
+        let (_, rows) = found.ok_or_else(|| KnowledgeError::missing(id, note!("part-there-no-such-table-holders")))?;
         Ok(rows.of(|| self.knowledge.table(id))?)
     }
 

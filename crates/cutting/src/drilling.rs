@@ -145,12 +145,12 @@ fn base(cut: &Cut, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base, Uncu
     if let Ok((torque, thrust, figures)) = Refusal::split(laws::loads(operation, cut.tool_material, shop))? {
         let of_feed = |law: LoadLaw| PowerLaw::of_feed(law.without_feed(d, t), law.y);
         loads = Loads { torque: Some(of_feed(torque)), thrust: Some(of_feed(thrust)) };
-        own_loads = figures.own();
+        own_loads = figures.is_own_group();
         because.extend(figures.because(Note::new("load-coefficients")));
     }
     Ok(Base {
         speed: law.at(d, t, feed.0, tool_life.0),
-        own_speed: speed.own(),
+        own_speed: speed.is_own_group(),
         tool_life,
         life_exponent: m,
         coolant: speed.row.coolant,

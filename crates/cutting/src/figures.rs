@@ -52,7 +52,7 @@ pub struct Figures<'k, R> {
 
 impl<'k, R> Figures<'k, R> {
     /// Whether the row belongs to the material's own group, so that the material's factor applies to it.
-    pub fn own(&self) -> bool {
+    pub fn is_own_group(&self) -> bool {
         self.own_group
     }
 

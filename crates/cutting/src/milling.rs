@@ -63,7 +63,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
             * libm::pow(z, row.p));
     let life_exponent = row.m;
     let mut corrections = vec![factors::surface(cut.surface, shop)?];
-    if figures.own() {
+    if figures.is_own_group() {
         corrections.push(factors::material_speed(Process::Milling, tool_material, shop)?);
     }
     for (factor, reason) in corrections {
@@ -80,7 +80,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         let turns = super::rpm_at(MetresPerMinute(1.0), mill.diameter);
         let mut force = 10.0 * row.cp * libm::pow(t, row.x) * libm::pow(b, row.u) * z
             / (libm::pow(d, row.q) * libm::pow(turns.0, row.w));
-        if figures.own() {
+        if figures.is_own_group() {
             let (factor, reason) = factors::material_force(Process::Milling, tool_material, shop)?;
             force *= factor;
             because.push(reason);

@@ -27,7 +27,7 @@ pub enum Held {
 
 /// Compares the speed of a draft with practice, by the rule `second-opinion`.
 pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Result<Held, KnowledgeError> {
-    let (speed, held, because) = held(draft.speed, cut, &shop.material, shop.knowledge)?;
+    let (speed, held, because) = second_opinion(draft.speed, cut, &shop.material, shop.knowledge)?;
     draft.speed = speed;
     draft.because.extend(because);
     Ok(held)
@@ -37,7 +37,7 @@ pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> R
 ///
 /// # Errors
 /// The tables cannot answer.
-pub fn held(
+pub fn second_opinion(
     formula: MetresPerMinute,
     cut: &Cut,
     material: &Material<'_>,

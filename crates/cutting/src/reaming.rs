@@ -28,7 +28,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     let (law, figures) = laws::speed(Coefficients::Ream, cut.tool_material, feed, shop)?;
     because.extend(figures.because(Note::new("speed-coefficients").with("cv", law.cv)));
     let mut speed = law.at(cut.diameter.to_mm(), cut.depth_of_cut(), feed.0, tool_life.0);
-    if figures.own() {
+    if figures.is_own_group() {
         let (factor, reason) = factors::material_speed(Process::Drilling, cut.tool_material, shop)?;
         speed *= factor;
         because.push(reason);
@@ -123,7 +123,7 @@ fn torque(cut: &Cut, shop: &Shop<'_>) -> Tried<(Option<PowerLaw>, Vec<Because>),
     };
     let mut factor = row.cp * libm::pow(cut.depth_of_cut(), row.x) * cut.diameter.to_mm() * teeth
         / (200.0 * libm::pow(teeth, row.y));
-    if figures.own() {
+    if figures.is_own_group() {
         let material = factors::material_force(Process::Turning, of_tool, shop)?;
         factor *= material.0;
         because.push(material.1);

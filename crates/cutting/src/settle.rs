@@ -37,7 +37,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let tabulated = Some(found.draft.feed);
     if found.draft.motion.synchronous {
         let held = limits::synchronous(&found.draft, shop)?;
-        return Ok(found.held(held));
+        return Ok(found.with_conditions(held));
     }
     let (mut limited_by, mut because) = (None, Vec::new());
     for _ in 0..ROUNDS {
@@ -59,7 +59,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
         found = at(cut, Some(held.feed), tabulated, shop)?;
         because.push(feed_reason("life-for-feed", held.feed, &found, None, shop)?);
     }
-    Ok(found.held(LimitedConditions { because, ..held }))
+    Ok(found.with_conditions(LimitedConditions { because, ..held }))
 }
 
 /// Conditions of a feed, before the limits of the machine.
@@ -70,7 +70,7 @@ struct DraftAtFeed {
 }
 
 impl DraftAtFeed {
-    fn held(self, held: LimitedConditions) -> Settled {
+    fn with_conditions(self, held: LimitedConditions) -> Settled {
         Settled { draft: self.draft, formula_speed: self.formula_speed, practice: self.practice, held }
     }
 }

@@ -216,7 +216,7 @@ impl Column {
 
     /// It is not made narrower than this by wrapping.
     #[must_use]
-    pub fn least(self, least: usize) -> Self {
+    pub fn min_width(self, least: usize) -> Self {
         Self { least, ..self }
     }
 

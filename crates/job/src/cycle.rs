@@ -102,7 +102,7 @@ fn kind(
     top: Micrometres,
     resolution: Micrometres,
 ) -> Result<CycleKind, KnowledgeError> {
-    let lacks = |what: Note| KnowledgeError::lacks(&rule.row.table.id, what);
+    let lacks = |what: Note| KnowledgeError::missing(&rule.row.table.id, what);
     let step = || -> Result<Micrometres, KnowledgeError> {
         let share = rule.step.ok_or_else(|| lacks(note!("nc-step-cycle-steps")))?;
         Ok(Micrometres::from_mm_rounded(transition.diameter.to_mm() * share).on_grid(resolution).max(resolution))
@@ -178,7 +178,7 @@ pub fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRe
     let found = knowledge.need(name.name(), |row: &ProgramConventions<'_>| row.name == name)?;
     if found.unit != name.unit() {
         let problem = note!("nc-must", value = name.name(), unit = name.unit());
-        return Err(KnowledgeError::lacks(&found.row.table.id, problem));
+        return Err(KnowledgeError::missing(&found.row.table.id, problem));
     }
     Ok((found.value, found.row))
 }

@@ -132,7 +132,7 @@ fn rounds(
                         }
                     };
                     work.coolant |= cooled;
-                    let at = work.cycles.iter().position(|known| known.same(&made)).unwrap_or_else(|| {
+                    let at = work.cycles.iter().position(|known| known.same_motions(&made)).unwrap_or_else(|| {
                         work.cycles.push(made);
                         work.cycles.len() - 1
                     });

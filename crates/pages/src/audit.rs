@@ -18,7 +18,7 @@ use technolog_words::say;
 
 use super::Lang;
 pub use words::severity;
-use words::{figure, heading, name, place, said, subject};
+use words::{figure, finding_text, heading, name, place, subject};
 
 /// The page.
 pub fn page(audit: &Audit, lang: Lang) -> Document {
@@ -75,7 +75,7 @@ fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&AuditFinding
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 fn headline(finding: &AuditFinding, lang: Lang) -> String {
     let about = words::block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
-    let said = said(finding, lang);
+    let said = finding_text(finding, lang);
     let said = match (finding.quantity, &finding.stated, &finding.right) {
         (Some(quantity), Some(stated), Some(right)) => {
             let right = with_unit(&figure(right, lang), quantity.unit(), lang);
@@ -84,7 +84,7 @@ fn headline(finding: &AuditFinding, lang: Lang) -> String {
                 Some(off) => say!(lang, "audit-beside-off", stated = figure(stated, lang), right = right, off = off),
                 None => say!(lang, "audit-beside", stated = figure(stated, lang), right = right),
             };
-            let figures = say!(lang, "audit-of-figure", what = words::what(finding, lang), said = figures);
+            let figures = say!(lang, "audit-of-figure", what = words::quantity_text(finding, lang), said = figures);
             match finding.note.code() {
                 // These notes contain only figures.
                 "audit-figure" | "audit-follows" => figures,
@@ -93,7 +93,7 @@ fn headline(finding: &AuditFinding, lang: Lang) -> String {
         }
         (Some(_), Some(stated), None) => {
             let figures = say!(lang, "audit-is-stated", stated = figure(stated, lang));
-            let figures = say!(lang, "audit-of-figure", what = words::what(finding, lang), said = figures);
+            let figures = say!(lang, "audit-of-figure", what = words::quantity_text(finding, lang), said = figures);
             say!(lang, "audit-and-so", figures = figures, said = said)
         }
         _ => said,

@@ -25,7 +25,7 @@ use technolog_words::say;
 use super::doubts::is_of_row;
 use super::{Doubts, Lang};
 use cells::{Cell, arrow, figure, span, table};
-use phrases::{finding, material, rests_on, said, unconfirmed, word};
+use phrases::{finding, material, note_line, rests_on, unconfirmed, word};
 
 pub use drawing::drawing;
 pub use frames::frames;
@@ -167,7 +167,7 @@ fn passes(variant: &Variant, lang: Lang) -> Table {
         span("Z", mm),
         Column::number(say!(lang, "turn-depth"), mm),
         Column::number(say!(lang, "turn-length"), mm),
-        Column::text(say!(lang, "turn-why")).keep(Keep::Optional).least(20),
+        Column::text(say!(lang, "turn-why")).keep(Keep::Optional).min_width(20),
     ];
     let rows = variant.passes.iter().map(|pass| {
         let (from, to) = (&pass.from, &pass.to);
@@ -178,7 +178,7 @@ fn passes(variant: &Variant, lang: Lang) -> Table {
             arrow(figure(from.z_mm, lang), figure(to.z_mm, lang)).into(),
             Cell::Figure(pass.depth_mm.to_mm(), 2),
             Cell::Figure(pass.length_mm.to_mm(), 2),
-            said(&pass.reason, lang).into(),
+            note_line(&pass.reason, lang).into(),
         ]
     });
     table(columns, rows.collect(), lang)

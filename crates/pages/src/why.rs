@@ -60,10 +60,10 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
 }
 
 fn reasons(because: &[Because], lang: Lang) -> Vec<Item> {
-    because.iter().map(|reason| one(reason, lang)).collect()
+    because.iter().map(|reason| reason_item(reason, lang)).collect()
 }
 
-fn one(reason: &Because, lang: Lang) -> Item {
+fn reason_item(reason: &Because, lang: Lang) -> Item {
     let row = reason.row.map(|row| say!(lang, "explain-row", row = row));
     let source = reason.source.map(|source| match source {
         Source::Seed => say!(lang, "explain-seed").to_owned(),

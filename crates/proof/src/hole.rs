@@ -110,7 +110,7 @@ impl Walk<'_, '_> {
         let Some(reach) = Reach::of(method, transition.diameter_mm, self.shop)? else { return Ok(()) };
         if let Some(before) = before {
             self.stock(transition, &asked, before, reach, last);
-            self.most(transition, before)?;
+            self.check_largest_stock(transition, before)?;
         }
         let width = reach.width(transition.diameter_mm, self.shop).unwrap_or_default();
         let state = self.left(transition, before, reach, width)?;
@@ -217,7 +217,7 @@ impl Walk<'_, '_> {
     }
 
     /// The largest stock: what a reamer or a finishing bar removes at once.
-    fn most(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
+    fn check_largest_stock(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
         let operation = transition.operation;
         let mm = |name| tool::limit(name, self.shop).map(Micrometres::from_mm_rounded);
         let most = match operation {

@@ -46,7 +46,7 @@ impl ProofBench {
     }
 
     /// With the operator's own correctors: numbers and micrometres.
-    pub fn own(mut self, correctors: &[(u32, i64)]) -> Self {
+    pub fn with_correctors(mut self, correctors: &[(u32, i64)]) -> Self {
         self.setting.correctors =
             correctors.iter().map(|(number, value)| (*number, Micrometres::new(*value))).collect();
         self.own_correctors = true;

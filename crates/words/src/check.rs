@@ -33,7 +33,7 @@ pub fn entries(language: &Language) -> (BTreeMap<String, Entered>, Vec<String>) 
         for entry in resource.body {
             let Entry::Message(message) = entry else { continue };
             let name = message.id.name.to_owned();
-            if !language.has(&name) {
+            if !language.has_message(&name) {
                 faults.push(format!("{place}: {name}: its name must stand at the beginning of a line"));
             }
             let values = message.value.iter().map(|value| (String::new(), value));
@@ -153,7 +153,7 @@ mod tests {
         let note = Note::new("stages").with("stages", Figure::sum_of_words(["finish-nc"])).with("delta", 0.2);
         let note = note.with("sigma", 0.05);
         assert_eq!(polish.say(&note), "stages: finishing on the NC machine (Δ0 = 0.2 mm, σc = 0.05 mm)");
-        let lacks = polish.lacks();
+        let lacks = polish.untranslated();
         assert!(lacks.contains(&"operation-tap".to_owned()) && !lacks.contains(&"operation-drill".to_owned()));
         assert_eq!(entries(&POLISH).1, Vec::<String>::new());
     }

@@ -45,7 +45,7 @@ impl Lang {
     }
 
     /// The messages that it lacks and shows in English.
-    pub fn lacks(self) -> Vec<String> {
+    pub fn untranslated(self) -> Vec<String> {
         check::differences(self.0, &registered::EN).0
     }
 

@@ -38,7 +38,8 @@ pub fn run(
     let (mut files, mut barred) = (Vec::new(), Vec::new());
     collect(folder, &mut files, &mut barred).map_err(|error| unreadable(folder.display(), &error, context.lang))?;
     let progress = Progress::new(files.len());
-    let seen = parallel::map(&files, |path| one(path, auditor, scheme, places, context), |done| progress.show(done));
+    let seen =
+        parallel::map(&files, |path| audit_file(path, auditor, scheme, places, context), |done| progress.show(done));
     progress.clear();
     let mut audited: Vec<Audited> = barred.iter().map(|(folder, error)| unopened(folder, error, context)).collect();
     for (path, seen) in files.iter().zip(seen) {
@@ -69,7 +70,7 @@ pub fn run(
     Ok(if wrong { Outcome::Findings } else { Outcome::Done })
 }
 
-fn one(
+fn audit_file(
     path: &Path,
     auditor: &Auditor<'_>,
     scheme: Option<&MarkingScheme>,

@@ -116,7 +116,7 @@ impl<'a> DecisionReport<'a> {
             page.push(self.question(None, lang));
             near::section(&mut page, &self.near, lang);
         }
-        sheet::said(&mut page, &self.winners, lang);
+        sheet::row_remarks(&mut page, &self.winners, lang);
         if !self.passed_over.is_empty() {
             page.heading(2, lang.word("cli-passed-over"));
             let mut rows = grid(&["cli-row", "table-answer"], lang);

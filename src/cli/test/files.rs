@@ -106,7 +106,7 @@ pub fn read(found: &SourceFile, anywhere: bool, knowledge: &Knowledge, context: 
         let (cases, mistakes, texts) = (Vec::new(), Vec::new(), Vec::new());
         return CaseFile { file: found.shown.clone(), cases, mistakes, texts };
     }
-    let (files, codes) = (beside(found, anywhere, context), codes());
+    let (files, codes) = (reader(found, anywhere, context), codes());
     let mut read = read_cases(&found.shown, &found.text, around(knowledge, &codes, &files));
     if !read.mistakes.is_empty()
         && let Some(other) = kind::wrong_kind(&found.shown, &found.text, FileKind::Cases, context)
@@ -127,7 +127,7 @@ pub fn codes() -> Vec<String> {
 }
 
 /// Reads the files that a file of cases names.
-pub fn beside<'c>(
+pub fn reader<'c>(
     found: &'c SourceFile,
     anywhere: bool,
     context: &'c Context,

@@ -131,7 +131,7 @@ fn write(
     context: &Context,
 ) -> Result<Vec<usize>, CliError> {
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let files = files::beside(found, anywhere, context);
+    let files = files::reader(found, anywhere, context);
     let codes = files::codes();
     let around = around(asker.knowledge, &codes, &files);
     let filled = fill(&found.text, read, failures, around, asker).map_err(at_fault)?;

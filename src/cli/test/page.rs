@@ -79,14 +79,14 @@ pub fn failure_lines(failure: &Failure, lang: Lang) -> Vec<String> {
     let place = &failure.place;
     let mut lines = vec![format!("{}:{} {}", place.line, place.column, failure.path)];
     lines.push(say!(lang, "test-expected", value = cut(&expected(failure, lang))));
-    lines.push(say!(lang, "test-came", value = cut(&came(failure, lang))));
+    lines.push(say!(lang, "test-came", value = cut(&actual_value(failure, lang))));
     lines.extend(failure.why.iter().take(REASONS).map(|reason| say!(lang, "test-why", reason = why(reason, lang))));
     lines
 }
 
 /// The failure in one line.
 pub fn short(failure: &Failure, lang: Lang) -> String {
-    let (expected, came) = (cut(&expected(failure, lang)), cut(&came(failure, lang)));
+    let (expected, came) = (cut(&expected(failure, lang)), cut(&actual_value(failure, lang)));
     say!(lang, "test-short", path = &failure.path, expected = expected, came = came)
 }
 
@@ -100,7 +100,7 @@ pub fn expected(failure: &Failure, lang: Lang) -> String {
 }
 
 /// The actual value.
-pub fn came(failure: &Failure, lang: Lang) -> String {
+pub fn actual_value(failure: &Failure, lang: Lang) -> String {
     match &failure.came {
         Came::Value(value) | Came::Open(Some(value)) => brief(value),
         Came::Nothing | Came::Open(None) => say!(lang, "test-nothing").to_owned(),

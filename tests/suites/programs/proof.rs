@@ -279,7 +279,7 @@ const APPENDIX: &[(&str, &str, Option<u32>, &str)] = &[
 #[test]
 fn appendix_g_is_held_against_its_part() {
     let text = fs::read_to_string(root().join("examples/appendix-g/program.nc")).unwrap();
-    let mut held = ProofBench::new("examples/plate.yaml").own(&[(8, 0), (10, -85_000), (12, -50_000)]);
+    let mut held = ProofBench::new("examples/plate.yaml").with_correctors(&[(8, 0), (10, -85_000), (12, -50_000)]);
     // As its setting says.
     held.setting.zeros[0] = [0, 0, -120].map(|zero| Some(Micrometres::from_mm(zero)));
     held.job.setups[0].zero.z = Micrometres::from_mm(-120);
@@ -334,14 +334,14 @@ fn another_order_makes_the_part_as_well() {
 #[test]
 fn own_correctors_have_their_own_numbers() {
     let (_, text, held) = right().into_iter().find(|(name, ..)| name == "plate").unwrap();
-    let held = held.own(&[(11, -102_400), (12, -60_400), (13, -50_000)]);
+    let held = held.with_correctors(&[(11, -102_400), (12, -60_400), (13, -50_000)]);
     let numbered = text.replace(" H1 ", " H11 ").replace(" H2 ", " H12 ");
     assert_eq!(held.codes(&CONTROL, &numbered), [""; 0]);
     assert_eq!(held.codes(&CONTROL, &numbered.replace(" H12 ", " H11 ")), ["shared-corrector", "shared-corrector"]);
     assert_eq!(held.codes(&CONTROL, &numbered.replace(" H12 ", " H13 ")), ["correction-otherwise"]);
     // Tools that he numbers in his own way are known by what they do.
     assert_eq!(held.codes(&CONTROL, &numbered.replace("T2 M6", "T9 M6")), ["tool-by-work"]);
-    let mut held = held.own(&[(11, 102_400), (12, -60_400), (13, 0)]);
+    let mut held = held.with_correctors(&[(11, 102_400), (12, -60_400), (13, 0)]);
     // Low enough that the quill can follow the wrong sign.
     held.job.setups[0].zero.z = Micrometres::from_mm(-130);
     held.setting.zeros[0][2] = Some(Micrometres::from_mm(-130));

@@ -1,6 +1,6 @@
 //! Programs of lathes compared with their part, as text: what the control makes of them is carried through the proof.
 
-use technolog::audit::turned::{held, read_back, reader};
+use technolog::audit::turned::{compare_with_part, read_back, reader};
 use technolog::note::Severity;
 use technolog::program::Fault;
 use technolog::program::lathe::{LatheLanguage, Subprogram, read};
@@ -16,7 +16,7 @@ const CONTROLS: [&str; 3] = ["linuxcnc", "fanuc", "sinumerik"];
 fn found(operation: &Operation, text: &str) -> Vec<Fault> {
     let language = LatheLanguage::read("linuxcnc-lathe", &KNOWLEDGE).unwrap();
     let run = read(text, &language, &[] as &[Subprogram<'_>]);
-    held(operation, 1, text, &run)
+    compare_with_part(operation, 1, text, &run)
 }
 
 /// Codes with how grave they are and their lines, without the notes.
@@ -61,7 +61,7 @@ fn programs_of_the_examples_do_what_their_toolpaths_do() {
                     .collect();
                 let language = LatheLanguage::read(reader(control, &KNOWLEDGE).unwrap().unwrap(), &KNOWLEDGE).unwrap();
                 let run = read(&files[0].text, &language, &beside);
-                let told = held(&operation, written.set_up, &files[0].text, &run);
+                let told = compare_with_part(&operation, written.set_up, &files[0].text, &run);
                 // A centre of Morse 5 before a thin end is doubtful: the page says so too.
                 let mut grave = grave(&told);
                 grave.retain(|one| (one.0, one.1) != ("swept-struck", Severity::Doubtful));

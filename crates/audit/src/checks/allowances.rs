@@ -11,7 +11,7 @@ use crate::route::diameters::{Range, range};
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::figures::beside;
+use super::super::figures::with_right_value;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -142,7 +142,7 @@ fn passes(context: &Context<'_>, (at, row): (usize, &Row), stock: Micrometres, r
     let finding = finding.about(context.subject(Scope::Row(at)));
     let finding = finding.resting_on([Because::row(range.row, Note::new("named"))]);
     match figure {
-        Some(figure) => beside(finding, figure, needed, Q::Passes),
+        Some(figure) => with_right_value(finding, figure, needed, Q::Passes),
         None => finding,
     }
 }
@@ -176,7 +176,7 @@ fn finding(
     let finding = AuditFinding::new(severity, Section::Route, context.field(id), note).at(&blamed.1.place);
     let finding = finding.about(context.subject(id.scope)).resting_on([because]);
     match blamed.1.figures.get(&quantity) {
-        Some(figure) => beside(finding, figure, right, quantity),
+        Some(figure) => with_right_value(finding, figure, right, quantity),
         None => finding,
     }
 }

@@ -64,7 +64,7 @@ fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findin
     let note = Note::new("audit-clamp-not-largest").with("torque", Figure::number(shown(own.3))).with("row", most.1);
     let note = note.with("other", Figure::number(shown(most.3)));
     let finding = AuditFinding::new(Severity::Wrong, Section::Clamping, format!("clamping.{key}"), note).at(place);
-    findings.push(finding.beside(own.1, most.1));
+    findings.push(finding.with_values(own.1, most.1));
 }
 
 fn finding(severity: Severity, key: &str, note: Note, said: &Text) -> AuditFinding {
@@ -95,7 +95,7 @@ fn designation<'k>(
         if likeness(&stated.value, right) != Likeness::Same {
             let note = Note::new(code).with(key, &stated.value).with("designation", &name.value).with("known", right);
             let finding = finding(Severity::Wrong, key, note, stated);
-            findings.push(finding.beside(&stated.value, right).resting_on(because()));
+            findings.push(finding.with_values(&stated.value, right).resting_on(because()));
         }
     }
     Ok(Some(clamp))
@@ -133,7 +133,7 @@ fn screw(
         if let Some(smallest) = smallest.filter(smaller) {
             let note = Note::new("audit-screw-large").with("screw", thread).with("force", round_to(force, 0));
             let finding = finding(Severity::Doubtful, "screw", note, said);
-            findings.push(finding.beside(thread, smallest.thread));
+            findings.push(finding.with_values(thread, smallest.thread));
         }
         return Ok(());
     }

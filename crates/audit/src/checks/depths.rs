@@ -9,7 +9,7 @@ use crate::tooling::named;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::figures::{beside, shown};
+use super::super::figures::{shown, with_right_value};
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -45,7 +45,7 @@ pub(super) fn check<'a>(
             // The tip of a drill would leave only a small hole.
             let whole = figure.value >= thickness.to_mm();
             let finding = say(if whole { Severity::Error } else { Severity::Doubtful }, note);
-            findings.push(beside(finding, figure, format!("< {thickness}"), Q::Depth));
+            findings.push(with_right_value(finding, figure, format!("< {thickness}"), Q::Depth));
             continue;
         }
         if graph.formula(Id::new(Scope::Row(at), Q::Depth)).is_some() {
@@ -56,7 +56,7 @@ pub(super) fn check<'a>(
                 && (figure.value - right).abs() > figure.last_place / 2.0 + 1e-6
             {
                 let finding = say(Severity::Wrong, Note::new("audit-spot-depth"));
-                findings.push(beside(finding, figure, shown(right), Q::Depth));
+                findings.push(with_right_value(finding, figure, shown(right), Q::Depth));
             }
             continue;
         }
@@ -74,7 +74,7 @@ pub(super) fn check<'a>(
         let least = if above { hole.depth - room } else { hole.depth };
         if plain && !(least..=most).contains(&stated) {
             let finding = say(Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", &hole.name));
-            findings.push(beside(finding, figure, hole.depth, Q::Depth));
+            findings.push(with_right_value(finding, figure, hole.depth, Q::Depth));
         }
     }
     Ok(())

@@ -44,7 +44,7 @@ pub(super) fn check<'a>(
                     .with("shank", Figure::word(shank.value.clone()))
                     .with("name", Figure::word(cutter.head.shank.name()));
                 let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field("shank"), note).at(&shank.place);
-                let finding = finding.beside(&shank.value, cutter.head.shank.name());
+                let finding = finding.with_values(&shank.value, cutter.head.shank.name());
                 findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
             }
             // Of equal designations the one of the stated table is taken; here the found row is not in that table.
@@ -52,13 +52,13 @@ pub(super) fn check<'a>(
                 let note = Note::new("audit-tool-table").with("table", &table.value).with("tool", cutter.designation);
                 let note = note.with("known", &row.table.id);
                 let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field("table"), note).at(&table.place);
-                let finding = finding.beside(&table.value, &row.table.id);
+                let finding = finding.with_values(&table.value, &row.table.id);
                 findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
             }
         }
         let near = context.holder_near(at);
         // A cutter with the machine's taper is its own holder.
-        if context.whole(at) {
+        if context.has_machine_taper(at) {
             continue;
         }
         named(
@@ -101,7 +101,7 @@ fn named<'k, T>(
         NameMatch::Meant(found, known) => {
             let note = Note::new("audit-designation-misprinted").with("tool", &name.value).with("known", known);
             let because = Because::row(row(found), Note::new("named"));
-            finding(Severity::Wrong, note).beside(&name.value, known).resting_on([because])
+            finding(Severity::Wrong, note).with_values(&name.value, known).resting_on([because])
         }
         NameMatch::Unknown(Some(known)) => {
             let note = Note::new("audit-designation-unknown").with("tool", &name.value).with("known", known);
@@ -139,11 +139,11 @@ fn standard(
             Likeness::Misread => {
                 let note =
                     Note::new("audit-standard-misprinted").with("standard", &standard.value).with("known", right);
-                finding(Severity::Wrong, note).beside(&standard.value, right)
+                finding(Severity::Wrong, note).with_values(&standard.value, right)
             }
             Likeness::Other => {
                 let note = Note::new("audit-standard-other").with("standard", &standard.value).with("known", right);
-                finding(Severity::Wrong, note).beside(&standard.value, right)
+                finding(Severity::Wrong, note).with_values(&standard.value, right)
             }
         },
     };
@@ -193,6 +193,6 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<AuditFinding>
     let note = Note::new("audit-dimensions-of").with("tool", &name.value).with("known", other.designation);
     let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field, note).at(&name.place);
     let because = Because::row(other.row.row, Note::new("named"));
-    let finding = finding.beside(&name.value, other.designation).resting_on([because]);
+    let finding = finding.with_values(&name.value, other.designation).resting_on([because]);
     findings.push(finding.about(context.subject(Scope::Tool(at))));
 }

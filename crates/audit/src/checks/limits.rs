@@ -6,7 +6,7 @@ use crate::plan::Operation;
 use crate::tables::machines::MachineQuantity as Bound;
 
 use super::super::context::Context;
-use super::super::figures::{beside, shown};
+use super::super::figures::{shown, with_right_value};
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -48,7 +48,7 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result
                 .with("quantity", note::Figure::word(bound.name()));
             let field = context.field(Id::new(Scope::Conditions(at), quantity));
             let finding = AuditFinding::new(Severity::Error, Section::Conditions, field, note);
-            let finding = beside(finding, figure, format!("<= {}", shown(most)), quantity);
+            let finding = with_right_value(finding, figure, format!("<= {}", shown(most)), quantity);
             let because = Because::row(machine.row(bound)?, Note::new("audit-limit"));
             findings.push(finding.about(context.subject(Scope::Conditions(at))).resting_on([because]));
         }
@@ -87,7 +87,7 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<()
             .with("limit", note::Figure::number(shown(most)))
             .with("quantity", note::Figure::word(Bound::ToolOverhangMax.name()));
         let field = context.field(Id::new(Scope::Tool(at), Q::Assembly));
-        let finding = beside(
+        let finding = with_right_value(
             AuditFinding::new(Severity::Error, Section::Lengths, field, note),
             figure,
             format!("<= {}", shown(most)),
@@ -169,7 +169,7 @@ fn drills(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(),
             .with("quantity", note::Figure::word(Bound::DrillDiameterMax.name()));
         let field = context.field(Id::new(Scope::Row(at), Q::Diameter));
         let finding = AuditFinding::new(Severity::Error, Section::Route, field, note);
-        let finding = beside(finding, figure, format!("<= {}", shown(most)), Q::Diameter);
+        let finding = with_right_value(finding, figure, format!("<= {}", shown(most)), Q::Diameter);
         let because = Because::row(machine.row(Bound::DrillDiameterMax)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));
     }

@@ -10,7 +10,7 @@ use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::figures::{beside, shown};
+use super::super::figures::{shown, with_right_value};
 use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -41,8 +41,8 @@ pub(super) fn check<'a>(
             continue;
         }
         let openings = openings(hole, context)?;
-        for opening in openings.iter().filter(|opening| opening.asked && ours(context, hole, opening)) {
-            made(context, graph, hole, opening, &rows, findings);
+        for opening in openings.iter().filter(|opening| opening.asked && is_made_by_own_plan(context, hole, opening)) {
+            check_made(context, graph, hole, opening, &rows, findings);
         }
         // Plans of the program report themselves what they cut beyond the drawing.
         for (at, row) in rows.iter().filter(|(_, row)| row.operation.value.is_of_edge() && row.step.is_none()) {
@@ -72,7 +72,7 @@ fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, Knowledg
 }
 
 /// Whether the program's plan makes an opening: what that plan cannot make either is reported for the part.
-fn ours(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
+fn is_made_by_own_plan(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
     let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { return false };
     let makes = |one: &Transition| {
         one.feature == opening.feature
@@ -84,7 +84,7 @@ fn ours(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
 
 /// Whether some row makes an opening that the drawing requires: a row of its own, a step drill, or a centring spot of
 /// that width.
-fn made(
+fn check_made(
     context: &Context<'_>,
     graph: &Graph<'_>,
     hole: &Hole,
@@ -119,7 +119,7 @@ fn made(
             let field = format!("route.{}.diameter", row.number);
             let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
             match row.figures.get(&Q::Diameter) {
-                Some(figure) => beside(finding, figure, opening.diameter, Q::Diameter),
+                Some(figure) => with_right_value(finding, figure, opening.diameter, Q::Diameter),
                 None => finding,
             }
             .about(context.subject(Scope::Row(*at)))
@@ -169,7 +169,7 @@ fn asked_for(
     {
         let note = Note::new("audit-opening-diameter").with("feature", Figure::word(opening.feature.name()));
         let finding = AuditFinding::new(Severity::Wrong, Section::Route, field("diameter"), note);
-        findings.push(about(beside(finding, figure, opening.diameter, Q::Diameter)));
+        findings.push(about(with_right_value(finding, figure, opening.diameter, Q::Diameter)));
         right_by_drawing(context, at, opening.diameter, findings);
     }
     if let (Some(figure), Some(depth)) = (row.figures.get(&Q::Depth), opening.depth)
@@ -179,7 +179,7 @@ fn asked_for(
     {
         let note = Note::new("audit-opening-depth").with("feature", Figure::word(opening.feature.name()));
         let finding = AuditFinding::new(Severity::Wrong, Section::Route, field("depth"), note);
-        findings.push(about(beside(finding, figure, depth, Q::Depth)));
+        findings.push(about(with_right_value(finding, figure, depth, Q::Depth)));
     }
 }
 

@@ -129,5 +129,5 @@ fn flute(context: &Context<'_>, (tool, row): (usize, usize), needed: Micrometres
     let mut finding = AuditFinding::new(Severity::Error, Section::Tools, field, note).at(&figure.place);
     finding.subject = context.subject(Scope::Row(row));
     finding.subject.tool = Some(own.number);
-    findings.push(finding.beside(&figure.text, format!(">= {needed}")));
+    findings.push(finding.with_values(&figure.text, format!(">= {needed}")));
 }

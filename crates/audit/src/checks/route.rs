@@ -123,7 +123,7 @@ fn finished(
         let field = format!("route.{}.diameter", row.number);
         let mut finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
         finding.follows_from = follows(context, graph, &[Some(of_row(at))]);
-        findings.push(finding.beside(diameter, &hole.diameter).about(context.subject(Scope::Row(at))));
+        findings.push(finding.with_values(diameter, &hole.diameter).about(context.subject(Scope::Row(at))));
     }
 }
 
@@ -162,5 +162,5 @@ fn changes(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
         Some(row) => finding.at(&row.place),
         None => finding,
     };
-    findings.push(finding.beside(changes.len(), least));
+    findings.push(finding.with_values(changes.len(), least));
 }

@@ -28,7 +28,7 @@ pub(super) fn check<'a>(
         let (Some((_, first)), Some(route)) = (rows.first(), &plan.route) else { continue };
         let here = |made: &&Transition| made.operation.is_of_scheme(made.elsewhere);
         let ours = plan.transitions.iter().filter(here).map(|transition| transition.operation).collect();
-        let asked = table_answer::asked(hole, &context.stated.part, &context.shop)?;
+        let asked = table_answer::ask(hole, &context.stated.part, &context.shop)?;
         let group = Group { context, graph, hole, route, rows: &rows, first, ours, asked };
         group.check(findings)?;
     }
@@ -77,7 +77,7 @@ impl Group<'_, '_> {
         self.asked.schemes.iter().any(|own| same_scheme(scheme, own))
     }
 
-    fn say(&self, severity: Severity, row: &Row, key: &str, note: Note) -> AuditFinding {
+    fn finding(&self, severity: Severity, row: &Row, key: &str, note: Note) -> AuditFinding {
         let said = if key == "table" { &row.table } else { &row.scheme };
         let place = said.as_ref().map_or(&row.place, |said| &said.place);
         let note = note
@@ -106,7 +106,7 @@ impl Group<'_, '_> {
             if self.weighed(name) {
                 if let Some(own) = own.filter(|own| !same_scheme(own, name)) {
                     let note = Note::new("audit-scheme-mixed").with("stated", name).with("other", own);
-                    findings.push(self.say(Severity::Wrong, row, "scheme", note).beside(name, own));
+                    findings.push(self.finding(Severity::Wrong, row, "scheme", note).with_values(name, own));
                 }
             } else if self.printed(name) && self.asked.centred {
                 findings.push(self.uncentred(row, name));
@@ -114,7 +114,7 @@ impl Group<'_, '_> {
                 judged &= !self.is_ours() && of_scheme.is_none_or(|own| main(&own) != main(&self.stated()));
             } else if !self.printed(name) {
                 let note = Note::new("audit-scheme-unknown").with("stated", name);
-                findings.push(self.say(Severity::Wrong, row, "scheme", note).beside(name, &self.route.scheme));
+                findings.push(self.finding(Severity::Wrong, row, "scheme", note).with_values(name, &self.route.scheme));
                 // If the scheme is not permitted, its transitions are not judged as well.
                 judged &= own.is_some();
             }
@@ -128,7 +128,7 @@ impl Group<'_, '_> {
         let severity = if by_text { Severity::Wrong } else { Severity::Doubtful };
         let printed = self.asked.row.map_or_else(String::new, |row| row.table.id.clone());
         let note = Note::new("audit-scheme-uncentred").with("stated", name).with("printed", printed);
-        let mut finding = self.say(severity, row, "scheme", note).beside(name, &self.route.scheme);
+        let mut finding = self.finding(severity, row, "scheme", note).with_values(name, &self.route.scheme);
         finding.because.clear();
         finding.because.extend(self.asked.row.map(|row| Because::row(row, Note::new("named"))));
         finding.because.push(self.asked.centring.clone());
@@ -151,7 +151,8 @@ impl Group<'_, '_> {
             }
             told.push(pair);
             let note = Note::new("audit-scheme-table").with("stated", &table.value);
-            findings.push(self.say(Severity::Wrong, row, "table", note).beside(&table.value, &self.route.table));
+            findings
+                .push(self.finding(Severity::Wrong, row, "table", note).with_values(&table.value, &self.route.table));
         }
     }
 
@@ -184,13 +185,13 @@ impl Group<'_, '_> {
             .map(|list| list.iter().map(|operation| operation.name()).collect::<Vec<_>>().join(", "));
         let figure = |list: &[Operation]| Figure::operations(list.iter().map(|operation| operation.name()));
         let finding = |severity, note: Note| {
-            self.say(
+            self.finding(
                 severity,
                 row,
                 "scheme",
                 note.with("transitions", figure(&stated)).with("better", figure(&self.ours)),
             )
-            .beside(&names, &ours)
+            .with_values(&names, &ours)
         };
         let alike = |other: &Alternative| {
             let here = other.operations.iter().filter(|made| made.operation.is_of_scheme(made.elsewhere));

@@ -8,7 +8,7 @@ use crate::tables::audit::{AuditByTableFor, Tabulated};
 use crate::units::round_to;
 
 use super::super::context::Context;
-use super::super::figures::{beside, shown};
+use super::super::figures::{shown, with_right_value};
 use super::super::finding::AuditFinding;
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -34,7 +34,7 @@ pub(super) fn check<'a>(
             .about(context.subject(id.scope));
         let why = Because::answer(&asked.answer, Note::new("audit-limit"));
         let finding = finding.resting_on(rows(context, id).into_iter().chain([why]));
-        findings.push(beside(finding, figure, shown(table), id.quantity));
+        findings.push(with_right_value(finding, figure, shown(table), id.quantity));
     }
     Ok(())
 }

@@ -49,7 +49,7 @@ fn table(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), 
         if size > most {
             let note = Note::new("audit-blank-off-table").with("axis", axis.letter()).with("size", size);
             let note = note.with("table", most).with("over", size - most);
-            let finding = about_part(Severity::Doubtful, field, note).beside(size, format!("<= {most}"));
+            let finding = about_part(Severity::Doubtful, field, note).with_values(size, format!("<= {most}"));
             findings.push(finding.resting_on([limit(machine.row(quantity)?)]));
         }
     }
@@ -124,7 +124,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
         let own = &context.stated.rows[*row];
         let field = format!("route.{}.depth", own.number);
         let place = own.figures.get(&Q::Depth).map_or(&own.place, |figure| &figure.place);
-        let mut finding = AuditFinding::new(grave(context), Section::Route, field, note).at(place);
+        let mut finding = AuditFinding::new(no_room_severity(context), Section::Route, field, note).at(place);
         finding.subject = context.subject(Scope::Row(*row));
         finding.subject.tool = Some(context.stated.tools[*tool].number);
         findings.push(finding);
@@ -158,7 +158,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
 }
 
 /// The severity for a tool without room; lower for plans of the program, because their program reports it again.
-fn grave(context: &Context<'_>) -> Severity {
+fn no_room_severity(context: &Context<'_>) -> Severity {
     if context.stated.own { Severity::Doubtful } else { Severity::Error }
 }
 
@@ -218,11 +218,11 @@ impl ZoneCheck<'_, '_> {
         let field = context.field(Id::new(Scope::Tool(one.tool), Q::Assembly));
         let figure = tool.figures.get(&Q::Assembly);
         let place = figure.map_or(&tool.place, |figure| &figure.place);
-        let mut finding = AuditFinding::new(grave(context), Section::Lengths, field, note).at(place);
+        let mut finding = AuditFinding::new(no_room_severity(context), Section::Lengths, field, note).at(place);
         finding.subject = context.subject(Scope::Row(one.row));
         finding.subject.tool = Some(tool.number);
         finding.quantity = Some(Q::Assembly);
         let stated = figure.map_or_else(|| one.stroke.length.to_string(), |figure| figure.text.clone());
-        finding.beside(stated, right)
+        finding.with_values(stated, right)
     }
 }

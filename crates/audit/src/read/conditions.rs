@@ -21,7 +21,7 @@ impl Reader<'_> {
         let items = self.problems.list(node).unwrap_or_default();
         let (mut all, mut named): (Vec<Conditions>, BTreeSet<usize>) = (Vec::new(), BTreeSet::new());
         for node in limits::rows(items, |own| &own.place, &mut self.problems) {
-            let Some(own) = self.one(node, rows) else { continue };
+            let Some(own) = self.read_entry(node, rows) else { continue };
             let twice = own.rows.iter().find(|row| named.contains(*row));
             if let Some(row) = twice.and_then(|row| rows.get(*row)) {
                 let message = note!("planfile-row-has-conditions-already", row = row.number);
@@ -38,7 +38,7 @@ impl Reader<'_> {
         all
     }
 
-    fn one(&mut self, node: &Node, rows: &[Row]) -> Option<Conditions> {
+    fn read_entry(&mut self, node: &Node, rows: &[Row]) -> Option<Conditions> {
         let mut fields = self.problems.map(node)?;
         let named = fields.need(file::Conditions::r#for, &mut self.problems).map(|node| self.rows_named(node, rows));
         let card = fields.take(file::Conditions::card);

@@ -16,7 +16,7 @@ use crate::units::{RevsPerMinute, round_to};
 use super::super::context::Context;
 use super::super::graph::{Constant, Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, same};
+use super::{equal_figures, fixed_figure, formula};
 
 const DEPTH: Rule = Rule { id: "depth-of-cut", formula: "t = (D − D0)/2" };
 const FEED: Rule = Rule { id: "feed", formula: "S = Sт·Ks" };
@@ -43,12 +43,12 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     let values = rows.iter().filter(|row| row.name == Known::Pi).map(|row| row.value).collect();
     graph.constant(PI, Constant { values, because: Vec::new() });
     for at in 0..context.stated.conditions.len() {
-        one(context, graph, at)?;
+        add_formulas(context, graph, at)?;
     }
     Ok(())
 }
 
-fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
+fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
     let conditions = &context.stated.conditions[at];
     let Some(first) = conditions.rows.first().copied() else { return Ok(()) };
     let row = &context.stated.rows[first];
@@ -65,7 +65,7 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     by_factors(context, graph, at, (Q::CardSpeed, Q::FactorSpeed, Q::Speed), &SPEED, false);
     by_factors(context, graph, at, (Q::CardForce, Q::FactorForce, Q::Force), &FORCE, true);
     by_factors(context, graph, at, (Q::CardPower, Q::FactorPower, Q::Power), &POWER, true);
-    graph.add(same(&TAKEN, id(Q::FeedTaken), id(Q::Feed)));
+    graph.add(equal_figures(&TAKEN, id(Q::FeedTaken), id(Q::Feed)));
     if !conditions.rounds && operation != Operation::Mill {
         let inputs = vec![id(Q::Speed), PI, id(Q::Diameter)];
         let rpm = |values: &[f64]| Some(1000.0 * values.first()? / (values.get(1)? * values.get(2)?));
@@ -264,7 +264,12 @@ fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, fir
     let spot = reference.operation == Operation::CentreDrill;
     if spot {
         let why = reference.because.iter().filter(|why| why.table == "centre-spot").cloned();
-        graph.add(given(&BY_TABLES, Id::new(Scope::Row(first), Q::Diameter), reference.diameter_mm.to_mm(), why));
+        graph.add(fixed_figure(
+            &BY_TABLES,
+            Id::new(Scope::Row(first), Q::Diameter),
+            reference.diameter_mm.to_mm(),
+            why,
+        ));
     }
     if !context.stated.own {
         return;
@@ -275,7 +280,7 @@ fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, fir
         (Q::Depth, reference.depth_mm.to_mm()),
         (Q::Passes, f64::from(reference.passes)),
     ] {
-        graph.add(given(&BY_TABLES, Id::new(Scope::Row(first), quantity), value, because()));
+        graph.add(fixed_figure(&BY_TABLES, Id::new(Scope::Row(first), quantity), value, because()));
     }
     let figures = [
         (Q::DepthOfCut, Some(own.depth_of_cut_mm)),
@@ -290,7 +295,7 @@ fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, fir
     ];
     for (quantity, value) in figures {
         if let Some(value) = value {
-            graph.add(given(&BY_TABLES, id(quantity), value, because()));
+            graph.add(fixed_figure(&BY_TABLES, id(quantity), value, because()));
         }
     }
 }

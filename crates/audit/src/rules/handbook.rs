@@ -16,7 +16,7 @@ use super::super::context::Context;
 use super::super::figures::{Nature, nature, shown};
 use super::super::graph::{Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given};
+use super::{fixed_figure, formula};
 
 /// Whether a rule is one of the handbook's formulas of speed and loads.
 pub(crate) fn is_of(rule: &Rule) -> bool {
@@ -37,12 +37,12 @@ pub(super) fn add_all<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Re
         return Ok(());
     }
     for at in 0..context.stated.conditions.len() {
-        one(context, graph, at)?;
+        add_formulas(context, graph, at)?;
     }
     Ok(())
 }
 
-fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
+fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     let id = move |quantity| Id::new(Scope::Conditions(at), quantity);
     // With cards, only the tool life is checked against the handbook.
@@ -63,7 +63,7 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
         let by_life = formulas.as_ref().is_some_and(|own| is_by_life(context, at, own, cut.diameter, life));
         by_table = Some(life).filter(|_| at_step || by_life);
         let table = Because::table(context.shop.knowledge.table_of::<AuditFormula<'_>>()?, Note::new("audit-limit"));
-        let mut own = given(&LIFE, id(Q::ToolLife), life, because.into_iter().chain([table]));
+        let mut own = fixed_figure(&LIFE, id(Q::ToolLife), life, because.into_iter().chain([table]));
         own.judge = Some(Box::new(move |value, _| match at_step {
             true => None,
             false => judged(context, Q::ToolLife, value, life),

@@ -68,12 +68,17 @@ fn formula<'a>(
 }
 
 /// Two figures that must be the same.
-fn same<'a>(rule: &'static Rule, output: Id, input: Id) -> Formula<'a> {
+fn equal_figures<'a>(rule: &'static Rule, output: Id, input: Id) -> Formula<'a> {
     formula(rule, output, vec![input], "{0}", |values| values.first().copied())
 }
 
 /// A figure given by a row of a table or by the drawing.
-fn given<'a>(rule: &'static Rule, output: Id, value: f64, because: impl IntoIterator<Item = Because>) -> Formula<'a> {
+fn fixed_figure<'a>(
+    rule: &'static Rule,
+    output: Id,
+    value: f64,
+    because: impl IntoIterator<Item = Because>,
+) -> Formula<'a> {
     let mut formula = formula(rule, output, Vec::new(), "", move |_| Some(value));
     formula.because.extend(because);
     formula

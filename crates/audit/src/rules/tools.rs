@@ -12,7 +12,7 @@ use super::super::context::Context;
 use super::super::figures::nature;
 use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, largest, same};
+use super::{equal_figures, fixed_figure, formula, largest};
 
 pub(crate) const DIMENSION: Rule = Rule { id: "tool-dimension", formula: "" };
 const HOLDER: Rule = Rule { id: "holder-dimension", formula: "" };
@@ -53,15 +53,15 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 if set && stated.own {
                     continue;
                 }
-                let mut dimension = given(&DIMENSION, id(quantity), length.to_mm(), because());
+                let mut dimension = fixed_figure(&DIMENSION, id(quantity), length.to_mm(), because());
                 dimension.judge = set.then(|| ground(context, tool.number, length));
                 graph.add(dimension);
             }
             if let Some(morse) = cutter.row.morse {
-                graph.add(given(&DIMENSION, id(Q::Morse), morse as f64, because()));
+                graph.add(fixed_figure(&DIMENSION, id(Q::Morse), morse as f64, because()));
             }
             if let Some(angle) = named::point_angle(cutter) {
-                graph.add(given(&DIMENSION, id(Q::PointAngle), angle, because()));
+                graph.add(fixed_figure(&DIMENSION, id(Q::PointAngle), angle, because()));
             }
             if let Some(operation) = operation {
                 overhang(context, graph, at, cutter, operation)?;
@@ -76,18 +76,18 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             ];
             for (quantity, length) in lengths {
                 if let Some(length) = length {
-                    graph.add(given(&HOLDER, id(quantity), length.to_mm(), because()));
+                    graph.add(fixed_figure(&HOLDER, id(quantity), length.to_mm(), because()));
                 }
             }
             if let Some(morse) = holder.morse {
-                graph.add(given(&HOLDER, id(Q::HolderMorse), morse as f64, because()));
+                graph.add(fixed_figure(&HOLDER, id(Q::HolderMorse), morse as f64, because()));
             }
         }
-        graph.add(same(&HOLDER_USED, id(Q::HolderUsed), id(Q::HolderLength)));
+        graph.add(equal_figures(&HOLDER_USED, id(Q::HolderUsed), id(Q::HolderLength)));
         let (overhang, holder) = (id(Q::Overhang), id(Q::HolderUsed));
         // The overhang of a cutter with the taper of the machine is its whole length.
-        if context.whole(at) {
-            graph.add(same(&ASSEMBLY, id(Q::Assembly), overhang));
+        if context.has_machine_taper(at) {
+            graph.add(equal_figures(&ASSEMBLY, id(Q::Assembly), overhang));
         } else {
             let sum = formula(&ASSEMBLY, id(Q::Assembly), vec![overhang, holder], "{0}+{1}", |values| {
                 Some(values.iter().sum())
@@ -124,7 +124,7 @@ fn overhang<'a>(
 ) -> Result<(), KnowledgeError> {
     let (least, most, because) = named::overhang(cutter, operation, &context.shop)?;
     let (least, most) = (least.to_mm(), most.to_mm());
-    let mut formula = given(&OVERHANG, Id::new(Scope::Tool(at), Q::Overhang), most, [because]);
+    let mut formula = fixed_figure(&OVERHANG, Id::new(Scope::Tool(at), Q::Overhang), most, [because]);
     formula.judge = Some(Box::new(move |value, _| {
         let within = (least - 1e-6..=most + 1e-6).contains(&value);
         let note = Note::new("audit-overhang").with("least", least).with("most", most);

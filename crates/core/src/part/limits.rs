@@ -27,7 +27,7 @@ pub(super) enum Counted {
 }
 
 impl Counted {
-    const fn most(self) -> usize {
+    const fn maximum(self) -> usize {
         match self {
             Self::Points => MOST_POINTS,
             Self::Kinds => MOST_KINDS,
@@ -47,7 +47,7 @@ impl Counted {
 
     /// The fault of a count above the limit, and the remedy.
     fn refusal(self, count: usize) -> Option<(Note, Note)> {
-        let most = self.most();
+        let most = self.maximum();
         let message = match self {
             Self::Points => note!("part-too-many-points", count = count, most = most),
             Self::Kinds => note!("part-too-many-kinds", count = count, most = most),
@@ -69,10 +69,10 @@ impl Reader<'_> {
 
     /// The items of a list up to the limit; a longer list is refused at its first extra item.
     pub(super) fn bounded<'n>(&mut self, what: Counted, items: &'n [Node]) -> &'n [Node] {
-        if let Some(beyond) = items.get(what.most()) {
+        if let Some(beyond) = items.get(what.maximum()) {
             let _ = self.no_more(what, items.len(), &beyond.place);
         }
-        items.get(..what.most()).unwrap_or(items)
+        items.get(..what.maximum()).unwrap_or(items)
     }
 
     /// Counts the points of a list or a pattern before they are made; none if they are too many, which is reported

@@ -33,7 +33,7 @@ fn notes(page: &mut Page, table: &Table, left_out: Vec<Inlines>, all: usize) {
     if !left_out.is_empty() {
         let mut said = Inlines::joined(left_out, ", ");
         if !page.words.see_all.is_empty() {
-            said = said.text("; ").then(Inlines::sentence(&page.words.see_all.replace(WIDTH, &all.to_string())));
+            said = said.text("; ").append(Inlines::sentence(&page.words.see_all.replace(WIDTH, &all.to_string())));
         }
         page.field(&page.words.left_out.into(), &said, STEP);
     }
@@ -74,7 +74,7 @@ impl Grid {
         let rows: Vec<Vec<Vec<Word>>> = table.rows().iter().map(|row| row.iter().map(of_cell).collect()).collect();
         let measure = |(at, column): (usize, &crate::Column)| {
             let cells = || rows.iter().map(|row| &row[at]).chain([&heads[at]]);
-            let most = cells().map(|words| whole(words)).max().unwrap_or(0);
+            let most = cells().map(|words| line_width(words)).max().unwrap_or(0);
             let word = cells().flatten().map(|word| word.width).max().unwrap_or(0);
             (most, word.max(column.least.min(most)))
         };
@@ -170,6 +170,6 @@ impl Grid {
 }
 
 /// The width of words on one line.
-fn whole(words: &[Word]) -> usize {
+fn line_width(words: &[Word]) -> usize {
     wrap(words, usize::MAX, usize::MAX).first().map_or(0, |line| line.width)
 }

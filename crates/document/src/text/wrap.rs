@@ -138,7 +138,7 @@ fn split(inlines: &Inlines, all: Option<Style>, after: Option<char>) -> Vec<Word
             }
         }
     }
-    held(words)
+    join_inseparable(words)
 }
 
 fn shown(piece: &Inline, quoted: bool) -> String {
@@ -170,7 +170,7 @@ fn add(words: &mut Vec<Word>, text: &str, style: Style, mut open: bool, after: O
 }
 
 /// Joins words that must stay together.
-fn held(words: Vec<Word>) -> Vec<Word> {
+fn join_inseparable(words: Vec<Word>) -> Vec<Word> {
     let mut all: Vec<Word> = Vec::new();
     let mut last = Word::default();
     for word in words {

@@ -121,7 +121,7 @@ pub fn document(words: BoxedStrategy<String>) -> impl Strategy<Value = Document>
     ];
     (line, prop::collection::vec(block, 0..6)).prop_map(|(title, blocks)| Document {
         lang: "uk".to_owned(),
-        title: Inlines::from("t").then(title),
+        title: Inlines::from("t").append(title),
         blocks,
     })
 }

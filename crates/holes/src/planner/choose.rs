@@ -221,7 +221,9 @@ impl<'a, 'k> Chooser<'a, 'k> {
 
     fn total(&self) -> Total {
         let own: f64 = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|choice| choice.own.0).sum();
-        let missing = (0..self.chosen.len()).filter(|group| self.choice(*group).is_none_or(|it| !it.meets())).count();
+        let missing = (0..self.chosen.len())
+            .filter(|group| self.choice(*group).is_none_or(|it| !it.meets_requirements()))
+            .count();
         let at_best = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|it| it.at_best.len()).sum();
         let other = (0..self.chosen.len())
             .filter(|group| self.choice(*group).is_some_and(|choice| self.other_way(*group, choice)))
@@ -289,7 +291,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         let new_tools = self.new_tools(group, index);
         Rank {
             other_way: self.other_way(group, choice),
-            misses: !choice.meets(),
+            misses: !choice.meets_requirements(),
             at_best: choice.at_best.len(),
             crowding: if self.crowded { new_tools } else { 0 },
             time: micro(self.time(group, index, choice).0),
@@ -317,7 +319,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let other = &options.choices[index];
             let total = self.time(group, index, other);
             let more = total.0 - time.0;
-            let why = match (winner.meets(), other.meets()) {
+            let why = match (winner.meets_requirements(), other.meets_requirements()) {
                 _ if self.other_way(group, other) && more < -SAME => {
                     Note::new("lost-by-preference").with("quicker", minutes(-more))
                 }
@@ -336,7 +338,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
                 operations: Options::operations(other),
                 time_min: Some(total.rounded(3)),
                 new_tools: Some(self.new_tools(group, index)),
-                meets: other.meets(),
+                meets: other.meets_requirements(),
                 why,
             });
         }

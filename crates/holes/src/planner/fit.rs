@@ -218,7 +218,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
                 self.centre(step, drill.unwrap_or(self.hole.diameter.nominal))?
             } else {
                 let last = follows.is_none_or(|next| next == Operation::Tap) && !finish_elsewhere;
-                self.one(step, follows, last)?
+                self.fit_step(step, follows, last)?
             });
         }
         Ok(fitted)
@@ -254,7 +254,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// One step that is not centring.
-    pub fn one(&self, mut step: RouteStep, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
+    pub fn fit_step(&self, mut step: RouteStep, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
         let Outfit { tool, travel, conditions, took, doubts } = self.outfit(&step, follows, last)?;
         let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
@@ -265,7 +265,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// The time of one pass in one hole, in the canned cycle that a program uses for it.
-    fn took(
+    fn pass_time(
         &self,
         step: &RouteStep,
         travel: Micrometres,
@@ -382,7 +382,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             assembly,
             because,
         };
-        let took = self.took(step, travel, self.travels(step.place.through).0, &conditions)?;
+        let took = self.pass_time(step, travel, self.travels(step.place.through).0, &conditions)?;
         Ok(Outfit { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), took, doubts })
     }
 

@@ -115,7 +115,7 @@ pub fn plan_by(
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
     let off_table = zone::off_table(part, &shop.machine);
     findings.extend(off_table.iter().map(|fault| Finding::of_part(Severity::Error, fault.note())));
-    findings.extend(names::alike(part));
+    findings.extend(names::lookalike_names(part));
     findings.extend(doubtful_row(shop.material.row));
     let mut plan = Plan {
         part: part.clone(),
@@ -241,7 +241,7 @@ fn route(choice: &Choice, options: &Options, compared: ComparedRoutes) -> Route 
         table: candidate.table.clone(),
         scheme: candidate.scheme.clone(),
         finish_elsewhere: candidate.finish_elsewhere,
-        meets: choice.meets(),
+        meets: choice.meets_requirements(),
         centre_tolerance_mm: options.centre_tolerance,
         time_min: compared.time,
         cost: compared.cost,

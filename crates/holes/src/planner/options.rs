@@ -21,7 +21,7 @@ use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
-use super::sources::{none, refused};
+use super::sources::{no_candidate, refused};
 use super::whole::{Finder, edges, rapids_between, smallest_bore};
 
 /// A route that can be carried out.
@@ -43,7 +43,7 @@ pub(super) struct Choice {
 
 impl Choice {
     /// Whether the route holds grade, roughness and position.
-    pub fn meets(&self) -> bool {
+    pub fn meets_requirements(&self) -> bool {
         self.misses.is_empty()
     }
 }
@@ -207,7 +207,7 @@ pub(super) fn options(
     {
         let needed = fitting.drill_reach(&main.place, short.diameter);
         let why = Reason::DrillsTooShort { diameter: short.diameter, reach: short.reach, needed };
-        options.refused.push(none(RouteSource::Search, "next-transition", why));
+        options.refused.push(no_candidate(RouteSource::Search, "next-transition", why));
     }
     finder.boring_stands_back(&mut options)?;
     if let Some((_, because)) = rough_face {
@@ -227,7 +227,7 @@ impl Finder<'_, '_> {
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
         let stands_back = |choice: &Choice| choice.candidate.way != RouteSource::Tables && bores(choice) != asked;
         options.not_bored = !asked && self.close()?;
-        let other = options.choices.iter().any(|choice| choice.meets() && !stands_back(choice));
+        let other = options.choices.iter().any(|choice| choice.meets_requirements() && !stands_back(choice));
         if !other {
             options.not_bored = self.close()? && !options.choices.iter().any(bores);
             return Ok(());
@@ -239,7 +239,7 @@ impl Finder<'_, '_> {
         for choice in back {
             let operations = Options::operations(&choice);
             let refused = refused(&choice.candidate, why.clone());
-            options.refused.push(RefusedRoute { operations, meets: choice.meets(), ..refused });
+            options.refused.push(RefusedRoute { operations, meets: choice.meets_requirements(), ..refused });
         }
         Ok(())
     }

@@ -66,13 +66,13 @@ impl Finder<'_, '_> {
         if let Some(kind) = kind {
             match Refusal::split(auxiliary::candidates(&self.question, kind, self.shop))? {
                 Ok(schemes) => found = Some(schemes),
-                Err(why) => options.refused.push(none(RouteSource::Tables, "A.10", why)),
+                Err(why) => options.refused.push(no_candidate(RouteSource::Tables, "A.10", why)),
             }
         }
         if found.is_none() && self.task.main.thread.is_none() {
             match Refusal::split(scheme::candidates(&self.question, self.shop))? {
                 Ok(schemes) => found = Some(schemes),
-                Err(why) => options.refused.push(none(RouteSource::Tables, "A.8", why)),
+                Err(why) => options.refused.push(no_candidate(RouteSource::Tables, "A.8", why)),
             }
         }
         let mut taken: Option<String> = None;
@@ -98,7 +98,7 @@ impl Finder<'_, '_> {
             countersunk: self.hole.countersink.is_some(),
         };
         match Refusal::split(complex::candidates(&self.question, openings, self.shop))? {
-            Err(why) => options.refused.push(none(RouteSource::Complexes, "A.4", why)),
+            Err(why) => options.refused.push(no_candidate(RouteSource::Complexes, "A.4", why)),
             Ok(complexes) => {
                 for candidate in complexes {
                     self.try_candidate(&candidate, options)?;
@@ -112,7 +112,7 @@ impl Finder<'_, '_> {
         let main = &self.task.main;
         let cost = |steps: &[RouteStep]| self.cost(steps);
         match Refusal::split(search::candidates(main, &self.sizes, &cost, self.shop))? {
-            Err(why) => options.refused.push(none(RouteSource::Search, "next-transition", why)),
+            Err(why) => options.refused.push(no_candidate(RouteSource::Search, "next-transition", why)),
             Ok(routes) => {
                 for mut candidate in routes {
                     if main.thread.is_some() {
@@ -185,7 +185,7 @@ impl Finder<'_, '_> {
 
     /// Files a route as feasible, unless the same route is there already.
     fn file(&self, choice: Choice, options: &mut Options) {
-        let twin = options.choices.iter().find(|known| same(known, &choice));
+        let twin = options.choices.iter().find(|known| same_route(known, &choice));
         let Some(twin) = twin else {
             options.choices.push(choice);
             return;
@@ -255,7 +255,7 @@ impl Finder<'_, '_> {
 }
 
 /// Whether two routes are the same: the same cutters leave the same diameters.
-fn same(a: &Choice, b: &Choice) -> bool {
+fn same_route(a: &Choice, b: &Choice) -> bool {
     let shown = |choice: &Choice| -> Vec<(Operation, Micrometres, Micrometres, Option<String>)> {
         let steps = choice.steps.iter();
         steps
@@ -269,10 +269,10 @@ fn same(a: &Choice, b: &Choice) -> bool {
 }
 
 pub(super) fn refused(candidate: &Candidate, why: Reason) -> RefusedRoute {
-    RefusedRoute { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
+    RefusedRoute { scheme: candidate.scheme.clone(), ..no_candidate(candidate.way, &candidate.table, why) }
 }
 
 /// The refusal of a source that has no candidate.
-pub(super) fn none(way: RouteSource, table: &str, why: Reason) -> RefusedRoute {
+pub(super) fn no_candidate(way: RouteSource, table: &str, why: Reason) -> RefusedRoute {
     RefusedRoute { way, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
 }

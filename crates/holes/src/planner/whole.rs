@@ -105,7 +105,7 @@ impl Finder<'_, '_> {
                 }
             };
             let both = steps.iter().any(|step| step.operation == Operation::DrillOut);
-            match Refusal::split(self.whole(steps, candidate, joined))? {
+            match Refusal::split(self.fit_hole(steps, candidate, joined))? {
                 Ok(mut fitted) => {
                     if both {
                         self.fitting.compare_with_one_drill(&mut fitted)?;
@@ -123,7 +123,7 @@ impl Finder<'_, '_> {
 
     /// Adds openings, edges and the floor to the steps of the main cylinder, in the order of section 1.1.2,
     /// and fits them all.
-    fn whole(&self, mut steps: Vec<RouteStep>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
+    fn fit_hole(&self, mut steps: Vec<RouteStep>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         let main = &self.task.main;
         for step in &mut steps {
             step.asks = Some((main.diameter.it, main.roughness));
@@ -309,7 +309,7 @@ pub(super) fn edges(
         let cut = |operation: Option<Operation>| -> Tried<RouteStep> {
             let mut step = openings::edge(edge, edge.around, shop)?;
             step.operation = operation.unwrap_or(step.operation);
-            fitting.one(step.clone(), None, false)?;
+            fitting.fit_step(step.clone(), None, false)?;
             Ok(step)
         };
         let mut found = Refusal::split(cut(None))?;

@@ -30,7 +30,7 @@ pub(super) fn start(bore: &Bore) -> HoleState {
 }
 
 /// The answer of `next-transition` to a state and the diameter the transition leaves.
-pub(super) fn after<'k>(
+pub(super) fn next_transition<'k>(
     state: HoleState,
     diameter: Micrometres,
     shop: &Shop<'k>,
@@ -104,7 +104,8 @@ pub fn write(
         };
         // A centring spot has no diameter yet: the rule is queried with the diameter of the cylinder.
         let asked = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
-        let next = if state == HoleState::Finished { Vec::new() } else { after(state, asked, shop)?.winners()? };
+        let next =
+            if state == HoleState::Finished { Vec::new() } else { next_transition(state, asked, shop)?.winners()? };
         if let Some(row) = next.iter().find(|row| row.operation == operation) {
             state = row.leaves;
             reached = of_row_with_reason(row, shop)?;
@@ -196,7 +197,8 @@ pub(super) fn drilling<'k>(shop: &Shop<'k>) -> Result<HoleAccuracy<'k>, Knowledg
 }
 
 fn finest(row: &HoleAccuracy<'_>) -> Result<ItGrade, KnowledgeError> {
-    row.it_finest.ok_or_else(|| KnowledgeError::lacks(&row.row.table.id, note!("order-row-has-no-grade", no = row.no)))
+    row.it_finest
+        .ok_or_else(|| KnowledgeError::missing(&row.row.table.id, note!("order-row-has-no-grade", no = row.no)))
 }
 
 /// The position accuracy of an axis, by the table `position-accuracy` and the machine.
@@ -217,7 +219,7 @@ impl Position {
         let worst = |way: DrillingWay| {
             let row = position_accuracy(way, shop)?;
             row.maximum.ok_or_else(|| {
-                KnowledgeError::lacks(&row.row.table.id, note!("table-lacks-figure-of", name = way.name()))
+                KnowledgeError::missing(&row.row.table.id, note!("table-lacks-figure-of", name = way.name()))
             })
         };
         let loss = 1.0 + rough_face(bore, part, shop)?.map_or(0.0, |(loss, _)| loss);
@@ -258,7 +260,7 @@ pub fn rough_face(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Option<(f
     let loses = position_accuracy(way, shop)?;
     let percent = loses
         .loss_max
-        .ok_or_else(|| KnowledgeError::lacks(&loses.row.table.id, note!("table-lacks-figure-of", name = way.name())))?
+        .ok_or_else(|| KnowledgeError::missing(&loses.row.table.id, note!("table-lacks-figure-of", name = way.name())))?
         .0;
     Ok(Some((percent / 100.0, Because::row(loses.row, Note::new("rough-face").with("percent", percent)))))
 }

@@ -180,7 +180,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     if let Some(counterbore) = hole.counterbore {
         // A counterbore has no tolerance of its own: a free size (textbook 1.1.1).
         let diameter = ToleratedDiameter::free(counterbore.diameter, shop.knowledge)
-            .map_err(|why| KnowledgeError::lacks("it-grades", why))?;
+            .map_err(|why| KnowledgeError::missing("it-grades", why))?;
         wider.push(Bore {
             place: StepLocation {
                 feature: Feature::Counterbore,
@@ -327,7 +327,7 @@ impl Bore {
         let drilled = super::accuracy::drilling(shop)?;
         let it = drilled
             .it_coarsest
-            .ok_or_else(|| KnowledgeError::lacks(&drilled.row.table.id, note!("order-grade-drilling")))?;
+            .ok_or_else(|| KnowledgeError::missing(&drilled.row.table.id, note!("order-grade-drilling")))?;
         Ok((it, Roughness::from_ra(drilled.ra_coarsest)))
     }
 

@@ -297,12 +297,12 @@ pub(super) fn with_transitions(
 ///
 /// # Errors
 /// There is no such table.
-pub(super) fn known<'s, 'k>(scheme: &str, shop: &'s Shop<'k>) -> Result<Option<&'s Scheme<'k>>, KnowledgeError> {
+pub(super) fn find_scheme<'s, 'k>(scheme: &str, shop: &'s Shop<'k>) -> Result<Option<&'s Scheme<'k>>, KnowledgeError> {
     Ok(shop.shelf.schemes()?.iter().find(|row| row.scheme == scheme))
 }
 
 fn needed<'s, 'k>(scheme: &str, shop: &'s Shop<'k>) -> Result<&'s Scheme<'k>, KnowledgeError> {
-    match known(scheme, shop)? {
+    match find_scheme(scheme, shop)? {
         Some(row) => Ok(row),
         None => Err(KnowledgeError::no_row(shop.knowledge.table_of::<Scheme<'_>>()?, scheme)),
     }

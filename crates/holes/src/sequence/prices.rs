@@ -69,7 +69,7 @@ impl<'s> Prices<'s> {
             towards: vec![0; count],
             waiting: BinaryHeap::new(),
         };
-        let beside = space.beside();
+        let beside = space.outside_node();
         near_edges(space, |from, to| {
             if from != beside && to != beside {
                 prices.join(from, to);
@@ -150,7 +150,7 @@ impl<'s> Prices<'s> {
         self.degrees.fill(0);
         self.cheapest.fill(i64::MAX);
         self.waiting.clear();
-        let beside = self.space.beside();
+        let beside = self.space.outside_node();
         let mut newest = usize::from(beside == 0);
         self.cheapest[beside] = INSIDE;
         self.cheapest[newest] = INSIDE;
@@ -182,7 +182,7 @@ impl<'s> Prices<'s> {
 
     /// Adds the two cheapest edges of the node outside the tree; returns their cost.
     fn beside_tree(&mut self) -> i64 {
-        let beside = self.space.beside();
+        let beside = self.space.outside_node();
         let two = self.cheapest_beside(2);
         for &(_, end) in &two {
             self.degrees[end as usize] += 1;
@@ -193,7 +193,7 @@ impl<'s> Prices<'s> {
 
     /// The cheapest edges of the node outside the tree, over all nodes, with their priced costs; `most` of them.
     pub(super) fn cheapest_beside(&self, most: usize) -> Vec<(i64, u32)> {
-        let beside = self.space.beside();
+        let beside = self.space.outside_node();
         let mut least: Vec<(i64, u32)> = Vec::with_capacity(most + 1);
         for node in (0..self.of.len()).filter(|&node| node != beside) {
             let edge = (self.priced(self.space.cost(beside, node), beside, node), node as u32);

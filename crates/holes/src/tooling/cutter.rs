@@ -257,7 +257,7 @@ pub(super) fn is_grindable(operation: Operation) -> bool {
 pub(super) fn stated<T>(row: &CutterRow<'_>, what: &str, figure: Option<T>) -> Result<T, KnowledgeError> {
     figure.ok_or_else(|| {
         let why = note!("order-row-has-no-which-shank", row = row.row.number(), what = what);
-        KnowledgeError::lacks(&row.row.table.id, why)
+        KnowledgeError::missing(&row.row.table.id, why)
     })
 }
 

@@ -126,8 +126,9 @@ pub(super) fn holders<'s, 'k>(
         return Ok(&[]);
     }
     let family = family(head, operation, shop.knowledge)?;
-    let table =
-        family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, note!("order-holders-this-shank")))?;
+    let table = family
+        .holders
+        .ok_or_else(|| KnowledgeError::missing(&family.row.table.id, note!("order-holders-this-shank")))?;
     shop.shelf.holders_of(table)
 }
 
@@ -332,7 +333,7 @@ pub(super) fn overhang_addition<'s, 'k>(shop: &'s Shop<'k>) -> Result<&'s Clampi
     let wanted = ClampingConstant::OverhangAddition;
     let found = shop.shelf.clamping()?.iter().find(|row| row.name.is(wanted));
     found.ok_or_else(|| {
-        KnowledgeError::lacks(Clamping::CONTRACT.which.id(), note!("table-lacks-figure-of", name = wanted.name()))
+        KnowledgeError::missing(Clamping::CONTRACT.which.id(), note!("table-lacks-figure-of", name = wanted.name()))
     })
 }
 
@@ -341,6 +342,6 @@ fn taper_shank(row: &CutterRow<'_>, shop: &Shop<'_>) -> Result<Micrometres, Know
     let number = stated(row, "morse", row.morse)?;
     let taper = shop.shelf.morse_tapers()?.iter().find(|taper| taper.morse == number);
     let lacks =
-        || KnowledgeError::lacks(MorseTaper::CONTRACT.which.id(), note!("order-there-no-row-for", number = number));
+        || KnowledgeError::missing(MorseTaper::CONTRACT.which.id(), note!("order-there-no-row-for", number = number));
     Ok(taper.ok_or_else(lacks)?.tang_length)
 }

@@ -53,7 +53,7 @@ pub struct CellShape {
 
 impl CellShape {
     /// One value in every row.
-    pub const fn one(holds: Holds) -> Self {
+    pub const fn single(holds: Holds) -> Self {
         Self { holds, list: false, optional: false }
     }
 }

@@ -23,8 +23,11 @@ pub fn page(comparison: &Comparison, lang: Lang) -> Document {
         let about = [lang.word("audit-column-about"), lang.word("audit-column-what"), a, b];
         let mut table = Table::new(about.map(Column::text));
         for one in section {
-            let [a, b] = [&one.a, &one.b].map(|said| said.as_ref().map_or_else(none, |said| value(one, said, lang)));
-            table.row([subject(&one.subject, lang), what(one, lang), a, b].map(|cell| Inlines::sentence(&cell)));
+            let [a, b] =
+                [&one.a, &one.b].map(|said| said.as_ref().map_or_else(not_stated, |said| value(one, said, lang)));
+            table.row(
+                [subject(&one.subject, lang), quantity_text(one, lang), a, b].map(|cell| Inlines::sentence(&cell)),
+            );
         }
         page.push(table);
     }
@@ -43,7 +46,7 @@ pub fn page(comparison: &Comparison, lang: Lang) -> Document {
 }
 
 /// The text where a plan states nothing.
-fn none() -> String {
+fn not_stated() -> String {
     "–".to_owned()
 }
 
@@ -58,7 +61,7 @@ fn value(difference: &Difference, said: &str, lang: Lang) -> String {
 }
 
 /// The quantity with its unit.
-fn what(difference: &Difference, lang: Lang) -> String {
+fn quantity_text(difference: &Difference, lang: Lang) -> String {
     let Some(quantity) = difference.quantity else {
         return keys::words(&difference.what, lang).unwrap_or_else(|| difference.what.clone());
     };
@@ -72,9 +75,9 @@ fn what(difference: &Difference, lang: Lang) -> String {
 
 /// The cost in both plans, and the difference.
 fn costs(cost: &Cost, lang: Lang) -> [Inlines; 4] {
-    let said = |value: Option<f64>| value.map_or_else(none, |value| lang.figure(&number(value)));
+    let said = |value: Option<f64>| value.map_or_else(not_stated, |value| lang.figure(&number(value)));
     let more = match cost.more {
-        None => none(),
+        None => not_stated(),
         Some(0.0) => "=".to_owned(),
         Some(more) => figure(&format!("{more:+}"), lang),
     };

@@ -112,7 +112,7 @@ fn about(finding: &AuditFinding, lang: Lang) -> String {
 }
 
 /// The quantity of a finding: `подача S`, `позначення`; none if it concerns the whole subject.
-pub(super) fn what(finding: &AuditFinding, lang: Lang) -> String {
+pub(super) fn quantity_text(finding: &AuditFinding, lang: Lang) -> String {
     match finding.quantity {
         Some(quantity) => {
             finding.factor.as_ref().map_or_else(|| name(quantity, lang), |own| factor(quantity, own, lang))
@@ -131,7 +131,7 @@ pub(super) fn factor(quantity: Quantity, factor: &Figure, lang: Lang) -> String 
 
 /// The place of a finding in words: `T1: довжина комплекту Lк`.
 pub(super) fn whereabouts(finding: &AuditFinding, lang: Lang) -> String {
-    let (about, what) = (about(finding, lang), what(finding, lang));
+    let (about, what) = (about(finding, lang), quantity_text(finding, lang));
     if what.is_empty() { about } else { say!(lang, "audit-about", about = about, said = what) }
 }
 
@@ -142,8 +142,11 @@ pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit:
     for (field, said) in fields {
         // Causes and consequences of a finding are findings themselves.
         let Some(finding) = audit.findings.iter().find(|one| one.field == field) else { continue };
-        let what =
-            [what(finding, lang), said].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ");
+        let what = [quantity_text(finding, lang), said]
+            .into_iter()
+            .filter(|text| !text.is_empty())
+            .collect::<Vec<_>>()
+            .join(" ");
         let about = about(finding, lang);
         match groups.last_mut() {
             Some((known, list)) if *known == about => list.push(what),
@@ -159,7 +162,7 @@ pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit:
 
 /// The text of a finding; figures of its note that are meant for programs are put into words.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
-pub(super) fn said(finding: &AuditFinding, lang: Lang) -> String {
+pub(super) fn finding_text(finding: &AuditFinding, lang: Lang) -> String {
     let note = match finding.note.code() {
         "audit-missing" => Note::new("audit-missing")
             .with("section", keys::words(&finding.field, lang).unwrap_or_default())

@@ -92,7 +92,7 @@ impl<'p> HoleSection<'p> {
         let whole = self.bottom >= self.low;
         // The plate, hatched.
         let id = format!("c{:.0}-{:.0}", self.corner.0, self.corner.1);
-        canvas.put(format_args!(
+        canvas.push_element(format_args!(
             "<pattern id=\"{id}\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\"><path d=\"M0 7 L7 0\" \
              stroke=\"#bbb\" stroke-width=\"0.8\"/></pattern>"
         ));
@@ -106,7 +106,7 @@ impl<'p> HoleSection<'p> {
         }
         // The holes before and after are cut out of the hatching; the old one is dashed.
         let outline = Pen::solid(INK, 1.6);
-        let (after, open) = self.after();
+        let (after, open) = self.outline_after();
         if let Some(before) = self.before {
             let half = self.half_before();
             let end = self.y(before.max(self.low));
@@ -138,7 +138,7 @@ impl<'p> HoleSection<'p> {
         }
         self.tip(canvas);
         let (high, low) = (self.y(self.high) - 14.0, self.y(self.low) + 12.0);
-        canvas.put(format_args!(
+        canvas.push_element(format_args!(
             "<path d=\"M{0:.2} {high:.2} V{low:.2}\" fill=\"none\" stroke=\"{GREY}\" stroke-width=\"0.8\" \
              stroke-dasharray=\"12 3 2 3\"/>",
             self.axis
@@ -155,7 +155,7 @@ impl<'p> HoleSection<'p> {
 
     /// The outline after the transition, from the left edge over the bottom to the right one, and whether it is open
     /// below.
-    fn after(&self) -> (Vec<At>, bool) {
+    fn outline_after(&self) -> (Vec<At>, bool) {
         let t = self.transition;
         let (start, depth) = (self.top - t.start_mm.to_mm(), self.top - t.depth_mm.to_mm());
         let half = self.half(t.diameter_mm);

@@ -61,7 +61,7 @@ impl Dictionary {
             return Ok(own);
         }
         let words = format!("{control}-words");
-        let lacks = |_| KnowledgeError::lacks(&words, crate::note::Note::new("table-no-words-of-control"));
+        let lacks = |_| KnowledgeError::missing(&words, crate::note::Note::new("table-no-words-of-control"));
         for row in knowledge.table(&words).map_err(lacks)?.rows() {
             let row: Words<'_> = row?;
             let unit = row.unit.filter(|unit| *unit != AddressUnit::Ones.name()).map(str::to_owned);

@@ -19,7 +19,7 @@ pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     if rows.len() > 2 {
         let mut table = Table::new([
             Column { align: Align::Right, ..Column::text(lang.word("cli-row-number")) },
-            Column::text(say!(lang, "plan-step-head")).least(22),
+            Column::text(say!(lang, "plan-step-head")).min_width(22),
             Column::text(say!(lang, "plan-scheme")),
             Column::text("T"),
             Column::text(say!(lang, "plan-cutter")),

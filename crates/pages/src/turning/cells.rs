@@ -56,7 +56,7 @@ pub(super) fn table(columns: impl IntoIterator<Item = Column>, rows: Vec<Vec<Cel
 
 /// A column with several figures in a cell, such as `0 → 42`: they stay on one line.
 pub(super) fn span(heading: impl Into<Inlines>, unit: &str) -> Column {
-    Column::number(heading, unit).least(16)
+    Column::number(heading, unit).min_width(16)
 }
 
 /// A figure as people write it.

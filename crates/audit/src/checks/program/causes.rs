@@ -124,7 +124,7 @@ impl<'k> Rule<'k> {
             "code" => Ok(Alike::Code),
             "line" => Ok(Alike::Line),
             _ => Name::from_name(name).map(Alike::Figure).ok_or_else(|| {
-                KnowledgeError::lacks(&row.row.table.id, note!("planfile-alike-no-figure-finding", name = name))
+                KnowledgeError::missing(&row.row.table.id, note!("planfile-alike-no-figure-finding", name = name))
             }),
         };
         let both = |name: &&'k str| {

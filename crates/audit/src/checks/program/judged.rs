@@ -43,7 +43,7 @@ pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, set
         if let Some(Node { place, .. }) = node {
             finding = finding.at(place);
         }
-        finding = finding.beside(set, holds(context, tool));
+        finding = finding.with_values(set, holds(context, tool));
         // A correction that is wrong in the plan itself says nothing against the setting.
         let wrong = graph.verdict(id(Q::Correction)).filter(|verdict| !matches!(verdict.status, Status::Fine));
         finding.follows_from.extend(wrong.map(|verdict| context.field(verdict.id)));
@@ -102,7 +102,7 @@ pub(super) fn deviation(
     let follows_from = if own { Vec::new() } else { slips(context, graph, row, tool) };
     let mut finding = AuditFinding::new(severity, Section::Program, name, said.note.clone());
     if let Some((stated, right)) = beside {
-        finding = finding.beside(stated, right);
+        finding = finding.with_values(stated, right);
     }
     let place = place.or_else(|| context.stated.program.as_ref().map(|program| program.file.place.clone()));
     if let Some(place) = &place {

@@ -27,7 +27,7 @@ use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::Quantity as Q;
 use causes::Seen;
-use stated_plan::{NotComparable, Reading, held, unordered};
+use stated_plan::{NotComparable, Reading, comparable_plan, unordered};
 
 /// The transitions of every hole as a plan states them; none if it does not say enough.
 ///
@@ -51,7 +51,7 @@ pub(super) fn check<'a>(
         Some((name, text)) => language.setting(name, text).unwrap_or_default(),
         None => Setting::default(),
     };
-    let as_stated = held(context, graph, &setting, Reading::Stated)?;
+    let as_stated = comparable_plan(context, graph, &setting, Reading::Stated)?;
     let job = as_stated.as_ref().ok().map(|plan| job::make(plan, &context.shop)).transpose()?;
     let set = set(context, setting.clone(), as_stated.as_ref().ok().zip(job.as_ref()));
     let run = context.auditor.run(program, &language, &context.shop.machine, &set);

@@ -58,8 +58,9 @@ impl<'k> Fitting<'_, 'k> {
                     rule if rule.spot == Spot::Chamfer => self.spot_rule(false)?,
                     rule => rule,
                 };
-                let share =
-                    rule.share.ok_or_else(|| KnowledgeError::lacks(&rule.row.table.id, note!("order-share-drill")))?;
+                let share = rule
+                    .share
+                    .ok_or_else(|| KnowledgeError::missing(&rule.row.table.id, note!("order-share-drill")))?;
                 let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
                 // The depth of a 90° spot is half its width: in a thin plate it stays within half of the hole.
                 let most = self.hole.depth;
@@ -89,7 +90,7 @@ impl<'k> Fitting<'_, 'k> {
         let mut because = std::mem::take(&mut step.because);
         because.push(Because::row(rule.row, note));
         let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
-        let took = self.took(&step, travel, approach, &conditions)?;
+        let took = self.pass_time(&step, travel, approach, &conditions)?;
         Ok(Fitted { step, tool: None, travel, approach, conditions, took, doubts, makes_edge, because })
     }
 

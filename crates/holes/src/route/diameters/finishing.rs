@@ -19,7 +19,7 @@ impl Backwards<'_, '_> {
         let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
         let (smallest, largest) = (after - allowance.high, after - allowance.low);
         let handbook_row = handbook::row(bore, shop)?;
-        let advised = handbook_row.as_ref().and_then(|row| handbook::before(row, operation, previous));
+        let advised = handbook_row.as_ref().and_then(|row| handbook::diameter_before(row, operation, previous));
         let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
         // At the coarse limit, the rough transition must still leave a narrower hole than this transition.
         let drilled = accuracy::drilled(shop)?;

@@ -30,7 +30,7 @@ impl Candidates {
         let mut prices = Prices::new(space);
         prices.ascend(i64::MAX, (JOINED / count).clamp(ROUNDS.0, ROUNDS.1));
         let tree = Tree::of(&prices);
-        let beside = space.beside();
+        let beside = space.outside_node();
         let likely = prices.cheapest_beside(if space.free_ends { OF_NO_PLACE } else { MOST });
         let second = likely.get(1).map_or(0, |&(cost, _)| cost);
         let mut all = Self { starts: vec![0], nodes: Vec::with_capacity(count * MOST) };

@@ -14,11 +14,11 @@ const MOST: usize = 12;
 /// The near points of every point with the cost of going there, the cheapest first.
 pub(super) fn near_points(space: &Space<'_>) -> Vec<Vec<(i64, u32)>> {
     let places = PointBoxes::of(space.points);
-    (0..space.points.len()).map(|point| near(space, &places, point)).collect()
+    (0..space.points.len()).map(|point| neighbours_of(space, &places, point)).collect()
 }
 
 /// The nearest points of a point, and those of its quadrants.
-fn near(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec<(i64, u32)> {
+fn neighbours_of(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec<(i64, u32)> {
     let [a, b, c, d] = [const { Shortest::new(OF_QUARTER) }; 4];
     let at = space.points[node];
     let mut around = Around { space, node, at, nearest: Shortest::new(NEAREST), quarters: [a, b, c, d] };
@@ -53,7 +53,7 @@ impl Around<'_> {
 }
 
 impl Query for Around<'_> {
-    fn least(&self, _: usize, bounds: &Bounds) -> Option<i64> {
+    fn lower_bound(&self, _: usize, bounds: &Bounds) -> Option<i64> {
         let cost = self.space.metric.cost(self.at, bounds.nearest(self.at));
         // A box lies within one quadrant if its corners do; otherwise its best point may be in any of them.
         let Bounds { low, high, first } = *bounds;

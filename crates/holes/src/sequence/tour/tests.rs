@@ -178,7 +178,7 @@ proptest! {
     fn the_shortest_tree_is_that_of_looking_at_all_pairs(points in points(60), prices in prop::collection::vec(-9_000_i64..9_000, 61)) {
         for space in spaces(&points) {
             let cost = |from: usize, to: usize| space.cost(from, to) + prices[from] + prices[to];
-            let mut left: Vec<usize> = (0..points.len()).filter(|&point| point != space.beside()).collect();
+            let mut left: Vec<usize> = (0..points.len()).filter(|&point| point != space.outside_node()).collect();
             let mut tree: Vec<usize> = left.pop().into_iter().collect();
             let mut total = 0;
             while !left.is_empty() {
@@ -193,7 +193,7 @@ proptest! {
             prop_assert_eq!(found.len() + 1, tree.len().max(1));
             prop_assert_eq!(found.iter().map(|&(from, to)| cost(from, to)).sum::<i64>(), total);
             let mut near = neighbours::near_points(&space);
-            near.iter_mut().for_each(|near| near.retain(|&(_, other)| other as usize != space.beside()));
+            near.iter_mut().for_each(|near| near.retain(|&(_, other)| other as usize != space.outside_node()));
             prop_assert_eq!(shortest_tree(&space, &PointBoxes::of(&points), &prices, &near), found);
         }
     }

@@ -81,7 +81,7 @@ impl Compensator {
     /// The path cannot be corrected.
     pub(super) fn flush(&mut self, out: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         if let Some(pending) = self.pending.take() {
-            let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
+            let end = pending.element.offset_point(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
             self.finish(pending, &[end], out)?;
             self.entering = self.offset != 0.0;
         }
@@ -108,7 +108,7 @@ impl Compensator {
             match (element, self.held) {
                 (Some(element), Some(_)) if element.arc.is_some() => return Err(("correction-by-arc", span)),
                 (Some(_), _) => self.held = None,
-                (None, Some(held)) => step.at = put(step.at, plane, held),
+                (None, Some(held)) => step.at = with_point(step.at, plane, held),
                 (None, None) => {}
             }
             out.push(step);
@@ -120,7 +120,7 @@ impl Compensator {
                 return Ok(());
             }
             if let Some(held) = self.held {
-                step.at = put(step.at, plane, held);
+                step.at = with_point(step.at, plane, held);
             }
             out.push(step);
             return Ok(());
@@ -130,11 +130,12 @@ impl Compensator {
             return Err(("correction-by-arc", span));
         }
         if let Some(pending) = self.pending.take() {
-            let start = element.beside(self.offset, false).ok_or(("arc-smaller-than-tool", span))?;
+            let start = element.offset_point(self.offset, false).ok_or(("arc-smaller-than-tool", span))?;
             let meeting = if pending.approach {
                 vec![start]
             } else {
-                let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
+                let end =
+                    pending.element.offset_point(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
                 meeting(&pending.element, &element, end, start, self.offset).ok_or(("contour-too-tight", span))?
             };
             self.finish(pending, &meeting, out)?;
@@ -154,7 +155,7 @@ impl Compensator {
         if !approach && element.turned_round(begin, end) {
             return Err(("contour-too-tight", span));
         }
-        step.at = put(step.at, plane, end);
+        step.at = with_point(step.at, plane, end);
         let straight = match &step.motion {
             Motion::Arc { feed_mm_per_min, .. } => Motion::Feed { feed_mm_per_min: *feed_mm_per_min },
             other => other.clone(),
@@ -163,13 +164,13 @@ impl Compensator {
         steps.push(step);
         steps.extend(points[1..].iter().map(|&point| MotionStep {
             motion: straight.clone(),
-            at: put(at, plane, point),
+            at: with_point(at, plane, point),
             block,
         }));
         let last = points.last().copied().unwrap_or(end);
         self.held = Some(last);
         for mut waiting in self.queue.drain(..) {
-            waiting.at = put(waiting.at, plane, last);
+            waiting.at = with_point(waiting.at, plane, last);
             steps.push(waiting);
         }
         Ok(())
@@ -216,7 +217,7 @@ impl Element {
     }
 
     /// The point beside its beginning or end; none if the tool is larger than the arc.
-    fn beside(&self, offset: f64, at_end: bool) -> Option<Point> {
+    fn offset_point(&self, offset: f64, at_end: bool) -> Option<Point> {
         if self.parallel_radius(offset).is_some_and(|radius| radius <= 0.0) {
             return None;
         }
@@ -328,7 +329,7 @@ fn circles_meet(first: &Element, one: f64, second: &Element, other: f64) -> Vec<
 }
 
 /// A position with another point of the plane.
-fn put(at: Position, plane: Plane, point: Point) -> Position {
+fn with_point(at: Position, plane: Plane, point: Point) -> Position {
     let [a, b, _] = plane.axes();
     at.with(a, Micrometres::from_mm_rounded(point[0])).with(b, Micrometres::from_mm_rounded(point[1]))
 }

@@ -68,20 +68,20 @@ impl Maker<'_> {
     }
 
     /// Outputs a motion of the block.
-    pub fn put(&mut self, act: LatheAct, to: LathePlace) {
+    pub fn push_motion(&mut self, act: LatheAct, to: LathePlace) {
         let (from, modes, line, of_cycle) = (self.state.at, self.state.lathe_modes(), self.span.line, self.of_cycle);
         self.motions.push(LatheMotion { act, from, to, modes, line, of_cycle });
         self.state.at = to;
     }
 
     fn put_here(&mut self, act: LatheAct) {
-        self.put(act, self.state.at);
+        self.push_motion(act, self.state.at);
     }
 
     /// Modes, feed, speed, tool, spindle, coolant and dwell: everything before the motion.
     pub fn before_motion(&mut self, words: &BlockWords) {
         self.modes(words);
-        let limit = words.doing(Does::SpeedLimit).map(|function| function.span);
+        let limit = words.function_for(Does::SpeedLimit).map(|function| function.span);
         if let Some(span) = limit {
             match words.take("S").map(|value| value.value).filter(|value| *value > 0.0) {
                 Some(value) => self.state.limit = Some(value),
@@ -91,10 +91,10 @@ impl Maker<'_> {
         if let Some(value) = words.take("LIMS") {
             self.state.limit = Some(value.value);
         }
-        if words.doing(Does::CuttingSpeed).is_some() && self.is(LatheReader::LinuxCnc) {
+        if words.function_for(Does::CuttingSpeed).is_some() && self.is(LatheReader::LinuxCnc) {
             self.state.limit = words.take("D").map(|value| value.value);
         }
-        if let Some(function) = words.doing(Does::CuttingSpeed)
+        if let Some(function) = words.function_for(Does::CuttingSpeed)
             && self.state.turning != Turning::Stopped
             && self.state.limit.is_none()
         {
@@ -142,8 +142,8 @@ impl Maker<'_> {
 
     fn feed_and_speed(&mut self, words: &BlockWords, limit: bool) {
         let thread = matches!(self.state.modes.get(&LatheGroup::Motion), Some(Does::Thread | Does::ThreadBox))
-            || words.doing(Does::ThreadCycle).is_some();
-        let dwell = words.doing(Does::Dwell).is_some();
+            || words.function_for(Does::ThreadCycle).is_some();
+        let dwell = words.function_for(Does::Dwell).is_some();
         // The lead of a thread is no feed, and Sinumerik gives the time of G4 as F.
         let is_lead = thread && self.is(LatheReader::Fanuc);
         if !is_lead
@@ -168,7 +168,7 @@ impl Maker<'_> {
     }
 
     fn tool(&mut self, words: &BlockWords) {
-        let change = words.doing(Does::ToolChange).is_some();
+        let change = words.function_for(Does::ToolChange).is_some();
         let given = words.take("T").cloned();
         if let Some(given) = &given {
             let whole = given.value >= 0.0 && given.value < 1e6 && (given.value % 1.0).abs() < 1e-9;
@@ -193,7 +193,7 @@ impl Maker<'_> {
             // Sinumerik activates D1 with a new tool.
             let offset = self.is(LatheReader::Sinumerik).then_some(1);
             self.state.tool = Some(LatheTool { number, offset });
-            let length = words.doing(Does::Offset).is_some();
+            let length = words.function_for(Does::Offset).is_some();
             if length && let Some(tool) = &mut self.state.tool {
                 tool.offset = Some(words.take("H").map_or(number, |value| value.value as u32));
             }
@@ -236,7 +236,7 @@ impl Maker<'_> {
     }
 
     fn dwell(&mut self, words: &BlockWords) {
-        let Some(function) = words.doing(Does::Dwell) else { return };
+        let Some(function) = words.function_for(Does::Dwell) else { return };
         let span = function.span;
         let time = match self.language.kind {
             LatheReader::LinuxCnc => words.take("P").map(|value| value.value),
@@ -284,7 +284,8 @@ impl Maker<'_> {
     /// A return to a reference point, a move to a machine position, or the active motion.
     pub fn motion(&mut self, words: &BlockWords) {
         let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
-        let away = words.doing(Does::Away).or_else(|| words.doing(Does::MachinePosition)).map(|it| it.span);
+        let away =
+            words.function_for(Does::Away).or_else(|| words.function_for(Does::MachinePosition)).map(|it| it.span);
         if let Some(span) = away {
             self.away(words, axes, span);
             return;
@@ -310,7 +311,7 @@ impl Maker<'_> {
         let Some(shape) = self.shape(words, mode, span) else { return };
         self.before_moving(span, mode != Does::Rapid);
         match mode {
-            Does::Rapid => self.put(LatheAct::Rapid, shape.to),
+            Does::Rapid => self.push_motion(LatheAct::Rapid, shape.to),
             Does::Thread => self.thread(words, shape.to, span),
             _ => self.cut(shape, span),
         }
@@ -335,7 +336,7 @@ impl Maker<'_> {
         if z || !axes {
             to.z_mm = None;
         }
-        self.put(LatheAct::Away, to);
+        self.push_motion(LatheAct::Away, to);
         self.state.moved = true;
     }
 
@@ -390,7 +391,7 @@ impl Maker<'_> {
             None => LatheAct::Feed { feed },
             Some((centre, ccw)) => LatheAct::Arc { feed, centre: point(centre), sense: sense(ccw) },
         };
-        self.put(act, shape.to);
+        self.push_motion(act, shape.to);
     }
 
     /// G33 with K (and I), G32 with F.
@@ -429,7 +430,7 @@ impl Maker<'_> {
             _ if dx.max(dz) > 0.0 => lead * libm::hypot(dx, dz) / dx.max(dz),
             _ => lead,
         };
-        self.put(LatheAct::Thread { lead: MillimetresPerRev(along) }, to.into());
+        self.push_motion(LatheAct::Thread { lead: MillimetresPerRev(along) }, to.into());
     }
 
     /// The end of the motion, and for an arc its centre; none if something is wrong.

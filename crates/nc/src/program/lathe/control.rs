@@ -36,7 +36,7 @@ impl LatheLanguage {
     /// # Errors
     /// There is no such control, or a table is missing or lacks what is required of it.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let unknown = || KnowledgeError::lacks("lathe-functions", note!("nc-interpreter", control = control));
+        let unknown = || KnowledgeError::missing("lathe-functions", note!("nc-interpreter", control = control));
         let kind = LatheReader::from_word(control).ok_or_else(unknown)?;
         let mut language = Self {
             kind,

@@ -50,7 +50,7 @@ impl Maker<'_> {
             return;
         }
         let lengths = ["X", "Z", "U", "W", "I", "K", "R"];
-        let thread = words.doing(Does::ThreadCycle).is_some() || words.doing(Does::Dwell).is_some();
+        let thread = words.function_for(Does::ThreadCycle).is_some() || words.function_for(Does::Dwell).is_some();
         let pointless =
             words.all().iter().find(|it| lengths.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
         if let Some(value) = pointless.filter(|_| !thread) {
@@ -178,7 +178,7 @@ impl Maker<'_> {
                 LatheAct::Arc { feed, centre, sense: sense(frame.sense(round.ccw)) }
             }
         };
-        self.put(act, to);
+        self.push_motion(act, to);
     }
 
     /// One pass along a contour, its first element at rapid.

@@ -261,9 +261,9 @@ impl Run<'_> {
         } else if let Some((name, arguments, span)) = &block.call {
             maker.of_cycle = true;
             self.call_of_siemens(&mut maker, name, arguments, *span);
-        } else if words.doing(Does::SpeedLimit).is_none()
-            && words.doing(Does::Dwell).is_none()
-            && words.doing(Does::Call).is_none()
+        } else if words.function_for(Does::SpeedLimit).is_none()
+            && words.function_for(Does::Dwell).is_none()
+            && words.function_for(Does::Call).is_none()
         {
             maker.motion(&words);
         }
@@ -298,7 +298,7 @@ impl Run<'_> {
         if let Some(Head::Call(name, _)) = &block.head {
             return Some((name.clone(), 1, block.span));
         }
-        if let Some(function) = words.doing(Does::Call) {
+        if let Some(function) = words.function_for(Does::Call) {
             let number = words.take("P").map_or(0.0, |value| value.value).max(0.0) as u64;
             let times = words.take("L").map(|value| value.value.max(0.0) as u32);
             let (number, packed) = if number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };

@@ -92,16 +92,16 @@ impl Maker<'_> {
             self.rapid(at(safe, from));
             let thread = |lead: f64| LatheAct::Thread { lead: MillimetresPerRev(lead) };
             if tapers.entry {
-                self.put(thread(lead_of_taper), at(cut + out * full, from));
-                self.put(thread(lead_of_taper), at(cut, from - tapers.length));
+                self.push_motion(thread(lead_of_taper), at(cut + out * full, from));
+                self.push_motion(thread(lead_of_taper), at(cut, from - tapers.length));
             } else {
                 self.rapid(at(cut, from));
             }
             if tapers.exit {
-                self.put(thread(lead), at(cut, to + tapers.length));
-                self.put(thread(lead_of_taper), at(cut + out * full, to));
+                self.push_motion(thread(lead), at(cut, to + tapers.length));
+                self.push_motion(thread(lead_of_taper), at(cut + out * full, to));
             } else {
-                self.put(thread(lead), at(cut, to));
+                self.push_motion(thread(lead), at(cut, to));
             }
             self.rapid(at(safe, to));
         }
@@ -111,7 +111,7 @@ impl Maker<'_> {
     /// A rapid, if it moves.
     fn rapid(&mut self, to: LathePlace) {
         if self.state.at != to {
-            self.put(LatheAct::Rapid, to);
+            self.push_motion(LatheAct::Rapid, to);
         }
     }
 
@@ -257,7 +257,7 @@ impl Maker<'_> {
             self.report("lathe-no-lead", span);
             return;
         };
-        let said = words.doing(Does::ThreadBox).is_some();
+        let said = words.function_for(Does::ThreadBox).is_some();
         let kept = self.state.box_end.filter(|_| !said);
         let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
         let (x, z) = (given("X", "U"), given("Z", "W"));

@@ -99,7 +99,7 @@ impl BlockWords {
         self.functions.iter().find(|function| function.group == group)
     }
 
-    pub fn doing(&self, does: Does) -> Option<&Function> {
+    pub fn function_for(&self, does: Does) -> Option<&Function> {
         self.functions.iter().find(|function| function.does == does)
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::cuts::{TOLERANCE, near};
+use super::cuts::{TOLERANCE, same_position};
 use super::matching::Matched;
 use super::walk::{Event, Stay, TipMotion};
 use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask};
@@ -21,7 +21,7 @@ pub(super) fn all(
     findings: &mut Vec<ProgramFinding>,
 ) {
     let around = Around { made, matched, tasks, asked };
-    around.stays(findings);
+    around.check_stops(findings);
     around.above(findings);
     around.between(findings);
     around.pauses(findings);
@@ -58,7 +58,7 @@ impl<'t> Around<'_, 't> {
 
     /// Travels from point to point: at rapid, at the height of the cycles or with the quill retracted, to a point
     /// with work, otherwise to the tool-change position.
-    fn stays(&self, findings: &mut Vec<ProgramFinding>) {
+    fn check_stops(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
         let top = self.asked.plan.part.datum.top;
         for (number, stay) in self.made.walk.stays.iter().enumerate() {
@@ -144,7 +144,7 @@ impl<'t> Around<'_, 't> {
             {
                 continue;
             }
-            let known = [cycle.begin, cycle.out].iter().any(|level| near(*level, made.to[2]));
+            let known = [cycle.begin, cycle.out].iter().any(|level| same_position(*level, made.to[2]));
             let up_again = leads.is_none() && made.machine.z == up;
             if !known && !up_again {
                 findings.push(say(Code::IdleHeight).with(Name::Z, made.to[2]));

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::cuts::{Descent, TOLERANCE, near};
+use super::cuts::{Descent, TOLERANCE, same_position};
 use super::matching::{Matched, TaskIndex};
 use super::tools::Tools;
 use super::walk::{TipMotion, TipMove};
@@ -56,7 +56,7 @@ pub(super) fn all(
         match &task.cycle.kind {
             CycleKind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, findings),
             _ => {
-                milled::none(&say, findings);
+                milled::check_no_circles(&say, findings);
                 steps(&say, asked, findings);
             }
         }
@@ -210,7 +210,7 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
         }
     }
     let deepest = say.cut.deepest();
-    if near(deepest, cycle.end) {
+    if same_position(deepest, cycle.end) {
         return;
     }
     // From the lower face on a hole is through, and anything deeper is overrun.
@@ -312,7 +312,7 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
         }
         // With a step smaller than the retract the tool returns to the beginning.
         let needed = (reached + back).min(cycle.begin);
-        if index > 0 && !near(*from, needed) {
+        if index > 0 && !same_position(*from, needed) {
             findings.push(say.figure(Code::StepClearance, Severity::Note, *from - reached, needed - reached));
         }
         reached = reached.min(*to);
@@ -320,7 +320,7 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
     let returns = cut.returns(asked.plan.part.datum.top);
     for (returned, (from, _)) in returns.iter().zip(downs.iter().skip(1)) {
         let needed = if leaves { cycle.begin } else { *from };
-        if near(*returned, needed) {
+        if same_position(*returned, needed) {
             continue;
         }
         let severity = if leaves && *returned < needed { Severity::Doubtful } else { Severity::Note };
@@ -354,7 +354,9 @@ fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Program
     let turns = |made: &&TipMove| made.turning != Turning::Stopped;
     turning_out(say, cycle, inside.iter().any(|made| turns(made)), inside.iter().any(|made| !turns(made)), findings);
     let known = |made: &&TipMove| {
-        near(made.to[2], cycle.begin) || near(made.to[2], cycle.out) || made.machine.z == asked.job.change_at.z
+        same_position(made.to[2], cycle.begin)
+            || same_position(made.to[2], cycle.out)
+            || made.machine.z == asked.job.change_at.z
     };
     if let Some(made) = moves.last().filter(|made| !at_feed(made) && !known(made)) {
         findings.push(say.figure(Code::OutElsewhere, Severity::Note, made.to[2], cycle.out));

@@ -8,7 +8,7 @@ use crate::units::Micrometres;
 pub(super) const TOLERANCE: Micrometres = Micrometres::new(10);
 
 /// Whether two positions are the same to a step of the machine.
-pub(super) fn near(a: Micrometres, b: Micrometres) -> bool {
+pub(super) fn same_position(a: Micrometres, b: Micrometres) -> bool {
     (a - b).abs() <= TOLERANCE
 }
 
@@ -64,7 +64,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent
         }
         // A new entry from exactly the face is a new cut too.
         let from_above = made.moves() && made.from[2] >= top;
-        if (!inside || from_above) && !cuts.last().is_some_and(|cut| goes_on(cut, &stay.moves[index..], top)) {
+        if (!inside || from_above) && !cuts.last().is_some_and(|cut| continues_cut(cut, &stay.moves[index..], top)) {
             for (leads, _) in above.iter_mut().rev().take_while(|(leads, _)| leads.is_none()) {
                 *leads = Some(cuts.len());
             }
@@ -96,7 +96,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent
 
 /// Whether a new entry continues a cut: the tool left it no higher than its feed began, and feeds deeper from below.
 /// So does a drill that comes out to clear its chips.
-fn goes_on(cut: &Descent, rest: &[TipMove], top: Micrometres) -> bool {
+fn continues_cut(cut: &Descent, rest: &[TipMove], top: Micrometres) -> bool {
     let Some(begin) = cut.begin().max(cut.begun_above) else { return false };
     let Some(feed) = rest.iter().find(|made| made.feed().is_some()).filter(|made| made.below(top)) else {
         return false;
@@ -184,7 +184,7 @@ impl Descent {
             };
             let next = Circle { z: made.to[2], from_z: made.from[2], centre, radius, sense, turned, block: made.block };
             match circles.last_mut() {
-                Some(last) if goes_on && last.same(&next) => last.turned += turned,
+                Some(last) if goes_on && last.same_circle(&next) => last.turned += turned,
                 _ => circles.push(next),
             }
             goes_on = true;
@@ -218,7 +218,7 @@ pub(super) struct Circle {
 }
 
 impl Circle {
-    fn same(&self, other: &Self) -> bool {
+    fn same_circle(&self, other: &Self) -> bool {
         self.z == other.z
             && self.centre == other.centre
             && self.sense == other.sense

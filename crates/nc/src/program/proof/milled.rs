@@ -1,7 +1,7 @@
 //! Checks the circles of a mill, and motions across inside the part.
 
 use super::compare::Say;
-use super::cuts::{Circle, TOLERANCE, near};
+use super::cuts::{Circle, TOLERANCE, same_position};
 use super::walk::TipMotion;
 use super::{Code, Name, ProgramFinding};
 use crate::motion::{Sense, geometry};
@@ -9,7 +9,7 @@ use crate::note::Severity;
 use crate::units::Micrometres;
 
 /// A transition without circles: a motion across at feed makes a slot.
-pub(super) fn none(say: &Say<'_, '_>, findings: &mut Vec<ProgramFinding>) {
+pub(super) fn check_no_circles(say: &Say<'_, '_>, findings: &mut Vec<ProgramFinding>) {
     let across = say.cut.moves.iter().find(|made| made.feed().is_some() && made.across());
     if let Some(made) = across {
         findings.push(
@@ -36,7 +36,7 @@ pub(super) fn circles(
             findings.push(say.now(Code::CircleMissing, Severity::Error).with(Name::Count, count).with(Name::Z, *level));
             break;
         };
-        one(say, circle, *level, *radius, sense, findings);
+        check_circle(say, circle, *level, *radius, sense, findings);
     }
     if let Some(circle) = made.get(planned.len()) {
         findings.push(say.now(Code::CircleSuperfluous, Severity::Error).with(Name::Z, circle.z));
@@ -62,7 +62,9 @@ pub(super) fn circles(
     }
     // It enters and leaves in the middle, where there is room.
     let aside = say.cut.moves.iter().find(|made| {
-        !made.across() && made.moves() && !(near(made.to[0], say.cut.at[0]) && near(made.to[1], say.cut.at[1]))
+        !made.across()
+            && made.moves()
+            && !(same_position(made.to[0], say.cut.at[0]) && same_position(made.to[1], say.cut.at[1]))
     });
     if let Some(made) = aside {
         findings.push(
@@ -77,7 +79,7 @@ pub(super) fn circles(
     }
 }
 
-fn one(
+fn check_circle(
     say: &Say<'_, '_>,
     circle: &Circle,
     level: Micrometres,
@@ -91,7 +93,7 @@ fn one(
         finding
     };
     let step = TOLERANCE.to_mm();
-    if !near(circle.z, level) {
+    if !same_position(circle.z, level) {
         findings.push(at(Code::CircleLevel, Severity::Error).with(Name::Needed, level));
     }
     if circle.from_z != circle.z {
@@ -101,7 +103,7 @@ fn one(
         let made = crate::units::round_to(circle.radius, 3);
         findings.push(at(Code::CircleRadius, Severity::Error).with(Name::Made, made).with(Name::Needed, radius));
     }
-    if !(near(circle.centre[0], say.cut.at[0]) && near(circle.centre[1], say.cut.at[1])) {
+    if !(same_position(circle.centre[0], say.cut.at[0]) && same_position(circle.centre[1], say.cut.at[1])) {
         findings.push(at(Code::CircleCentre, Severity::Error).with(Name::Made, circle.centre));
     }
     if circle.sense != sense {

@@ -258,7 +258,7 @@ impl ObservedCuts {
             let Some(frame) = frames.get(stay.setup) else { continue };
             let before = cuts.len();
             let here = |(setup, at, _): &&(usize, [Micrometres; 2], Micrometres)| {
-                *setup == stay.setup && cuts::near(at[0], stay.at[0]) && cuts::near(at[1], stay.at[1])
+                *setup == stay.setup && cuts::same_position(at[0], stay.at[0]) && cuts::same_position(at[1], stay.at[1])
             };
             let top = faced.iter().find(here).map_or(frame.top, |(.., top)| *top);
             let (mut own, high) = cuts::cuts(number, stay, top);

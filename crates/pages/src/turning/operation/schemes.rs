@@ -8,7 +8,7 @@ use technolog_words::say;
 
 use super::super::Lang;
 use super::super::cells::{Cell, figure, fixed, rounded, table};
-use super::super::phrases::{reasoned, said, schemes_column, word, z};
+use super::super::phrases::{note_line, reasoned, schemes_column, word, z};
 use super::zones::place;
 use crate::units::round_to;
 
@@ -32,7 +32,7 @@ pub(super) fn schemes(
     page.push(compared(work, lang));
     let even = work.quickest_even.as_ref().filter(|even| Some(*even) != work.quickest.as_ref());
     let mut told: Vec<Inlines> = Vec::new();
-    told.extend(work.quickest.iter().map(|best| said(&best.note, lang)));
+    told.extend(work.quickest.iter().map(|best| note_line(&best.note, lang)));
     told.extend(even.map(|best| Inlines::sentence(&say!(lang, "turn-even", best = &best.note))));
     told.extend(work.refused.iter().map(|refused| {
         let scheme = word(refused.scheme.name());

@@ -17,14 +17,14 @@ use super::super::{Lang, section};
 pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
     let mm = say!(lang, "unit-mm");
     let columns = [
-        Column::text(say!(lang, "turn-zone")).least(6),
+        Column::text(say!(lang, "turn-zone")).min_width(6),
         Column::text(say!(lang, "turn-zone-kind")).keep(Keep::Useful),
         span("Z", mm),
         span("Ø", mm),
         span("φ", "°").keep(Keep::Optional),
         span("φ1", "°").keep(Keep::Optional),
         // A designation stays on one line.
-        Column::text(say!(lang, "turn-tool")).least(14),
+        Column::text(say!(lang, "turn-tool")).min_width(14),
         Column::number(lang.say(&Note::new("turn-limit")), mm).keep(Keep::Useful),
         span(lang.say(&Note::new("turn-depth-of-pass")), mm),
         Column::text(say!(lang, "turn-scheme")),
@@ -78,7 +78,7 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
         span("φ", "°").keep(Keep::Optional),
         span("φ1", "°").keep(Keep::Optional),
         // A designation stays on one line.
-        Column::text(say!(lang, "turn-tool")).least(14),
+        Column::text(say!(lang, "turn-tool")).min_width(14),
         Column::number(lang.say(&Note::new("turn-limit")), mm).keep(Keep::Useful),
         span(lang.say(&Note::new("turn-depth-of-pass")), mm),
         Column::text(say!(lang, "turn-scheme")),

@@ -54,7 +54,7 @@ impl ProgramWriter {
     }
 
     /// One more block of the main program.
-    pub(super) fn put(&mut self, block: Block, place: BlockPurpose) {
+    pub(super) fn push_block(&mut self, block: Block, place: BlockPurpose) {
         self.main.push((block, place));
     }
 
@@ -80,10 +80,10 @@ impl ProgramWriter {
     /// Calls a group once, after the motion of a block if one is given.
     pub(super) fn call(&mut self, group: &Called, motion: Option<Block>, place: BlockPurpose) {
         match group {
-            Called::Subprogram(number) => self.put(motion.unwrap_or_default().calls(*number, 1), place),
+            Called::Subprogram(number) => self.push_block(motion.unwrap_or_default().calls(*number, 1), place),
             Called::Blocks(blocks) => {
                 for block in motion.into_iter().chain(blocks.iter().cloned()) {
-                    self.put(block, place);
+                    self.push_block(block, place);
                 }
             }
         }
