@@ -162,14 +162,14 @@ impl Context {
             (None, [usual, ..]) => {
                 meant.iter().find(|format| known.contains(format)).copied().map_or_else(|| lacks(*usual), Ok)
             }
-            (Some(asked), _) if !known.contains(&asked) => lacks(asked),
-            (Some(asked), [usual, ..]) if !meant.contains(&asked) => {
+            (Some(requested), _) if !known.contains(&requested) => lacks(requested),
+            (Some(requested), [usual, ..]) if !meant.contains(&requested) => {
                 let file = self.output.as_deref().unwrap_or(Path::new("-")).display();
-                let message = words::format_contradiction(self.lang, file, usual.name(), asked.name());
+                let message = words::format_contradiction(self.lang, file, usual.name(), requested.name());
                 let help = words::format_contradiction_help(self.lang);
                 Err(Diagnostic::error("format-contradiction", message, None).help(help).into())
             }
-            (Some(asked), _) => Ok(asked),
+            (Some(requested), _) => Ok(requested),
         }
     }
 

@@ -119,11 +119,11 @@ impl MarkingScheme {
         let mut spent: Vec<(Section, f64)> = Vec::new();
         let mut deductions = Vec::new();
         for finding in &audit.findings {
-            let (asked, by) = self.charge(finding);
+            let (deduction, by) = self.charge(finding);
             let own = self.sections.iter().find(|(section, _)| *section == finding.section).map(|(_, own)| own);
             let before = spent.iter().find(|(section, _)| *section == finding.section).map_or(0.0, |(_, spent)| *spent);
             let room = own.and_then(|own| own.at_most).map_or(f64::INFINITY, |most| most - before);
-            let taken = asked.min(room).min(left).max(0.0);
+            let taken = deduction.min(room).min(left).max(0.0);
             left -= taken;
             spent.retain(|(section, _)| *section != finding.section);
             spent.push((finding.section, before + taken));
@@ -134,7 +134,7 @@ impl MarkingScheme {
                 severity: finding.severity,
                 points: rounded(taken),
                 by,
-                capped: taken < asked,
+                capped: taken < deduction,
             });
         }
         let points = rounded(left);

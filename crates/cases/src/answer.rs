@@ -28,7 +28,7 @@ use super::{Asker, planned, table};
 pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, KnowledgeError> {
     let knowledge = asker.knowledge;
     Ok(match question {
-        Question::Table(asked) => table::json(&asked.rows(knowledge.table(&asked.table)?)),
+        Question::Table(table) => table::json(&table.rows(knowledge.table(&table.table)?)),
         Question::Part { part, method } => {
             let plan = planner::plan(part, *method, knowledge)?;
             planned::json(&plan, &planner::plan_by(part, *method, Preference::Tables, knowledge)?)

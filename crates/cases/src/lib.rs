@@ -14,7 +14,7 @@
 //! not mention findings, none of severity `error` or `wrong` is accepted.
 
 mod answer;
-mod asked;
+mod read_question;
 mod called;
 mod digest;
 pub mod expected;

@@ -163,6 +163,6 @@ pub fn practice_group<'k>(
     let question = PracticeGroupFor { material: material.id, hardness: Brinell(material.hardness) };
     match knowledge.ask(&question) {
         Err(KnowledgeError::Query(QueryError::OutOfDomain { .. } | QueryError::IllTyped { .. })) => Ok(None),
-        asked => Ok(asked?.winner()?),
+        answer => Ok(answer?.winner()?),
     }
 }

@@ -83,8 +83,8 @@ fn feed(cut: &Cut, shop: &Shop<'_>) -> Tried<(MillimetresPerRev, Because), Uncut
         return Ok(by_stage);
     }
     let nose = nose.to_string();
-    let asked = finish.ask(&BoringFinishFeedFor { roughness: column, nose_radius: &nose })?;
-    let row = asked.winner()?.ok_or_else(|| figures::missing(&finish.id, shop))?;
+    let answer = finish.ask(&BoringFinishFeedFor { roughness: column, nose_radius: &nose })?;
+    let row = answer.winner()?.ok_or_else(|| figures::missing(&finish.id, shop))?;
     let feed = row.feed.0.min(stage.feed.0);
     let because = Because::row(row.row, Note::new("boring-finish-feed").with("feed", feed));
     Ok((MillimetresPerRev(feed), because))

@@ -184,9 +184,9 @@ fn by_depth<'k>(
     let (factor, row) = match found {
         Some(found) => found,
         None => {
-            let asked = shop.knowledge().ask(&DepthBeyondFor { of_table: table, depth_ratio })?;
+            let answer = shop.knowledge().ask(&DepthBeyondFor { of_table: table, depth_ratio })?;
             let too_deep = || Refusal::Not(Uncut::TooDeep { table: table.to_owned(), ratio: depth_ratio });
-            let beyond = asked.winner()?.ok_or_else(too_deep)?;
+            let beyond = answer.winner()?.ok_or_else(too_deep)?;
             (beyond.factor, beyond.row)
         }
     };
@@ -256,8 +256,8 @@ pub fn surface_of(skin: bool, shop: &Shop<'_>) -> Result<Surface, KnowledgeError
 /// # Errors
 /// The table has no such surface, or the knowledge base has no answer.
 pub fn surface<'k>(surface: Surface, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
-    let asked = shop.knowledge().ask(&SkinFactorFor { surface })?;
-    let row = asked.winner()?.ok_or_else(|| missing(SkinFactorFor::TABLE, shop))?;
+    let answer = shop.knowledge().ask(&SkinFactorFor { surface })?;
+    let row = answer.winner()?.ok_or_else(|| missing(SkinFactorFor::TABLE, shop))?;
     Ok((row.factor, Because::row(row.row, shown("surface-factor", row.factor))))
 }
 

@@ -28,8 +28,8 @@ pub(super) fn hold_torque(
     shop: &Shop<'_>,
 ) -> Result<(), KnowledgeError> {
     let Some(own) = draft.loads.torque else { return Ok(()) };
-    let asked = shop.knowledge.ask(&ForceOpinionFor { operation: cut.operation })?;
-    let Some(rule) = asked.winner()? else { return Ok(()) };
+    let answer = shop.knowledge.ask(&ForceOpinionFor { operation: cut.operation })?;
+    let Some(rule) = answer.winner()? else { return Ok(()) };
     let Some(group) = practice_group(&shop.material, shop.knowledge)? else { return Ok(()) };
     let Some(force) = shop.knowledge.ask(&SpecificCuttingForceFor { vdi: group.vdi })?.winner()? else {
         return Ok(());

@@ -66,7 +66,7 @@ const SLACK: f64 = 1e-9;
 /// Reduces a feed to the limits of drill strength, thrust and torque at a spindle step; none if it is within them.
 pub(super) fn borne(
     draft: &DraftConditions,
-    asked: MillimetresPerRev,
+    feed: MillimetresPerRev,
     cut: &Cut,
     rpm: RevsPerMinute,
     shop: &Shop<'_>,
@@ -91,14 +91,14 @@ pub(super) fn borne(
             margin: Some(torque),
         }),
     ];
-    Ok(within(&bounds, asked, speed))
+    Ok(within(&bounds, feed, speed))
 }
 
 /// The feed within all limits, if the required one is not.
-fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresPerMinute) -> Option<Borne> {
+fn within(bounds: &[Option<Bound<'_>>], required: MillimetresPerRev, speed: MetresPerMinute) -> Option<Borne> {
     let mut borne: Option<Borne> = None;
     for bound in bounds.iter().flatten() {
-        let before = borne.as_ref().map_or(asked, |borne| borne.feed);
+        let before = borne.as_ref().map_or(required, |borne| borne.feed);
         if let Some(law) = bound.law
             && law.at(before, speed) > bound.limit * (1.0 + SLACK)
         {
@@ -277,12 +277,12 @@ impl<'k> SpindleStepChoice<'k> {
         match (below, above) {
             (Some(below), Some(above)) => {
                 let excess = (above.0 / wanted.0 - 1.0) * 100.0;
-                let asked = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
-                let rpm = match asked.need("this excess")?.take {
+                let answer = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
+                let rpm = match answer.need("this excess")?.take {
                     Neighbour::Above => above,
                     Neighbour::Below => below,
                 };
-                let between = Some(Between { below, above, excess, answer: asked.answer });
+                let between = Some(Between { below, above, excess, answer: answer.answer });
                 Ok(Self { rpm, limit: Limit::CuttingSpeed, between })
             }
             (Some(rpm), None) => Ok(Self { rpm, limit: Limit::SpindleSpeedMax, between: None }),

@@ -163,8 +163,8 @@ fn feed_per_tooth(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, 
     let mut feed = figures.row.feed_per_tooth.0;
     let mut because = figures.because(Note::new("feed-per-tooth").with("feed", feed));
     if let Some(roughness) = cut.roughness {
-        let asked = shop.knowledge.ask(&MillingFinishFeedFor { roughness })?;
-        let row = asked.winner()?.ok_or_else(|| missing(MillingFinishFeedFor::TABLE, shop))?;
+        let answer = shop.knowledge.ask(&MillingFinishFeedFor { roughness })?;
+        let row = answer.winner()?.ok_or_else(|| missing(MillingFinishFeedFor::TABLE, shop))?;
         feed *= row.factor;
         let note = Note::new("milling-finish-feed").with("factor", row.factor).with("roughness", roughness);
         because.push(Because::row(row.row, note));

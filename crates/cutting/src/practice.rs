@@ -47,8 +47,8 @@ pub fn second_opinion(
         return Ok((formula, Held::No, Vec::new()));
     };
     let share = formula.0 / practice.typical.0;
-    let asked = knowledge.ask(&SecondOpinionFor { operation: cut.operation, share })?;
-    let taken = asked.need(cut.operation.name())?.take;
+    let answer = knowledge.ask(&SecondOpinionFor { operation: cut.operation, share })?;
+    let taken = answer.need(cut.operation.name())?.take;
     let (speed, held) = match taken {
         Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, Held::Slower),
         Taken::PracticeUsual if practice.typical.0 < formula.0 => (practice.typical, Held::Slower),
@@ -63,7 +63,7 @@ pub fn second_opinion(
     let mut because = vec![Because::row(practice.row, note)];
     if held != Held::No {
         let note = Note::new("practice-speed").with("speed", round_to(speed.0, 1));
-        because.push(Because::answer(&asked.answer, note));
+        because.push(Because::answer(&answer.answer, note));
     }
     Ok((speed, held, because))
 }

@@ -59,7 +59,7 @@ pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Sh
         return Ok(false);
     }
     let question = StockBeforeReamingFor { case: ReamingCase::RoughAfterDrill, diameter: cut.diameter };
-    let Some(row) = shop.knowledge.ask_within(&question)?.map(|asked| asked.winner()).transpose()?.flatten() else {
+    let Some(row) = shop.knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten() else {
         return Ok(false);
     };
     let rough = Cut { from: cut.diameter - row.stock_max, roughness: None, ..*cut };
@@ -115,8 +115,8 @@ fn torque(cut: &Cut, shop: &Shop<'_>) -> Tried<(Option<PowerLaw>, Vec<Because>),
     let teeth = match cut.cutter.filter(|cutter| cutter.teeth > 0) {
         Some(cutter) => f64::from(cutter.teeth),
         None => {
-            let asked = shop.knowledge.ask(&ReamerTeethFor { diameter: cut.diameter })?;
-            let row = asked.winner()?.ok_or_else(|| missing(ReamerTeethFor::TABLE, shop))?;
+            let answer = shop.knowledge.ask(&ReamerTeethFor { diameter: cut.diameter })?;
+            let row = answer.winner()?.ok_or_else(|| missing(ReamerTeethFor::TABLE, shop))?;
             because.push(Because::row(row.row, Note::new("reamer-teeth").with("teeth", row.teeth)));
             row.teeth
         }

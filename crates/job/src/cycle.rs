@@ -63,8 +63,8 @@ pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Res
     let ratio = way.to_mm() / transition.diameter.to_mm();
     let operation = transition.operation;
     let question = MachiningCycleFor { operation, depth_ratio: ratio, material_group: shop.material.group };
-    let asked = shop.knowledge.ask(&question)?;
-    let rule = asked.need(operation.name())?;
+    let answer = shop.knowledge.ask(&question)?;
+    let rule = answer.need(operation.name())?;
     let note = Note::new("machining-cycle").with("cycle", rule.cycle.name());
     let note = note.with("ratio", crate::units::round_to(ratio, 2));
 
@@ -92,7 +92,7 @@ pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Res
         end,
         out: grid(top + withdrawal).max(begin),
         dwell_s: dwell,
-        because: vec![Because::answer(&asked.answer, note), convention],
+        because: vec![Because::answer(&answer.answer, note), convention],
     })
 }
 

@@ -529,7 +529,7 @@ impl Knowledge {
     ) -> Result<Option<TypedAnswer<'k, Q::Row<'k>>>, KnowledgeError> {
         match self.table(Q::TABLE)?.ask(question) {
             Err(QueryError::OutOfDomain { .. }) => Ok(None),
-            asked => Ok(Some(asked?)),
+            answer => Ok(Some(answer?)),
         }
     }
 

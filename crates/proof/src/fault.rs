@@ -36,7 +36,7 @@ pub enum Fault {
     /// A centring spot remains visible around the finished hole.
     SpotStays { spot: Micrometres, limit: Micrometres },
     /// The full diameter ends before the drawing's depth.
-    TooShallow { operation: Operation, depth: Micrometres, asked: Micrometres },
+    TooShallow { operation: Operation, depth: Micrometres, required: Micrometres },
     /// The tip comes out of a blind hole's floor.
     BreaksThrough { operation: Operation, tip: Micrometres, thickness: Micrometres },
     /// The tool goes below what was opened for it.
@@ -91,8 +91,8 @@ impl Fault {
                 of("proof-enters", operation).with("tool", tool).with("limit", limit)
             }
             Self::SpotStays { spot, limit } => Note::new("proof-spot-stays").with("spot", spot).with("limit", limit),
-            Self::TooShallow { operation, depth, asked } => {
-                of("proof-too-shallow", operation).with("depth", depth).with("asked", asked)
+            Self::TooShallow { operation, depth, required } => {
+                of("proof-too-shallow", operation).with("depth", depth).with("asked", required)
             }
             Self::BreaksThrough { operation, tip, thickness } => {
                 of("proof-breaks-through", operation).with("tip", tip).with("thickness", thickness)
@@ -144,18 +144,18 @@ impl Wanting {
     /// Whether the required value is reached at best.
     fn at_best(self) -> bool {
         match self {
-            Self::Grade(best, _, asked) => best <= asked,
-            Self::Surface(best, _, asked) => best <= asked,
-            Self::Position(best, _, asked) => best <= asked,
+            Self::Grade(best, _, required) => best <= required,
+            Self::Surface(best, _, required) => best <= required,
+            Self::Position(best, _, required) => best <= required,
         }
     }
 
     /// Whether the ordinary value is enough.
     pub(crate) fn holds(self) -> bool {
         match self {
-            Self::Grade(_, ordinary, asked) => ordinary <= asked,
-            Self::Surface(_, ordinary, asked) => ordinary <= asked,
-            Self::Position(_, ordinary, asked) => ordinary <= asked,
+            Self::Grade(_, ordinary, required) => ordinary <= required,
+            Self::Surface(_, ordinary, required) => ordinary <= required,
+            Self::Position(_, ordinary, required) => ordinary <= required,
         }
     }
 
@@ -172,14 +172,14 @@ impl Wanting {
 
     fn with_figures(self, note: Note) -> Note {
         match self {
-            Self::Grade(best, ordinary, asked) => {
-                note.with("best", best).with("ordinary", ordinary).with("asked", asked)
+            Self::Grade(best, ordinary, required) => {
+                note.with("best", best).with("ordinary", ordinary).with("asked", required)
             }
-            Self::Surface(best, ordinary, asked) => {
-                note.with("best", best).with("ordinary", ordinary).with("asked", asked)
+            Self::Surface(best, ordinary, required) => {
+                note.with("best", best).with("ordinary", ordinary).with("asked", required)
             }
-            Self::Position(best, ordinary, asked) => {
-                note.with("best", best).with("ordinary", ordinary).with("asked", asked)
+            Self::Position(best, ordinary, required) => {
+                note.with("best", best).with("ordinary", ordinary).with("asked", required)
             }
         }
     }

@@ -71,8 +71,8 @@ impl Reach {
 
 /// The drift of the axis at the end of a drilled hole; none for diameters outside the table.
 pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
-    let Some(asked) = shop.knowledge.ask_within(&DrillDriftFor { diameter })? else { return Ok(Micrometres::ZERO) };
-    Ok(asked
+    let Some(answer) = shop.knowledge.ask_within(&DrillDriftFor { diameter })? else { return Ok(Micrometres::ZERO) };
+    Ok(answer
         .winner()?
         .map_or(Micrometres::ZERO, |row| Micrometres::from_mm_rounded(row.drift * depth.to_mm() / 1000.0)))
 }
@@ -83,6 +83,6 @@ pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) 
 /// own drills before reamers, Ø7.8 under Ø8.
 pub(crate) fn oversize(transition: &Transition, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let question = DrillOversizeFor { diameter: transition.diameter_mm };
-    let Some(asked) = shop.knowledge.ask_within(&question)? else { return Ok(Micrometres::ZERO) };
-    Ok(asked.winner()?.map_or(Micrometres::ZERO, |row| row.oversize_mean))
+    let Some(answer) = shop.knowledge.ask_within(&question)? else { return Ok(Micrometres::ZERO) };
+    Ok(answer.winner()?.map_or(Micrometres::ZERO, |row| row.oversize_mean))
 }

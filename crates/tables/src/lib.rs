@@ -67,8 +67,8 @@ pub fn check(knowledge: &Knowledge) -> Vec<Diagnostic> {
 /// Whether a folder is a knowledge base for planning, and not a few separate tables: it has at least half of the
 /// tables that are required by name.
 pub fn is_to_plan_with(knowledge: &Knowledge) -> bool {
-    let (there, asked) = contracts::present(knowledge, &all());
-    2 * there >= asked
+    let (there, contracts) = contracts::present(knowledge, &all());
+    2 * there >= contracts
 }
 
 /// Reads tables for planning and checks their contracts.

@@ -85,7 +85,7 @@ fn every_column_of_another_type_or_unit_is_found_where_it_is_read() {
     for (mut table, contract) in tables_with_contracts() {
         for index in 0..table.columns.len() {
             let name = table.columns[index].name.clone();
-            let read = contract.inputs.iter().chain(contract.fields).any(|asked| asked.name == name);
+            let read = contract.inputs.iter().chain(contract.fields).any(|column| column.name == name);
             if !read {
                 continue;
             }

@@ -68,7 +68,7 @@ impl ProofBench {
         let faults = language.check(text, &self.machine, &self.setting, &mut sink);
         let (steps, clock) = sink;
         let zeros: Vec<Position> = self.job.setups.iter().map(|setup| setup.zero).collect();
-        let asked = ProofInput {
+        let input = ProofInput {
             plan: &self.plan,
             job: &self.job,
             zeros: &zeros,
@@ -76,7 +76,7 @@ impl ProofBench {
             tolerated: self.tolerated,
             own_correctors: self.own_correctors,
         };
-        let proof = prove(&steps, &asked);
+        let proof = prove(&steps, &input);
         let said = faults.iter().map(|fault| format!("{:?} {:?}", fault.severity, fault.note));
         let said =
             said.chain(proof.findings.iter().map(|finding| format!("{:?} {:?}", finding.severity, finding.note)));

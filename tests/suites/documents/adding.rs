@@ -142,8 +142,8 @@ fn a_rule_and_the_rust_that_asks_it() {
     for (hole, part) in plan.holes.iter_mut().zip(&plan.part.holes) {
         gauge::measured(hole, part.diameter.it, &knowledge).unwrap();
     }
-    for (asked, hole) in plan.part.holes.iter().zip(&plan.holes) {
-        let gauge = if asked.diameter.it.number() >= 12 {
+    for (drawn, hole) in plan.part.holes.iter().zip(&plan.holes) {
+        let gauge = if drawn.diameter.it.number() >= 12 {
             "calliper) [hole-gauge, row 1"
         } else {
             "plug-gauge) [hole-gauge, row 2"

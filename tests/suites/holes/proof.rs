@@ -120,19 +120,19 @@ fn what_is_reached_is_never_what_is_asked() {
     let drilled = sound("20", "diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2");
     let upper = spoilt(&drilled, |steps| of(steps, Operation::Drill).diameter_mm = mm(10.1));
     assert!(upper.iter().any(|fault| matches!(fault, Fault::TooWide { .. })), "{upper:?}");
-    let asked = |it: &str| {
+    let faults_of = |it: &str| {
         let mut plan = drilled.clone();
         let other = sound("20", &format!("diameter: 10{it}, through: true, roughness: Ra 12.5, centre_tolerance: 0.2"));
         plan.part.holes[0].diameter = other.part.holes[0].diameter.clone();
         faults(&plan)
     };
-    let at_best = asked("H11");
+    let at_best = faults_of("H11");
     assert!(
         matches!(at_best[..], [Fault::Wanting { what: Wanting::Grade(..), .. }])
             && at_best[0].severity() == technolog::note::Severity::Doubtful,
         "{at_best:?}"
     );
-    let never = asked("H9");
+    let never = faults_of("H9");
     assert!(never.iter().any(|fault| fault.severity() == technolog::note::Severity::Error), "{never:?}");
     // Without its spot the drill wanders.
     let mut plan = drilled.clone();
@@ -199,7 +199,7 @@ fn grid(every: usize) -> (usize, usize) {
     let diameters =
         [3.0_f64, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 20.0, 24.5, 30.0, 36.0, 42.0, 50.0, 63.0, 80.0];
     let depths = [0.5_f64, 1.0, 2.0, 3.0, 5.0, 8.0, 12.0];
-    let (mut number, mut asked, mut planned) = (0_usize, 0, 0);
+    let (mut number, mut parts, mut planned) = (0_usize, 0, 0);
     for (size, it) in diameters.iter().flat_map(|size| (6..=14).map(move |it| (*size, it))) {
         for (material, depth) in materials.iter().flat_map(|one| depths.iter().map(move |depth| (*one, *depth))) {
             number += 1;
@@ -216,7 +216,7 @@ fn grid(every: usize) -> (usize, usize) {
             let way = if through { "through: true".to_owned() } else { format!("depth: {length}") };
             let keys =
                 format!("diameter: {size}H{it}, {way}, roughness: Ra {ra}, centre_tolerance: 0.2{state}, at: [[0, 0]]");
-            asked += 1;
+            parts += 1;
             let plan = plan_of_hole(material, "gf2171", &thickness.to_string(), &keys);
             // Whatever else is told of the plan: a route that was taken is one that holds.
             if plan.holes[0].route.is_none() {
@@ -233,21 +233,21 @@ fn grid(every: usize) -> (usize, usize) {
             holds_by_hand(&plan, &keys);
         }
     }
-    (asked, planned)
+    (parts, planned)
 }
 
 #[test]
 fn no_plan_without_errors_is_rejected_by_the_proof() {
-    let (asked, planned) = grid(23);
-    assert!(asked > 250 && planned > asked / 3, "{planned} of {asked}");
+    let (parts, planned) = grid(23);
+    assert!(parts > 250 && planned > parts / 3, "{planned} of {parts}");
 }
 
 #[test]
 #[ignore = "takes minutes: the whole grid"]
 fn no_plan_of_the_whole_grid_is_rejected_by_the_proof() {
     // A share of it where fewer cases are asked for.
-    let (asked, planned) = grid(technolog_laws::every(1));
-    assert!(planned > asked / 3, "{planned} of {asked}");
+    let (parts, planned) = grid(technolog_laws::every(1));
+    assert!(planned > parts / 3, "{planned} of {parts}");
 }
 
 /// What the machine cannot carry out is no plan, although every row of it is right: the program of it would say so.

@@ -276,7 +276,7 @@ fn cases_name_files_of_their_folder_only() {
     let secret = Path::new(env!("CARGO_TARGET_TMPDIR")).join("files").join("secret-of-cases.txt");
     fs::write(&secret, "root:secret\n").unwrap();
     fs::write(cases.join("plan.yaml"), format!("part: {}\nroute: []\n", secret.display())).unwrap();
-    for asked in [
+    for arguments in [
         format!("part: {}", secret.display()),
         "turn: ../../secret-of-cases.txt".to_owned(),
         format!("audit: {}", secret.display()),
@@ -285,14 +285,14 @@ fn cases_name_files_of_their_folder_only() {
         format!("program: {}, control: linuxcnc", secret.display()),
         format!("program: ../program.nc, control: 2c42-65, setting: {}", secret.display()),
     ] {
-        fs::write(cases.join("one.test.yaml"), format!("tests:\n  - {{{asked}, expect: {{}}}}\n")).unwrap();
+        fs::write(cases.join("one.test.yaml"), format!("tests:\n  - {{{arguments}, expect: {{}}}}\n")).unwrap();
         let answer = run(&cases, &["test", "one.test.yaml"]);
-        assert_eq!(answer.status.code(), Some(2), "{asked}");
+        assert_eq!(answer.status.code(), Some(2), "{arguments}");
         let said = complaint(&answer);
         assert!(said.contains("--allow-outside") && !said.contains("root:secret"), "{said}");
         let allowed = run(&cases, &["test", "one.test.yaml", "--allow-outside"]);
         let said = complaint(&allowed);
-        assert!(!said.contains("--allow-outside"), "{asked}: {said}");
+        assert!(!said.contains("--allow-outside"), "{arguments}: {said}");
     }
     // Of the folder that is named, or that the program is run in, cases may share files.
     let shared = "tests:\n  - {part: ../../part.yaml, expect: {holes.A.scheme: \"1\"}}\n";

@@ -168,8 +168,8 @@ fn programs_of_cycles() {
 #[test]
 fn cycle95_is_told_its_allowance() {
     let allowance = Allowance { radius: mm(0.5), z: mm(0.2) };
-    let asked = Roughing { allowance, ..roughing(Direction::Longitudinal) };
-    let written = cycle(&control("sinumerik"), &stepped(), at(32.5, 0.0), asked, &setting()).unwrap();
+    let roughing_task = Roughing { allowance, ..roughing(Direction::Longitudinal) };
+    let written = cycle(&control("sinumerik"), &stepped(), at(32.5, 0.0), roughing_task, &setting()).unwrap();
     let call = "CYCLE95(\"VAL_STUPINCHAS_K\", 4, 0.2, 0.5, 0, 0.3, 0.15, 0.1, 1, , , 0.5)";
     let text = files(&written);
     assert!(text.lines().any(|line| line == call), "{text}");
@@ -209,8 +209,8 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
         move |way: &mut Toolpath| way.follow(Piece::arc(at(20.0, 0.0), at(20.0, 10.0), mm(radius), Turn::Left), purpose)
     };
     let as_is = |_: &mut Setting| {};
-    let bad_task = |contour: &Contour, corner: Point, asked: Roughing| {
-        cycle(&linuxcnc, contour, corner, asked, &setting()).unwrap_err()
+    let bad_task = |contour: &Contour, corner: Point, roughing: Roughing| {
+        cycle(&linuxcnc, contour, corner, roughing, &setting()).unwrap_err()
     };
     let (along, across) = (roughing(Direction::Longitudinal), roughing(Direction::Facing));
     let corner = at(32.5, -1.0);

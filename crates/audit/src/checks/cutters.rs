@@ -131,9 +131,9 @@ fn need<'a>(
     let planned = context.reference(at).map(|transition| transition.diameter_mm);
     let diameter = length(Q::Diameter).or(planned).unwrap_or(hole.diameter.nominal);
     let drills = matches!(operation, Operation::Drill | Operation::DrillOut);
-    let asked = if context.stated.own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
+    let required = if context.stated.own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
     let plain = row.step.is_none() && hole.steps.is_empty();
-    let reach = if asked && plain { tips.of(context, at) } else { None };
+    let reach = if required && plain { tips.of(context, at) } else { None };
     let cone = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));
     CutterNeed {
         enters: length(Q::From).unwrap_or_default(),

@@ -43,8 +43,8 @@ pub(super) fn check<'a>(
             }
             let Some((figure, by_formula)) = stated.figure(id).zip(by_formula) else { continue };
             let question = |of_formula| AuditLoadFor { of_formula };
-            let (share, asked) = context.by_share(figure.value / by_formula, question)?;
-            let Some(rule) = asked.winner()? else { continue };
+            let (share, answer) = context.by_share(figure.value / by_formula, question)?;
+            let Some(rule) = answer.winner()? else { continue };
             let note = match rule.judgement {
                 Judgement::Low => Note::new("audit-load-low"),
                 Judgement::High => Note::new("audit-load-high"),

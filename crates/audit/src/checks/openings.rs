@@ -27,7 +27,7 @@ struct Opening {
     /// Absent if the drawing does not fix it, as for a face.
     depth: Option<Micrometres>,
     /// Whether the drawing requires it; the lead-in of a thread is added by the program.
-    asked: bool,
+    required: bool,
 }
 
 pub(super) fn check<'a>(
@@ -41,7 +41,7 @@ pub(super) fn check<'a>(
             continue;
         }
         let openings = openings(hole, context)?;
-        for opening in openings.iter().filter(|opening| opening.asked && is_made_by_own_plan(context, hole, opening)) {
+        for opening in openings.iter().filter(|opening| opening.required && is_made_by_own_plan(context, hole, opening)) {
             check_made(context, graph, hole, opening, &rows, findings);
         }
         // Plans of the program report themselves what they cut beyond the drawing.
@@ -60,13 +60,13 @@ fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, Knowledg
         feature: edge.feature,
         diameter: edge.diameter,
         depth: Some(edge.depth(stock)).filter(|_| edge.feature != Feature::Face),
-        asked: edge.asked,
+        required: edge.required,
     });
     let counterbore = hole.counterbore.map(|counterbore| Opening {
         feature: Feature::Counterbore,
         diameter: counterbore.diameter,
         depth: Some(counterbore.depth),
-        asked: true,
+        required: true,
     });
     Ok(counterbore.into_iter().chain(edges).collect())
 }

@@ -61,8 +61,8 @@ fn order(
         if operation.is_of_edge() || !row.of_main_cylinder() {
             continue;
         }
-        let asked = context.shop.knowledge.ask(&TransitionOrderFor { operation, face: false })?;
-        let Some(rule) = asked.winner()? else { continue };
+        let answer = context.shop.knowledge.ask(&TransitionOrderFor { operation, face: false })?;
+        let Some(rule) = answer.winner()? else { continue };
         let rank = rule.rank;
         if let Some((least, other)) = before
             && rank < least

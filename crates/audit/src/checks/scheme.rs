@@ -28,8 +28,8 @@ pub(super) fn check<'a>(
         let (Some((_, first)), Some(route)) = (rows.first(), &plan.route) else { continue };
         let here = |made: &&Transition| made.operation.is_of_scheme(made.elsewhere);
         let ours = plan.transitions.iter().filter(here).map(|transition| transition.operation).collect();
-        let asked = table_answer::ask(hole, &context.stated.part, &context.shop)?;
-        let group = Group { context, graph, hole, route, rows: &rows, first, ours, asked };
+        let answer = table_answer::ask(hole, &context.stated.part, &context.shop)?;
+        let group = Group { context, graph, hole, route, rows: &rows, first, ours, answer };
         group.check(findings)?;
     }
     Ok(())
@@ -46,7 +46,7 @@ struct Group<'c, 'a> {
     /// The transitions of the program's plan.
     ours: Vec<Operation>,
     /// The answer of the tables, before any scheme is tried.
-    asked: TableAnswer<'a>,
+    answer: TableAnswer<'a>,
 }
 
 impl Group<'_, '_> {
@@ -74,7 +74,7 @@ impl Group<'_, '_> {
 
     /// Whether the hole's own cell of the tables has that scheme.
     fn printed(&self, scheme: &str) -> bool {
-        self.asked.schemes.iter().any(|own| same_scheme(scheme, own))
+        self.answer.schemes.iter().any(|own| same_scheme(scheme, own))
     }
 
     fn finding(&self, severity: Severity, row: &Row, key: &str, note: Note) -> AuditFinding {
@@ -108,7 +108,7 @@ impl Group<'_, '_> {
                     let note = Note::new("audit-scheme-mixed").with("stated", name).with("other", own);
                     findings.push(self.finding(Severity::Wrong, row, "scheme", note).with_values(name, own));
                 }
-            } else if self.printed(name) && self.asked.centred {
+            } else if self.printed(name) && self.answer.centred {
                 findings.push(self.uncentred(row, name));
                 let of_scheme = table_answer::transitions(&full(name), &self.context.shop)?;
                 judged &= !self.is_ours() && of_scheme.is_none_or(|own| main(&own) != main(&self.stated()));
@@ -124,14 +124,14 @@ impl Group<'_, '_> {
 
     /// The cell has the scheme, but the hole is centred first: by the text, or only by the program's reading of it.
     fn uncentred(&self, row: &Row, name: &str) -> AuditFinding {
-        let by_text = self.asked.centring.source == Some(Source::Seed);
+        let by_text = self.answer.centring.source == Some(Source::Seed);
         let severity = if by_text { Severity::Wrong } else { Severity::Doubtful };
-        let printed = self.asked.row.map_or_else(String::new, |row| row.table.id.clone());
+        let printed = self.answer.row.map_or_else(String::new, |row| row.table.id.clone());
         let note = Note::new("audit-scheme-uncentred").with("stated", name).with("printed", printed);
         let mut finding = self.finding(severity, row, "scheme", note).with_values(name, &self.route.scheme);
         finding.because.clear();
-        finding.because.extend(self.asked.row.map(|row| Because::row(row, Note::new("named"))));
-        finding.because.push(self.asked.centring.clone());
+        finding.because.extend(self.answer.row.map(|row| Because::row(row, Note::new("named"))));
+        finding.because.push(self.answer.centring.clone());
         finding
     }
 
@@ -142,7 +142,7 @@ impl Group<'_, '_> {
             let (Some(scheme), Some(table)) = (&row.scheme, &row.table) else { continue };
             let pair = (scheme.value.as_str(), table.value.as_str());
             let fits = |(own, stands): (&str, &str)| same_scheme(pair.0, own) && same_table(pair.1, stands);
-            let printed = self.asked.row.is_some_and(|row| same_table(pair.1, &row.table.id)) && self.printed(pair.0);
+            let printed = self.answer.row.is_some_and(|row| same_table(pair.1, &row.table.id)) && self.printed(pair.0);
             let known = printed
                 || fits((&self.route.scheme, &self.route.table))
                 || self.route.alternatives.iter().any(|other| fits((&other.scheme, &other.table)));
@@ -244,11 +244,11 @@ impl Group<'_, '_> {
         let of_tables = self.route.alternatives.iter().filter(|other| other.way == RouteSource::Tables && other.meets);
         let mut schemes: Vec<&str> = of_tables.map(|other| other.scheme.as_str()).collect();
         schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.way == RouteSource::Tables));
-        let printed = |own: &String| match self.asked.centred {
+        let printed = |own: &String| match self.answer.centred {
             true => table_answer::centred(own, &self.context.shop),
             false => Ok(own.clone()),
         };
-        let printed: Vec<String> = self.asked.schemes.iter().map(printed).collect::<Result<_, _>>()?;
+        let printed: Vec<String> = self.answer.schemes.iter().map(printed).collect::<Result<_, _>>()?;
         schemes.extend(printed.iter().map(String::as_str));
         for own in schemes {
             if scheme.is_some_and(|scheme| !same_scheme(&scheme.value, own)) {

@@ -26,13 +26,13 @@ pub(super) fn check<'a>(
         let Some(quantity) = kind(context, id).filter(|_| table > 0.0 && graph.formula(id).is_none()) else { continue };
         let Some(figure) = context.stated.figure(id) else { continue };
         let question = |of_table| AuditByTableFor { quantity, of_table };
-        let (share, asked) = context.by_share(figure.value / table, question)?;
-        let Some(rule) = asked.winner()? else { continue };
+        let (share, answer) = context.by_share(figure.value / table, question)?;
+        let Some(rule) = answer.winner()? else { continue };
         let note =
             Note::new("audit-by-table").with("share", round_to(share, 0)).with("value", Figure::number(shown(table)));
         let finding = AuditFinding::new(rule.severity, Context::section(id), context.field(id), note)
             .about(context.subject(id.scope));
-        let why = Because::answer(&asked.answer, Note::new("audit-limit"));
+        let why = Because::answer(&answer.answer, Note::new("audit-limit"));
         let finding = finding.resting_on(rows(context, id).into_iter().chain([why]));
         findings.push(with_right_value(finding, figure, shown(table), id.quantity));
     }

@@ -264,8 +264,8 @@ fn add<'a, 'b>(
 /// Judges a stated figure against the value of the handbook, by the rule `audit-formula`.
 fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Judged {
     let question = |of_formula| AuditFormulaFor { quantity, of_formula };
-    let (share, asked) = context.by_share(value / by_formula, question).ok()?;
-    let severity = asked.winner().ok()??.severity;
+    let (share, answer) = context.by_share(value / by_formula, question).ok()?;
+    let severity = answer.winner().ok()??.severity;
     let nature = nature(value, by_formula);
     let code = match quantity {
         // A misplaced decimal point or a wrong sign is reported as such.

@@ -432,8 +432,8 @@ holes:
 
     #[test]
     fn a_key_that_asks_for_nothing_changes_nothing() {
-        let asked = read("    at:", "    outer_wall: false\n    state: solid\n    steps: []\n    thread:\n    at:");
-        assert_eq!(asked, read("", ""));
+        let hole = read("    at:", "    outer_wall: false\n    state: solid\n    steps: []\n    thread:\n    at:");
+        assert_eq!(hole, read("", ""));
     }
 
     const MANY_KEYS: &str = "part: П

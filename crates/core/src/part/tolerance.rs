@@ -220,7 +220,7 @@ fn convention(name: HoleDefault, knowledge: &Knowledge) -> Result<f64, Note> {
 /// # Errors
 /// The size is outside the table.
 pub fn tolerance_width(it: ItGrade, size: Micrometres, knowledge: &Knowledge) -> Result<Micrometres, Note> {
-    let asked = knowledge.ask(&ItGradesFor { it, diameter: size }).map_err(|error| Note::from(&error))?;
-    let row = asked.winner().map_err(|error| Note::from(&error))?;
+    let answer = knowledge.ask(&ItGradesFor { it, diameter: size }).map_err(|error| Note::from(&error))?;
+    let row = answer.winner().map_err(|error| Note::from(&error))?;
     row.map(|row| row.tolerance).ok_or_else(|| note!("part-no-at-mm-table-grades", it = it, size = size))
 }

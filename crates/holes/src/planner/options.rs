@@ -169,8 +169,8 @@ pub(super) fn options(
     };
     let kind = finder.auxiliary_kind();
     let stage_name = kind.map_or(StagedHole::Plain, AuxiliaryKind::stage_name);
-    let asked = if kind.is_some() { auxiliary::diameter(&finder.question) } else { main.diameter.nominal };
-    let (stages, stages_end_elsewhere) = scheme::stages(&finder.question, stage_name, asked, shop)?;
+    let main_diameter = if kind.is_some() { auxiliary::diameter(&finder.question) } else { main.diameter.nominal };
+    let (stages, stages_end_elsewhere) = scheme::stages(&finder.question, stage_name, main_diameter, shop)?;
     if stages_end_elsewhere {
         // A.6 asks for the position of the axis; A.8 and A.9 have such holes in the column of the tightest centre
         // distance.
@@ -185,7 +185,7 @@ pub(super) fn options(
     };
     for (edge, step) in task.edges.iter().zip(&finder.edges) {
         if let (Err(why), true) = (step, Some(*edge) != finder.centred_edge) {
-            let list = if edge.asked { &mut options.impossible } else { &mut options.remarks };
+            let list = if edge.required { &mut options.impossible } else { &mut options.remarks };
             list.push(why.note());
         }
     }
@@ -223,10 +223,10 @@ impl Finder<'_, '_> {
     /// and of the search without boring are excluded; where it does not, those with boring. Both hold only while
     /// another route can be carried out.
     fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
-        let asked = self.boring_asked()?;
+        let boring = self.boring_required()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
-        let stands_back = |choice: &Choice| choice.candidate.way != RouteSource::Tables && bores(choice) != asked;
-        options.not_bored = !asked && self.close()?;
+        let stands_back = |choice: &Choice| choice.candidate.way != RouteSource::Tables && bores(choice) != boring;
+        options.not_bored = !boring && self.close()?;
         let other = options.choices.iter().any(|choice| choice.meets_requirements() && !stands_back(choice));
         if !other {
             options.not_bored = self.close()? && !options.choices.iter().any(bores);
@@ -235,7 +235,7 @@ impl Finder<'_, '_> {
         let (back, kept): (Vec<Choice>, Vec<Choice>) = options.choices.drain(..).partition(stands_back);
         options.choices = kept;
         let position = self.question.position;
-        let why = if asked { Reason::BoringAsked { position } } else { Reason::BoringNotAsked { position } };
+        let why = if boring { Reason::BoringAsked { position } } else { Reason::BoringNotAsked { position } };
         for choice in back {
             let operations = Options::operations(&choice);
             let refused = refused(&choice.candidate, why.clone());
@@ -250,7 +250,7 @@ impl Finder<'_, '_> {
     }
 
     /// Whether the position of the axis requires boring, by the rule `boring-for-position`.
-    pub fn boring_asked(&self) -> Result<bool, KnowledgeError> {
+    pub fn boring_required(&self) -> Result<bool, KnowledgeError> {
         self.asks_for_boring(self.task.main.diameter.nominal >= self.sizes.smallest_bore)
     }
 

@@ -247,9 +247,9 @@ impl Finder<'_, '_> {
         if main.before.is_cast() && reached.position_mm.is_none() {
             misses.push(Note::new("misses-axis").with("asked", self.question.position));
         }
-        let asked = self.question.position;
-        let beyond = reached.position_mm.filter(|own| *own > asked);
-        misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", asked)));
+        let required = self.question.position;
+        let beyond = reached.position_mm.filter(|own| *own > required);
+        misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", required)));
         misses
     }
 }

@@ -245,7 +245,7 @@ impl Finder<'_, '_> {
         let question = SchemeQuestion { bore, ..self.question };
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: &[RouteStep]| self.cost(steps);
-        let asked = self.boring_asked()?;
+        let boring = self.boring_required()?;
         let mut best: Option<((bool, bool, Minutes), Vec<RouteStep>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
@@ -274,7 +274,7 @@ impl Finder<'_, '_> {
                 });
                 match Refusal::split(made)? {
                     Ok((minutes, mut steps)) => {
-                        let bores = !asked && steps.iter().any(|step| step.operation.is_boring());
+                        let bores = !boring && steps.iter().any(|step| step.operation.is_boring());
                         // Here too, what the tables finish on another machine is left for that machine.
                         let here = !candidate.finish_elsewhere;
                         let better =

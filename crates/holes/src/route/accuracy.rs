@@ -103,9 +103,9 @@ pub fn write(
             step.operation
         };
         // A centring spot has no diameter yet: the rule is queried with the diameter of the cylinder.
-        let asked = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
+        let diameter = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
         let next =
-            if state == HoleState::Finished { Vec::new() } else { next_transition(state, asked, shop)?.winners()? };
+            if state == HoleState::Finished { Vec::new() } else { next_transition(state, diameter, shop)?.winners()? };
         if let Some(row) = next.iter().find(|row| row.operation == operation) {
             state = row.leaves;
             reached = of_row_with_reason(row, shop)?;

@@ -88,7 +88,7 @@ pub struct EdgeCut {
     /// The cylinder above the edge, through which the cutter enters; absent at the face.
     pub within: Option<Micrometres>,
     /// Whether the drawing requires it; the chamfer of a thread is added by the planner.
-    pub asked: bool,
+    pub required: bool,
     /// The diameter of the cylinder it is cut at, before finishing.
     pub around: Micrometres,
     /// Its widest diameter.
@@ -173,7 +173,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             let chamfer = step.chamfer.or(thread_chamfer(step.thread.as_ref(), shop)?);
             if let Some(chamfer) = chamfer {
                 let edge = chamfer_edge(face, edge_at, step.diameter.nominal, chamfer);
-                edges.push(EdgeCut { asked: step.chamfer.is_some(), ..edge });
+                edges.push(EdgeCut { required: step.chamfer.is_some(), ..edge });
             }
         }
     }
@@ -211,7 +211,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             face: Face::Entry,
             start: Micrometres::ZERO,
             within: None,
-            asked: true,
+            required: true,
             around: outermost,
             diameter: sink.diameter,
             angle_millideg: sink.angle_millideg,
@@ -223,7 +223,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             face: Face::Entry,
             start: Micrometres::ZERO,
             within: None,
-            asked: true,
+            required: true,
             around: hole.diameter.nominal,
             diameter: cone.diameter,
             angle_millideg: cone.angle_millideg,
@@ -249,7 +249,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     if let (Some(chamfer), false) = (thread_chamfer(hole.thread.as_ref(), shop)?, own_chamfer)
         && (hole.countersink.is_none() || above.is_some())
     {
-        edges.push(EdgeCut { asked: false, ..main_edge(chamfer) });
+        edges.push(EdgeCut { required: false, ..main_edge(chamfer) });
     }
     if let Some(face) = hole.face {
         edges.push(EdgeCut {
@@ -257,7 +257,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             face: Face::Entry,
             start: Micrometres::ZERO,
             within: None,
-            asked: true,
+            required: true,
             around: outermost,
             diameter: face,
             angle_millideg: 2 * RIGHT,
@@ -277,7 +277,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     }
     // A lead-in narrower than its thread has no effect.
     let lead_in = |thread: &Thread, edge: &&EdgeCut| edge.feature == Feature::Chamfer && edge.diameter < thread.size;
-    let around_main = |edge: &&EdgeCut| edge.asked && edge.around == hole.diameter.nominal;
+    let around_main = |edge: &&EdgeCut| edge.required && edge.around == hole.diameter.nominal;
     let doubtful = hole.thread.iter().flat_map(|thread| {
         let narrow = edges.iter().filter(around_main).find(|edge| lead_in(thread, edge));
         narrow.map(|edge| {
@@ -300,7 +300,7 @@ fn chamfer_edge(
         face,
         start: at.map_or(Micrometres::ZERO, |(depth, _)| depth),
         within: at.map(|(_, diameter)| diameter),
-        asked: true,
+        required: true,
         around,
         diameter: around + chamfer + chamfer,
         angle_millideg: RIGHT,

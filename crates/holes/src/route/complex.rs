@@ -49,8 +49,8 @@ pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop
         return Err(Refusal::Not(Reason::NoComplexGroup { it, diameter: nominal, centre }));
     };
     let no_complex = || Refusal::Not(Reason::NoComplex { it, diameter: nominal, centre });
-    let asked = ComplexesOfHoleFor { hole: kind, diameter, centre_tolerance: centre };
-    let answer = shop.knowledge.ask_within(&asked)?.ok_or_else(no_complex)?;
+    let query = ComplexesOfHoleFor { hole: kind, diameter, centre_tolerance: centre };
+    let answer = shop.knowledge.ask_within(&query)?.ok_or_else(no_complex)?;
     let Some(row) = answer.winner()? else { return Err(no_complex()) };
     let (centred, centring) = centre_first(question.bore, shop)?;
     let mut found = Vec::new();

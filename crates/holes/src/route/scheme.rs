@@ -325,13 +325,13 @@ pub(super) fn centre_first(bore: &Bore, shop: &Shop<'_>) -> Result<(bool, Becaus
     let depth_ratio = Decimal::from_f64_rounded(bore.place.depth.to_mm() / diameter.to_mm());
     let state = bore.before.state();
     let answer = shop.knowledge.ask(&CentreFirstFor { state, it, diameter, depth_ratio })?;
-    let asked = answer.need("this hole")?.centre;
-    let code = match (asked, state) {
+    let centre = answer.need("this hole")?.centre;
+    let code = match (centre, state) {
         (true, _) => "centre",
         (false, BlankState::Solid) => "no-centre",
         (false, BlankState::WithHole) => "no-centre-in-a-hole",
     };
     let note =
         Note::new(code).with("ratio", round_to(depth_ratio.to_f64(), 2)).with("it", it).with("diameter", diameter);
-    Ok((asked, Because::answer(&answer.answer, note)))
+    Ok((centre, Because::answer(&answer.answer, note)))
 }

@@ -234,8 +234,8 @@ impl<'a, 'k> Graph<'a, 'k> {
                 continue;
             }
             // A centring spot has no diameter of its own: the rule is queried with that of the cylinder.
-            let asked = if after > Micrometres::ZERO { after } else { self.bore.diameter.nominal };
-            if !self.follows(state, asked)?.contains(&row.row.index) {
+            let diameter = if after > Micrometres::ZERO { after } else { self.bore.diameter.nominal };
+            if !self.follows(state, diameter)?.contains(&row.row.index) {
                 continue;
             }
             let question =

@@ -49,9 +49,9 @@ pub fn ask<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<TableAnswer<
         drills: &[],
     };
     let kind = AuxiliaryKind::of(hole, main, accuracy::drilled(shop)?);
-    let asked = if kind.is_some() { auxiliary::diameter(&question) } else { main.diameter.nominal };
+    let diameter = if kind.is_some() { auxiliary::diameter(&question) } else { main.diameter.nominal };
     let (_, elsewhere) =
-        scheme::stages(&question, kind.map_or(StagedHole::Plain, AuxiliaryKind::stage_name), asked, shop)?;
+        scheme::stages(&question, kind.map_or(StagedHole::Plain, AuxiliaryKind::stage_name), diameter, shop)?;
     if elsewhere {
         question.centre_tolerance = question.centre_tolerance.min(position);
     }

@@ -123,8 +123,8 @@ fn proven(
     // Offset registers are those of the plan where it states any, otherwise those of the operator.
     let says = |quantity| context.stated.tools.iter().any(|tool| tool.figures.contains_key(&quantity));
     let own_correctors = !says(Q::Corrector) && !says(Q::Correction);
-    let asked = ProofInput { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
-    let mut told = prove(&run.steps, &asked).findings;
+    let input = ProofInput { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
+    let mut told = prove(&run.steps, &input).findings;
     // A plan as stated says nothing of coolant.
     told.retain(|said| {
         !matches!(

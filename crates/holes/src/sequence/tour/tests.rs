@@ -201,8 +201,8 @@ proptest! {
     #[test]
     fn as_many_tries_as_a_clock_allowed_give_the_same_path(points in points(60), most in 0_u64..40) {
         for space in spaces(&points) {
-            let mut asked = 0;
-            let timed = path_while(&space, &mut |_| { asked += 1; asked <= most });
+            let mut queries = 0;
+            let timed = path_while(&space, &mut |_| { queries += 1; queries <= most });
             prop_assert_eq!(&timed, &path_while(&space, &mut |tries| tries < timed.tries));
             prop_assert!(timed.cost <= quick_path(&space).cost);
         }

@@ -296,13 +296,13 @@ impl Maker<'_> {
             }
             return;
         };
-        let asked = words.of_group(LatheGroup::Motion).is_some();
+        let in_block = words.of_group(LatheGroup::Motion).is_some();
         let circle = matches!(mode, Does::Clockwise | Does::Counterclockwise)
             && ["I", "K"].into_iter().any(|name| words.look(name).is_some());
         if !axes && !circle {
             return;
         }
-        let span = if asked { words.of_group(LatheGroup::Motion).map_or(self.span, |it| it.span) } else { self.span };
+        let span = if in_block { words.of_group(LatheGroup::Motion).map_or(self.span, |it| it.span) } else { self.span };
         if mode == Does::ThreadBox {
             self.before_moving(span, true);
             self.thread_box(words, span);

@@ -16,11 +16,11 @@ pub(super) fn all(
     made: &ObservedCuts,
     matched: &Matched,
     tasks: &[StopTask<'_>],
-    asked: &ProofInput<'_>,
+    input: &ProofInput<'_>,
     turned_over: usize,
     findings: &mut Vec<ProgramFinding>,
 ) {
-    let around = Around { made, matched, tasks, asked };
+    let around = Around { made, matched, tasks, input };
     around.check_stops(findings);
     around.above(findings);
     around.between(findings);
@@ -34,7 +34,7 @@ struct Around<'a, 't> {
     made: &'a ObservedCuts,
     matched: &'a Matched,
     tasks: &'a [StopTask<'t>],
-    asked: &'a ProofInput<'t>,
+    input: &'a ProofInput<'t>,
 }
 
 impl<'t> Around<'_, 't> {
@@ -52,7 +52,7 @@ impl<'t> Around<'_, 't> {
     }
 
     fn at_change(&self, stay: &Stay) -> bool {
-        let change = self.asked.job.change_at;
+        let change = self.input.job.change_at;
         stay.machine == [change.x, change.y]
     }
 
@@ -60,7 +60,7 @@ impl<'t> Around<'_, 't> {
     /// with work, otherwise to the tool-change position.
     fn check_stops(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
-        let top = self.asked.plan.part.datum.top;
+        let top = self.input.plan.part.datum.top;
         for (number, stay) in self.made.walk.stays.iter().enumerate() {
             let Some(travel) = stay.travel else { continue };
             if !cuts.contains_key(&number) && !self.at_change(stay) {
@@ -75,7 +75,7 @@ impl<'t> Around<'_, 't> {
             }
             let low = travel.from[2].min(travel.to[2]);
             let high = travel.from[2].max(travel.to[2]);
-            let up = travel.machine.z == self.asked.job.change_at.z && low == high;
+            let up = travel.machine.z == self.input.job.change_at.z && low == high;
             if up && self.at_change(stay) && travel.turning != Turning::Stopped {
                 findings.push(ProgramFinding::new(Code::TurnsToChange, Severity::Note, stay.block));
             }
@@ -117,7 +117,7 @@ impl<'t> Around<'_, 't> {
     /// Motions above a point: only to the heights of its cycle, at rapid.
     fn above(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
-        let up = self.asked.job.change_at.z;
+        let up = self.input.job.change_at.z;
         for (stay, leads, made) in &self.made.above {
             let say = |code| ProgramFinding::new(code, Severity::Note, made.block);
             if let TipMotion::Dwell(seconds) = made.how {
@@ -139,7 +139,7 @@ impl<'t> Around<'_, 't> {
                 findings.push(say(Code::ApproachStanding).with(Name::Z, made.to[2]));
             }
             let cycle = task.cycle;
-            let metal = self.asked.plan.part.datum.top - task.transition.start_mm;
+            let metal = self.input.plan.part.datum.top - task.transition.start_mm;
             if made.to[2] < cycle.begin && made.to[2] >= task.reached_in_air(metal) && made.turning != Turning::Stopped
             {
                 continue;
@@ -247,7 +247,7 @@ impl<'t> Around<'_, 't> {
 
     /// Tool changes and the end: spindle and coolant off, the axes at the place of the change.
     fn ends(&self, findings: &mut Vec<ProgramFinding>) {
-        let change = self.asked.job.change_at;
+        let change = self.input.job.change_at;
         let mut ended = false;
         for (_, block, event) in &self.made.walk.events {
             match event {

@@ -22,14 +22,14 @@ pub(super) fn all(
     matched: &Matched,
     tools: &Tools,
     tasks: &[StopTask<'_>],
-    asked: &ProofInput<'_>,
+    input: &ProofInput<'_>,
     findings: &mut Vec<ProgramFinding>,
 ) {
     let places = TaskIndex::of(tasks);
     // The last task made at every point so far, to check the order.
     let mut furthest: BTreeMap<(usize, Micrometres, Micrometres), usize> = BTreeMap::new();
     for (number, cut) in made.cuts.iter().enumerate() {
-        collisions(cut, asked, findings);
+        collisions(cut, input, findings);
         let Some(number) = matched.task_of.get(number).copied().flatten() else {
             superfluous(cut, matched, &places, tools, tasks, findings);
             continue;
@@ -51,16 +51,16 @@ pub(super) fn all(
                 furthest.insert(point, number);
             }
         }
-        levels(&say, asked, findings);
-        conditions(&say, asked, findings);
+        levels(&say, input, findings);
+        conditions(&say, input, findings);
         match &task.cycle.kind {
             CycleKind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, findings),
             _ => {
                 milled::check_no_circles(&say, findings);
-                steps(&say, asked, findings);
+                steps(&say, input, findings);
             }
         }
-        way_out(&say, asked, findings);
+        way_out(&say, input, findings);
     }
     missing(matched, tasks, findings);
 }
@@ -93,8 +93,8 @@ impl Say<'_, '_> {
 }
 
 /// Motions that no tool may make inside the part: across at rapid, or down at rapid.
-fn collisions(cut: &Descent, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
-    let top = asked.plan.part.datum.top;
+fn collisions(cut: &Descent, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+    let top = input.plan.part.datum.top;
     let across = cut.moves.iter().find(|made| made.how == TipMotion::Rapid && made.across() && made.below(top));
     if let Some(made) = across {
         findings.push(
@@ -188,9 +188,9 @@ fn missing(matched: &Matched, tasks: &[StopTask<'_>], findings: &mut Vec<Program
 }
 
 /// Where the feed begins and how deep it goes.
-fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn levels(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cycle, transition) = (say.task.cycle, say.task.transition);
-    let part = &asked.plan.part;
+    let part = &input.plan.part;
     if let Some(begin) = say.cut.begin() {
         let metal = part.datum.top - transition.start_mm;
         // A rapid may have been lower before it.
@@ -221,13 +221,13 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
     let spot = part.datum.top - transition.start_mm - radius;
     let preparing = transition.operation == Operation::CentreDrill && deepest >= spot;
     let finding = if deepest > cycle.end {
-        let enough = through && deepest <= cycle.end + asked.tolerated.overrun + TOLERANCE;
+        let enough = through && deepest <= cycle.end + input.tolerated.overrun + TOLERANCE;
         let (code, severity) =
             if enough { (Code::LessOverrun, Severity::Doubtful) } else { (Code::TooShallow, Severity::Error) };
         say.figure(code, severity, deepest, cycle.end)
     } else {
         // The table is under a through hole.
-        let within = through && deepest >= cycle.end - asked.tolerated.overrun - TOLERANCE;
+        let within = through && deepest >= cycle.end - input.tolerated.overrun - TOLERANCE;
         let severity = if within || preparing { Severity::Doubtful } else { Severity::Wrong };
         say.figure(Code::Deeper, severity, deepest, cycle.end)
     };
@@ -235,12 +235,12 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
 }
 
 /// Speed, feed, dwell, coolant.
-fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn conditions(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let other = |made: f64, needed: f64| (made - needed).abs() > FIGURE;
     // Another choice is acceptable, but not far beyond the load that the tool bears.
     let load = |made: f64, needed: f64| {
-        if made > needed * asked.tolerated.overload { Severity::Wrong } else { Severity::Doubtful }
+        if made > needed * input.tolerated.overload { Severity::Wrong } else { Severity::Doubtful }
     };
     if let Some(made) = cut.cutting().find(|made| other(made.speed, cycle.speed_rpm.0)) {
         let severity = load(made.speed, cycle.speed_rpm.0);
@@ -253,7 +253,7 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Prog
     let turned = cut.cutting().filter(|made| made.speed > 0.0);
     let made = turned.filter_map(|made| Some(per_turn(made.feed()?, made.speed))).fold(0.0, f64::max);
     let spots = cycle.operation == Operation::CentreDrill;
-    let most = if spots { asked.tolerated.spot_overload } else { asked.tolerated.overload };
+    let most = if spots { input.tolerated.spot_overload } else { input.tolerated.overload };
     let mut feeds = cut.cutting().filter_map(TipMove::feed);
     if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
         let beyond = feed > cycle.feed_mm_per_min.0 * most && (made > planned * most || made == 0.0);
@@ -270,7 +270,7 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Prog
         // A factor this large means another unit of time.
         let severity = match cut.dwell() {
             made if made < needed => Severity::Doubtful,
-            made if made > (asked.tolerated.overlong * needed).max(1.0) => Severity::Wrong,
+            made if made > (input.tolerated.overlong * needed).max(1.0) => Severity::Wrong,
             _ => Severity::Note,
         };
         findings.push(say.figure(Code::OtherDwell, severity, crate::units::round_to(cut.dwell(), 3), needed));
@@ -287,7 +287,7 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Prog
 }
 
 /// The infeed, at once or in steps.
-fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn steps(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let downs = cut.downs();
     let (step, back, leaves) = match cycle.kind {
@@ -300,7 +300,7 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
             return;
         }
     };
-    let metal = asked.plan.part.datum.top - say.task.transition.start_mm;
+    let metal = input.plan.part.datum.top - say.task.transition.start_mm;
     let mut reached = cut.begin().unwrap_or(cycle.begin).min(say.task.reached_in_air(metal));
     for (index, (from, to)) in downs.iter().enumerate() {
         let taken = reached - *to;
@@ -317,7 +317,7 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
         }
         reached = reached.min(*to);
     }
-    let returns = cut.returns(asked.plan.part.datum.top);
+    let returns = cut.returns(input.plan.part.datum.top);
     for (returned, (from, _)) in returns.iter().zip(downs.iter().skip(1)) {
         let needed = if leaves { cycle.begin } else { *from };
         if same_position(*returned, needed) {
@@ -329,7 +329,7 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
 }
 
 /// The retract.
-fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn way_out(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let moves: Vec<&TipMove> = cut.way_out().iter().filter(|made| made.moves()).collect();
     let inside: Vec<&&TipMove> = moves.iter().filter(|made| made.from[2] < cycle.begin - TOLERANCE).collect();
@@ -356,7 +356,7 @@ fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Program
     let known = |made: &&TipMove| {
         same_position(made.to[2], cycle.begin)
             || same_position(made.to[2], cycle.out)
-            || made.machine.z == asked.job.change_at.z
+            || made.machine.z == input.job.change_at.z
     };
     if let Some(made) = moves.last().filter(|made| !at_feed(made) && !known(made)) {
         findings.push(say.figure(Code::OutElsewhere, Severity::Note, made.to[2], cycle.out));

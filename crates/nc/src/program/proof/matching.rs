@@ -77,7 +77,7 @@ pub(super) fn matched(cuts: &[Descent], tools: &Tools, tasks: &[StopTask<'_>]) -
 /// fit. None if the job has one set-up.
 pub(super) fn turned_over(
     steps: &[MotionStep],
-    asked: &ProofInput<'_>,
+    input: &ProofInput<'_>,
     frames: &[SetUpFrame],
     tasks: &[StopTask<'_>],
 ) -> usize {
@@ -87,7 +87,7 @@ pub(super) fn turned_over(
     }
     let places = TaskIndex::of(tasks);
     let score = |at: usize| {
-        let cuts = ObservedCuts::of(steps, asked, frames, at).cuts;
+        let cuts = ObservedCuts::of(steps, input, frames, at).cuts;
         cuts.iter().filter(|cut| places.at(cut, tasks).into_iter().any(|task| fits(cut, &tasks[task]))).count()
     };
     let at = |wanted: fn(&Motion) -> bool| {

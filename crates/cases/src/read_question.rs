@@ -22,7 +22,7 @@ use super::{merge, table};
 type Keys = &'static [KeyOf<CaseForm>];
 
 /// Keys of a case about a part, and of one without a question yet.
-const ASKED: Keys = &[
+const PLAN_KEYS: Keys = &[
     CaseForm::part,
     CaseForm::hole,
     CaseForm::cutting,
@@ -34,7 +34,7 @@ const ASKED: Keys = &[
 
 /// A key that determines the kind of question.
 #[derive(Clone, Copy)]
-enum Asking {
+enum QuestionKind {
     Table,
     Turn,
     Program,
@@ -42,11 +42,11 @@ enum Asking {
 }
 
 /// These keys first, each with its companions; `part` also goes with `program`.
-const ASKING: [(Asking, Keys); 4] = [
-    (Asking::Table, &[CaseForm::table, CaseForm::given]),
-    (Asking::Turn, &[CaseForm::turn, CaseForm::show, CaseForm::objective]),
-    (Asking::Program, &[CaseForm::program, CaseForm::control, CaseForm::machine, CaseForm::setting, CaseForm::part]),
-    (Asking::Audit, &[CaseForm::audit]),
+const QUESTION_KEYS: [(QuestionKind, Keys); 4] = [
+    (QuestionKind::Table, &[CaseForm::table, CaseForm::given]),
+    (QuestionKind::Turn, &[CaseForm::turn, CaseForm::show, CaseForm::objective]),
+    (QuestionKind::Program, &[CaseForm::program, CaseForm::control, CaseForm::machine, CaseForm::setting, CaseForm::part]),
+    (QuestionKind::Audit, &[CaseForm::audit]),
 ];
 
 /// The input of a question: a named file, or inline content.
@@ -58,26 +58,26 @@ enum Input<'n> {
 impl Reader<'_> {
     /// The question of a case, with its keys.
     pub(super) fn question(&mut self, fields: &mut Fields<'_, CaseForm>) -> (Option<Question>, Keys) {
-        let asked: Vec<(&Node, Asking, Keys)> =
-            ASKING.iter().filter_map(|(asking, keys)| Some((fields.take(*keys.first()?)?, *asking, *keys))).collect();
-        if let [(.., first), (second, _, other), ..] = asked.as_slice() {
+        let questions: Vec<(&Node, QuestionKind, Keys)> =
+            QUESTION_KEYS.iter().filter_map(|(kind, keys)| Some((fields.take(*keys.first()?)?, *kind, *keys))).collect();
+        if let [(.., first), (second, _, other), ..] = questions.as_slice() {
             let name = |keys: Keys| keys.first().map(|key| key.name()).unwrap_or_default();
             let message = note!("case-two-questions-one-case", first = name(first), name = name(other));
             return (
                 self.problems.error_help("two-questions", message, &second.place, note!("case-make-two-cases")),
-                ASKED,
+                PLAN_KEYS,
             );
         }
-        let Some((node, asking, keys)) = asked.first() else { return (self.planned(fields), ASKED) };
-        let question = match asking {
-            Asking::Table => {
+        let Some((node, kind, keys)) = questions.first() else { return (self.planned(fields), PLAN_KEYS) };
+        let question = match kind {
+            QuestionKind::Table => {
                 let given = fields.take(CaseForm::given);
                 let knowledge = self.around.knowledge;
                 table::Question::read(node, given, knowledge, &mut self.problems).map(Question::Table)
             }
-            Asking::Turn => self.turned(node, fields),
-            Asking::Program => self.program(node, fields),
-            Asking::Audit => self.audit(node).map(Box::new).map(Question::Audit),
+            QuestionKind::Turn => self.turned(node, fields),
+            QuestionKind::Program => self.program(node, fields),
+            QuestionKind::Audit => self.audit(node).map(Box::new).map(Question::Audit),
         };
         (question, keys)
     }
