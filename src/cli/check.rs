@@ -89,8 +89,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
     let text = context.text(&args.program)?;
-    let mut held = args.part.as_deref().map(|part| proof::planned_job(part, knowledge, context)).transpose()?;
-    let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
+    let mut planned = args.part.as_deref().map(|part| proof::planned_job(part, knowledge, context)).transpose()?;
+    let of_part = planned.as_ref().map(|planned| planned.plan.part.machine.clone());
     let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
     if let Some(own) = of_part.as_deref().filter(|own| *own != id) {
         let message = say!(context.lang, "cli-other-machine", asked = id, own = own);
@@ -109,8 +109,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?
         }
     };
-    if let Some(held) = &mut held {
-        held.set(&mut setting);
+    if let Some(planned) = &mut planned {
+        planned.set(&mut setting);
     }
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
     let faults = language.check(&text, &machine, &setting, &mut sink);
@@ -121,8 +121,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
     // Nothing is known of a program that is not run: that it makes no hole follows from its mistakes.
     let is_run = is_run(&faults, &steps);
-    let proof = held.as_ref().filter(|_| is_run).map(|held| held.prove(&steps, &setting));
-    let serious = held.as_ref().map(PlannedJob::serious).unwrap_or_default();
+    let proof = planned.as_ref().filter(|_| is_run).map(|planned| planned.prove(&steps, &setting));
+    let serious = planned.as_ref().map(PlannedJob::serious).unwrap_or_default();
     match format {
         Format::Json => {
             let findings = findings(&faults, context);
@@ -138,7 +138,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?;
         }
         Format::Svg => {
-            let frame = held.as_ref().map(proof::frame);
+            let frame = planned.as_ref().map(proof::frame);
             context.emit_cleaned(&report::backplot::backplot(&steps, frame.as_ref(), context.lang))?;
         }
         _ => {
@@ -149,11 +149,11 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             problems.extend(proof::of_part(&serious, context));
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let mut made = None;
-            if let (Some(held), Some(proof)) = (&held, &proof) {
+            if let (Some(planned), Some(proof)) = (&planned, &proof) {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
-                made = Some(proof::table(held, proof, context.lang));
+                made = Some(proof::table(planned, proof, context.lang));
             }
-            if held.is_some() && !is_run {
+            if planned.is_some() && !is_run {
                 let message = context.word("check-not-compared");
                 let severity = Severity::Note;
                 let help = Some(context.word("check-mend-first").into());

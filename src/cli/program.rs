@@ -91,8 +91,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
-    let held = PlannedJob::of(plan, knowledge).map_err(at_fault)?;
-    let (plan, job) = (&held.plan, &held.job);
+    let planned = PlannedJob::of(plan, knowledge).map_err(at_fault)?;
+    let (plan, job) = (&planned.plan, &planned.job);
     let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
     let control = control::chosen(args.control.as_deref(), &shop.machine, context)?;
@@ -104,7 +104,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let faults = language.check(&text, &shop.machine, &setting, &mut sink);
     let (steps, clock) = sink;
     let findings: Vec<&Finding> = serious(plan, job);
-    let proof = held.prove(&steps, &setting);
+    let proof = planned.prove(&steps, &setting);
     if job.setups.is_empty() && format != Format::Json {
         // No hole can be made: there is nothing to write, and half a program is worse than none.
         let problems = proof::of_part(&findings, context);
@@ -117,7 +117,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         (Show::Encoding, Format::Csv) => context.emit_cleaned(&sheet()?.csv())?,
         (Show::Encoding, _) => context.emit_document(&sheet()?.page(), format)?,
         (Show::Backplot, _) => {
-            context.emit_cleaned(&report::backplot::backplot(&steps, Some(&proof::frame(&held)), context.lang))?;
+            context.emit_cleaned(&report::backplot::backplot(&steps, Some(&proof::frame(&planned)), context.lang))?;
         }
         (Show::Cycles, _) => context.emit_cleaned(&report::cycles::page(job, plan, context.lang))?,
         (_, Format::Json) => context.emit_json(&Answer {

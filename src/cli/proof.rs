@@ -42,12 +42,12 @@ pub fn planned_job(path: &Path, knowledge: &Knowledge, context: &Context) -> Res
 }
 
 /// The part below the motions of a program.
-pub fn frame(held: &PlannedJob) -> Frame<'_> {
-    Frame::of(&held.job, &held.plan.part)
+pub fn frame(planned: &PlannedJob) -> Frame<'_> {
+    Frame::of(&planned.job, &planned.plan.part)
 }
 
 /// For each transition, the number of points made and required.
-pub fn table(held: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
+pub fn table(planned: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
     let [hole, transition, tool, made] =
         ["cli-hole", "cli-transition", "cli-tool", "cli-made"].map(|key| lang.word(key));
     let heads = [hole, transition, tool].map(Column::text).into_iter().chain([Column::number(made, "")]);
@@ -59,7 +59,7 @@ pub fn table(held: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
     for stop in &proof.missing {
         counts.entry((&stop.hole, stop.transition)).or_default()[1] += 1;
     }
-    for hole in &held.plan.holes {
+    for hole in &planned.plan.holes {
         for (number, transition) in hole.transitions.iter().enumerate() {
             let [made, missing] = counts.get(&(hole.name.as_str(), number)).copied().unwrap_or_default();
             // Work on another machine is in no job.

@@ -167,7 +167,7 @@ pub struct Conditions {
     /// The rows they are for, by their places in the route.
     pub rows: Vec<usize>,
     /// Whether the plan says that something other than the cutting speed limited them.
-    pub held: bool,
+    pub is_limited: bool,
     /// Whether a mill moves in circles: the simple formulas do not apply.
     pub rounds: bool,
     /// The factors of feed, speed, force and power.

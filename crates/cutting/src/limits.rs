@@ -170,9 +170,9 @@ fn at_step(
         row: machine.row(MachineQuantity::SpindlePower)?,
         margin: Some(margin),
     };
-    for held in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
+    for reduced_feed in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
-        if let Some(borne) = held.filter(|borne| borne.feed.0 < feed.0) {
+        if let Some(borne) = reduced_feed.filter(|borne| borne.feed.0 < feed.0) {
             feed = borne.feed;
             (limited_by, reduced) = (borne.limit, true);
             because.extend(borne.because);

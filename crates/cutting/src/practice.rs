@@ -27,10 +27,10 @@ pub enum Held {
 
 /// Compares the speed of a draft with practice, by the rule `second-opinion`.
 pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Result<Held, KnowledgeError> {
-    let (speed, held, because) = second_opinion(draft.speed, cut, &shop.material, shop.knowledge)?;
+    let (speed, comparison, because) = second_opinion(draft.speed, cut, &shop.material, shop.knowledge)?;
     draft.speed = speed;
     draft.because.extend(because);
-    Ok(held)
+    Ok(comparison)
 }
 
 /// The speed to use in place of that of the formula, by the rule `second-opinion`, and the reason.
@@ -49,7 +49,7 @@ pub fn second_opinion(
     let share = formula.0 / practice.typical.0;
     let answer = knowledge.ask(&SecondOpinionFor { operation: cut.operation, share })?;
     let taken = answer.need(cut.operation.name())?.take;
-    let (speed, held) = match taken {
+    let (speed, comparison) = match taken {
         Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, Held::Slower),
         Taken::PracticeUsual if practice.typical.0 < formula.0 => (practice.typical, Held::Slower),
         Taken::PracticeLow if practice.low.0 > formula.0 => (practice.low, Held::Faster),
@@ -61,9 +61,9 @@ pub fn second_opinion(
         .with("high", round_to(practice.high.0, 1))
         .with("percent", round_to(share * 100.0, 0));
     let mut because = vec![Because::row(practice.row, note)];
-    if held != Held::No {
+    if comparison != Held::No {
         let note = Note::new("practice-speed").with("speed", round_to(speed.0, 1));
         because.push(Because::answer(&answer.answer, note));
     }
-    Ok((speed, held, because))
+    Ok((speed, comparison, because))
 }

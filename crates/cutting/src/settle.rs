@@ -22,7 +22,7 @@ pub(super) struct Settled {
     pub formula_speed: MetresPerMinute,
     /// The result of the comparison with practice.
     pub practice: Held,
-    pub held: LimitedConditions,
+    pub limited: LimitedConditions,
 }
 
 /// The feed of the tables, or less where drill strength, thrust or torque require it; the speed of the formula for
@@ -36,8 +36,8 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let mut found = at(cut, None, None, shop)?;
     let tabulated = Some(found.draft.feed);
     if found.draft.motion.synchronous {
-        let held = limits::synchronous(&found.draft, shop)?;
-        return Ok(found.with_conditions(held));
+        let limited = limits::synchronous(&found.draft, shop)?;
+        return Ok(found.with_conditions(limited));
     }
     let (mut limited_by, mut because) = (None, Vec::new());
     for _ in 0..ROUNDS {
@@ -53,13 +53,13 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
         because.extend(reasons);
         because.push(feed_reason("speed-for-feed", feed, &found, Some(before), shop)?);
     }
-    let mut held = limits::hold(&found.draft, limited_by, cut, shop)?;
-    because.append(&mut held.because);
-    if held.feed != found.draft.feed {
-        found = at(cut, Some(held.feed), tabulated, shop)?;
-        because.push(feed_reason("life-for-feed", held.feed, &found, None, shop)?);
+    let mut limited = limits::hold(&found.draft, limited_by, cut, shop)?;
+    because.append(&mut limited.because);
+    if limited.feed != found.draft.feed {
+        found = at(cut, Some(limited.feed), tabulated, shop)?;
+        because.push(feed_reason("life-for-feed", limited.feed, &found, None, shop)?);
     }
-    Ok(found.with_conditions(LimitedConditions { because, ..held }))
+    Ok(found.with_conditions(LimitedConditions { because, ..limited }))
 }
 
 /// Conditions of a feed, before the limits of the machine.
@@ -70,8 +70,8 @@ struct DraftAtFeed {
 }
 
 impl DraftAtFeed {
-    fn with_conditions(self, held: LimitedConditions) -> Settled {
-        Settled { draft: self.draft, formula_speed: self.formula_speed, practice: self.practice, held }
+    fn with_conditions(self, limited: LimitedConditions) -> Settled {
+        Settled { draft: self.draft, formula_speed: self.formula_speed, practice: self.practice, limited }
     }
 }
 

@@ -157,10 +157,10 @@ fn instructions(job: &Job, lang: Lang) -> Vec<String> {
         let zero = setup.zero;
         lines.push(say!(lang, "encoding-zero", setup = setup.number, x = zero.x, y = zero.y, z = zero.z));
     }
-    let held: Vec<String> =
+    let registers: Vec<String> =
         job.correctors.iter().map(|(number, value)| format!("H{number:02} = {}", mm(*value, lang))).collect();
-    if !held.is_empty() {
-        lines.push(say!(lang, "encoding-correctors", held = held.join("; ")));
+    if !registers.is_empty() {
+        lines.push(say!(lang, "encoding-correctors", held = registers.join("; ")));
     }
     lines
 }

@@ -21,9 +21,9 @@ pub fn designated(table: &str, designation: &str) -> bool {
         .map(|column| column.name.as_str())
         .filter(|name| name.starts_with("designation"))
         .collect();
-    let held =
+    let has_designation =
         |column: &str| table.all_rows().any(|row| row.value(column).and_then(Value::as_text) == Some(designation));
-    columns.iter().any(|column| held(column))
+    columns.iter().any(|column| has_designation(column))
 }
 
 /// Each step of the main cylinder begins with what the one before left; the first begins in solid metal, the

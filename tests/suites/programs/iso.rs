@@ -326,7 +326,7 @@ fn mutated() -> impl Strategy<Value = String> {
     })
 }
 
-fn held(text: &str) -> Result<(), TestCaseError> {
+fn check_program(text: &str) -> Result<(), TestCaseError> {
     for language in [&*LINUXCNC, &*FANUC] {
         let (faults, steps) = run(language, text);
         for fault in faults {
@@ -343,17 +343,17 @@ proptest! {
 
     #[test]
     fn no_words_make_it_panic_and_every_place_is_in_the_text(text in program()) {
-        held(&text)?;
+        check_program(&text)?;
     }
 
     #[test]
     fn no_mutation_of_a_program_makes_it_panic(text in mutated()) {
-        held(&text)?;
+        check_program(&text)?;
     }
 
     #[test]
     fn no_text_makes_it_panic(text in "\\PC{0,80}(\n\\PC{0,40}){0,4}") {
-        held(&text)?;
+        check_program(&text)?;
     }
 
     /// Where every word is written, one hole at a time and a cycle that goes on reach the same places.

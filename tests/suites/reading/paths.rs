@@ -177,8 +177,8 @@ fn what_a_killed_run_left_goes_with_the_next() {
         fs::write(file, "half").unwrap();
     }
     // Somebody writes the same file at this moment.
-    let held = fs::File::open(&busy).unwrap();
-    held.lock().unwrap();
+    let open = fs::File::open(&busy).unwrap();
+    open.lock().unwrap();
     assert_eq!(run(&folder, &["plan", "part.yaml", "-o", "answer.json"]).status.code(), Some(0));
     assert_eq!([stale, busy, other].map(|file| file.exists()), [false, true, true]);
 }

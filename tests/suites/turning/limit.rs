@@ -422,8 +422,8 @@ fn a_slender_part_bounds_the_depth() {
     let knowledge = knowledge();
     let case = Case::new(knowledge, "16k20f3", "PCLNR 2525M12", "steel-45");
     let bar = PartSection { from: Half::ZERO, to: Half::from(300.0), radius: Half::from(10.0), bore: Half::ZERO };
-    let held = HeldPart::of(PartSupport::Centres, vec![bar], &case.material, knowledge).unwrap().unwrap();
-    let part = held.over(Half::ZERO, Half::from(300.0), None);
+    let held_part = HeldPart::of(PartSupport::Centres, vec![bar], &case.material, knowledge).unwrap().unwrap();
+    let part = held_part.over(Half::ZERO, Half::from(300.0), None);
     let cut = TurningCut { part: Some(&part), ..case.cut(20.0, Direction::Longitudinal) };
     let limit = limiting_depth(&cut, MillimetresPerRev(0.3), Speed::ForToolLife).unwrap();
     assert_eq!(limit.decided_by, Bound::PartStiffness);
@@ -432,13 +432,13 @@ fn a_slender_part_bounds_the_depth() {
     near(newtons(bound(&limit, Bound::PartStrength).capacity), strength, 0.001);
     // h8 of Ø20 is 0.033 mm: finishing may bend it by a fifth of that, under Py ≤ 0.0066/3.4106e-4 = 19.4 N: the feed is
     // cut back to the least, and the bound is still passed.
-    let finished = held.over(Half::ZERO, Half::from(300.0), Some(mm(0.033)));
+    let finished = held_part.over(Half::ZERO, Half::from(300.0), Some(mm(0.033)));
     let cut = TurningCut { part: Some(&finished), ..case.cut(20.0, Direction::Longitudinal) };
     let found = conditions(&cut, mm(0.3), Some("Ra 2.5".parse().unwrap())).unwrap();
     assert_eq!(found.exceeded, [Bound::PartStiffness], "{found:?}");
     near(found.feed_mm_per_rev.0, 0.05, 0.2);
     // Ten times the tolerance needs a smaller feed than the nose allows, and no more.
-    let wide = held.over(Half::ZERO, Half::from(300.0), Some(mm(0.13)));
+    let wide = held_part.over(Half::ZERO, Half::from(300.0), Some(mm(0.13)));
     let cut = TurningCut { part: Some(&wide), ..case.cut(20.0, Direction::Longitudinal) };
     let found = conditions(&cut, mm(0.3), Some("Ra 2.5".parse().unwrap())).unwrap();
     assert!(found.exceeded.is_empty() && found.radial_force_n.unwrap().0 <= 0.2 * 0.13 / 3.4106e-4 + 0.5, "{found:?}");

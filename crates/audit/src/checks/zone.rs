@@ -189,7 +189,7 @@ impl ZoneCheck<'_, '_> {
         let strokes: Vec<Stroke> = reaches.iter().map(|one| one.stroke).collect();
         let longest = reaches.iter().max_by_key(|one| one.stroke.passes_from());
         let (Some(nose), Some(longest)) = (zone::lowest_nose(&strokes, least), longest) else { return Ok(found) };
-        let held = least.filter(|_| nose > longest.stroke.passes_from());
+        let bounded = least.filter(|_| nose > longest.stroke.passes_from());
         for one in reaches {
             let way = one.stroke.travel(nose);
             let told = found.iter().any(|(tool, _)| *tool == longest.tool || *tool == one.tool);
@@ -197,7 +197,7 @@ impl ZoneCheck<'_, '_> {
                 continue;
             }
             let fits = one.stroke.length + way - machine.travel_z;
-            let note = match held {
+            let note = match bounded {
                 Some(least) => Note::new("audit-zone-low").with("least", least).with("lowest", one.stroke.lowest),
                 None => {
                     let other = self.context.stated.tools.get(longest.tool).map_or(0, |tool| tool.number);

@@ -61,8 +61,8 @@ impl Reader<'_> {
             fields.finish(&mut self.problems);
         }
         let place = node.place.clone();
-        let held = limited_by.is_some_and(|limit| limit != Limit::CuttingSpeed);
-        Some(Conditions { place, rows: named?, held, rounds: false, factors, figures })
+        let is_limited = limited_by.is_some_and(|limit| limit != Limit::CuttingSpeed);
+        Some(Conditions { place, rows: named?, is_limited, rounds: false, factors, figures })
     }
 
     /// Points in the coordinates of the part: `[[0, -130], [0, 130]]`, mm.

@@ -165,9 +165,9 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let conditions = &context.stated.conditions[at];
     let id = |quantity| Id::new(Scope::Conditions(at), quantity);
     let shop = &context.shop;
-    let held = conditions.held;
+    let is_limited = conditions.is_limited;
     // In a plan of the program, a speed limited by something else than the cutting speed has no step of its own here.
-    if held && context.stated.own || conditions.rounds {
+    if is_limited && context.stated.own || conditions.rounds {
         return Ok(());
     }
     if context.stated.rows[conditions.rows[0]].operation.value == Operation::Tap {
@@ -184,7 +184,7 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     own.judge = Some(Box::new(move |value, values| {
         let computed = *values.first()?;
         // A limit only lowers the spindle speed, and leaves it at a step of the machine.
-        let slower = held && value < computed && context.steps_around(value).is_none();
+        let slower = is_limited && value < computed && context.steps_around(value).is_none();
         if slower { None } else { judge_step(context, value, computed) }
     }));
     graph.add(own);

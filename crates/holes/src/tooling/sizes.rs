@@ -141,8 +141,8 @@ pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
             }
             let by = By::Order { rule: Rc::clone(&rule), operation, ground: None, size: diameter };
             let cutter = Cutter { row, head, designation: designation(row, &need)?, diameter, by, over: Vec::new() };
-            if let Ok(held) = first_holder(&cutter, &need, holders, shop)? {
-                reach = reach.max(reach_of(row).unwrap_or_default().min(held.overhang.length));
+            if let Ok(mounted) = first_holder(&cutter, &need, holders, shop)? {
+                reach = reach.max(reach_of(row).unwrap_or_default().min(mounted.overhang.length));
             }
         }
         if reach > Micrometres::ZERO {

@@ -27,9 +27,9 @@ pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
 }
 
 fn stand_item(stand: &Stand, lang: Lang) -> Item {
-    let held = lang.say(&stand.held);
+    let holding = lang.say(&stand.held);
     let mut item: Item =
-        say!(lang, "turn-setting-stand", number = stand.set_up, held = held, stock = stand.face_stock_mm).into();
+        say!(lang, "turn-setting-stand", number = stand.set_up, held = holding, stock = stand.face_stock_mm).into();
     item.items = stand.notes.iter().map(|note| Item::from(note_line(note, lang))).collect();
     item
 }

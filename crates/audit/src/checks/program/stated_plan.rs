@@ -306,10 +306,10 @@ impl Making<'_, '_, '_> {
             self.figure(id(quantity)).or_else(|| self.graph.right(id(quantity))).map(Micrometres::from_mm_rounded)
         };
         tool.length_mm = length(Q::Assembly).unwrap_or_default();
-        let held = length(Q::Correction).or_else(|| self.setting.correctors.get(&tool.corrector).copied());
-        let held = held.unwrap_or_default();
+        let correction = length(Q::Correction).or_else(|| self.setting.correctors.get(&tool.corrector).copied());
+        let correction = correction.unwrap_or_default();
         // A plan states the value in the register; the correction has the other sign where it is subtracted (3.11.3).
-        tool.correction_mm = if self.context.subtracts(at) { -held } else { held };
+        tool.correction_mm = if self.context.subtracts(at) { -correction } else { correction };
         tool
     }
 

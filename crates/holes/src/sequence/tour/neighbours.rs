@@ -77,13 +77,13 @@ impl Query for Around<'_> {
 /// The few cheapest of many, cheapest first; among equals, the first in the list of points.
 struct Shortest {
     most: usize,
-    held: usize,
+    count: usize,
     list: [(i64, u32); NEAREST],
 }
 
 impl Shortest {
     const fn new(most: usize) -> Self {
-        Self { most, held: 0, list: [(i64::MAX, u32::MAX); NEAREST] }
+        Self { most, count: 0, list: [(i64::MAX, u32::MAX); NEAREST] }
     }
 
     /// The limit: what costs more is not kept.
@@ -96,16 +96,16 @@ impl Shortest {
         if (cost, node) >= self.list[self.most - 1] {
             return;
         }
-        let mut place = self.held.min(self.most - 1);
+        let mut place = self.count.min(self.most - 1);
         while place > 0 && self.list[place - 1] > (cost, node) {
             self.list[place] = self.list[place - 1];
             place -= 1;
         }
         self.list[place] = (cost, node);
-        self.held = (self.held + 1).min(self.most);
+        self.count = (self.count + 1).min(self.most);
     }
 
     fn iter(&self) -> impl Iterator<Item = (i64, u32)> {
-        self.list[..self.held].iter().copied()
+        self.list[..self.count].iter().copied()
     }
 }

@@ -51,7 +51,7 @@ pub(super) struct Compensator {
     pending: Option<Pending>,
     queue: Vec<MotionStep>,
     /// The position of the centre in the plane, once it has left the programmed path.
-    held: Option<Point>,
+    centre: Option<Point>,
 }
 
 impl Compensator {
@@ -67,7 +67,7 @@ impl Compensator {
     pub(super) fn set(&mut self, plane: Plane, offset: f64, out: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         self.flush(out)?;
         if self.plane.is_some_and(|old| old != plane) {
-            self.held = None;
+            self.centre = None;
         }
         self.plane = Some(plane);
         self.offset = offset;
@@ -105,10 +105,10 @@ impl Compensator {
         };
         let element = Element::of(&step, from, plane);
         if self.offset == 0.0 {
-            match (element, self.held) {
+            match (element, self.centre) {
                 (Some(element), Some(_)) if element.arc.is_some() => return Err(("correction-by-arc", span)),
-                (Some(_), _) => self.held = None,
-                (None, Some(held)) => step.at = with_point(step.at, plane, held),
+                (Some(_), _) => self.centre = None,
+                (None, Some(centre)) => step.at = with_point(step.at, plane, centre),
                 (None, None) => {}
             }
             out.push(step);
@@ -119,8 +119,8 @@ impl Compensator {
                 self.queue.push(step);
                 return Ok(());
             }
-            if let Some(held) = self.held {
-                step.at = with_point(step.at, plane, held);
+            if let Some(centre) = self.centre {
+                step.at = with_point(step.at, plane, centre);
             }
             out.push(step);
             return Ok(());
@@ -150,7 +150,7 @@ impl Compensator {
     fn finish(&mut self, pending: Pending, points: &[Point], steps: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         let Some(plane) = self.plane else { return Ok(()) };
         let Pending { element, mut step, span, approach } = pending;
-        let begin = self.held.unwrap_or(element.from);
+        let begin = self.centre.unwrap_or(element.from);
         let Some(&end) = points.first() else { return Ok(()) };
         if !approach && element.turned_round(begin, end) {
             return Err(("contour-too-tight", span));
@@ -168,7 +168,7 @@ impl Compensator {
             block,
         }));
         let last = points.last().copied().unwrap_or(end);
-        self.held = Some(last);
+        self.centre = Some(last);
         for mut waiting in self.queue.drain(..) {
             waiting.at = with_point(waiting.at, plane, last);
             steps.push(waiting);

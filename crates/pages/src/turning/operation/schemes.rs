@@ -25,8 +25,8 @@ pub(super) fn schemes(
     page.paragraph(say!(lang, "turn-depth-of-work", depth = rounded(work.levels.depth.to_mm(), lang)));
     page.paragraph(conditions(work, lang));
     let because = work.pace.conditions.iter().flat_map(|found| &found.because);
-    if let Some(held) = because.into_iter().find(|one| technolog_turning::cutting::is_nose_bound(one)) {
-        page.paragraph(reasoned(held, lang));
+    if let Some(nose_bound) = because.into_iter().find(|one| technolog_turning::cutting::is_nose_bound(one)) {
+        page.paragraph(reasoned(nose_bound, lang));
     }
     page.paragraph(reasoned(&work.because, lang));
     page.push(compared(work, lang));

@@ -103,8 +103,8 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
             }
             for work in &one.works {
                 let because = work.pace.conditions.iter().flat_map(|found| &found.because);
-                let held = because.into_iter().find(|one| is_nose_bound(one));
-                told.extend(held.map(|held| Item::from(reasoned(held, lang))));
+                let nose_bound = because.into_iter().find(|one| is_nose_bound(one));
+                told.extend(nose_bound.map(|nose_bound| Item::from(reasoned(nose_bound, lang))));
             }
             told.dedup();
             let mut row: Vec<Cell> =
