@@ -159,13 +159,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let knowledge = Knowledge::from_sources(shipped::SOURCES).map_err(|_| "the shipped tables cannot be read")?;
     let control = Control::read("linuxcnc", &knowledge)?;
     for _ in 0..count {
-        let (way, told) = (random_way(&mut dice), setting(&mut dice));
-        let program = plain(&control, &way, &told).map_err(|refused| format!("{refused:?}"))?;
+        let (way, setting) = (random_way(&mut dice), setting(&mut dice));
+        let program = plain(&control, &way, &setting).map_err(|refused| format!("{refused:?}"))?;
         let moves: Vec<Value> = way
             .pieces()
             .map(|(piece, purpose)| {
                 let mut piece = told_piece(piece);
-                piece["feed"] = json!(told.feeds.of(purpose).map(|feed| feed.0));
+                piece["feed"] = json!(setting.feeds.of(purpose).map(|feed| feed.0));
                 piece
             })
             .collect();
@@ -173,8 +173,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!("{}", json!({"kind": "plain", "from": from, "moves": moves, "program": program}));
     }
     for _ in 0..count {
-        let ((contour, corner, roughing), told) = (random_task(&mut dice), setting(&mut dice));
-        let written = cycle(&control, &contour, corner, roughing, &told);
+        let ((contour, corner, roughing), setting) = (random_task(&mut dice), setting(&mut dice));
+        let written = cycle(&control, &contour, corner, roughing, &setting);
         let pieces: Vec<Value> = contour.pieces.iter().map(|piece| told_piece(*piece)).collect();
         let mut line = json!({
             "kind": "cycle",
@@ -183,7 +183,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             "corner": [corner.radius.to_mm(), corner.z.to_mm()],
             "clearance": roughing.clearance.to_mm(),
             "depth": roughing.depth.to_mm(),
-            "feed": told.feeds.cut.0,
+            "feed": setting.feeds.cut.0,
             "pieces": pieces,
         });
         match written {

@@ -144,8 +144,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
             // Only shown faults get words: a program may have a fault in every word.
-            let (told, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
-            let mut problems: Vec<Diagnostic> = told.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            let (reported, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
+            let mut problems: Vec<Diagnostic> = reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             problems.extend(proof::of_part(&serious, context));
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let mut made = None;
@@ -160,12 +160,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 problems.push(Diagnostic { severity, help, ..Diagnostic::error("not-compared", message, None) });
             }
             let hidden = faults.iter().map(|fault| proof::shown(fault.severity));
-            let own = problems.get(told.len()..).unwrap_or_default().iter().map(|problem| problem.severity);
+            let own = problems.get(reported.len()..).unwrap_or_default().iter().map(|problem| problem.severity);
             let all: Vec<Severity> = hidden.chain(own).collect();
             let counts = [Severity::Error, Severity::Warning, Severity::Note]
                 .map(|severity| all.iter().filter(|one| **one == severity).count());
-            let told = (counts, problems::blocks(problems, more, &texts, format, context));
-            let page = page(&shown, told, made, &steps, clock.times(), context.lang);
+            let reported = (counts, problems::blocks(problems, more, &texts, format, context));
+            let page = page(&shown, reported, made, &steps, clock.times(), context.lang);
             context.emit_document(&problems::untitled(page, format), format)?;
         }
     }
@@ -187,11 +187,11 @@ fn refuse_lathe(text: &str, control: &str, context: &Context) -> Result<(), CliE
 
 /// Faults with their words.
 pub(super) fn findings<'a>(faults: &'a [Fault], context: &Context) -> Vec<FaultMessage<'a>> {
-    let told = |fault: &'a Fault| {
+    let with_words = |fault: &'a Fault| {
         let (message, help) = (context.lang.say(&fault.note), context.lang.remedy(&fault.note));
         FaultMessage { message, help, fault }
     };
-    faults.iter().map(told).collect()
+    faults.iter().map(with_words).collect()
 }
 
 /// The answer for people: mistakes with their lines, the result for the part, the trace, the times.
@@ -237,8 +237,8 @@ fn motion(step: &MotionStep, lang: Lang) -> String {
 pub(super) fn total(counts: [usize; 3], lang: Lang) -> String {
     let codes = ["check-errors", "check-warnings", "check-notes"];
     let some = codes.into_iter().zip(counts).filter(|(_, count)| *count > 0);
-    let told: Vec<String> = some.map(|(code, count)| lang.say(&Note::new(code).with("count", count))).collect();
-    if told.is_empty() { say!(lang, "cli-findings-counted", count = 0) } else { told.join(", ") }
+    let counted: Vec<String> = some.map(|(code, count)| lang.say(&Note::new(code).with("count", count))).collect();
+    if counted.is_empty() { say!(lang, "cli-findings-counted", count = 0) } else { counted.join(", ") }
 }
 
 /// A mistake of a program with its place.

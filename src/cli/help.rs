@@ -64,8 +64,8 @@ fn formats(command: &str, lang: Lang) -> String {
                 None => alike.push((vec![show], formats)),
             }
         }
-        let told = alike.iter().map(|(shows, formats)| format!("{} – {}", shows.join(", "), names(formats)));
-        say!(lang, "help-formats-by-show", formats = told.collect::<Vec<_>>().join("; "))
+        let lines = alike.iter().map(|(shows, formats)| format!("{} – {}", shows.join(", "), names(formats)));
+        say!(lang, "help-formats-by-show", formats = lines.collect::<Vec<_>>().join("; "))
     };
     match command {
         "plan" => one(plan::FORMATS),

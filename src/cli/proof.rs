@@ -87,14 +87,14 @@ pub const fn shown(severity: note::Severity) -> Severity {
 
 /// Findings about the part as diagnostics, without a place in the program.
 pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic> {
-    let told = |finding: &&note::Finding| {
+    let diagnostic = |finding: &&note::Finding| {
         let sentence = context.lang.say(&finding.note);
         let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
         let severity = shown(finding.severity);
         // A finding of the plan has no code of a program: none is shown.
         Diagnostic { severity, code: "", message: message.into(), place: None, help: None }
     };
-    findings.iter().map(told).collect()
+    findings.iter().map(diagnostic).collect()
 }
 
 /// The proof with its texts.

@@ -162,8 +162,8 @@ pub fn brief(value: &Value) -> String {
         Value::Array(items) => format!("[{}]", items.iter().map(brief).collect::<Vec<_>>().join(", ")),
         Value::Object(object) => name(object).unwrap_or_else(|| {
             let pair = |(key, value): (&String, &Value)| format!("{key}: {}", brief(value));
-            let told = object.iter().filter(|(key, _)| !key.starts_with("because"));
-            format!("{{{}}}", told.map(pair).collect::<Vec<_>>().join(", "))
+            let fields = object.iter().filter(|(key, _)| !key.starts_with("because"));
+            format!("{{{}}}", fields.map(pair).collect::<Vec<_>>().join(", "))
         }),
         other => written::value(other),
     }

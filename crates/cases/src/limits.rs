@@ -57,8 +57,8 @@ mod tests {
         let NodeKind::Seq(tests) = &tests.kind else { panic!("no list") };
         let mut problems = Problems::default();
         let read = cases(tests, &head, &mut problems).len();
-        let told = |one: &crate::knowledge::Diagnostic| format!("{} {}", one.place.as_ref().unwrap(), one.code);
-        (read, problems.0.iter().map(told).collect())
+        let shown = |one: &crate::knowledge::Diagnostic| format!("{} {}", one.place.as_ref().unwrap(), one.code);
+        (read, problems.0.iter().map(shown).collect())
     }
 
     #[test]

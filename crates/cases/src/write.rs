@@ -144,15 +144,15 @@ impl Writer<'_> {
     fn whole_expectation(&self, case: &Node, value: &Value) -> Edit {
         let flow = self.text_from(self.at(&case.place)).starts_with('{');
         let indent = case.place.column as usize - 1;
-        let told = |flow: bool| if flow { format!(" {}", written::value(value)) } else { block(value, indent + 2) };
+        let text = |flow: bool| if flow { format!(" {}", written::value(value)) } else { block(value, indent + 2) };
         let NodeKind::Map(entries) = &case.kind else { return Edit { at: 0, removed: 0, put: String::new() } };
         let find = |name: &str| entries.iter().find(|(key, _)| key.text == name);
         if let Some((key, node)) = find("expect") {
-            if let Some(edit) = self.explicit(&node.place, told(flow).trim_start()) {
+            if let Some(edit) = self.explicit(&node.place, text(flow).trim_start()) {
                 return edit;
             }
             let end = self.at(&key.place) + key_length(self.text_from(self.at(&key.place)), key);
-            return self.behind_colon(end, told(flow));
+            return self.behind_colon(end, text(flow));
         }
         // Before the keys of its origin, otherwise at the end.
         let first = entries.iter().find(|(key, _)| ["source", "because"].contains(&key.text.as_str()));
@@ -161,15 +161,15 @@ impl Writer<'_> {
             return Edit {
                 at: self.at(&key.place),
                 removed: 0,
-                put: self.lined(format!("expect:{}{then}", told(flow))),
+                put: self.lined(format!("expect:{}{then}", text(flow))),
             };
         }
         if flow {
             let at = self.at(&case.place) + last_of_flow(self.text_from(self.at(&case.place))).unwrap_or_default();
             let comma = if self.text.get(..at).is_some_and(|head| head.ends_with(',')) { " " } else { ", " };
-            return Edit { at, removed: 0, put: self.lined(format!("{comma}expect:{}", told(true))) };
+            return Edit { at, removed: 0, put: self.lined(format!("{comma}expect:{}", text(true))) };
         }
-        let put = format!("\n{}expect:{}", " ".repeat(indent), told(false));
+        let put = format!("\n{}expect:{}", " ".repeat(indent), text(false));
         Edit { at: self.end_of_block(case.place.line as usize, indent), removed: 0, put: self.lined(put) }
     }
 

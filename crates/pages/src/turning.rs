@@ -114,7 +114,7 @@ fn head(page: &mut Document, found: &Sequences, knowledge: &Knowledge, lang: Lan
         holding = word(shaft.holding.name())
     );
     let (along, across) = (shaft.roughing.longitudinal_depth, shaft.roughing.transverse_depth);
-    let told = [
+    let fields_of_task = [
         (say!(lang, "turn-material").to_owned(), material(&shaft.material, knowledge)),
         (say!(lang, "turn-blank-label").to_owned(), blank),
         (say!(lang, "turn-steps").to_owned(), steps.join(", ")),
@@ -122,7 +122,7 @@ fn head(page: &mut Document, found: &Sequences, knowledge: &Knowledge, lang: Lan
         (say!(lang, "turn-slices", depth = across), format!("Z {}", slices.join(" → "))),
         (say!(lang, "turn-objective").to_owned(), objective),
     ];
-    page.push(fields(told));
+    page.push(fields(fields_of_task));
     if shaft.roughing.division == Division::Equal {
         page.paragraph(say!(lang, "turn-equal-division"));
     }

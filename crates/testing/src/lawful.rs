@@ -109,10 +109,10 @@ pub fn lawful(part: &Part, plan: &Plan) -> Result<(), TestCaseError> {
         prop_assert_eq!(&hole.name, &own.name);
         prop_assert_eq!(own.route.is_some(), !own.transitions.is_empty(), "{}", own.name);
         if own.route.is_none() {
-            let told = plan.findings.iter().any(|finding| {
+            let is_reported = plan.findings.iter().any(|finding| {
                 finding.severity == Severity::Error && finding.hole.as_deref() == Some(own.name.as_str())
             });
-            prop_assert!(told, "{} is not planned, and nobody says why", own.name);
+            prop_assert!(is_reported, "{} is not planned, and nobody says why", own.name);
             continue;
         }
         chain(hole, own)?;

@@ -304,9 +304,9 @@ impl TurnedDraft {
                     }
                 }
                 // The second begins where the first ends only if both are there.
-                let told: Vec<String> =
+                let texts: Vec<String> =
                     steps.iter().map(|(r, l)| format!("{{diameter: {}, length: {}}}", mm(2 * r), mm(*l))).collect();
-                let more = if told.is_empty() { String::new() } else { format!(", steps: [{}]", told.join(", ")) };
+                let more = if texts.is_empty() { String::new() } else { format!(", steps: [{}]", texts.join(", ")) };
                 bar("forging", &more)
             }
             (BlankForm::Contoured(shape), _) => {

@@ -122,8 +122,8 @@ impl Lang {
                 own.map_or_else(|| self.figure(&Figure::Word(named.word.clone())), |(_, name)| name.clone())
             }
             Figure::List(parts, between) => {
-                let told: Vec<String> = parts.iter().map(|part| self.figure(part)).collect();
-                if *between == ", " { listed(&told) } else { told.join(between) }
+                let texts: Vec<String> = parts.iter().map(|part| self.figure(part)).collect();
+                if *between == ", " { listed(&texts) } else { texts.join(between) }
             }
             Figure::Note(note) => self.say(note),
             Figure::Stored(text) => text.clone(),
@@ -283,14 +283,14 @@ impl std::str::FromStr for Lang {
 }
 /// A list of texts. If one of them is a number with a decimal comma, the separator is a semicolon, because a comma
 /// would be ambiguous.
-pub fn listed(told: &[String]) -> String {
+pub fn listed(texts: &[String]) -> String {
     let has_comma = |one: &String| {
         let mut parts = one.split(',');
         let (before, behind) = (parts.next().unwrap_or_default(), parts.next());
         before.ends_with(|sign: char| sign.is_ascii_digit())
             && behind.is_some_and(|behind| behind.starts_with(|sign: char| sign.is_ascii_digit()))
     };
-    told.join(if told.iter().any(has_comma) { "; " } else { ", " })
+    texts.join(if texts.iter().any(has_comma) { "; " } else { ", " })
 }
 
 #[cfg(test)]

@@ -36,12 +36,12 @@ pub fn answer(
         let help = context.word("cli-run-lint");
         Diagnostic::error("contradiction", technolog::note::Note::from(&error), None).help(help)
     })?;
-    let told = DecisionReport::of(question, &answer);
+    let report = DecisionReport::of(question, &answer);
     match format {
-        Format::Json => context.emit_json(&told.json())?,
-        _ => context.emit_document(&told.page(all, context.lang), format)?,
+        Format::Json => context.emit_json(&report.json())?,
+        _ => context.emit_document(&report.page(all, context.lang), format)?,
     }
-    Ok(if told.winners.is_empty() { Outcome::Findings } else { Outcome::Done })
+    Ok(if report.winners.is_empty() { Outcome::Findings } else { Outcome::Done })
 }
 
 /// An input as the table understood it.

@@ -56,11 +56,11 @@ fn case(ran: &Ran, file: &str, context: &Context) -> String {
     let head = format!("    <testcase name=\"{name}\" classname=\"{file}\" file=\"{file}\" line=\"{line}\"");
     let Some(first) = ran.failures.first() else { return head + "/>\n" };
     let lines = ran.failures.iter().flat_map(|failure| page::failure_lines(failure, context.lang));
-    let told: String = lines.chain(page::origin(ran, context.lang)).map(|line| line + "\n").collect();
+    let text: String = lines.chain(page::origin(ran, context.lang)).map(|line| line + "\n").collect();
     format!(
         "{head}>\n      <failure type=\"expectation\" message=\"{}\">{}</failure>\n    </testcase>\n",
         escaped(&page::short(first, context.lang)),
-        escaped(&told)
+        escaped(&text)
     )
 }
 

@@ -121,10 +121,10 @@ fn faults_not_found(case: &Case) -> Vec<String> {
         let audit = audited(&text);
         let found: Vec<&AuditFinding> = slips(&audit).collect();
         let method = |one: &String| !case.known.contains(&one.as_str()) && !one.contains(" audit-load-");
-        let told: BTreeSet<String> = found.iter().map(|one| said(one)).filter(method).collect();
+        let reported: BTreeSet<String> = found.iter().map(|one| said(one)).filter(method).collect();
         let expected: BTreeSet<String> = fault.finds.iter().cloned().collect();
-        if !(told == expected || fault.also && told.is_superset(&expected)) {
-            wrong.push(format!("{}: {told:?}", fault.name));
+        if !(reported == expected || fault.also && reported.is_superset(&expected)) {
+            wrong.push(format!("{}: {reported:?}", fault.name));
         }
         let last = line + fault.to.trim_end().matches('\n').count();
         for one in found.iter().filter(|one| fault.finds.contains(&said(one))) {
@@ -169,8 +169,8 @@ fn own(part: &technolog::part::Part, method: CuttingMethod) -> Vec<String> {
     let none = |_: &str| Err("no files here".to_owned());
     let stated = read_plan("plan.json", &text, &KNOWLEDGE, &none).unwrap_or_else(|why| panic!("{why:?}"));
     let audit = AUDITOR.audit_beside(&stated, &ours).unwrap();
-    let told = audit.findings.iter().filter(|one| one.rule == UNMADE).count();
-    assert_eq!(told, ours.holes.iter().filter(|hole| hole.transitions.is_empty()).count());
+    let unmade = audit.findings.iter().filter(|one| one.rule == UNMADE).count();
+    assert_eq!(unmade, ours.holes.iter().filter(|hole| hole.transitions.is_empty()).count());
     wrong(&audit)
 }
 
@@ -187,8 +187,8 @@ fn an_endless_number_of_a_plan_is_refused_as_it_is_written() {
     let text = format!("{before}\"stops\":{to}\"at\":[1e400,{behind}");
     let none = |_: &str| Err("no files here".to_owned());
     let problems = read_plan("plan.json", &text, &KNOWLEDGE, &none).err().unwrap().problems;
-    let told: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
-    assert!(told.len() == 1 && told[0].contains("`1e400` is beyond 1000000000"), "{told:?}");
+    let texts: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
+    assert!(texts.len() == 1 && texts[0].contains("`1e400` is beyond 1000000000"), "{texts:?}");
 }
 
 /// A group that we have no route for is unfinished, whoever wrote the plan.

@@ -60,13 +60,13 @@ fn every_fault_of_a_program_is_one_slip() {
     for fault in faults() {
         let audit = audited(&fault);
         let of_program = audit.findings.iter().filter(|one| one.section == Section::Program);
-        let told: Vec<String> = of_program
+        let reported: Vec<String> = of_program
             .filter(|one| one.follows_from.is_empty())
             .filter(|one| one.severity <= Severity::Wrong || one.rule.starts_with("audit-program-"))
             .map(said)
             .collect();
-        if told != fault.finds {
-            wrong.push(format!("{} {}: {told:?}", fault.base, fault.name));
+        if reported != fault.finds {
+            wrong.push(format!("{} {}: {reported:?}", fault.base, fault.name));
         }
         let follows = audit.findings.iter().filter(|one| one.section == Section::Program);
         if fault.plan && !follows.clone().any(|one| !one.follows_from.is_empty()) {

@@ -148,8 +148,8 @@ fn a_rule_and_the_rust_that_asks_it() {
         } else {
             "plug-gauge) [hole-gauge, row 2"
         };
-        let told = shown(&explain(&plan, hole, Lang::EN));
-        assert!(told.contains(&format!("hole-gauge (gauge = {gauge}")), "{told}");
+        let page = shown(&explain(&plan, hole, Lang::EN));
+        assert!(page.contains(&format!("hole-gauge (gauge = {gauge}")), "{page}");
     }
 }
 

@@ -237,9 +237,9 @@ tests:
   - {table: materals, given: {it: 7}}
   - {table: A.8, audit: x.yaml}
 ";
-    let told = mistakes(text);
+    let found = mistakes(text);
     assert_eq!(
-        told,
+        found,
         [
             "3:14 unknown-key did you mean `it`?",
             "4:13 bad-question `technolog table` shows its columns",

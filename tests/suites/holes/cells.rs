@@ -190,11 +190,11 @@ fn main_holes(table: &str) -> (usize, usize, BTreeSet<String>, Vec<String>) {
                     && (row["state"].as_str(), row["outer_wall"].as_str()) == ("cast-or-pre-machined", "false");
                 let taken = plan.holes[0].route.as_ref().filter(|route| route.way == RouteSource::Tables);
                 let ends_elsewhere = taken.is_some_and(|route| route.finish_elsewhere);
-                let told = plan.findings.iter().any(|finding| finding.note.code() == "finish-elsewhere");
+                let is_reported = plan.findings.iter().any(|finding| finding.note.code() == "finish-elsewhere");
                 if refused.len() == before && ends_elsewhere != (elsewhere || settled) {
                     wrong.push(format!("{}: finished on another machine: {ends_elsewhere}", cell.what));
                 }
-                if ends_elsewhere && !told {
+                if ends_elsewhere && !is_reported {
                     wrong.push(format!("{}: is finished on another machine, and nothing says so", cell.what));
                 }
             }

@@ -256,11 +256,11 @@ fn a_plan_tells_what_the_machine_has_no_room_for() {
     let text = "part: P\nmaterial: steel-45\nmachine: gf2171\nfixture: {height: 600}\n\
                 blank: {kind: plate, length: 300, width: 200, thickness: 60}\nholes:\n  \
                 - {name: A, diameter: 10H9, through: true, roughness: Ra 2.5, centre_tolerance: 0.2, at: [[0, 0]]}\n";
-    let told = |text: &str| -> Vec<Severity> {
+    let severities = |text: &str| -> Vec<Severity> {
         let plan = planned(&read(text), CuttingMethod::Formula);
         let room = plan.findings.iter().filter(|finding| finding.note.code() == "no-room-over-part");
         room.map(|finding| finding.severity).collect()
     };
-    assert_eq!(told(text), [Severity::Error]);
-    assert_eq!(told(&text.replace("600", "80")), []);
+    assert_eq!(severities(text), [Severity::Error]);
+    assert_eq!(severities(&text.replace("600", "80")), []);
 }

@@ -178,8 +178,8 @@ fn a_decimal_comma_is_told_as_a_point_and_nothing_follows_from_it() {
         let part = ["check", &program, "--control", control, "--part", "examples/plate.yaml"];
         let (code, said) = technolog(&[part.as_slice(), &["--lang", "en"]].concat());
         assert_eq!(code, Some(1), "{said}");
-        for told in ["`X80,5` has a comma", "help: write X80.5 (", "2 errors", "not-compared"] {
-            assert!(said.contains(told), "{control}: {told}: {said}");
+        for expected in ["`X80,5` has a comma", "help: write X80.5 (", "2 errors", "not-compared"] {
+            assert!(said.contains(expected), "{control}: {expected}: {said}");
         }
         assert!(!said.contains("remove") && !said.contains("missing"), "{control}: {said}");
         let (_, said) = technolog(&[part.as_slice(), &["--lang", "uk"]].concat());

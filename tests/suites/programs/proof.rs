@@ -200,13 +200,13 @@ fn a_wrong_correction_names_the_tool_whose_it_is() {
     let (_, text, bench) = programs.iter().find(|(known, ..)| known == "plate").unwrap();
     let (_, proof, _) = bench.run(&CONTROL, &text.replacen(" H2", " H1", 1));
     let said = proof.findings.iter().find(|finding| finding.code.name() == "wrong-correction").unwrap();
-    let told = Lang::EN.say(&said.note);
+    let message = Lang::EN.say(&said.note);
     assert!(
-        told.starts_with("T2 cuts with H1 = ") && told.contains(", the offset of T1, and its correction is H2 = "),
-        "{told}"
+        message.starts_with("T2 cuts with H1 = ") && message.contains(", the offset of T1, and its correction is H2 = "),
+        "{message}"
     );
-    let told = Lang::UK.say(&said.note);
-    assert!(told.starts_with("T2 ріже з H1 = ") && told.contains(", коректором T1, а його корекція H2 = "), "{told}");
+    let message = Lang::UK.say(&said.note);
+    assert!(message.starts_with("T2 ріже з H1 = ") && message.contains(", коректором T1, а його корекція H2 = "), "{message}");
 }
 
 /// Every deviation of docs/proof.md is shown by some altered program, here or in the tests below.

@@ -45,8 +45,8 @@ fn visits(bench: &ProofBench, name: &str, language: &Language) -> Result<Visits,
     let faults: Vec<_> = faults.iter().filter(|fault| fits || fault.code != "beyond-travel-of").collect();
     prop_assert!(faults.is_empty(), "{name}: {faults:?}\n{text}");
     // A control has peck clearances of its own; that is a note.
-    let told: Vec<_> = proof.findings.iter().filter(|finding| finding.severity < Severity::Note).collect();
-    prop_assert!(!fits || told.is_empty(), "{name}: {told:?}\n{text}");
+    let findings: Vec<_> = proof.findings.iter().filter(|finding| finding.severity < Severity::Note).collect();
+    prop_assert!(!fits || findings.is_empty(), "{name}: {findings:?}\n{text}");
     Ok(proof.visits.iter().map(|visit| (visit.hole.clone(), visit.transition, visit.pass, visit.at)).collect())
 }
 

@@ -17,7 +17,7 @@ fn what_is_not_there_is_told_with_what_is() {
     fs::write(folder.join("foo.yaml"), part.replace("machine: gf2171", "machine: foo")).unwrap();
     fs::write(folder.join("points.csv"), "0,0\n1,1\n").unwrap();
     fs::write(folder.join("program.nc"), "%\n:01\nN1 M02\n").unwrap();
-    for (arguments, told, help) in [
+    for (arguments, message, help) in [
         (
             "order points.csv --machine foo",
             "[unknown-machine]: the catalog has no machine `foo`",
@@ -36,7 +36,7 @@ fn what_is_not_there_is_told_with_what_is() {
     ] {
         let answer = command(&folder, &arguments.split(' ').collect::<Vec<_>>(), b"");
         assert_eq!((answer.code, answer.answer.as_str()), (Some(2), ""), "{arguments}: {}", answer.beside);
-        assert!(answer.beside.contains(told) && answer.beside.contains(help), "{arguments}: {}", answer.beside);
+        assert!(answer.beside.contains(message) && answer.beside.contains(help), "{arguments}: {}", answer.beside);
     }
 }
 
@@ -94,9 +94,9 @@ fn a_program_of_one_set_up_says_how_the_others_are_had() {
     let part = part.to_str().unwrap();
     for (number, other) in [("1", "2"), ("2", "1")] {
         let said = command(&folder, &["turn", part, "--show", "program", "--number", number], b"");
-        let told =
+        let shown =
             format!("this is program {number} of 2, for set-up {number} only; for the others: --number {other}\n");
-        assert!(said.beside.contains(&told), "{}", said.beside);
+        assert!(said.beside.contains(&shown), "{}", said.beside);
     }
 }
 

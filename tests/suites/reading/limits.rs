@@ -15,7 +15,7 @@ use technolog::sequence::list;
 use technolog::words::Lang;
 use technolog_testing::{KNOWLEDGE, root};
 
-fn told(problems: &[Diagnostic]) -> Vec<String> {
+fn texts(problems: &[Diagnostic]) -> Vec<String> {
     problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect()
 }
 
@@ -25,7 +25,7 @@ fn problems_of_plan(plan: &str) -> Vec<String> {
         blank: {kind: plate, length: 200, width: 100, thickness: 40}\n  \
         holes: [{name: A, diameter: 10, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]]}]\n";
     let read = read_plan("p", &format!("{PART}{plan}"), &KNOWLEDGE, &|name| Err(name.to_owned()));
-    read.err().map(|unreadable| told(&unreadable.problems)).unwrap_or_default()
+    read.err().map(|unreadable| texts(&unreadable.problems)).unwrap_or_default()
 }
 
 /// The lines of so many of a kind, from 1.

@@ -23,8 +23,8 @@ fn said(text: &str, turned: bool) -> (Vec<String>, Vec<String>) {
     } else {
         read_part("f", text, &KNOWLEDGE).err().unwrap_or_default()
     };
-    let told = problems.iter().map(|problem| problem.text(|note| Lang::EN.say(note)));
-    told.partition(|told| told.contains("[missing-key]"))
+    let texts = problems.iter().map(|problem| problem.text(|note| Lang::EN.say(note)));
+    texts.partition(|problem| problem.contains("[missing-key]"))
 }
 
 /// A node as one line, without the entry of a path of keys and numbers, or with another text there.
@@ -75,17 +75,17 @@ fn what_is_to_be_added_makes_the_file_good() {
         let root = parse("f", text).0.unwrap();
         for path in paths(&root) {
             let (missing, _) = said(&written(&root, &path, ""), turned);
-            let [told] = missing.as_slice() else { continue };
-            let example = told.rsplit_once("for example `").and_then(|(_, rest)| rest.strip_suffix('`'));
+            let [problem] = missing.as_slice() else { continue };
+            let example = problem.rsplit_once("for example `").and_then(|(_, rest)| rest.strip_suffix('`'));
             // Where one of two keys is wanted both are named.
             let Some(example) = example else {
-                assert!(told.contains("`depth: "), "{told}");
+                assert!(problem.contains("`depth: "), "{problem}");
                 continue;
             };
             let mended = written(&root, &path, example);
             let (missing, other) = said(&mended, turned);
-            let formal = |told: &String| ["[bad-", "[unknown-"].iter().any(|code| told.contains(code));
-            assert!(missing.is_empty() && !other.iter().any(formal), "{told}: {mended}: {missing:?} {other:?}");
+            let formal = |is_of_form: &String| ["[bad-", "[unknown-"].iter().any(|code| is_of_form.contains(code));
+            assert!(missing.is_empty() && !other.iter().any(formal), "{problem}: {mended}: {missing:?} {other:?}");
             tried += 1;
         }
     }

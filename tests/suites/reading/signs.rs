@@ -197,7 +197,7 @@ fn names_that_look_alike_are_told() {
         let group = text.lines().last().unwrap().replace(first, second).replace("[[50, 0]]", "[[-50, 0]]");
         planned(&read(&(text.clone() + &group + "\n")), CuttingMethod::Formula)
     };
-    let told = |plan: &technolog::plan::Plan| {
+    let findings_of = |plan: &technolog::plan::Plan| {
         let own = plan.findings.iter().filter(|finding| finding.note.code() == "names-look-alike");
         own.map(|finding| Lang::EN.say(&finding.note)).collect::<Vec<_>>()
     };
@@ -205,10 +205,10 @@ fn names_that_look_alike_are_told() {
     let plan = of("Ax1", "Ах1");
     let said = "2 groups are named Ax1: their letters look the same, but some are Latin and some Cyrillic; write all names \
                 in one alphabet";
-    assert_eq!(told(&plan), [said]);
+    assert_eq!(findings_of(&plan), [said]);
     assert!(!plan.has_errors(), "it is planned all the same");
     let page = shown_at(200, &sheet::page(&plan, &KNOWLEDGE, Doubts::Counted, Lang::EN));
     assert!(page.contains("2 groups are named Ax1"), "{page}");
-    assert_eq!(told(&of("A1", "A2")), [""; 0]);
+    assert_eq!(findings_of(&of("A1", "A2")), [""; 0]);
     assert!(read_part("p", &part("P", "А"), &KNOWLEDGE).is_ok());
 }

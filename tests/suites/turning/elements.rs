@@ -359,10 +359,10 @@ proptest! {
         let top = outside.contour().radii().unwrap().1 + Half::from(5.0);
         let bore = as_bore(&outside, top);
         let judge = |profile: &Profile| classify(profile, Angles::CONTOURING, knowledge()).unwrap();
-        let told = |classes: Vec<Class>| -> Vec<_> {
+        let shown = |classes: Vec<Class>| -> Vec<_> {
             classes.into_iter().map(|one| (one.ground, one.element, one.partly, one.tool)).collect()
         };
-        prop_assert_eq!(told(judge(&outside)), told(judge(&bore)));
+        prop_assert_eq!(shown(judge(&outside)), shown(judge(&bore)));
         let main = |profile: &Profile| main_contour(profile, &judge(profile), Angles::CONTOURING).contour;
         prop_assert_eq!(main(&outside), main(&bore).inside_out(top));
     }

@@ -75,7 +75,7 @@ fn mm(value: f64) -> Micrometres {
 }
 
 fn bound(limit: &LimitingDepth, bound: Bound) -> &BoundTold {
-    limit.bounds.iter().find(|told| told.bound == bound).unwrap_or_else(|| panic!("{bound:?} is not told: {limit:?}"))
+    limit.bounds.iter().find(|checked| checked.bound == bound).unwrap_or_else(|| panic!("{bound:?} is not told: {limit:?}"))
 }
 
 fn newtons(load: Load) -> f64 {
@@ -223,7 +223,7 @@ fn a_boring_bar_is_held_by_its_stiffness() {
     let per_mm = 3000.0 * 0.353_553 * libm::pow(limit.speed_m_per_min.0, -0.15) * 0.845_90 * 1.1125;
     let steps = (1150.5 / per_mm * 10.0).floor() / 10.0;
     assert_eq!((limit.depth_mm, limit.decided_by), (Some(mm(steps)), Bound::ShankStiffness));
-    assert!(limit.bounds.iter().all(|told| told.bound != Bound::PartRadius), "a bore has no radius to run out of");
+    assert!(limit.bounds.iter().all(|checked| checked.bound != Bound::PartRadius), "a bore has no radius to run out of");
 }
 
 /// Fed across the axis the edge behind the tip cuts, 5 degrees off the face: 0.66·12·cos 5 = 7.89 mm, for PDJNR with 32
@@ -510,17 +510,17 @@ proptest! {
         let step = 0.1;
         let depth = limit.depth_mm.map_or(0.0, Micrometres::to_mm);
         let mut passed_beyond = false;
-        for told in &limit.bounds {
-            prop_assert!(told.depth_mm.map_or(0.0, Micrometres::to_mm) >= depth);
+        for checked in &limit.bounds {
+            prop_assert!(checked.depth_mm.map_or(0.0, Micrometres::to_mm) >= depth);
             // Loads are told to their last printed digit, hence half a digit of room.
-            let (load, capacity) = (figure(told.load), figure(told.capacity));
-            let room = match told.load { Load::ForceN(_) => 0.5, Load::TorqueNM(_) => 0.05, Load::PowerKw(_) => 0.005, Load::DepthMm(_) => 0.0 };
+            let (load, capacity) = (figure(checked.load), figure(checked.capacity));
+            let room = match checked.load { Load::ForceN(_) => 0.5, Load::TorqueNM(_) => 0.05, Load::PowerKw(_) => 0.005, Load::DepthMm(_) => 0.0 };
             if depth > 0.0 {
-                prop_assert!(load <= capacity + room, "{:?}: {load} > {capacity}", told.bound);
+                prop_assert!(load <= capacity + room, "{:?}: {load} > {capacity}", checked.bound);
             }
             let told_at = if depth > 0.0 { depth } else { step };
-            let beyond = if matches!(told.load, Load::DepthMm(_)) { depth + step }
-                else { load * libm::pow((depth + step) / told_at, exponent(told.bound)) };
+            let beyond = if matches!(checked.load, Load::DepthMm(_)) { depth + step }
+                else { load * libm::pow((depth + step) / told_at, exponent(checked.bound)) };
             passed_beyond |= beyond + 2.0 * room >= capacity;
         }
         prop_assert!(passed_beyond, "a deeper cut would still hold: {limit:?}");

@@ -419,8 +419,8 @@ fn trace() {
     let operation =
         planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}")));
     let corners = |contour: &technolog::turning::contour::Contour| {
-        let told = contour.corners().iter().map(|at| format!("({} {})", at.radius, at.z)).collect::<Vec<_>>();
-        told.join(" ")
+        let shown = contour.corners().iter().map(|at| format!("({} {})", at.radius, at.z)).collect::<Vec<_>>();
+        shown.join(" ")
     };
     for set_up in &operation.set_ups {
         println!("set-up {} over {} faces {}", set_up.set_up.number, set_up.set_up.turned_over, set_up.set_up.faces);

@@ -199,10 +199,10 @@ fn the_controls_are_those_of_the_table() {
 fn what_cannot_be_written_is_refused_with_its_reason() {
     let linuxcnc = control("linuxcnc");
     let bad_way = |moves: &dyn Fn(&mut Toolpath), change: &dyn Fn(&mut Setting)| {
-        let (mut way, mut told) = (Toolpath::at(at(20.0, 0.0)), setting());
+        let (mut way, mut setting) = (Toolpath::at(at(20.0, 0.0)), setting());
         moves(&mut way);
-        change(&mut told);
-        plain(&linuxcnc, &way, &told).unwrap_err()
+        change(&mut setting);
+        plain(&linuxcnc, &way, &setting).unwrap_err()
     };
     let cut = |way: &mut Toolpath| way.go(at(20.0, 5.0), Purpose::Cut);
     let arc = |radius: f64, purpose: Purpose| {
@@ -228,9 +228,9 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
         (bad_way(&arc(0.0, Purpose::Cut), &as_is), "lathe-arc-without-radius"),
         (bad_way(&arc(4.9, Purpose::Cut), &as_is), "lathe-arc-too-small"),
         (bad_way(&arc(5.0, Purpose::Rapid), &as_is), "lathe-rapid-arc"),
-        (bad_way(&cut, &|told| told.tool = 0), "lathe-no-tool"),
-        (bad_way(&cut, &|told| told.speed = Speed::Spindle(RevsPerMinute(f64::NAN))), "lathe-no-speed"),
-        (bad_way(&cut, &|told| told.feeds.finish = MillimetresPerRev(0.00001)), "lathe-no-feed"),
+        (bad_way(&cut, &|setting| setting.tool = 0), "lathe-no-tool"),
+        (bad_way(&cut, &|setting| setting.speed = Speed::Spindle(RevsPerMinute(f64::NAN))), "lathe-no-speed"),
+        (bad_way(&cut, &|setting| setting.feeds.finish = MillimetresPerRev(0.00001)), "lathe-no-feed"),
         (bad_task(&empty, corner, along), "lathe-contour-empty"),
         (bad_task(&apart, corner, along), "lathe-contour-apart"),
         (bad_task(&pointless, corner, along), "lathe-arc-without-radius"),

@@ -169,7 +169,7 @@ fn the_line_of_the_cycles_is_that_of_the_allowance() {
 fn the_loop_draws_back_half_a_millimetre() {
     let found =
         made(&under_bar(Contour::through(Side::Outer, &[at(26.0, 0.0), at(26.0, 40.0)]), 30.0), 2.0, Scheme::Loop, 0.8);
-    let told: Vec<_> =
+    let shown: Vec<_> =
         found.points.iter().map(|point| (point.role, point.diameter_mm.to_string(), point.z_mm.to_mm())).collect();
     let of = |role, diameter: &str, z| (role, diameter.to_owned(), z);
     let expected = [
@@ -183,7 +183,7 @@ fn the_loop_draws_back_half_a_millimetre() {
         of(SupportPointRole::Retracted, "53", -39.5),
         of(SupportPointRole::Home, "64", 2.0),
     ];
-    assert_eq!(told, expected);
+    assert_eq!(shown, expected);
     assert!(found.uniform, "12.4-23 (l. 490-494): over an open zone the loop leaves it even");
     // By hand: 2·40 in metal, 2·2 before it; rapids 4, √½, 41.5, 2.5, √½, and 41.5 along and 5.5 across at once.
     let measures = found.measures;
@@ -202,9 +202,9 @@ fn against_a_stop_each_step_is_finished_at_its_shoulder() {
     let stock = under_bar(Contour::through(Side::Outer, &points), 30.0);
     let found = made(&stock, 2.0, Scheme::LoopAgainstStop, 0.8);
     let ends = found.points.iter().filter(|point| point.role == SupportPointRole::End);
-    let told: Vec<_> = ends.map(|point| (point.diameter_mm.to_string(), point.z_mm.to_mm())).collect();
+    let shown: Vec<_> = ends.map(|point| (point.diameter_mm.to_string(), point.z_mm.to_mm())).collect();
     let expected = [("58", -45.0), ("54", -25.0), ("50", -25.0), ("46", -10.0), ("42", -10.0), ("40", -10.0)];
-    assert_eq!(told, expected.map(|(diameter, z)| (diameter.to_owned(), z)));
+    assert_eq!(shown, expected.map(|(diameter, z)| (diameter.to_owned(), z)));
     assert!(found.uniform);
     let loose = made(&stock, 2.0, Scheme::Loop, 0.8);
     assert_eq!(loose.ridges_mm, mm(1.0), "without stops 26 - 25 = 1 mm stays over the second step");
@@ -218,7 +218,7 @@ fn against_a_stop_each_step_is_finished_at_its_shoulder() {
 fn the_zigzag_cuts_both_ways() {
     let points = [at(30.0, 0.0), at(26.0, 8.0), at(26.0, 20.0), at(30.0, 28.0)];
     let found = made(&under_bar(Contour::through(Side::Outer, &points), 30.0), 2.0, Scheme::Zigzag, 0.8);
-    let told: Vec<_> = found
+    let shown: Vec<_> = found
         .points
         .iter()
         .skip(1)
@@ -236,7 +236,7 @@ fn the_zigzag_cuts_both_ways() {
         of(Purpose::Rapid, "64", -8.0),
         of(Purpose::Rapid, "64", 2.0),
     ];
-    assert_eq!(told, expected);
+    assert_eq!(shown, expected);
     // The ridge of the second level is gone, that of the first stays on the far flank: 30 - 28.
     assert_eq!(found.ridges_mm, mm(2.0));
 }
@@ -362,8 +362,8 @@ fn keeps_the_laws(stock: &Stock, found: &Transition) -> Result<section::Worked, 
     let worked = work_off(stock, &found.path, found.edge);
     prop_assert!(worked.below < ROUNDING, "{:?} cuts {} mm below the contour", scheme, worked.below);
     prop_assert!(worked.hit < ROUNDING, "{:?}: a rapid goes {} mm into metal", scheme, worked.hit);
-    let told = found.ridges_mm.to_mm();
-    prop_assert!(worked.left < told + 2.0 * ROUNDING, "{:?} leaves {} mm, not {}", scheme, worked.left, told);
+    let ridges = found.ridges_mm.to_mm();
+    prop_assert!(worked.left < ridges + 2.0 * ROUNDING, "{:?} leaves {} mm, not {}", scheme, worked.left, ridges);
     let left = left(stock, found);
     // What is told to stand is what the columns say, to a hundredth. Near where an arc is upright rounding is more across.
     for ((z, height), (least, most)) in

@@ -78,13 +78,13 @@ fn diameter(
     let id = Id::new(Scope::Row(at), Q::Diameter);
     let field = context.field(id);
     // Another check has already found the diameter wrong, such as that of an opening.
-    let told = findings.iter().any(|one| {
+    let already_reported = findings.iter().any(|one| {
         one.field == field
             && one.follows_from.is_empty()
             && one.severity <= Severity::Wrong
             && one.kind == FindingKind::Opening
     });
-    if told {
+    if already_reported {
         return Ok(vec![field]);
     }
     let roots = roots::of_figure(graph, id);

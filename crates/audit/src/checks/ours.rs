@@ -41,12 +41,12 @@ pub(super) fn check<'a>(
         }
     }
     // What a formula or another check reported is not repeated.
-    let told = |finding: &AuditFinding| {
+    let is_reported = |finding: &AuditFinding| {
         findings
             .iter()
             .any(|other| other.line.is_some() && other.line == finding.line && other.column == finding.column)
     };
-    let new: Vec<AuditFinding> = known.found.into_iter().filter(|finding| !told(finding)).collect();
+    let new: Vec<AuditFinding> = known.found.into_iter().filter(|finding| !is_reported(finding)).collect();
     findings.extend(new);
     Ok(())
 }

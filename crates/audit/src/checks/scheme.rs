@@ -92,17 +92,17 @@ impl Group<'_, '_> {
     /// Checks every scheme that a row names: whether the tables permit it, and whether the other rows name the same.
     /// Returns whether the transitions must still be judged.
     fn names(&self, findings: &mut Vec<AuditFinding>) -> Result<bool, KnowledgeError> {
-        let mut told: Vec<&str> = Vec::new();
+        let mut reported: Vec<&str> = Vec::new();
         // The scheme of the group: the first permitted one that rows name.
         let schemes = || self.rows.iter().filter_map(|(_, row)| Some((*row, row.scheme.as_ref()?)));
         let own = schemes().map(|(_, scheme)| &scheme.value).find(|name| self.weighed(name) || self.printed(name));
         let mut judged = true;
         for (row, scheme) in schemes() {
             let name = scheme.value.as_str();
-            if told.iter().any(|known| same_scheme(known, name)) {
+            if reported.iter().any(|known| same_scheme(known, name)) {
                 continue;
             }
-            told.push(name);
+            reported.push(name);
             if self.weighed(name) {
                 if let Some(own) = own.filter(|own| !same_scheme(own, name)) {
                     let note = Note::new("audit-scheme-mixed").with("stated", name).with("other", own);
@@ -137,7 +137,7 @@ impl Group<'_, '_> {
 
     /// Checks every table that a row names with its scheme.
     fn tables(&self, findings: &mut Vec<AuditFinding>) {
-        let mut told: Vec<(&str, &str)> = Vec::new();
+        let mut reported: Vec<(&str, &str)> = Vec::new();
         for (_, row) in self.rows {
             let (Some(scheme), Some(table)) = (&row.scheme, &row.table) else { continue };
             let pair = (scheme.value.as_str(), table.value.as_str());
@@ -146,10 +146,10 @@ impl Group<'_, '_> {
             let known = printed
                 || fits((&self.route.scheme, &self.route.table))
                 || self.route.alternatives.iter().any(|other| fits((&other.scheme, &other.table)));
-            if known || told.contains(&pair) || !self.weighed(pair.0) {
+            if known || reported.contains(&pair) || !self.weighed(pair.0) {
                 continue;
             }
-            told.push(pair);
+            reported.push(pair);
             let note = Note::new("audit-scheme-table").with("stated", &table.value);
             findings
                 .push(self.finding(Severity::Wrong, row, "table", note).with_values(&table.value, &self.route.table));

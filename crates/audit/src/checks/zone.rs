@@ -192,8 +192,8 @@ impl ZoneCheck<'_, '_> {
         let bounded = least.filter(|_| nose > longest.stroke.passes_from());
         for one in reaches {
             let way = one.stroke.travel(nose);
-            let told = found.iter().any(|(tool, _)| *tool == longest.tool || *tool == one.tool);
-            if way <= machine.travel_z || told {
+            let is_reported = found.iter().any(|(tool, _)| *tool == longest.tool || *tool == one.tool);
+            if way <= machine.travel_z || is_reported {
                 continue;
             }
             let fits = one.stroke.length + way - machine.travel_z;

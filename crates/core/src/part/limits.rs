@@ -126,8 +126,8 @@ mod tests {
 
     /// The part, or each problem with its code and place.
     fn read(text: &str) -> Result<Part, Vec<String>> {
-        let told = |one: &crate::knowledge::Diagnostic| one.text(|note| Lang::EN.say(note));
-        read_part("p", text, &shipped::knowledge().unwrap()).map_err(|problems| problems.iter().map(told).collect())
+        let text_of = |one: &crate::knowledge::Diagnostic| one.text(|note| Lang::EN.say(note));
+        read_part("p", text, &shipped::knowledge().unwrap()).map_err(|problems| problems.iter().map(text_of).collect())
     }
 
     fn refused(text: &str) -> String {
@@ -146,12 +146,12 @@ mod tests {
         let part = read(&text(10_000)).unwrap();
         assert_eq!(part.holes.iter().map(|hole| hole.at.len()).sum::<usize>(), MOST_POINTS);
         assert_eq!(part.beyond_bounds(), None);
-        let told = refused(&text(10_001));
-        assert!(told.contains("the part has 20001 points, and may have 20000 [too-many-points]; "), "{told}");
-        assert!(told.starts_with("p:8:"), "at the pattern: {told}");
+        let messages = refused(&text(10_001));
+        assert!(messages.contains("the part has 20001 points, and may have 20000 [too-many-points]; "), "{messages}");
+        assert!(messages.starts_with("p:8:"), "at the pattern: {messages}");
         // Reported once, though the pattern after the list is too large as well.
-        let told = refused(&text(100_000));
-        assert!(told.contains("the part has 100000 points") && told.starts_with("p:7:"), "{told}");
+        let messages = refused(&text(100_000));
+        assert!(messages.contains("the part has 100000 points") && messages.starts_with("p:7:"), "{messages}");
         let mut part = part;
         let again = part.holes[1].at.clone();
         part.holes[0].at.extend(again);
@@ -166,9 +166,9 @@ mod tests {
             format!("{HEAD}holes:\n{}", groups.collect::<String>().replace("[10, ", "[100, "))
         };
         assert_eq!(read(&text(390)).unwrap().holes.len(), 390);
-        let told = refused(&text(MOST_KINDS + 1).replace("4000, width: 4000", "9000, width: 9000"));
-        assert!(told.contains("has 501 kinds of holes, and may have 500 [too-many-kinds]; "), "{told}");
-        assert!(told.starts_with(&format!("p:{}:5: ", 6 + MOST_KINDS + 1)), "{told}");
+        let messages = refused(&text(MOST_KINDS + 1).replace("4000, width: 4000", "9000, width: 9000"));
+        assert!(messages.contains("has 501 kinds of holes, and may have 500 [too-many-kinds]; "), "{messages}");
+        assert!(messages.starts_with(&format!("p:{}:5: ", 6 + MOST_KINDS + 1)), "{messages}");
         assert_eq!(read(&text(MOST_KINDS).replace("4000, width: 4000", "9000, width: 9000")).unwrap().holes.len(), 500);
     }
 
@@ -184,9 +184,9 @@ mod tests {
         };
         let part = read(&text(MOST_STEPS, MOST_CLAMPS)).unwrap();
         assert_eq!((part.holes[0].steps.len(), part.fixture.clamps.len()), (MOST_STEPS, MOST_CLAMPS));
-        let told = refused(&text(MOST_STEPS + 1, 1));
-        assert!(told.contains("has 51 steps, and may have 50 [too-many-steps]; "), "{told}");
-        let told = refused(&text(1, MOST_CLAMPS + 1));
-        assert!(told.contains("has 101 clamps, and may have 100 [too-many-clamps]; "), "{told}");
+        let messages = refused(&text(MOST_STEPS + 1, 1));
+        assert!(messages.contains("has 51 steps, and may have 50 [too-many-steps]; "), "{messages}");
+        let messages = refused(&text(1, MOST_CLAMPS + 1));
+        assert!(messages.contains("has 101 clamps, and may have 100 [too-many-clamps]; "), "{messages}");
     }
 }

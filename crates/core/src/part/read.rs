@@ -384,8 +384,8 @@ holes:
         let knowledge = crate::shipped::knowledge().unwrap();
         for (written, example) in [("10,5H7", "`10.5H7`"), ("Ø10,5", "`10.5`"), ("tenH7", "`10H12`")] {
             let why = super::super::ToleratedDiameter::parse(written, &knowledge).unwrap_err();
-            let told = technolog_words::Lang::EN.say(&why);
-            assert!(told.ends_with(&format!("write {example}")), "{written}: {told}");
+            let message = technolog_words::Lang::EN.say(&why);
+            assert!(message.ends_with(&format!("write {example}")), "{written}: {message}");
         }
     }
 

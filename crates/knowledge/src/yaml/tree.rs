@@ -306,12 +306,12 @@ mod tests {
                 [format!("a: 1\nb: x{sign}y\n"), format!("a: 1\nb: \"x{sign}y\"\n"), format!("a: 1\nb{sign}: 1\n")]
             {
                 let (_, problems) = parse("t.yaml", &text);
-                let told: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
+                let texts: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
                 assert!(
-                    told[0].starts_with("t.yaml:2:") && told[0].contains("[control-character]"),
-                    "{text:?}: {told:?}"
+                    texts[0].starts_with("t.yaml:2:") && texts[0].contains("[control-character]"),
+                    "{text:?}: {texts:?}"
                 );
-                assert!(told[0].contains(shown) && told.len() == 1, "{told:?}");
+                assert!(texts[0].contains(shown) && texts.len() == 1, "{texts:?}");
             }
         }
         let (_, problems) = parse("t.yaml", "\"a\\nb\": 1\n\"c\\e\": 1\n");
@@ -369,16 +369,16 @@ mod tests {
             assert!(root.is_some() && problems.iter().all(|one| one.code == "duplicate-key"), "{text}");
             let (root, problems) = parse_within(99, "t.yaml", &text);
             assert!(root.is_none());
-            let told = problems.last().unwrap().text(|note| Lang::EN.say(note));
-            assert!(told.contains("the file has more than 99 values [too-many-values]; "), "{told}");
+            let message = problems.last().unwrap().text(|note| Lang::EN.say(note));
+            assert!(message.contains("the file has more than 99 values [too-many-values]; "), "{message}");
             let line = text.lines().count();
-            assert!(told.starts_with(&format!("t.yaml:{line}:")), "{told}");
+            assert!(message.starts_with(&format!("t.yaml:{line}:")), "{message}");
         }
     }
 
     #[test]
     fn a_text_beyond_the_bound_is_not_parsed() {
-        let told = refused(&" ".repeat(MOST_BYTES + 1));
-        assert!(told.starts_with("t.yaml:1:1: the file is larger than 32 MB [too-large]; "), "{told}");
+        let problems = refused(&" ".repeat(MOST_BYTES + 1));
+        assert!(problems.starts_with("t.yaml:1:1: the file is larger than 32 MB [too-large]; "), "{problems}");
     }
 }

@@ -64,7 +64,7 @@ pub fn operation_page(
 pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
     let line = |(index, program): (usize, &OperationProgram)| {
         let tools: Vec<String> = program.places.iter().map(|place| format!("T{place}")).collect();
-        let told = say!(
+        let summary = say!(
             lang,
             "turn-program",
             number = index + 1,
@@ -73,8 +73,8 @@ pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
             tools = tools.join(", ")
         );
         match &program.files {
-            Ok(_) => format!("{told}\n"),
-            Err(error) => format!("{}\n", say!(lang, "turn-program-not-written", program = told, why = error.note())),
+            Ok(_) => format!("{summary}\n"),
+            Err(error) => format!("{}\n", say!(lang, "turn-program-not-written", program = summary, why = error.note())),
         }
     };
     programs.iter().enumerate().map(line).collect()

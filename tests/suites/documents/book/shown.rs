@@ -62,16 +62,16 @@ fn printed(block: &Block, shell: &mut Shell) -> Result<Vec<String>, String> {
         if !is_run(command) {
             return Err(format!("`{command}` is not run"));
         }
-        let told = shell.run(command);
+        let output = shell.run(command);
         let code_is_shown = commands.get(number + 1) == Some(&"echo $?");
         if shell.code > 1 && !code_is_shown {
-            return Err(format!("`{command}` ends with {}:\n{told}", shell.code));
+            return Err(format!("`{command}` ends with {}:\n{output}", shell.code));
         }
         let writes = command.contains(" -o ") || command.contains(" > ");
-        if told.trim().is_empty() && !writes {
+        if output.trim().is_empty() && !writes {
             return Err(format!("`{command}` shows nothing: has a word changed that it looks for?"));
         }
-        lines.extend(told.trim_end().lines().map(str::to_owned));
+        lines.extend(output.trim_end().lines().map(str::to_owned));
     }
     Ok(lines)
 }
@@ -80,9 +80,9 @@ fn printed(block: &Block, shell: &mut Shell) -> Result<Vec<String>, String> {
 fn carry_out(block: &Block, shell: &mut Shell) -> Result<(), String> {
     let text = block.text().replace("\\\n", " ");
     for command in text.lines().filter(|line| is_run(line)) {
-        let told = shell.run(command);
+        let output = shell.run(command);
         if shell.code > 1 {
-            return Err(format!("`{command}` ends with {}:\n{told}", shell.code));
+            return Err(format!("`{command}` ends with {}:\n{output}", shell.code));
         }
     }
     Ok(())

@@ -64,11 +64,11 @@ pub(super) fn check<'a>(
     match (as_stated, job) {
         (Ok(plan), Some(job)) if is_run(&run.faults, &run.steps) => {
             judged::setting(context, graph, &plan, &setting, &mut seen);
-            let told = proven(context, &plan, &job, &set, &run)?;
+            let deviations = proven(context, &plan, &job, &set, &run)?;
             // Where the program agrees with the corrected plan, a deviation follows from the slips of the plan.
             let slips = graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine));
-            let by_right = if slips && !told.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
-            for said in told {
+            let by_right = if slips && !deviations.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
+            for said in deviations {
                 let own = by_right.as_ref().is_none_or(|known| known.contains(&key(&said)));
                 judged::deviation(context, graph, &plan, said, own, &file, &mut seen)?;
             }
@@ -124,15 +124,15 @@ fn proven(
     let says = |quantity| context.stated.tools.iter().any(|tool| tool.figures.contains_key(&quantity));
     let own_correctors = !says(Q::Corrector) && !says(Q::Correction);
     let input = ProofInput { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
-    let mut told = prove(&run.steps, &input).findings;
+    let mut findings = prove(&run.steps, &input).findings;
     // A plan as stated says nothing of coolant.
-    told.retain(|said| {
+    findings.retain(|said| {
         !matches!(
             said.code,
             Code::CoolantMissing | Code::CoolantSuperfluous | Code::CoolantAtChange | Code::CoolantAtEnd
         )
     });
-    Ok(told)
+    Ok(findings)
 }
 
 /// The key by which two deviations are distinguished, whatever the plan says.

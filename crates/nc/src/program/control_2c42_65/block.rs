@@ -74,7 +74,7 @@ impl Maker<'_> {
 
     /// Reports a fault, once however often the block is repeated.
     fn tell_fault(&mut self, fault: Fault) {
-        if !self.faults.iter().any(|told| told.code == fault.code && told.span == fault.span) {
+        if !self.faults.iter().any(|reported| reported.code == fault.code && reported.span == fault.span) {
             self.faults.push(fault);
         }
     }
@@ -340,11 +340,11 @@ impl Maker<'_> {
         let mirrored = self.state.sign(a, self.setting) * self.state.sign(b, self.setting);
         let side = if function == 41 { mirrored } else { -mirrored };
         let offset = value.to_mm() * side as f64;
-        let told = active || self.state.compensator.active();
+        let changes_side = active || self.state.compensator.active();
         let begin = self.steps.len();
         let flushed = self.state.compensator.set(plane, offset, &mut self.steps);
         self.emit(begin, flushed, span);
-        if told {
+        if changes_side {
             let side = match (active, side > 0) {
                 (false, _) => Side::Off,
                 (true, true) => Side::Left,

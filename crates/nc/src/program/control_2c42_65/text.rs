@@ -344,13 +344,13 @@ mod tests {
     /// What a text without any word of its own says, and how.
     #[test]
     fn characters_that_do_not_show_are_named_and_a_mark_of_encoding_is_none() {
-        let told = |text: &str| -> Vec<(String, u32)> {
+        let faults_of = |text: &str| -> Vec<(String, u32)> {
             let figure = |fault: &Fault| {
                 fault.note.figures().next().map(|(_, value)| value.text().into_owned()).unwrap_or_default()
             };
             read(text).1.iter().map(|fault| (format!("{} {}", fault.code, figure(fault)), fault.span.column)).collect()
         };
-        assert_eq!(told("\u{feff}%\r\nN1 X1\r\n"), []);
+        assert_eq!(faults_of("\u{feff}%\r\nN1 X1\r\n"), []);
         assert_eq!(read("\u{feff}N1 X1").0[0].words[0].span.column, 5);
         for (text, says, column) in [
             ("N1 X1\0", "unknown-character U+0000", 6),
@@ -366,7 +366,7 @@ mod tests {
             (":01 :02", "word-twice :", 5),
             (":-01", "number-out-of-range :", 1),
         ] {
-            assert!(told(text).contains(&(says.to_owned(), column)), "{text:?}: {:?}", told(text));
+            assert!(faults_of(text).contains(&(says.to_owned(), column)), "{text:?}: {:?}", faults_of(text));
         }
     }
 

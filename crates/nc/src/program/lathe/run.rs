@@ -67,7 +67,7 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
         state: State::power_on(language),
         motions: Vec::new(),
         faults: Vec::new(),
-        told: BTreeSet::new(),
+        reported: BTreeSet::new(),
         left: BUDGET,
     };
     if !faults.iter().any(Fault::is_error) {
@@ -170,7 +170,7 @@ struct Run<'a> {
     state: State,
     motions: Vec<LatheMotion>,
     faults: Vec<Fault>,
-    told: BTreeSet<(u32, u32, &'static str)>,
+    reported: BTreeSet<(u32, u32, &'static str)>,
     left: usize,
 }
 
@@ -193,7 +193,7 @@ impl Run<'_> {
     }
 
     fn report(&mut self, fault: Fault) {
-        if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
+        if self.reported.insert((fault.span.line, fault.span.column, fault.code)) {
             self.faults.push(fault);
         }
     }

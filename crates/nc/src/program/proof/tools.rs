@@ -172,7 +172,7 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
         .filter_map(|(tool, counts)| Some((*tool, *counts.iter().max_by_key(|(_, count)| **count)?.0)))
         .collect();
     let mut findings = Vec::new();
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     for cut in &made.cuts {
         let Some(plan) = tools.of_section(cut.section) else { continue };
         let Some(own) = input.plan.tools.iter().find(|tool| tool.number == plan) else { continue };
@@ -223,7 +223,7 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
             findings.push(say(Code::NoCorrection, Severity::Error));
         } else if value == -own.correction_mm && value != Micrometres::ZERO {
             findings.push(say(Code::WrongSign, Severity::Error));
-        } else if value != own.correction_mm && told.insert(cut.tool) {
+        } else if value != own.correction_mm && reported.insert(cut.tool) {
             findings.push(say(Code::CorrectionOtherwise, Severity::Doubtful));
         }
     }

@@ -31,18 +31,18 @@ pub(super) fn schemes(
     page.paragraph(reasoned(&work.because, lang));
     page.push(compared(work, lang));
     let even = work.quickest_even.as_ref().filter(|even| Some(*even) != work.quickest.as_ref());
-    let mut told: Vec<Inlines> = Vec::new();
-    told.extend(work.quickest.iter().map(|best| note_line(&best.note, lang)));
-    told.extend(even.map(|best| Inlines::sentence(&say!(lang, "turn-even", best = &best.note))));
-    told.extend(work.refused.iter().map(|refused| {
+    let mut items: Vec<Inlines> = Vec::new();
+    items.extend(work.quickest.iter().map(|best| note_line(&best.note, lang)));
+    items.extend(even.map(|best| Inlines::sentence(&say!(lang, "turn-even", best = &best.note))));
+    items.extend(work.refused.iter().map(|refused| {
         let scheme = word(refused.scheme.name());
         Inlines::sentence(&say!(lang, "turn-scheme-refused", scheme = scheme, why = &refused.why))
     }));
     if let Some(taken) = work.transition() {
         let points: Vec<&str> = taken.points.iter().map(|point| point.name.as_str()).collect();
-        told.push(say!(lang, "turn-support-points", points = points.join(", ")).into());
+        items.push(say!(lang, "turn-support-points", points = points.join(", ")).into());
     }
-    page.blocks.push(Block::List(told.into_iter().map(Item::from).collect()));
+    page.blocks.push(Block::List(items.into_iter().map(Item::from).collect()));
 }
 
 /// Feed and speed with the loads; empty if they are not known.

@@ -48,21 +48,21 @@ pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
     let mut zones = table(columns, operation.zones().map(row).collect(), lang);
     zones.notes.push(lang.say(&Note::new("turn-zones-key")).into());
     page.push(zones);
-    let mut told: Vec<Item> = Vec::new();
+    let mut items: Vec<Item> = Vec::new();
     for (set_up, side, one) in operation.zones() {
         let name = place(set_up, side, one, lang);
         if let Some(limit) = one.depth.as_ref().and_then(|depth| depth.limit.as_ref()) {
-            told.push(limits(&name, limit, lang).into());
+            items.push(limits(&name, limit, lang).into());
         }
         if let Some(returns) = one.returns.filter(|returns| returns.saved > 0) {
             let note = Note::new("returns-saved").with("depth", returns.depth_mm);
             let note = note.with("joined", returns.joined).with("split", returns.split);
-            told.push(say!(lang, "turn-of-zone", zone = name.as_str(), said = note).into());
+            items.push(say!(lang, "turn-of-zone", zone = name.as_str(), said = note).into());
         }
-        told.extend(one.fit.refused.iter().map(|one| refused_tool(&name, &one.tool, &one.why, lang)));
+        items.extend(one.fit.refused.iter().map(|one| refused_tool(&name, &one.tool, &one.why, lang)));
     }
-    if !told.is_empty() {
-        page.blocks.push(Block::List(told));
+    if !items.is_empty() {
+        page.blocks.push(Block::List(items));
     }
 }
 
@@ -83,7 +83,7 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
         span(lang.say(&Note::new("turn-depth-of-pass")), mm),
         Column::text(say!(lang, "turn-scheme")),
     ];
-    let (mut rows, mut told) = (Vec::new(), Vec::new());
+    let (mut rows, mut items) = (Vec::new(), Vec::new());
     let sides = operation.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)));
     for (set_up, side) in sides {
         for one in side.hollows.iter().flat_map(|hollow| &hollow.zones) {
@@ -95,18 +95,18 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
                 to = z(one.zone.to_z, lang)
             );
             if one.tool.is_none() {
-                told.extend(one.fit.refused.iter().map(|one| refused_tool(&span, &one.tool, &one.why, lang)));
+                items.extend(one.fit.refused.iter().map(|one| refused_tool(&span, &one.tool, &one.why, lang)));
             }
             let depth = one.depth.as_ref();
             if let Some(limit) = depth.and_then(|depth| depth.limit.as_ref()) {
-                told.push(limits(&span, limit, lang).into());
+                items.push(limits(&span, limit, lang).into());
             }
             for work in &one.works {
                 let because = work.pace.conditions.iter().flat_map(|found| &found.because);
                 let nose_bound = because.into_iter().find(|one| is_nose_bound(one));
-                told.extend(nose_bound.map(|nose_bound| Item::from(reasoned(nose_bound, lang))));
+                items.extend(nose_bound.map(|nose_bound| Item::from(reasoned(nose_bound, lang))));
             }
-            told.dedup();
+            items.dedup();
             let mut row: Vec<Cell> =
                 vec![Cell::count(usize::from(set_up.set_up.number)), lang.term("turn-side", side.side.name()).into()];
             row.extend(bounds(one, lang));
@@ -126,8 +126,8 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
     let mut zones = table(columns, rows, lang);
     zones.notes.push(lang.say(&Note::new("turn-zones-key")).into());
     page.push(zones);
-    if !told.is_empty() {
-        page.blocks.push(Block::List(told));
+    if !items.is_empty() {
+        page.blocks.push(Block::List(items));
     }
 }
 
