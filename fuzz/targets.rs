@@ -208,9 +208,9 @@ fn inside<'p>(places: impl Iterator<Item = Option<&'p Place>>, text: &str) {
 /// Sentences have words in both languages, and no name of a figure stands where the figure should.
 fn in_words<'n>(notes: impl Iterator<Item = &'n Note>, text: &str) {
     for (note, lang) in notes.take(MOST_SAID).flat_map(|note| LANGS.map(|lang| (note, lang))) {
-        let said = lang.say(note);
-        assert!(!said.is_empty(), "{note} has no words");
-        assert!(!said.contains("{$") && !said.contains("{ $") || text.contains('$'), "{said}");
+        let sentence = lang.say(note);
+        assert!(!sentence.is_empty(), "{note} has no words");
+        assert!(!sentence.contains("{$") && !sentence.contains("{ $") || text.contains('$'), "{sentence}");
     }
 }
 

@@ -131,10 +131,10 @@ fn problem_text(
         Severity::Warning => "cli-warning",
         Severity::Note => "cli-note",
     });
-    let said = |note: &Note| cleaned(&lang.say(note)).chars().take(LONGEST).collect::<String>();
-    let help = problem.help.as_ref().map(|help| format!("{}: {}", lang.word("cli-help"), said(help)));
+    let words = |note: &Note| cleaned(&lang.say(note)).chars().take(LONGEST).collect::<String>();
+    let help = problem.help.as_ref().map(|help| format!("{}: {}", lang.word("cli-help"), words(help)));
     let code = if problem.code.is_empty() { String::new() } else { format!("[{}]", problem.code) };
-    let title = folded(&format!("{level}{code}: {}", said(&problem.message)), 2, width);
+    let title = folded(&format!("{level}{code}: {}", words(&problem.message)), 2, width);
     let Some(place) = &problem.place else {
         // Below a line of a file the help belongs to its frame; otherwise it is a line of its own.
         let help = help.map(|help| folded(&help, 2, width));

@@ -95,11 +95,11 @@ impl Screen {
     /// The terminal, otherwise a file or a pipe; `COLUMNS` gives the width of either.
     pub fn of(file: Option<&Path>) -> Self {
         let terminal = io::stdout().is_terminal() && file.is_none();
-        let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse::<usize>().ok());
+        let stated = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse::<usize>().ok());
         let seen = || terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
-        let width = said.or_else(|| if terminal { seen() } else { None }).unwrap_or(USUAL_WIDTH);
+        let width = stated.or_else(|| if terminal { seen() } else { None }).unwrap_or(USUAL_WIDTH);
         let colour = terminal && std::env::var_os("NO_COLOR").is_none();
-        Self { width: width.max(NARROWEST), colour, narrow: terminal || said.is_some() }
+        Self { width: width.max(NARROWEST), colour, narrow: terminal || stated.is_some() }
     }
 }
 

@@ -99,7 +99,7 @@ pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic
 
 /// The proof with its texts.
 pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
-    let said = |finding: &'a ProgramFinding| ProofMessage {
+    let with_words = |finding: &'a ProgramFinding| ProofMessage {
         message: context.lang.say(&finding.note),
         help: context.lang.remedy(&finding.note),
         finding,
@@ -108,7 +108,7 @@ pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
         visits: &proof.visits,
         missing: &proof.missing,
         superfluous: &proof.superfluous,
-        findings: proof.findings.iter().map(said).collect(),
+        findings: proof.findings.iter().map(with_words).collect(),
     }
 }
 

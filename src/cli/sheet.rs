@@ -167,16 +167,16 @@ fn symbol(column: &Column, lang: Lang) -> String {
 /// The permitted values of a column, as written in a query.
 fn about(column: &Column, lang: Lang) -> Vec<String> {
     let mut about = Vec::new();
-    let said = |key: &str| lang.word(key).to_owned();
+    let word = |key: &str| lang.word(key).to_owned();
     match column.role {
         ColumnRole::Field => {}
-        ColumnRole::Input => about.push(said("cli-input")),
-        ColumnRole::Output => about.push(said("cli-output")),
+        ColumnRole::Input => about.push(word("cli-input")),
+        ColumnRole::Output => about.push(word("cli-output")),
     }
     about.push(shown::expected(lang, column));
     about.extend(column.domain_text.as_deref().map(|domain| shown::test(lang, column, domain)));
-    about.extend(column.list.then(|| said("cli-list")));
-    about.extend(column.optional.then(|| said("cli-optional")));
+    about.extend(column.list.then(|| word("cli-list")));
+    about.extend(column.optional.then(|| word("cli-optional")));
     let default = column.default.as_ref().map(|value| super::record::bare(column, value));
     about.extend(default.map(|value| say!(lang, "cli-default-is", value = value)));
     let refers = column.refers.as_ref();
@@ -188,11 +188,11 @@ fn about(column: &Column, lang: Lang) -> Vec<String> {
 /// joined.
 pub fn row_remarks(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     let corrections = |row: &Row| -> Vec<String> {
-        let said = row.corrections.iter().map(|it| {
+        let texts = row.corrections.iter().map(|it| {
             let (column, printed, reason) = (&it.column, &it.printed, lang.remark(&it.reason).into_owned());
             say!(lang, "cli-printed-otherwise", column = column, printed = printed, reason = reason)
         });
-        said.collect()
+        texts.collect()
     };
     let one =
         |text: &Option<String>| -> Vec<String> { text.iter().map(|text| lang.remark(text).into_owned()).collect() };
@@ -203,19 +203,19 @@ pub fn row_remarks(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     by_rows(page, rows, "cli-row-notes", lang, &|row| one(&row.note));
 }
 
-fn by_rows(page: &mut Document, rows: &[RowRef<'_>], head: &str, lang: Lang, said: &dyn Fn(&Row) -> Vec<String>) {
+fn by_rows(page: &mut Document, rows: &[RowRef<'_>], head: &str, lang: Lang, texts_of: &dyn Fn(&Row) -> Vec<String>) {
     let mut rows_of: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for row in rows {
-        for sentence in said(row.row()) {
+        for sentence in texts_of(row.row()) {
             rows_of.entry(sentence).or_default().push(row.number());
         }
     }
-    let mut said: Vec<(Vec<usize>, String)> = rows_of.into_iter().map(|(sentence, rows)| (rows, sentence)).collect();
-    said.sort();
-    let line = |(rows, said): (Vec<usize>, String)| {
-        say!(lang, "table-of-rows", rows = shown::rows_named(lang, &rows), said = said)
+    let mut lines: Vec<(Vec<usize>, String)> = rows_of.into_iter().map(|(sentence, rows)| (rows, sentence)).collect();
+    lines.sort();
+    let line = |(rows, text): (Vec<usize>, String)| {
+        say!(lang, "table-of-rows", rows = shown::rows_named(lang, &rows), said = text)
     };
-    section(page, lang.word(head), said.into_iter().map(line));
+    section(page, lang.word(head), lines.into_iter().map(line));
 }
 
 /// A heading with its lines; nothing if there are no lines.

@@ -120,8 +120,8 @@ pub fn test(lang: Lang, column: &Column, written: &str) -> String {
     if written == "-" {
         return "–".to_owned();
     }
-    let each = |tests: &str, said: &dyn Fn(String) -> String, between: &str| {
-        let tests: Vec<String> = tests.split('|').map(|one| said(test(lang, column, one))).collect();
+    let each = |tests: &str, phrase: &dyn Fn(String) -> String, between: &str| {
+        let tests: Vec<String> = tests.split('|').map(|one| phrase(test(lang, column, one))).collect();
         tests.join(&format!(" {} ", lang.word(between)))
     };
     if let Some(inner) = written.strip_prefix("not(").and_then(|rest| rest.strip_suffix(')')) {

@@ -41,10 +41,10 @@ pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang:
         ErrorKind::InvalidUtf8 => Note::new("usage-not-utf8"),
         _ => return None,
     };
-    let mut said = format!("{}: {}", lang.word("cli-error"), lang.say(&note));
+    let mut message = format!("{}: {}", lang.word("cli-error"), lang.say(&note));
     let mut more = |code: &'static str, values: String| {
         if !values.is_empty() {
-            said.push_str(&format!("\n  {}", lang.say(&Note::new(code).with("values", values))));
+            message.push_str(&format!("\n  {}", lang.say(&Note::new(code).with("values", values))));
         }
     };
     more("usage-possible-values", of(ContextKind::ValidValue));
@@ -55,7 +55,7 @@ pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang:
     let usage = if usage.is_empty() { usage_of(command, arguments) } else { usage };
     let usage = usage.trim().trim_start_matches("Usage:").trim();
     let usage = worded(usage, lang);
-    Some(format!("{said}\n\n{}: {usage}\n\n{}\n", lang.word("help-usage"), lang.word("usage-more")))
+    Some(format!("{message}\n\n{}: {usage}\n\n{}\n", lang.word("help-usage"), lang.word("usage-more")))
 }
 
 /// The usage of the command in the arguments, if they name one.
@@ -143,17 +143,17 @@ mod tests {
                 "помилка: аргумент `--lang <LANG>` вказано більше одного разу",
             ),
         ] {
-            let said = message_of(arguments);
-            assert!(said.starts_with(expected), "{arguments:?}: {said}");
-            assert!(said.contains("\nВикористання: technolog") && !said.contains("error"), "{said}");
-            assert!(!said.contains("OPTIONS") && !said.contains("COMMAND"), "{said}");
+            let text = message_of(arguments);
+            assert!(text.starts_with(expected), "{arguments:?}: {text}");
+            assert!(text.contains("\nВикористання: technolog") && !text.contains("error"), "{text}");
+            assert!(!text.contains("OPTIONS") && !text.contains("COMMAND"), "{text}");
         }
     }
 
     #[test]
     fn the_usage_is_that_of_the_command() {
-        let said = message_of(&["technolog", "order", "x", "--effort", "many"]);
-        assert!(said.contains("\nВикористання: technolog order [ПАРАМЕТРИ] <FILE>\n"), "{said}");
+        let text = message_of(&["technolog", "order", "x", "--effort", "many"]);
+        assert!(text.contains("\nВикористання: technolog order [ПАРАМЕТРИ] <FILE>\n"), "{text}");
     }
 
     #[test]

@@ -316,9 +316,9 @@ impl<'v> Holder<'v, '_> {
         }
         if let Some((severity, place)) = &part.none_from {
             let written = format!("none_from: {}", severity.name());
-            let said = Expected { place: place.clone(), written, what: What::Absent };
+            let absent = Expected { place: place.clone(), written, what: What::Absent };
             for value in values.iter().filter(|value| is_from(value, *severity)) {
-                self.fail(&said, Came::Unwanted(value.clone()));
+                self.fail(&absent, Came::Unwanted(value.clone()));
             }
         }
     }

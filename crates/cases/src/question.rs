@@ -75,9 +75,9 @@ impl Question {
     /// have none that is wrong.
     pub fn hold(&self, expected: &Expected, answer: &Value, case: &Place, knowledge: &Knowledge) -> Vec<Failure> {
         if let (Self::Table(question), Ok(found)) = (self, knowledge.table(self.table())) {
-            let mut said = expected.clone();
-            let about = table::about(&mut said, answer, found);
-            let mut failures = hold(&said, Answer { value: about, vouched: true });
+            let mut expected_rows = expected.clone();
+            let about = table::about(&mut expected_rows, answer, found);
+            let mut failures = hold(&expected_rows, Answer { value: about, vouched: true });
             let why = if failures.is_empty() { Vec::new() } else { question.why(found, expected) };
             failures.iter_mut().for_each(|failure| failure.why.clone_from(&why));
             return failures;
@@ -85,9 +85,9 @@ impl Question {
         let vouched = matches!(self, Self::Part { .. });
         let mut failures = hold(expected, Answer { value: answer, vouched });
         for way in self.findings() {
-            let said = way.iter().try_fold(expected, |expected, key| expected.get(key)).is_some();
+            let is_stated = way.iter().try_fold(expected, |expected, key| expected.get(key)).is_some();
             let list = way.iter().try_fold(answer, |answer, key| answer.get(key)).and_then(Value::as_array);
-            if said {
+            if is_stated {
                 continue;
             }
             let wrong = list.into_iter().flatten().filter(|finding| is_from(finding, Severity::Wrong));

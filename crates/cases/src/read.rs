@@ -157,8 +157,8 @@ impl Reader<'_> {
     /// A misspelt code would never be found among findings that must be absent.
     fn codes(&mut self, findings: &Expected) {
         let What::Some(part) = &findings.what else { return };
-        let said = part.lacks.iter().map(|one| one.get("code").unwrap_or(one));
-        let texts = said.filter_map(|one| match &one.what {
+        let codes = part.lacks.iter().map(|one| one.get("code").unwrap_or(one));
+        let texts = codes.filter_map(|one| match &one.what {
             What::Is(text) => Some((one, text)),
             _ => None,
         });

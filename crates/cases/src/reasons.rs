@@ -60,9 +60,9 @@ pub fn reasons(trail: &[&Value], path: &[String], expected: &Expected) -> Vec<Wh
     Vec::new()
 }
 
-fn because(said: Option<&Value>) -> Vec<Why> {
-    let said = said.and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
-    let read = said.iter().filter_map(|one| serde_json::from_value::<Because>(one.clone()).ok());
+fn because(reasons: Option<&Value>) -> Vec<Why> {
+    let reasons = reasons.and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
+    let read = reasons.iter().filter_map(|one| serde_json::from_value::<Because>(one.clone()).ok());
     read.map(|one| Why::Because(Box::new(one))).collect()
 }
 

@@ -206,7 +206,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
     because.extend(limited.because);
     // As for the speed; where its figures do not say, by the rule.
     let coolant = match draft.coolant {
-        Some(said) => said,
+        Some(needed) => needed,
         None => {
             let (cooled, reason) = shop.coolant(operation)?;
             because.push(reason);

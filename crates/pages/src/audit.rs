@@ -75,8 +75,8 @@ fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&AuditFinding
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 fn headline(finding: &AuditFinding, lang: Lang) -> String {
     let about = words::block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
-    let said = finding_text(finding, lang);
-    let said = match (finding.quantity, &finding.stated, &finding.right) {
+    let text = finding_text(finding, lang);
+    let text = match (finding.quantity, &finding.stated, &finding.right) {
         (Some(quantity), Some(stated), Some(right)) => {
             let right = with_unit(&figure(right, lang), quantity.unit(), lang);
             let off = finding.deviation_percent.filter(|off| off.abs() >= 0.1);
@@ -88,17 +88,17 @@ fn headline(finding: &AuditFinding, lang: Lang) -> String {
             match finding.note.code() {
                 // These notes contain only figures.
                 "audit-figure" | "audit-follows" => figures,
-                _ => say!(lang, "audit-and-so", figures = figures, said = said),
+                _ => say!(lang, "audit-and-so", figures = figures, said = text),
             }
         }
         (Some(_), Some(stated), None) => {
             let figures = say!(lang, "audit-is-stated", stated = figure(stated, lang));
             let figures = say!(lang, "audit-of-figure", what = words::quantity_text(finding, lang), said = figures);
-            say!(lang, "audit-and-so", figures = figures, said = said)
+            say!(lang, "audit-and-so", figures = figures, said = text)
         }
-        _ => said,
+        _ => text,
     };
-    if about.is_empty() { said } else { say!(lang, "audit-about", about = about, said = said) }
+    if about.is_empty() { text } else { say!(lang, "audit-about", about = about, said = text) }
 }
 
 /// The basis of a finding and its consequences.

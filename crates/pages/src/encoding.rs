@@ -84,13 +84,13 @@ pub fn encoding_sheet(
     sheet.part = Some(job.part.clone());
     sheet.instructions = instructions(job, lang);
     let named = written.lines.iter().filter_map(|line| Some((line.work?, line.cycle?))).collect();
-    let mut said = SeenTransitions { named, ..SeenTransitions::default() };
+    let mut seen = SeenTransitions { named, ..SeenTransitions::default() };
     for row in &mut sheet.rows {
         let Some(line) = written.lines.get(row.line - 1) else { continue };
         let Some((at, work)) = line.work.and_then(|at| Some((at, work_of(job, at)?))) else { continue };
         row.transition = match line.role {
-            LineRole::Pause => said.pause(at, work, plan, lang),
-            _ => said.transition(at, work, line.cycle, plan, lang),
+            LineRole::Pause => seen.pause(at, work, plan, lang),
+            _ => seen.transition(at, work, line.cycle, plan, lang),
         };
     }
     Ok(sheet)

@@ -187,8 +187,8 @@ fn time(plan: &Plan, lang: Lang) -> String {
         ("plan-time-hand", time.hand_min, false),
     ];
     let there = parts.iter().filter(|(_, time, always)| *always || time.0 > 0.0);
-    let said = there.map(|(key, time, _)| lang.say(&Note::new(*key).with("time", exactly(time.0, 2))));
-    let parts = said.collect::<Vec<_>>().join(" + ");
+    let texts = there.map(|(key, time, _)| lang.say(&Note::new(*key).with("time", exactly(time.0, 2))));
+    let parts = texts.collect::<Vec<_>>().join(" + ");
     say!(lang, "plan-times", parts = parts, total = exactly(time.total_min.0, 2))
 }
 
@@ -206,10 +206,10 @@ fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
             Severity::Doubtful => (Shown::Doubtful, say!(lang, "plan-doubtful")),
             Severity::Note => (Shown::Note, say!(lang, "plan-note")),
         };
-        let said = match &finding.hole {
+        let text = match &finding.hole {
             Some(hole) => say!(lang, "plan-of-hole", hole = hole.as_str(), finding = finding.note.clone()),
             None => lang.say(&finding.note),
         };
-        page.push(FindingBlock::new(severity, word, Inlines::sentence(&said)));
+        page.push(FindingBlock::new(severity, word, Inlines::sentence(&text)));
     }
 }

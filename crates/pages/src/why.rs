@@ -82,10 +82,10 @@ fn reason_item(reason: &Because, lang: Lang) -> Item {
     let doubt =
         reason.unconfirmed.iter().map(|why| say!(lang, "explain-unconfirmed", why = lang.remark(why).into_owned()));
     let passed = reason.rejected.iter().map(|passed| say!(lang, "explain-not-taken", why = passed.clone()));
-    let items = why.chain(doubt).chain(passed).map(|said| sentence(&said)).collect();
+    let items = why.chain(doubt).chain(passed).map(|text| sentence(&text)).collect();
     Item { items, ..sentence(&decided) }
 }
 
-fn sentence(said: &str) -> Item {
-    Inlines::sentence(said).into()
+fn sentence(text: &str) -> Item {
+    Inlines::sentence(text).into()
 }

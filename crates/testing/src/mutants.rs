@@ -22,7 +22,7 @@ pub struct Mutant {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Run {
     /// Sentences without their places, and how often each is said.
-    pub said: BTreeMap<String, usize>,
+    pub findings: BTreeMap<String, usize>,
     /// Where the axes go and how.
     pub motions: Vec<String>,
     /// What else is switched, in order, by what it is.
@@ -35,10 +35,10 @@ impl Run {
     /// Takes the steps apart into motions and states. What moves nothing and switches nothing is left out, and rapids that
     /// go on along one axis are one. The order of two switches of different kinds does not count: what acts in a cut the
     /// proof has to tell.
-    pub fn of(steps: &[MotionStep], start: Position, said: impl IntoIterator<Item = String>, time: String) -> Self {
+    pub fn of(steps: &[MotionStep], start: Position, findings: impl IntoIterator<Item = String>, time: String) -> Self {
         let mut run = Self { time, ..Self::default() };
-        for sentence in said {
-            *run.said.entry(sentence).or_default() += 1;
+        for sentence in findings {
+            *run.findings.entry(sentence).or_default() += 1;
         }
         for kind in ["spindle stopped", "coolant off"] {
             run.switch(kind.to_owned());
@@ -82,7 +82,7 @@ impl Run {
 
     /// Whether something is said of it that is not said of the other, or is said more often.
     pub fn says_more_than(&self, other: &Self) -> bool {
-        self.said.iter().any(|(sentence, count)| other.said.get(sentence).is_none_or(|before| before < count))
+        self.findings.iter().any(|(sentence, count)| other.findings.get(sentence).is_none_or(|before| before < count))
     }
 
     /// Whether it does the same.

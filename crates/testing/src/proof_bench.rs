@@ -77,10 +77,10 @@ impl ProofBench {
             own_correctors: self.own_correctors,
         };
         let proof = prove(&steps, &input);
-        let said = faults.iter().map(|fault| format!("{:?} {:?}", fault.severity, fault.note));
-        let said =
-            said.chain(proof.findings.iter().map(|finding| format!("{:?} {:?}", finding.severity, finding.note)));
-        let run = Run::of(&steps, self.setting.start, said, format!("{:?}", clock.times()));
+        let texts = faults.iter().map(|fault| format!("{:?} {:?}", fault.severity, fault.note));
+        let texts =
+            texts.chain(proof.findings.iter().map(|finding| format!("{:?} {:?}", finding.severity, finding.note)));
+        let run = Run::of(&steps, self.setting.start, texts, format!("{:?}", clock.times()));
         (faults, proof, run)
     }
 }

@@ -173,9 +173,9 @@ mod tests {
 
     #[test]
     fn plurals_follow_their_number() {
-        for (count, said) in [(1, "1 рядок"), (3, "3 рядки"), (12, "12 рядків"), (21, "21 рядок"), (104, "104 рядки")]
+        for (count, text) in [(1, "1 рядок"), (3, "3 рядки"), (12, "12 рядків"), (21, "21 рядок"), (104, "104 рядки")]
         {
-            assert_eq!(Lang::UK.say(&Note::new("cli-rows-counted").with("count", count)), said);
+            assert_eq!(Lang::UK.say(&Note::new("cli-rows-counted").with("count", count)), text);
         }
     }
 

@@ -70,7 +70,7 @@ impl Lang {
     pub fn say(self, note: &Note) -> String {
         let known = figures_of(note);
         let figures: Vec<(&str, &Figure)> = known.iter().map(|(name, figure)| (*name, &**figure)).collect();
-        let Some(mut said) = self.message(note.code(), None, &figures) else {
+        let Some(mut text) = self.message(note.code(), None, &figures) else {
             let figures: Vec<String> =
                 figures.iter().map(|(name, value)| format!("{name} = {}", value.text())).collect();
             return if figures.is_empty() {
@@ -80,12 +80,12 @@ impl Lang {
             };
         };
         if note.figure("more").is_some() && !self.mentions(note.code(), "more") {
-            said.push_str(&self.message("and-more-alike", None, &figures).unwrap_or_default());
+            text.push_str(&self.message("and-more-alike", None, &figures).unwrap_or_default());
         }
         if note.figure("scheme").is_some() && !self.mentions(note.code(), "scheme") {
-            said = format!("{}: {said}", self.message("of-scheme", None, &figures).unwrap_or_default());
+            text = format!("{}: {text}", self.message("of-scheme", None, &figures).unwrap_or_default());
         }
-        said
+        text
     }
 
     /// The remedy for a note.
@@ -144,7 +144,7 @@ impl Lang {
         let english = with_latin_table_names(source);
         // An address or an id is one word, whatever characters it contains.
         let inside = |letter: char| letter.is_alphanumeric() || "_/-@".contains(letter);
-        let mut said = String::with_capacity(english.len());
+        let mut text = String::with_capacity(english.len());
         let (mut rest, mut before) = (&*english, ' ');
         // Between lines and pages a hyphen means `to`; elsewhere it belongs to a designation.
         let mut in_numbers = false;
@@ -164,11 +164,11 @@ impl Lang {
                     (first.len_utf8(), if in_numbers && first == '-' { "–" } else { &rest[..first.len_utf8()] })
                 }
             };
-            said.push_str(put);
+            text.push_str(put);
             before = rest[..length].chars().next_back().unwrap_or(' ');
             rest = &rest[length..];
         }
-        said
+        text
     }
 
     fn plain(self, key: &str, form: Option<&str>) -> Option<&'static str> {

@@ -55,16 +55,16 @@ fn sum(runs: &[CaseFileRun], lang: Lang) -> String {
     let unusable = runs.iter().filter(|run| !run.mistakes.is_empty()).count();
     let (files, cases) =
         (say!(lang, "test-files-counted", count = runs.len()), say!(lang, "test-cases-counted", count = cases));
-    let mut said = match failed {
+    let mut text = match failed {
         // In a file that was not read, no case passed.
         0 if unusable > 0 => say!(lang, "test-none-failed", files = files, cases = cases),
         0 => say!(lang, "test-all-as-expected", files = files, cases = cases),
         _ => say!(lang, "test-some-failed", files = files, cases = cases, failed = failed),
     };
     if unusable > 0 {
-        said.push_str(&say!(lang, "test-unusable-files", count = unusable));
+        text.push_str(&say!(lang, "test-unusable-files", count = unusable));
     }
-    said
+    text
 }
 
 /// The origin of the expectation.
@@ -130,10 +130,10 @@ pub fn why(reason: &Why, lang: Lang) -> String {
 }
 
 fn decision(because: &Because, lang: Lang) -> String {
-    let said = if because.note.is_empty() { lang.place(&because.place) } else { lang.say(&because.note) };
+    let text = if because.note.is_empty() { lang.place(&because.place) } else { lang.say(&because.note) };
     match because.row {
-        Some(row) => say!(lang, "test-row", table = &because.table, row = row, said = said),
-        None => say!(lang, "test-table", table = &because.table, said = said),
+        Some(row) => say!(lang, "test-row", table = &because.table, row = row, said = text),
+        None => say!(lang, "test-table", table = &because.table, said = text),
     }
 }
 

@@ -272,11 +272,11 @@ fn names_stand_in_the_files_where_the_page_says() {
     let mut seen = 0;
     for title in titles() {
         for item in files(title).iter().filter(|item| OF_CODE.contains(&title) || is_code(&item.paths)) {
-            let said = quoted(&item.said);
-            for name in said.iter().filter(|name| !is_path(name)) {
+            let quotations = quoted(&item.instruction);
+            for name in quotations.iter().filter(|name| !is_path(name)) {
                 seen += 1;
                 let in_heads = item.paths.iter().all(|path| text(path).contains(name.as_str()));
-                let elsewhere = said.iter().any(|path| is_path(path) && text(path).contains(name.as_str()));
+                let elsewhere = quotations.iter().any(|path| is_path(path) && text(path).contains(name.as_str()));
                 assert!(in_heads || elsewhere, "{title}: {name} is not in {:?}", item.paths);
             }
         }

@@ -199,13 +199,13 @@ fn a_wrong_correction_names_the_tool_whose_it_is() {
     let programs = right();
     let (_, text, bench) = programs.iter().find(|(known, ..)| known == "plate").unwrap();
     let (_, proof, _) = bench.run(&CONTROL, &text.replacen(" H2", " H1", 1));
-    let said = proof.findings.iter().find(|finding| finding.code.name() == "wrong-correction").unwrap();
-    let message = Lang::EN.say(&said.note);
+    let wrong = proof.findings.iter().find(|finding| finding.code.name() == "wrong-correction").unwrap();
+    let message = Lang::EN.say(&wrong.note);
     assert!(
         message.starts_with("T2 cuts with H1 = ") && message.contains(", the offset of T1, and its correction is H2 = "),
         "{message}"
     );
-    let message = Lang::UK.say(&said.note);
+    let message = Lang::UK.say(&wrong.note);
     assert!(message.starts_with("T2 ріже з H1 = ") && message.contains(", коректором T1, а його корекція H2 = "), "{message}");
 }
 
@@ -283,7 +283,7 @@ fn appendix_g_is_held_against_its_part() {
     // As its setting says.
     bench.setting.zeros[0] = [0, 0, -120].map(|zero| Some(Micrometres::from_mm(zero)));
     bench.job.setups[0].zero.z = Micrometres::from_mm(-120);
-    let mut said: Vec<(String, &str, Option<u32>, String)> = Vec::new();
+    let mut findings: Vec<(String, &str, Option<u32>, String)> = Vec::new();
     for finding in bench.run(&CONTROL, &text).1.findings {
         let severity = format!("{:?}", finding.severity).to_lowercase();
         // What tells one from another: the points, how many more, the corrector, the place.
@@ -294,15 +294,15 @@ fn appendix_g_is_held_against_its_part() {
             ("correction-otherwise", [.., corrector]) => corrector.unwrap(),
             (_, [points, more, at, _]) => points.or(more).or(at).unwrap(),
         };
-        said.push((severity, finding.code.name(), finding.block.and_then(|block| block.number), which));
+        findings.push((severity, finding.code.name(), finding.block.and_then(|block| block.number), which));
     }
     let mut expected: Vec<(String, &str, Option<u32>, String)> = APPENDIX
         .iter()
         .map(|(severity, code, block, which)| ((*severity).to_owned(), *code, *block, (*which).to_owned()))
         .collect();
-    said.sort();
+    findings.sort();
     expected.sort();
-    assert_eq!(said, expected);
+    assert_eq!(findings, expected);
 }
 
 /// The order of the tools, and of the points, is the program's own affair.

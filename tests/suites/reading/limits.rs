@@ -72,8 +72,8 @@ fn a_key_of_many_words_is_bounded() {
     };
     assert!(!run(MOST_WORDS).contains("too-deep"), "{}", run(MOST_WORDS));
     for count in [MOST_WORDS + 1, 100_000] {
-        let said = run(count);
-        assert!(said.contains("error[too-deep]: ") && said.contains(&format!("{count} words")), "{said}");
+        let answer = run(count);
+        assert!(answer.contains("error[too-deep]: ") && answer.contains(&format!("{count} words")), "{answer}");
     }
 }
 
@@ -111,12 +111,12 @@ fn the_pages_say_the_bounds() {
     for page in ["docs/limits.md", "docs/uk/limits.md"] {
         let text = fs::read_to_string(root().join(page)).unwrap();
         let cells = text.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix("` |")?.split_once(" | "));
-        let said = cells.filter_map(|(_, rest)| {
+        let counts = cells.filter_map(|(_, rest)| {
             let (bound, code) = rest.split_once(" | `")?;
             Some((code, bound.replace([',', ' ', '\u{a0}'], "").parse::<usize>().ok()?))
         });
-        let said: Vec<(&str, usize)> =
-            said.filter(|(code, _)| !["memory-full", "run-too-long"].contains(code)).collect();
-        assert_eq!(said, bounds, "{page}");
+        let stated: Vec<(&str, usize)> =
+            counts.filter(|(code, _)| !["memory-full", "run-too-long"].contains(code)).collect();
+        assert_eq!(stated, bounds, "{page}");
     }
 }

@@ -133,10 +133,10 @@ fn another_tool_has_other_main_elements() {
 #[test]
 fn a_class_says_which_angle_stands_against_which() {
     let (classes, _) = judged(&falling(45.0));
-    let said = Lang::EN.say(&classes[1].because.note);
-    assert_eq!(said, "outer 2: it falls 45°, steeper than φ1 = 30°; tool: contouring tool with a larger φ1");
-    let said = Lang::UK.say(&classes[1].because.note);
-    assert_eq!(said, "зовн. 2: спад 45° крутіший за φ1 = 30°; інструмент: контурний різець з більшим φ1");
+    let text = Lang::EN.say(&classes[1].because.note);
+    assert_eq!(text, "outer 2: it falls 45°, steeper than φ1 = 30°; tool: contouring tool with a larger φ1");
+    let text = Lang::UK.say(&classes[1].because.note);
+    assert_eq!(text, "зовн. 2: спад 45° крутіший за φ1 = 30°; інструмент: контурний різець з більшим φ1");
     assert_eq!(classes[1].because.table, "turning-element");
 }
 

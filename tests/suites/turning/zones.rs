@@ -217,9 +217,9 @@ fn a_tool_fits_or_the_inequality_says_why_not() {
         [tool("V", 95.0, 50.0), tool("45", 45.0, 45.0), tool("55", 93.0, 32.0), left, groover(10.0), groover(12.0)];
     let fit = fit(zone, &tools);
     assert_eq!(fit.fitting, ["V", "left", "groover"]);
-    let said: Vec<String> = fit.refused.iter().flat_map(|one| &one.why).map(|why| Lang::EN.say(why)).collect();
+    let texts: Vec<String> = fit.refused.iter().flat_map(|one| &one.why).map(|why| Lang::EN.say(why)).collect();
     assert_eq!(
-        said,
+        texts,
         ["φ = 45° is less than 90°", "φ1 = 32° is less than 45°", "the tool is 12 mm wide, the floor 10 mm"]
     );
 }
@@ -302,10 +302,10 @@ fn a_flange_takes_two_set_ups() {
     assert_eq!(second.holds_at, Some(hold));
     // 25 mm of Ø84 are left to hold the blank by, and 20 are needed.
     assert_eq!(first.because.note.code(), "hold-blank");
-    let said: Vec<String> = second.notes.iter().map(|note| Lang::EN.say(note)).collect();
-    assert_eq!(said.len(), 2);
+    let texts: Vec<String> = second.notes.iter().map(|note| Lang::EN.say(note)).collect();
+    assert_eq!(texts.len(), 2);
     assert_eq!(
-        said[0],
+        texts[0],
         "from Z -50, Ø80 the contour falls towards the chuck more steeply than φ1 = 30° and never rises again"
     );
 }

@@ -89,16 +89,16 @@ fn backwards(
         let nearest = if too_little { largest } else { smallest };
         // Where the row states its own diameter before, and that value fits, the figure of the row before was
         // misprinted.
-        let said = row.figures.get(&Q::From).map(|from| Micrometres::from_mm_rounded(from.value));
-        let said = said.filter(|said| (smallest..=largest).contains(said));
-        if said.is_none() && !too_little && row.operation.value == Operation::RoughBore {
+        let stated = row.figures.get(&Q::From).map(|from| Micrometres::from_mm_rounded(from.value));
+        let stated = stated.filter(|value| (smallest..=largest).contains(value));
+        if stated.is_none() && !too_little && row.operation.value == Operation::RoughBore {
             findings.push(passes(context, of_row, stock, &range));
             (after, window) = (before, (before, before));
             continue;
         }
-        let right = said.unwrap_or(nearest);
+        let right = stated.unwrap_or(nearest);
         let before_it = previous.map(|(row, _)| row);
-        if said == Some(right) {
+        if stated == Some(right) {
             roots::retract(findings, &context.field(Id::new(Scope::Row(at), Q::From)), &FROM);
         }
         findings.push(finding(context, of_row, before_it, (stock, right), &range));

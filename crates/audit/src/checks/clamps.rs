@@ -25,7 +25,7 @@ pub(super) fn check<'a>(
     let own = clamping.screw.as_ref().map(|screw| (screw.value.as_str(), screw));
     let of_clamp = known.zip(clamping.designation.as_ref()).map(|(clamp, name)| (clamp.screw, name));
     match own.or(of_clamp) {
-        Some((thread, said)) => screw(context, graph, thread, said, findings),
+        Some((thread, text)) => screw(context, graph, thread, text, findings),
         None => Ok(()),
     }
 }
@@ -67,8 +67,8 @@ fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findin
     findings.push(finding.with_values(own.1, most.1));
 }
 
-fn finding(severity: Severity, key: &str, note: Note, said: &Text) -> AuditFinding {
-    AuditFinding::new(severity, Section::Clamping, format!("clamping.{key}"), note).at(&said.place)
+fn finding(severity: Severity, key: &str, note: Note, text: &Text) -> AuditFinding {
+    AuditFinding::new(severity, Section::Clamping, format!("clamping.{key}"), note).at(&text.place)
 }
 
 /// The clamp of a designation, with findings on what does not belong to it. The catalog has only clamps that the
@@ -86,11 +86,11 @@ fn designation<'k>(
         return Ok(None);
     };
     let because = || [Because::row(clamp.row, Note::new("named"))];
-    let said = [
+    let attributes = [
         ("standard", &clamping.standard, clamp.standard, "audit-clamp-standard"),
         ("screw", &clamping.screw, clamp.screw, "audit-clamp-screw"),
     ];
-    for (key, stated, right, code) in said {
+    for (key, stated, right, code) in attributes {
         let Some(stated) = stated else { continue };
         if likeness(&stated.value, right) != Likeness::Same {
             let note = Note::new(code).with(key, &stated.value).with("designation", &name.value).with("known", right);
@@ -106,14 +106,14 @@ fn screw(
     context: &Context<'_>,
     graph: &Graph<'_>,
     thread: &str,
-    said: &Text,
+    text: &Text,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let screws = context.shop.knowledge.rows::<ClampScrew<'_>>()?;
     let Some(own) = screws.iter().find(|screw| plain(screw.thread) == plain(thread)) else {
         let known: Vec<&str> = screws.iter().map(|screw| screw.thread).collect();
         let note = Note::new("audit-no-screw").with("screw", thread).with("known", known.join(", "));
-        findings.push(finding(Severity::Wrong, "screw", note, said));
+        findings.push(finding(Severity::Wrong, "screw", note, text));
         return Ok(());
     };
     let each = Id::new(Scope::Clamping, Q::ForcePerClamp);
@@ -132,14 +132,14 @@ fn screw(
         let smaller = |screw: &&ClampScrew<'_>| context.stated.own && !named && screw.row.index < own.row.index;
         if let Some(smallest) = smallest.filter(smaller) {
             let note = Note::new("audit-screw-large").with("screw", thread).with("force", round_to(force, 0));
-            let finding = finding(Severity::Doubtful, "screw", note, said);
+            let finding = finding(Severity::Doubtful, "screw", note, text);
             findings.push(finding.with_values(thread, smallest.thread));
         }
         return Ok(());
     }
     let note =
         Note::new("audit-screw-weak").with("screw", thread).with("bears", bears).with("force", round_to(force, 0));
-    let finding = finding(Severity::Error, "screw", note, said);
+    let finding = finding(Severity::Error, "screw", note, text);
     findings.push(finding.resting_on([Because::row(own.row, Note::new("named"))]));
     Ok(())
 }

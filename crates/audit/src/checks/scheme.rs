@@ -78,8 +78,8 @@ impl Group<'_, '_> {
     }
 
     fn finding(&self, severity: Severity, row: &Row, key: &str, note: Note) -> AuditFinding {
-        let said = if key == "table" { &row.table } else { &row.scheme };
-        let place = said.as_ref().map_or(&row.place, |said| &said.place);
+        let stated = if key == "table" { &row.table } else { &row.scheme };
+        let place = stated.as_ref().map_or(&row.place, |text| &text.place);
         let note = note
             .with("hole", &self.hole.name)
             .with("scheme", Figure::scheme(&self.route.scheme))

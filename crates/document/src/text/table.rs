@@ -31,11 +31,11 @@ pub(super) fn write(page: &mut Page, table: &Table) {
 /// The notes under a table; `all` is the width that it needs with every column.
 fn notes(page: &mut Page, table: &Table, left_out: Vec<Inlines>, all: usize) {
     if !left_out.is_empty() {
-        let mut said = Inlines::joined(left_out, ", ");
+        let mut columns = Inlines::joined(left_out, ", ");
         if !page.words.see_all.is_empty() {
-            said = said.text("; ").append(Inlines::sentence(&page.words.see_all.replace(WIDTH, &all.to_string())));
+            columns = columns.text("; ").append(Inlines::sentence(&page.words.see_all.replace(WIDTH, &all.to_string())));
         }
-        page.field(&page.words.left_out.into(), &said, STEP);
+        page.field(&page.words.left_out.into(), &columns, STEP);
     }
     for note in &table.notes {
         page.paragraph(&set::words(note), STEP);

@@ -103,8 +103,8 @@ pub fn document(words: BoxedStrategy<String>) -> impl Strategy<Value = Document>
     let field = (words.clone(), line.clone()).prop_map(|(label, value)| Field::new(label, value));
     let finding =
         (words.clone(), prop::option::of(words.clone()), line.clone(), lines.clone(), prop::option::of(line.clone()))
-            .prop_map(|(word, place, said, details, help)| {
-                let finding = FindingBlock::new(Severity::Wrong, format!("w{word}"), said);
+            .prop_map(|(word, place, message, details, help)| {
+                let finding = FindingBlock::new(Severity::Wrong, format!("w{word}"), message);
                 FindingBlock { place: place.map(|place| format!("p{place}")), details, help, ..finding }
             });
     let block = prop_oneof![

@@ -86,8 +86,8 @@ const OPEN_BRACKET: &str = "flow";
 /// The words for faults in the line itself.
 const OF_LINE: [&str; 5] = ["quoted", "tab", "escape", "anchor", "trailing"];
 
-fn broken(said: &str, place: Place) -> Diagnostic {
-    let known = faults::FAULTS.iter().find(|(words, ..)| words.iter().any(|word| said.contains(word)));
+fn broken(message: &str, place: Place) -> Diagnostic {
+    let known = faults::FAULTS.iter().find(|(words, ..)| words.iter().any(|word| message.contains(word)));
     let (what, mend) = known
         .map_or(("yaml-broken-otherwise", "yaml-indent-with-spaces-quote-values"), |(_, what, mend)| (*what, *mend));
     Diagnostic::error("yaml", note!("yaml-broken", error = Note::new(what)), place).help(Note::new(mend))

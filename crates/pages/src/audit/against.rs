@@ -24,7 +24,7 @@ pub fn page(comparison: &Comparison, lang: Lang) -> Document {
         let mut table = Table::new(about.map(Column::text));
         for one in section {
             let [a, b] =
-                [&one.a, &one.b].map(|said| said.as_ref().map_or_else(not_stated, |said| value(one, said, lang)));
+                [&one.a, &one.b].map(|stated| stated.as_ref().map_or_else(not_stated, |text| value(one, text, lang)));
             table.row(
                 [subject(&one.subject, lang), quantity_text(one, lang), a, b].map(|cell| Inlines::sentence(&cell)),
             );
@@ -50,13 +50,13 @@ fn not_stated() -> String {
     "–".to_owned()
 }
 
-fn value(difference: &Difference, said: &str, lang: Lang) -> String {
+fn value(difference: &Difference, text: &str, lang: Lang) -> String {
     match difference.what.as_str() {
-        _ if difference.quantity.is_some() => figure(said, lang),
-        "shank" => lang.term("word", said).to_owned(),
-        "scheme" => lang.figure(&Figure::scheme(said)),
+        _ if difference.quantity.is_some() => figure(text, lang),
+        "shank" => lang.term("word", text).to_owned(),
+        "scheme" => lang.figure(&Figure::scheme(text)),
         // Points in a designation are no decimal points.
-        _ => said.to_owned(),
+        _ => text.to_owned(),
     }
 }
 
@@ -75,12 +75,12 @@ fn quantity_text(difference: &Difference, lang: Lang) -> String {
 
 /// The cost in both plans, and the difference.
 fn costs(cost: &Cost, lang: Lang) -> [Inlines; 4] {
-    let said = |value: Option<f64>| value.map_or_else(not_stated, |value| lang.figure(&number(value)));
+    let shown = |value: Option<f64>| value.map_or_else(not_stated, |value| lang.figure(&number(value)));
     let more = match cost.more {
         None => not_stated(),
         Some(0.0) => "=".to_owned(),
         Some(more) => figure(&format!("{more:+}"), lang),
     };
     let what = lang.find(&format!("audit-cost-{}", cost.what)).unwrap_or(cost.what);
-    [what.into(), Inlines::number(said(cost.a)), Inlines::number(said(cost.b)), Inlines::number(more)]
+    [what.into(), Inlines::number(shown(cost.a)), Inlines::number(shown(cost.b)), Inlines::number(more)]
 }

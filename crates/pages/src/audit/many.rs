@@ -78,11 +78,11 @@ fn unreadable(unread: &Unread, lang: Lang) -> String {
 fn root(audit: &Audit, lang: Lang) -> String {
     let Some(root) = audit.first_root() else { return String::new() };
     let whereabouts = whereabouts(root, lang);
-    let said = match (root.quantity, &root.stated, &root.right) {
+    let text = match (root.quantity, &root.stated, &root.right) {
         (Some(_), Some(stated), Some(right)) => {
             say!(lang, "audit-root", whereabouts = whereabouts, change = change(stated, right, lang))
         }
         _ => say!(lang, "audit-about", about = whereabouts, said = finding_text(root, lang)),
     };
-    place(root, &audit.file).map_or_else(|| said.clone(), |place| format!("{place} {said}"))
+    place(root, &audit.file).map_or_else(|| text.clone(), |place| format!("{place} {text}"))
 }

@@ -99,9 +99,9 @@ pub(super) fn block(finding: &AuditFinding) -> Option<&str> {
 
 /// The subject of a finding: `свердління A`, `T2`, otherwise its section.
 fn about(finding: &AuditFinding, lang: Lang) -> String {
-    let said = block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
-    if !said.is_empty() {
-        return said;
+    let text = block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
+    if !text.is_empty() {
+        return text;
     }
     // A tool whose name was changed is identified by its place only.
     let tool = finding.field.strip_prefix("tools.").and_then(|rest| rest.split('.').next());
@@ -139,10 +139,10 @@ pub(super) fn whereabouts(finding: &AuditFinding, lang: Lang) -> String {
 /// виліт lв, довжина lопр; закріплення: nпр 500 → 315`.
 pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit: &Audit, lang: Lang) -> String {
     let mut groups: Vec<(String, Vec<String>)> = Vec::new();
-    for (field, said) in fields {
+    for (field, words) in fields {
         // Causes and consequences of a finding are findings themselves.
         let Some(finding) = audit.findings.iter().find(|one| one.field == field) else { continue };
-        let what = [quantity_text(finding, lang), said]
+        let what = [quantity_text(finding, lang), words]
             .into_iter()
             .filter(|text| !text.is_empty())
             .collect::<Vec<_>>()

@@ -123,22 +123,22 @@ impl Dictionary {
         }
         let way = !codes.iter().any(|code| NO_WAY.contains(&code.as_str()));
         let mut cycle: Option<String> = None;
-        let mut said = Vec::new();
+        let mut meanings = Vec::new();
         for word in words {
             match word {
                 Word::Address('N', _) if cycle.is_none() => {}
                 Word::Address(letter, number) => {
                     let text = self.word(*letter, number, cycle.as_deref(), words, *modes, way, lang);
-                    said.push(format!("{letter}{number}: {text}"));
+                    meanings.push(format!("{letter}{number}: {text}"));
                     cycle = cycle.or(code(word).filter(|code| self.cycles.contains(code)));
                 }
-                Word::Comment(text) => said.push(say!(lang, "encoding-comment", text = text.as_str())),
-                Word::Skip => said.push(say!(lang, "encoding-skip").to_owned()),
-                Word::Tape => said.push(say!(lang, "encoding-tape").to_owned()),
-                Word::Statement(text) => said.push(say!(lang, "encoding-statement", text = text.as_str())),
+                Word::Comment(text) => meanings.push(say!(lang, "encoding-comment", text = text.as_str())),
+                Word::Skip => meanings.push(say!(lang, "encoding-skip").to_owned()),
+                Word::Tape => meanings.push(say!(lang, "encoding-tape").to_owned()),
+                Word::Statement(text) => meanings.push(say!(lang, "encoding-statement", text = text.as_str())),
             }
         }
-        said.join("; ")
+        meanings.join("; ")
     }
 
     /// The tool and the offset registers in a block, without parameters of a cycle: `T1`, `H01`.
@@ -243,7 +243,7 @@ fn unknown(lang: Lang) -> String {
 }
 
 /// A meaning with its number, if the number has a unit; other meanings are complete.
-fn valued(text: &str, said: &'static str, number: &str, unit: Option<&String>, tenths: bool, lang: Lang) -> String {
+fn valued(text: &str, message: &'static str, number: &str, unit: Option<&String>, tenths: bool, lang: Lang) -> String {
     let Some(unit) = unit else { return text.to_owned() };
     let shown = match number.parse::<f64>() {
         Ok(value) if tenths => Figure::number((value / 10.0).to_string()),
@@ -251,7 +251,7 @@ fn valued(text: &str, said: &'static str, number: &str, unit: Option<&String>, t
         Err(_) => Figure::Text(number.to_owned().into()),
     };
     let unit = lang.find(&format!("unit-{}", unit.replace('/', "-"))).unwrap_or(unit);
-    lang.say(&Note::new(said).with("meaning", text).with("value", shown).with("unit", unit))
+    lang.say(&Note::new(message).with("meaning", text).with("value", shown).with("unit", unit))
 }
 
 /// The code of a function: `G0` is `G00`, `G54.1` stays.

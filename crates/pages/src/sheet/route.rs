@@ -125,15 +125,15 @@ fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> 
         _ if finishes(hole, transition) => "plan-step",
         _ => "plan-step-to",
     };
-    let mut said = Note::new(key)
+    let mut note = Note::new(key)
         .with("verb", operation_verb(transition.operation.name(), lang))
         .with("count", hole.at.len())
         .with("size", size_of(hole, transition))
         .with("hole", own.name.as_str());
     if key != "plan-step" {
-        said = said.with("diameter", transition.diameter_mm);
+        note = note.with("diameter", transition.diameter_mm);
     }
-    let mut clauses = vec![lang.say(&said)];
+    let mut clauses = vec![lang.say(&note)];
     if let Some(also) = transition.also_diameter_mm {
         clauses.push(say!(lang, "plan-step-also", diameter = also));
     }
@@ -187,7 +187,7 @@ fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
         Some(other) => runner_up(other, lang),
         None => say!(lang, "plan-no-runner-up").to_owned(),
     };
-    let said = say!(
+    let text = say!(
         lang,
         "plan-choice",
         required = requirement(hole(plan, &own.name)?, route.centre_tolerance_mm, lang),
@@ -195,7 +195,7 @@ fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
         time = exactly(route.time_min.0, 2),
         against = against
     );
-    Some(Field::new(own.name.as_str(), said))
+    Some(Field::new(own.name.as_str(), text))
 }
 
 /// The requirements of the drawing for a group: grade, roughness, centre tolerance.
@@ -223,14 +223,14 @@ pub(crate) fn alternatives(route: &Route, lang: Lang) -> Vec<Item> {
         let operations = operations.collect::<Vec<_>>().join(", ");
         let name = route_name(other.way, &other.table, &other.scheme, lang);
         let name = if operations.is_empty() { name } else { format!("{name} ({operations})") };
-        let said = match other.time_min {
+        let text = match other.time_min {
             Some(time) => {
                 let time = exactly(time.0, 2);
                 say!(lang, "explain-other-route-timed", route = name, time = time, why = other.why.clone())
             }
             None => say!(lang, "explain-other-route", route = name, why = other.why.clone()),
         };
-        Inlines::sentence(&said).into()
+        Inlines::sentence(&text).into()
     };
     route.alternatives.iter().map(item).collect()
 }

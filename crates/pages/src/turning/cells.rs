@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn a_column_has_as_many_decimals_as_its_finest_figure_needs() {
         let rows = [(1.5, "a"), (0.125, ""), (2.0, "")];
-        let rows = rows.map(|(value, said)| vec![Cell::Figure(value, 2), Cell::from(said), Cell::empty()]);
+        let rows = rows.map(|(value, text)| vec![Cell::Figure(value, 2), Cell::from(text), Cell::empty()]);
         let columns = ["t", "why", "nothing"].map(|heading| Column::text(heading).keep(Keep::Optional));
         let table = table(columns, rows.into(), Lang::UK);
         let first: Vec<String> = table.rows().iter().map(|row| row[0].plain()).collect();

@@ -22,11 +22,11 @@ pub(super) fn reasoned(because: &Because, lang: Lang) -> Inlines {
 }
 
 /// A sentence with its row.
-pub(super) fn rests_on(said: &str, because: &Because, lang: Lang) -> Inlines {
+pub(super) fn rests_on(text: &str, because: &Because, lang: Lang) -> Inlines {
     let (table, place) = (because.table.as_str(), lang.place(&because.place));
     Inlines::sentence(&match because.row {
-        Some(row) => say!(lang, "turn-by-row", said = said, table = table, row = row, place = place),
-        None => say!(lang, "turn-by-table", said = said, table = table, place = place),
+        Some(row) => say!(lang, "turn-by-row", said = text, table = table, row = row, place = place),
+        None => say!(lang, "turn-by-table", said = text, table = table, place = place),
     })
 }
 

@@ -200,12 +200,12 @@ fn the_page_of_outputs_names_every_format() {
         for row in rows {
             let command = row[1].trim_matches('`');
             let refused = ["junit", "hand"].into_iter().find_map(|format| {
-                let said = shell.run(&format!("{command} --format {format} --lang en"));
-                (shell.code == 2).then_some(said)
+                let output = shell.run(&format!("{command} --format {format} --lang en"));
+                (shell.code == 2).then_some(output)
             });
-            let said = refused.unwrap_or_else(|| panic!("{path}: `{command}` has both formats"));
+            let output = refused.unwrap_or_else(|| panic!("{path}: `{command}` has both formats"));
             let formats = format!("its formats are {}\n", row[2]);
-            assert!(said.ends_with(&formats), "{path}: `{command}`: {said}");
+            assert!(output.ends_with(&formats), "{path}: `{command}`: {output}");
         }
     }
 }

@@ -77,8 +77,8 @@ impl Seen {
     }
 
     /// A deviation of the program, with its tool.
-    pub fn of_deviation(finding: AuditFinding, tool: Option<u32>, said: proof::ProgramFinding) -> Self {
-        let (who, figures) = (Who::Proof(said.code), said.figures);
+    pub fn of_deviation(finding: AuditFinding, tool: Option<u32>, deviation: proof::ProgramFinding) -> Self {
+        let (who, figures) = (Who::Proof(deviation.code), deviation.figures);
         Self { finding, who, tool, figures, function: None, broken: false }
     }
 

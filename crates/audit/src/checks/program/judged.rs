@@ -59,37 +59,37 @@ pub(super) fn deviation(
     context: &Context<'_>,
     graph: &Graph<'_>,
     plan: &Plan,
-    said: proof::ProgramFinding,
+    deviation: proof::ProgramFinding,
     own: bool,
     file: &Arc<str>,
     seen: &mut Vec<Seen>,
 ) -> Result<(), KnowledgeError> {
-    let row = row(context, said.hole(), said.operation());
+    let row = row(context, deviation.hole(), deviation.operation());
     let of_row = row.and_then(|row| Some(context.stated.rows.get(row)?.tool.as_ref()?.value));
-    let tool = said.tool().or(of_row);
-    let mut severity = said.severity;
-    let quantity = match said.code {
+    let tool = deviation.tool().or(of_row);
+    let mut severity = deviation.severity;
+    let quantity = match deviation.code {
         Code::OtherSpeed => Some(Q::Rpm),
         Code::OtherFeed | Code::OutOtherFeed => Some(Q::MinuteFeed),
         _ => None,
     };
-    if let Some((quantity, made)) = quantity.zip(said.number(Name::Made)) {
-        let planned = transition(plan, said.hole(), said.operation()).map(|transition| match quantity {
+    if let Some((quantity, made)) = quantity.zip(deviation.number(Name::Made)) {
+        let planned = transition(plan, deviation.hole(), deviation.operation()).map(|transition| match quantity {
             Q::Rpm => transition.conditions.spindle_rpm.0,
             _ => transition.conditions.feed_mm_per_min.0,
         });
         let of_quantity = |row: &ProgramTolerance<'_>| row.quantity == quantity;
         let may = context.shop.knowledge.need(quantity.key(), of_quantity)?;
-        let planned = planned.or(said.number(Name::Needed)).unwrap_or(made);
+        let planned = planned.or(deviation.number(Name::Needed)).unwrap_or(made);
         if (made - planned).abs() < may.whole + may.relative.0 / 100.0 * planned {
             return Ok(());
         }
         severity = severity.min(may.severity);
     }
-    let mut place = said.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
-    let mut name = field(said.block);
+    let mut place = deviation.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
+    let mut name = field(deviation.block);
     let mut beside = None;
-    if said.code == Code::OtherCorrector {
+    if deviation.code == Code::OtherCorrector {
         let at = tool.and_then(|tool| context.stated.tool_at(tool));
         let figure = at.and_then(|at| context.stated.tools.get(at)?.figures.get(&Q::Corrector));
         // A plan that gives no number leaves it to the operator.
@@ -97,10 +97,10 @@ pub(super) fn deviation(
         severity = Severity::Error;
         name = format!("tools.T{tool}.corrector");
         place = Some(figure.place.clone());
-        beside = said.count(Name::Corrector).map(|right| (figure.text.clone(), right.to_string()));
+        beside = deviation.count(Name::Corrector).map(|right| (figure.text.clone(), right.to_string()));
     }
     let follows_from = if own { Vec::new() } else { slips(context, graph, row, tool) };
-    let mut finding = AuditFinding::new(severity, Section::Program, name, said.note.clone());
+    let mut finding = AuditFinding::new(severity, Section::Program, name, deviation.note.clone());
     if let Some((stated, right)) = beside {
         finding = finding.with_values(stated, right);
     }
@@ -109,7 +109,7 @@ pub(super) fn deviation(
         finding = finding.at(place);
     }
     finding.follows_from = follows_from;
-    seen.push(Seen::of_deviation(finding, tool, said));
+    seen.push(Seen::of_deviation(finding, tool, deviation));
     Ok(())
 }
 

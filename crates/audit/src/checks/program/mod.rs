@@ -68,9 +68,9 @@ pub(super) fn check<'a>(
             // Where the program agrees with the corrected plan, a deviation follows from the slips of the plan.
             let slips = graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine));
             let by_right = if slips && !deviations.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
-            for said in deviations {
-                let own = by_right.as_ref().is_none_or(|known| known.contains(&key(&said)));
-                judged::deviation(context, graph, &plan, said, own, &file, &mut seen)?;
+            for deviation in deviations {
+                let own = by_right.as_ref().is_none_or(|known| known.contains(&key(&deviation)));
+                judged::deviation(context, graph, &plan, deviation, own, &file, &mut seen)?;
             }
         }
         (Err(why), _) => findings.push(missing(why)),
@@ -126,9 +126,9 @@ fn proven(
     let input = ProofInput { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
     let mut findings = prove(&run.steps, &input).findings;
     // A plan as stated says nothing of coolant.
-    findings.retain(|said| {
+    findings.retain(|finding| {
         !matches!(
-            said.code,
+            finding.code,
             Code::CoolantMissing | Code::CoolantSuperfluous | Code::CoolantAtChange | Code::CoolantAtEnd
         )
     });
@@ -138,8 +138,8 @@ fn proven(
 /// The key by which two deviations are distinguished, whatever the plan says.
 type Key = (Code, Option<crate::motion::BlockRef>, Option<String>, Option<Operation>);
 
-fn key(said: &proof::ProgramFinding) -> Key {
-    (said.code, said.block, said.hole().map(str::to_owned), said.operation())
+fn key(finding: &proof::ProgramFinding) -> Key {
+    (finding.code, finding.block, finding.hole().map(str::to_owned), finding.operation())
 }
 
 /// The differences between the program and the corrected plan.

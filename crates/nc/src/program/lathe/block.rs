@@ -136,7 +136,7 @@ impl Maker<'_> {
                 self.report_with("lathe-compensation", function.span, "word", function.code.clone());
             }
             self.state.modes.insert(function.group, function.does);
-            self.state.said.insert(function.group);
+            self.state.given.insert(function.group);
         }
     }
 
@@ -364,12 +364,12 @@ impl Maker<'_> {
         if std::mem::replace(&mut self.state.moved, true) {
             return;
         }
-        let said = &self.state.said;
+        let given = &self.state.given;
         let unsaid: Vec<String> = self
             .language
             .must_be_said
             .iter()
-            .filter(|(group, _)| !said.contains(group))
+            .filter(|(group, _)| !given.contains(group))
             .map(|(_, code)| code.clone())
             .collect();
         if !unsaid.is_empty() {

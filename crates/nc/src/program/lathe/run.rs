@@ -444,10 +444,10 @@ impl Run<'_> {
             let mode = inner.state.modes.get(&LatheGroup::Motion).copied();
             let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
             if axes {
-                let said = words.of_group(LatheGroup::Motion).is_some();
+                let in_block = words.of_group(LatheGroup::Motion).is_some();
                 let round = matches!(mode, Some(Does::Clockwise | Does::Counterclockwise));
                 // LinuxCNC takes an arc in a contour without its own function as G2.
-                if round && !said && self.language.kind == LatheReader::LinuxCnc {
+                if round && !in_block && self.language.kind == LatheReader::LinuxCnc {
                     inner.report("lathe-arc-unsaid", block.span);
                 }
                 let Some(mode) = mode else {

@@ -26,7 +26,7 @@ pub(super) struct State {
     pub at: LathePlace,
     pub modes: BTreeMap<LatheGroup, Does>,
     /// Groups for which the program has given a function.
-    pub said: BTreeSet<LatheGroup>,
+    pub given: BTreeSet<LatheGroup>,
     /// The active system, by its function.
     pub system: Option<String>,
     pub feed: Option<f64>,
@@ -53,7 +53,7 @@ impl State {
         Self {
             at: LathePlace::default(),
             modes: language.power_on.iter().copied().collect(),
-            said: BTreeSet::new(),
+            given: BTreeSet::new(),
             system: None,
             feed: None,
             speed: None,

@@ -257,8 +257,8 @@ impl Maker<'_> {
             self.report("lathe-no-lead", span);
             return;
         };
-        let said = words.function_for(Does::ThreadBox).is_some();
-        let kept = self.state.box_end.filter(|_| !said);
+        let in_block = words.function_for(Does::ThreadBox).is_some();
+        let kept = self.state.box_end.filter(|_| !in_block);
         let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
         let (x, z) = (given("X", "U"), given("Z", "W"));
         let Some((begin, end)) = self.ends_of_thread(words, kept.filter(|_| !x || !z).map(|end| (end, x, z)), span)
@@ -266,7 +266,7 @@ impl Maker<'_> {
             return;
         };
         self.state.box_end = Some(end);
-        if said {
+        if in_block {
             self.state.box_taper = words.look("R").map_or(0.0, |taper| taper.value);
         }
         self.of_cycle = true;

@@ -191,10 +191,10 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
                 false => input.plan.tools.iter().find(|tool| tool.corrector == number).map(|tool| tool.number),
                 true => usual.iter().find(|(_, used)| used.0 == number).map(|(tool, _)| *tool),
             };
-            let said = say(Code::WrongCorrection, Severity::Error);
+            let finding = say(Code::WrongCorrection, Severity::Error);
             match other.filter(|other| number != 0 && *other != plan) {
-                Some(other) => said.with(Name::Whose, "tool".to_owned()).with(Name::Other, other),
-                None => said.with(Name::Whose, "none".to_owned()),
+                Some(other) => finding.with(Name::Whose, "tool".to_owned()).with(Name::Other, other),
+                None => finding.with(Name::Whose, "none".to_owned()),
             }
         };
         if !input.own_correctors {
