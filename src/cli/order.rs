@@ -167,7 +167,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     };
     // With an acceleration the cost is a time; its length is that of the slower axis.
     let timed = matches!(metric, Metric::Rapid(rapid) if rapid.acceleration.is_some());
-    let way = |order: &[usize], cost: i64| match metric {
+    let length = |order: &[usize], cost: i64| match metric {
         Metric::Rapid(rapid) if timed => {
             let even = Metric::Rapid(technolog::machine::Rapid { acceleration: None, ..rapid });
             let space = if args.closed { Space::closed(&points, even) } else { Space::open(&points, even) };
@@ -181,9 +181,9 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
         closed: args.closed,
         tries: found.tries,
         order: found.order.iter().map(|&point| names[point]).collect(),
-        length_mm: way(&found.order, found.cost),
+        length_mm: length(&found.order, found.cost),
         time_min: metric.minutes(found.cost).map(|time| time.rounded(4)),
-        nearest_length_mm: way(&book.order, book.cost),
+        nearest_length_mm: length(&book.order, book.cost),
         nearest_time_min: metric.minutes(book.cost).map(|time| time.rounded(4)),
         // Rounded down, so that it stays a bound.
         bound_min: bound

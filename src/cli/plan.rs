@@ -93,16 +93,16 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
     let knowledge = knowledge::load(context)?;
     let plan = make(&args.part, args.method.method(), knowledge, context)?;
     let names: Vec<&str> = plan.holes.iter().map(|hole| hole.name.as_str()).collect();
-    let Some(name) = args.hole.as_deref() else {
+    let Some(wanted) = args.hole.as_deref() else {
         // Which groups there are says the part, not the command line.
         let message = say!(context.lang, "cli-hole-missing");
         let help = say!(context.lang, "cli-known", names = names.join(", "));
         return Err(Diagnostic::error("hole-missing", message, None).help(help).into());
     };
-    let Some(hole) = plan.holes.iter().find(|hole| hole.name == name) else {
-        let message = words::no_hole(context.lang, args.part.display(), name);
-        let alike = names.iter().find(|name| latin(name) == latin(name));
-        let help = match (alike, nearest(name, names.iter().copied())) {
+    let Some(hole) = plan.holes.iter().find(|hole| hole.name == wanted) else {
+        let message = words::no_hole(context.lang, args.part.display(), wanted);
+        let alike = names.iter().find(|name| latin(name) == latin(wanted));
+        let help = match (alike, nearest(wanted, names.iter().copied())) {
             (Some(alike), _) => say!(context.lang, "cli-other-alphabet", name = *alike),
             (None, Some(near)) => words::did_you_mean(context.lang, near),
             (None, None) => words::known(context.lang, names.join(", ")),

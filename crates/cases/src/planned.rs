@@ -48,10 +48,10 @@ impl Short {
             elsewhere: step.elsewhere,
         };
         let here = |step: &&Transition| step.operation.is_of_scheme(step.elsewhere);
-        let of_tables = by_tables.route.as_ref().filter(|route| route.way == RouteSource::Tables);
+        let of_tables = by_tables.route.as_ref().filter(|route| route.source == RouteSource::Tables);
         let taken = |scheme: &str| {
             let own = hole.route.as_ref();
-            own.is_some_and(|route| route.way == RouteSource::Tables && route.scheme == scheme)
+            own.is_some_and(|route| route.source == RouteSource::Tables && route.scheme == scheme)
         };
         let by_tables = of_tables.map(|route| ByTables {
             scheme: route.scheme.clone(),
@@ -149,7 +149,7 @@ impl<'s> KeyCheck<'s, '_> {
         let mut forms = Vec::new();
         let mut open: Vec<&Value> = schemas.to_vec();
         while let Some(schema) = open.pop() {
-            if let Some(name) = schema.get("$ref").and_then(Value::as_str).and_then(|way| way.rsplit('/').next()) {
+            if let Some(name) = schema.get("$ref").and_then(Value::as_str).and_then(|path| path.rsplit('/').next()) {
                 open.extend(SCHEMA.get("$defs").and_then(|all| all.get(name)));
                 if name == "HolePlan" {
                     open.extend(&self.holes);

@@ -84,16 +84,16 @@ impl Question {
         }
         let vouched = matches!(self, Self::Part { .. });
         let mut failures = hold(expected, Answer { value: answer, vouched });
-        for way in self.findings() {
-            let is_stated = way.iter().try_fold(expected, |expected, key| expected.get(key)).is_some();
-            let list = way.iter().try_fold(answer, |answer, key| answer.get(key)).and_then(Value::as_array);
+        for keys in self.findings() {
+            let is_stated = keys.iter().try_fold(expected, |expected, key| expected.get(key)).is_some();
+            let list = keys.iter().try_fold(answer, |answer, key| answer.get(key)).and_then(Value::as_array);
             if is_stated {
                 continue;
             }
             let wrong = list.into_iter().flatten().filter(|finding| is_from(finding, Severity::Wrong));
             failures.extend(wrong.map(|finding| Failure {
                 place: case.clone(),
-                path: way.join("."),
+                path: keys.join("."),
                 expected: "none_from: wrong".to_owned(),
                 came: Came::Unwanted(finding.clone()),
                 why: Vec::<Why>::new(),

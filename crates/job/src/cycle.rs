@@ -59,8 +59,8 @@ impl<'a> Feeding<'a> {
 /// The knowledge base has no answer.
 pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Result<Cycle, KnowledgeError> {
     let solid = transition.operation == Operation::Drill && transition.from == Micrometres::ZERO;
-    let way = if solid { transition.depth - transition.start } else { Micrometres::ZERO };
-    let ratio = way.to_mm() / transition.diameter.to_mm();
+    let depth = if solid { transition.depth - transition.start } else { Micrometres::ZERO };
+    let ratio = depth.to_mm() / transition.diameter.to_mm();
     let operation = transition.operation;
     let question = MachiningCycleFor { operation, depth_ratio: ratio, material_group: shop.material.group };
     let answer = shop.knowledge.ask(&question)?;

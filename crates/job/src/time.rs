@@ -73,8 +73,8 @@ impl Cycle {
     /// The time it takes at one point.
     pub fn duration(&self, rapid: Rapid) -> Duration {
         let depth = self.begin - self.end;
-        let at_feed = |way: f64| match self.feed_mm_per_min.0 > 0.0 {
-            true => Minutes(way / self.feed_mm_per_min.0),
+        let at_feed = |travel: f64| match self.feed_mm_per_min.0 > 0.0 {
+            true => Minutes(travel / self.feed_mm_per_min.0),
             false => Minutes(0.0),
         };
         let down = rapid.time(self.out - self.begin);

@@ -242,7 +242,7 @@ fn draw(
         let pen = if line.rapid { Pen::dashed(colour, 1.0) } else { Pen::solid(colour, 1.6) };
         // Dashes in both directions over the same path would fill each other's gaps: the second time only the arrow
         // is drawn.
-        let again = line.straight_ends().is_some_and(|way| !drawn.insert(way));
+        let again = line.straight_ends().is_some_and(|ends| !drawn.insert(ends));
         shape(canvas, line, view, pen, again);
         labels.avoid(view.at(line.from), view.at(line.to));
     }

@@ -99,7 +99,7 @@ fn of_cylinder(all: &[Operation]) -> Vec<Operation> {
 struct CellQuestion<'a> {
     what: String,
     plan: &'a Plan,
-    way: RouteSource,
+    source: RouteSource,
     /// The schemes of the cell.
     schemes: Vec<&'a str>,
     diameter: f64,
@@ -115,13 +115,13 @@ fn check(
     wrong: &mut Vec<String>,
 ) {
     let all = routes(cell.plan);
-    let of_way: Vec<&RouteSummary> = all.iter().filter(|found| found.way.is_none_or(|way| way == cell.way)).collect();
+    let of_way: Vec<&RouteSummary> = all.iter().filter(|found| found.source.is_none_or(|source| source == cell.source)).collect();
     for scheme in &cell.schemes {
         let mut own = known[*scheme].clone();
         let mut names = vec![(*scheme).to_owned()];
         if cell.centred && own.first() != Some(&Operation::CentreDrill) {
             own.insert(0, Operation::CentreDrill);
-            let twin = TWINS.iter().find(|(plain, _)| plain == scheme).filter(|_| cell.way == RouteSource::Tables);
+            let twin = TWINS.iter().find(|(plain, _)| plain == scheme).filter(|_| cell.source == RouteSource::Tables);
             names = vec![twin.map_or(format!("{scheme} + centre"), |(_, twin)| (*twin).to_owned())];
         }
         let Some(found) = of_way.iter().find(|found| names.contains(&found.scheme)) else {
@@ -175,7 +175,7 @@ fn main_holes(table: &str) -> (usize, usize, BTreeSet<String>, Vec<String>) {
                         row["centre_tolerance"], row["state"]
                     ),
                     plan: &plan,
-                    way: RouteSource::Tables,
+                    source: RouteSource::Tables,
                     schemes: row["schemes"].split(' ').collect(),
                     diameter,
                     // Short holes of grade 13 and coarser under Ø25 are not centred; short is up to two diameters.
@@ -188,7 +188,7 @@ fn main_holes(table: &str) -> (usize, usize, BTreeSet<String>, Vec<String>) {
                 let settled = row["it"] == "[7..8]"
                     && row["centre_tolerance"] == "(0.05..0.3]"
                     && (row["state"].as_str(), row["outer_wall"].as_str()) == ("cast-or-pre-machined", "false");
-                let taken = plan.holes[0].route.as_ref().filter(|route| route.way == RouteSource::Tables);
+                let taken = plan.holes[0].route.as_ref().filter(|route| route.source == RouteSource::Tables);
                 let ends_elsewhere = taken.is_some_and(|route| route.finish_elsewhere);
                 let is_reported = plan.findings.iter().any(|finding| finding.note.code() == "finish-elsewhere");
                 if refused.len() == before && ends_elsewhere != (elsewhere || settled) {
@@ -278,7 +278,7 @@ fn every_row_of_a10_gives_its_scheme() {
             let cell = CellQuestion {
                 what: format!("A.10 {} Ø{diameter} {}", row["hole"], row["centre_tolerance"]),
                 plan: &plan,
-                way: RouteSource::Tables,
+                source: RouteSource::Tables,
                 schemes: row["schemes"].split(' ').filter(|scheme| !starred.contains(scheme)).collect(),
                 diameter,
                 centred: threaded || diameter >= 25.0 || 20.0 / diameter > 2.0,
@@ -340,7 +340,7 @@ fn every_row_of_a4_gives_its_complex() {
             let cell = CellQuestion {
                 what: format!("A.4 {} Ø{diameter} {}", row["hole"], row["centre_tolerance"]),
                 plan: &plan,
-                way: RouteSource::Complexes,
+                source: RouteSource::Complexes,
                 schemes: vec![&row["complex"]],
                 diameter,
                 centred: !coarse || diameter >= 25.0 || 20.0 / diameter > 2.0,

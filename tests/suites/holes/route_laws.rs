@@ -268,7 +268,7 @@ fn decided(plan: &Plan) -> BTreeMap<&str, String> {
             })
             .collect();
         let route = hole.route.as_ref().map(|route| {
-            (route.way, &route.scheme, route.meets, route.time_min, route.margin_min, &route.alternatives)
+            (route.source, &route.scheme, route.meets, route.time_min, route.margin_min, &route.alternatives)
         });
         format!("{route:#?}\n{steps:#?}")
     };

@@ -347,8 +347,8 @@ proptest! {
         }
         let steep = libm::tan(f64::from(flat).to_radians());
         for piece in main.contour.pieces.iter().filter(|piece| piece.curve == Curve::Line) {
-            let way = piece.chord();
-            prop_assert!(-way.radius <= way.z * steep + 0.002, "{piece:?}");
+            let chord = piece.chord();
+            prop_assert!(-chord.radius <= chord.z * steep + 0.002, "{piece:?}");
         }
     }
 

@@ -75,10 +75,10 @@ fn distance_to(contour: &Contour, point: Vector) -> f64 {
                 if between { (spoke.length() - radius.to_mm()).abs().min(nearest_end) } else { nearest_end }
             }
             _ => {
-                let way = point.plus(piece.from.vector().times(-1.0));
-                let along = piece.chord().unit().dot(way);
+                let offset = point.plus(piece.from.vector().times(-1.0));
+                let along = piece.chord().unit().dot(offset);
                 if (0.0..=piece.chord().length()).contains(&along) {
-                    piece.chord().unit().cross(way).abs()
+                    piece.chord().unit().cross(offset).abs()
                 } else {
                     nearest_end
                 }

@@ -529,7 +529,7 @@ fn the_best_of_the_schemes_is_told_with_its_margin() {
     let ways = [Scheme::Loop, Scheme::PickUp, Scheme::SemiFinishing].map(|scheme| made(&stock, 2.0, scheme, 0.8));
     let found = best(&ways).unwrap();
     assert_eq!(found.scheme, "loop");
-    let even = best(ways.iter().filter(|way| way.uniform)).unwrap();
+    let even = best(ways.iter().filter(|variant| variant.uniform)).unwrap();
     let (pick_up, semi) = (ways[1].measures.time_min.0, ways[2].measures.time_min.0);
     assert!((even.margin_min.0 - (pick_up - semi).abs()).abs() < 1e-9);
     assert!(best(&ways[..1]).is_none());

@@ -67,9 +67,9 @@ impl Group<'_, '_> {
     /// Whether the program's route, or a candidate compared with it, has that scheme; 1 of A.5 is a complex, not
     /// scheme 01.
     fn weighed(&self, scheme: &str) -> bool {
-        let is = |own: &str, way: RouteSource| own == scheme || way == RouteSource::Tables && same_scheme(scheme, own);
-        is(&self.route.scheme, self.route.way)
-            || self.route.alternatives.iter().any(|other| is(&other.scheme, other.way))
+        let is = |own: &str, source: RouteSource| own == scheme || source == RouteSource::Tables && same_scheme(scheme, own);
+        is(&self.route.scheme, self.route.source)
+            || self.route.alternatives.iter().any(|other| is(&other.scheme, other.source))
     }
 
     /// Whether the hole's own cell of the tables has that scheme.
@@ -241,9 +241,9 @@ impl Group<'_, '_> {
         stated: &[Operation],
         scheme: Option<&Text>,
     ) -> Result<Option<&'static str>, KnowledgeError> {
-        let of_tables = self.route.alternatives.iter().filter(|other| other.way == RouteSource::Tables && other.meets);
+        let of_tables = self.route.alternatives.iter().filter(|other| other.source == RouteSource::Tables && other.meets);
         let mut schemes: Vec<&str> = of_tables.map(|other| other.scheme.as_str()).collect();
-        schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.way == RouteSource::Tables));
+        schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.source == RouteSource::Tables));
         let printed = |own: &String| match self.answer.centred {
             true => table_answer::centred(own, &self.context.shop),
             false => Ok(own.clone()),

@@ -191,12 +191,12 @@ impl ZoneCheck<'_, '_> {
         let (Some(nose), Some(longest)) = (zone::lowest_nose(&strokes, least), longest) else { return Ok(found) };
         let bounded = least.filter(|_| nose > longest.stroke.passes_from());
         for one in reaches {
-            let way = one.stroke.travel(nose);
+            let travel = one.stroke.travel(nose);
             let is_reported = found.iter().any(|(tool, _)| *tool == longest.tool || *tool == one.tool);
-            if way <= machine.travel_z || is_reported {
+            if travel <= machine.travel_z || is_reported {
                 continue;
             }
-            let fits = one.stroke.length + way - machine.travel_z;
+            let fits = one.stroke.length + travel - machine.travel_z;
             let note = match bounded {
                 Some(least) => Note::new("audit-zone-low").with("least", least).with("lowest", one.stroke.lowest),
                 None => {
@@ -205,7 +205,7 @@ impl ZoneCheck<'_, '_> {
                     note.with("longest", longest.stroke.length).with("depth", one.tip)
                 }
             };
-            let note = note.with("length", one.stroke.length).with("way", way).with("travel", machine.travel_z);
+            let note = note.with("length", one.stroke.length).with("way", travel).with("travel", machine.travel_z);
             let finding = self.finding(one, note.with("fits", fits), format!(">= {fits}"));
             found.push((one.tool, finding.resting_on([limit(machine.row(MachineQuantity::TravelZ)?)])));
         }

@@ -282,7 +282,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
 
     /// Whether the tables are preferred and have a route for the group, and this route is not from the tables.
     fn other_way(&self, group: usize, choice: &Choice) -> bool {
-        let of_tables = |choice: &Choice| choice.candidate.way == RouteSource::Tables;
+        let of_tables = |choice: &Choice| choice.candidate.source == RouteSource::Tables;
         let have = || self.options[group].as_ref().is_some_and(|options| options.choices.iter().any(of_tables));
         self.preference == Preference::Tables && !of_tables(choice) && have()
     }
@@ -332,7 +332,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
                 _ => Note::new("lost-by-order"),
             };
             alternatives.push(Alternative {
-                way: other.candidate.way,
+                source: other.candidate.source,
                 table: other.candidate.table.clone(),
                 scheme: other.candidate.scheme.clone(),
                 operations: Options::operations(other),
@@ -371,7 +371,7 @@ fn by_name(choices: &[Choice]) -> Vec<usize> {
     let key = |index: &usize| {
         let choice = &choices[*index];
         let candidate = &choice.candidate;
-        (candidate.way, candidate.table.clone(), candidate.scheme.clone(), Options::operations(choice))
+        (candidate.source, candidate.table.clone(), candidate.scheme.clone(), Options::operations(choice))
     };
     let mut order: Vec<usize> = (0..choices.len()).collect();
     order.sort_by_cached_key(key);

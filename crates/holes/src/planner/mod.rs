@@ -237,7 +237,7 @@ fn route(choice: &Choice, options: &Options, compared: ComparedRoutes) -> Route 
     let mut because: Vec<Because> = options.stages.iter().cloned().collect();
     because.extend(candidate.because.clone());
     Route {
-        way: candidate.way,
+        source: candidate.source,
         table: candidate.table.clone(),
         scheme: candidate.scheme.clone(),
         finish_elsewhere: candidate.finish_elsewhere,

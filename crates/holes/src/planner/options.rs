@@ -51,7 +51,7 @@ impl Choice {
 /// A route that cannot be carried out or is excluded by a rule, with the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RefusedRoute {
-    pub way: RouteSource,
+    pub source: RouteSource,
     pub table: String,
     /// The scheme; empty where a source has none at all.
     pub scheme: String,
@@ -66,7 +66,7 @@ impl RefusedRoute {
     /// The route as a plan shows it.
     pub fn to_alternative(&self) -> Alternative {
         Alternative {
-            way: self.way,
+            source: self.source,
             table: self.table.clone(),
             scheme: self.scheme.clone(),
             operations: self.operations.clone(),
@@ -225,7 +225,7 @@ impl Finder<'_, '_> {
     fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         let boring = self.boring_required()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
-        let stands_back = |choice: &Choice| choice.candidate.way != RouteSource::Tables && bores(choice) != boring;
+        let stands_back = |choice: &Choice| choice.candidate.source != RouteSource::Tables && bores(choice) != boring;
         options.not_bored = !boring && self.close()?;
         let other = options.choices.iter().any(|choice| choice.meets_requirements() && !stands_back(choice));
         if !other {

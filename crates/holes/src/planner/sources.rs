@@ -50,7 +50,7 @@ impl Finder<'_, '_> {
         let rule = self.shop.knowledge.table_of::<NextTransition<'_>>()?;
         let note = Note::new("tapped-at-once").with("start", start).with("thread", &thread.written);
         Ok(Some(Candidate {
-            way: RouteSource::Search,
+            source: RouteSource::Search,
             table: rule.id.clone(),
             scheme: Operation::Tap.name().to_owned(),
             transitions: vec![Operation::Tap],
@@ -169,7 +169,7 @@ impl Finder<'_, '_> {
         let (at_best, mut wrong): (Vec<_>, Vec<_>) =
             faults.iter().partition(|fault| fault.severity() == Severity::Doubtful);
         // If the user prefers the tables, their scheme is taken, and what it does not reach is reported.
-        if self.preference == Preference::Tables && candidate.way == RouteSource::Tables {
+        if self.preference == Preference::Tables && candidate.source == RouteSource::Tables {
             wrong.retain(|fault| !matches!(fault, Fault::Wanting { .. }));
         }
         if let Some(first) = wrong.first() {
@@ -192,8 +192,8 @@ impl Finder<'_, '_> {
         };
         let (table, scheme) = (twin.candidate.table.clone(), twin.candidate.scheme.clone());
         let same = refused(&choice.candidate, Reason::SameAs { table, scheme });
-        let itself = (same.way, &same.table, &same.scheme)
-            == (twin.candidate.way, &twin.candidate.table, &twin.candidate.scheme);
+        let itself = (same.source, &same.table, &same.scheme)
+            == (twin.candidate.source, &twin.candidate.table, &twin.candidate.scheme);
         if !itself && !options.refused.contains(&same) {
             options.refused.push(same);
         }
@@ -269,10 +269,10 @@ fn same_route(a: &Choice, b: &Choice) -> bool {
 }
 
 pub(super) fn refused(candidate: &Candidate, why: Reason) -> RefusedRoute {
-    RefusedRoute { scheme: candidate.scheme.clone(), ..no_candidate(candidate.way, &candidate.table, why) }
+    RefusedRoute { scheme: candidate.scheme.clone(), ..no_candidate(candidate.source, &candidate.table, why) }
 }
 
 /// The refusal of a source that has no candidate.
-pub(super) fn no_candidate(way: RouteSource, table: &str, why: Reason) -> RefusedRoute {
-    RefusedRoute { way, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
+pub(super) fn no_candidate(source: RouteSource, table: &str, why: Reason) -> RefusedRoute {
+    RefusedRoute { source, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
 }

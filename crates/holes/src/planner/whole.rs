@@ -364,7 +364,7 @@ pub(super) fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeErr
 pub(super) fn rapids_between(hole: &Hole, shop: &Shop<'_>) -> Minutes {
     let mut points = hole.at.clone();
     points.sort_unstable();
-    let way: f64 =
+    let length: f64 =
         points.windows(2).map(|pair| (pair[0].x - pair[1].x).abs().max((pair[0].y - pair[1].y).abs()).to_mm()).sum();
-    Minutes(way / shop.machine.rapid.0)
+    Minutes(length / shop.machine.rapid.0)
 }

@@ -216,10 +216,10 @@ impl Position {
     /// # Errors
     /// The knowledge lacks a row.
     pub fn new(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
-        let worst = |way: DrillingWay| {
-            let row = position_accuracy(way, shop)?;
+        let worst = |drilling: DrillingWay| {
+            let row = position_accuracy(drilling, shop)?;
             row.maximum.ok_or_else(|| {
-                KnowledgeError::missing(&row.row.table.id, note!("table-lacks-figure-of", name = way.name()))
+                KnowledgeError::missing(&row.row.table.id, note!("table-lacks-figure-of", name = drilling.name()))
             })
         };
         let loss = 1.0 + rough_face(bore, part, shop)?.map_or(0.0, |(loss, _)| loss);
@@ -256,17 +256,17 @@ impl Position {
 /// The knowledge base has no answer.
 pub fn rough_face(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Option<(f64, Because)>, KnowledgeError> {
     let answer = shop.knowledge.ask(&RoughFaceFor { entry: part.entry, state: bore.before.state() })?;
-    let Some(way) = answer.need(part.entry.name())?.loses else { return Ok(None) };
-    let loses = position_accuracy(way, shop)?;
+    let Some(drilling) = answer.need(part.entry.name())?.loses else { return Ok(None) };
+    let loses = position_accuracy(drilling, shop)?;
     let percent = loses
         .loss_max
-        .ok_or_else(|| KnowledgeError::missing(&loses.row.table.id, note!("table-lacks-figure-of", name = way.name())))?
+        .ok_or_else(|| KnowledgeError::missing(&loses.row.table.id, note!("table-lacks-figure-of", name = drilling.name())))?
         .0;
     Ok(Some((percent / 100.0, Because::row(loses.row, Note::new("rough-face").with("percent", percent)))))
 }
 
-fn position_accuracy<'k>(way: DrillingWay, shop: &Shop<'k>) -> Result<PositionAccuracy<'k>, KnowledgeError> {
-    shop.knowledge.need(way.name(), |row: &PositionAccuracy<'_>| row.name == way)
+fn position_accuracy<'k>(drilling: DrillingWay, shop: &Shop<'k>) -> Result<PositionAccuracy<'k>, KnowledgeError> {
+    shop.knowledge.need(drilling.name(), |row: &PositionAccuracy<'_>| row.name == drilling)
 }
 
 /// The width of the tolerance on centre distances; where it is a grade, it is taken at the smallest distance in the

@@ -103,7 +103,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, kind: AuxiliaryKind, shop: &Sho
             .with("scheme", Figure::scheme(scheme))
             .with("kind", Figure::word(name.name()));
         let candidate = Candidate {
-            way: RouteSource::Tables,
+            source: RouteSource::Tables,
             table: row.row.table.id.clone(),
             scheme: scheme.to_owned(),
             transitions: Vec::new(),

@@ -70,7 +70,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop
         }
         because.push(Because::row(complex.row, Note::new("complex-transitions").with("complex", number)));
         found.push(Candidate {
-            way: RouteSource::Complexes,
+            source: RouteSource::Complexes,
             table: complex.row.table.id.clone(),
             scheme,
             transitions,

@@ -26,7 +26,7 @@ use crate::units::{ItGrade, Micrometres, Roughness};
 #[derive(Clone, Debug)]
 pub struct Candidate {
     /// The source it was found in.
-    pub way: RouteSource,
+    pub source: RouteSource,
     /// `A.8`, `A.9`, `A.10`, `A.5` or the search's rule.
     pub table: String,
     /// The scheme of A.7 as the plan names it, such as `07` or `04 + centre`; the name of the complex; the

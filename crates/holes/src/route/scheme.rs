@@ -126,7 +126,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
             because.push(Because::answer(&cell.answer.answer, note));
             because.extend(reason);
             let candidate = Candidate {
-                way: RouteSource::Tables,
+                source: RouteSource::Tables,
                 table: cell.row.row.table.id.clone(),
                 scheme,
                 transitions: Vec::new(),

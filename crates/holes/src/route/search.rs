@@ -148,7 +148,7 @@ fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tr
         Because::row(row, Note::new("searched-step").with("operation", Figure::operation(operation.name())))
     }));
     Ok(Candidate {
-        way: RouteSource::Search,
+        source: RouteSource::Search,
         table,
         scheme,
         transitions,

@@ -121,14 +121,14 @@ impl Dictionary {
                 _ => {}
             }
         }
-        let way = !codes.iter().any(|code| NO_WAY.contains(&code.as_str()));
+        let is_motion = !codes.iter().any(|code| NO_WAY.contains(&code.as_str()));
         let mut cycle: Option<String> = None;
         let mut meanings = Vec::new();
         for word in words {
             match word {
                 Word::Address('N', _) if cycle.is_none() => {}
                 Word::Address(letter, number) => {
-                    let text = self.word(*letter, number, cycle.as_deref(), words, *modes, way, lang);
+                    let text = self.word(*letter, number, cycle.as_deref(), words, *modes, is_motion, lang);
                     meanings.push(format!("{letter}{number}: {text}"));
                     cycle = cycle.or(code(word).filter(|code| self.cycles.contains(code)));
                 }
@@ -166,7 +166,7 @@ impl Dictionary {
         cycle: Option<&str>,
         block: &[Word],
         modes: Modes,
-        way: bool,
+        is_motion: bool,
         lang: Lang,
     ) -> String {
         let address = self.words.get(&letter.to_string());
@@ -202,8 +202,8 @@ impl Dictionary {
         let Some(meaning) = address else { return unknown(lang) };
         let text = meaning.text(false, lang);
         let between = match letter {
-            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way && modes.incremental => "encoding-moves-by",
-            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way => "encoding-moves-to",
+            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if is_motion && modes.incremental => "encoding-moves-by",
+            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if is_motion => "encoding-moves-to",
             _ => "encoding-is",
         };
         valued(text, between, number, meaning.unit.as_ref(), meaning.tenths, lang)

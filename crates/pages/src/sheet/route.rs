@@ -161,16 +161,16 @@ fn achieved(achieved: Option<&Achieved>, lang: Lang) -> String {
 }
 
 fn of_route(route: &Route, lang: Lang) -> String {
-    route_name(route.way, &route.table, &route.scheme, lang)
+    route_name(route.source, &route.table, &route.scheme, lang)
 }
 
 /// The source of a route: `A.9 07`, `A.5 комплекс 13`, or the search.
-fn route_name(way: RouteSource, table: &str, scheme: &str, lang: Lang) -> String {
+fn route_name(source: RouteSource, table: &str, scheme: &str, lang: Lang) -> String {
     if scheme.is_empty() {
         return table.to_owned();
     }
     let name = Figure::scheme(scheme);
-    match way {
+    match source {
         RouteSource::Tables => say!(lang, "plan-by-table", table = table, scheme = name),
         RouteSource::Complexes => say!(lang, "plan-by-complex", table = table, scheme = name),
         RouteSource::Search if scheme.starts_with(|first: char| first.is_ascii_digit()) => {
@@ -208,7 +208,7 @@ fn requirement(hole: &Hole, centre: Micrometres, lang: Lang) -> String {
 
 fn runner_up(other: &Alternative, lang: Lang) -> String {
     let operations = Figure::operations(other.operations.iter().map(|made| made.operation.name()));
-    let route = route_name(other.way, &other.table, &other.scheme, lang);
+    let route = route_name(other.source, &other.table, &other.scheme, lang);
     say!(lang, "plan-runner-up", route = route, operations = operations, why = other.why.clone())
 }
 
@@ -221,7 +221,7 @@ pub(crate) fn alternatives(route: &Route, lang: Lang) -> Vec<Item> {
             say!(lang, "explain-made", operation = operation, diameter = made.diameter_mm)
         });
         let operations = operations.collect::<Vec<_>>().join(", ");
-        let name = route_name(other.way, &other.table, &other.scheme, lang);
+        let name = route_name(other.source, &other.table, &other.scheme, lang);
         let name = if operations.is_empty() { name } else { format!("{name} ({operations})") };
         let text = match other.time_min {
             Some(time) => {

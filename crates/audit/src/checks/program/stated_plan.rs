@@ -224,7 +224,7 @@ impl Making<'_, '_, '_> {
             let pitch = hole.thread_at(row.step).map(|thread| thread.pitch);
             RouteStep { pitch, ..RouteStep::plain(row.operation.value, place, diameter, from) }
         };
-        let way = |through, sizes| {
+        let measured = |through, sizes| {
             planner::feed_travel(&step(through, sizes), hole, &self.context.stated.part, &self.context.shop)
         };
         let bores = row.of_main_cylinder() && !row.operation.value.is_of_edge();
@@ -232,9 +232,9 @@ impl Making<'_, '_, '_> {
         if let Some(ours) = ours {
             // An existing transition shows whether this one may run out at the other end.
             let sizes = [ours.diameter_mm, ours.from_diameter_mm, ours.depth_mm];
-            through = way(true, sizes)?.0 == ours.travel_mm;
+            through = measured(true, sizes)?.0 == ours.travel_mm;
         }
-        way(through, [diameter, from, depth])
+        measured(through, [diameter, from, depth])
     }
 
     /// The circles of a mill: those of the program's plan with the stated diameters.

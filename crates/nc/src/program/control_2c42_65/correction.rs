@@ -274,15 +274,15 @@ fn meeting(first: &Element, second: &Element, end: Point, start: Point, offset: 
     let radius = offset.abs();
     let past = [end[0] + before[0] * radius, end[1] + before[1] * radius];
     let ahead = [start[0] - behind[0] * radius, start[1] - behind[1] * radius];
-    let mut way = vec![past, ahead];
+    let mut points = vec![past, ahead];
     // Only a line may be extended; an arc keeps its ends.
     if first.arc.is_some() {
-        way.insert(0, end);
+        points.insert(0, end);
     }
     if second.arc.is_some() {
-        way.push(start);
+        points.push(start);
     }
-    Some(way)
+    Some(points)
 }
 
 /// The sine of a turn so small that two elements count as tangent.
@@ -293,8 +293,8 @@ fn lines_meet(a: Point, along_a: Point, b: Point, along_b: Point) -> Option<Poin
     if cross.abs() < 1e-9 {
         return None;
     }
-    let way = ((b[0] - a[0]) * along_b[1] - (b[1] - a[1]) * along_b[0]) / cross;
-    Some([a[0] + along_a[0] * way, a[1] + along_a[1] * way])
+    let distance = ((b[0] - a[0]) * along_b[1] - (b[1] - a[1]) * along_b[0]) / cross;
+    Some([a[0] + along_a[0] * distance, a[1] + along_a[1] * distance])
 }
 
 fn line_meets_circle(point: Point, along: Point, arc: &Element, radius: f64) -> Vec<Point> {
@@ -307,7 +307,7 @@ fn line_meets_circle(point: Point, along: Point, arc: &Element, radius: f64) -> 
         return Vec::new();
     }
     let half = libm::sqrt(half);
-    [foot - half, foot + half].map(|way| [point[0] + along[0] * way, point[1] + along[1] * way]).to_vec()
+    [foot - half, foot + half].map(|distance| [point[0] + along[0] * distance, point[1] + along[1] * distance]).to_vec()
 }
 
 fn circles_meet(first: &Element, one: f64, second: &Element, other: f64) -> Vec<Point> {

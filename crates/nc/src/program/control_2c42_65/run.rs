@@ -81,7 +81,7 @@ impl<S: Sink> ProgramRun<'_, S> {
         for block in &blocks[range] {
             match self.block(block, depth) {
                 BlockOutcome::On => {}
-                way => return way,
+                outcome => return outcome,
             }
         }
         BlockOutcome::Out
@@ -137,15 +137,15 @@ impl<S: Sink> ProgramRun<'_, S> {
         }
         let from = BlockRef { line: block.span.line, number: block.number };
         self.running.calls.push(Call { from, program: number });
-        let mut way = BlockOutcome::On;
+        let mut outcome = BlockOutcome::On;
         for _ in 0..words.get('L').map_or(1, super::words::WordValue::number) {
             if self.program(range.clone(), depth + 1) == BlockOutcome::Out {
-                way = BlockOutcome::Out;
+                outcome = BlockOutcome::Out;
                 break;
             }
         }
         self.running.calls.pop();
-        way
+        outcome
     }
 }
 

@@ -208,7 +208,7 @@ impl Run<'_> {
             match self.block(index, depth) {
                 Next::On => index += 1,
                 Next::To(next) => index = next,
-                way => return way,
+                outcome => return outcome,
             }
         }
         Next::On
@@ -255,8 +255,8 @@ impl Run<'_> {
             maker.of_cycle = true;
             if function.does == Does::ThreadCycle {
                 maker.thread_cycle(&words, function.span);
-            } else if let Some(way) = self.contour_cycle(&mut maker, &words, function.does, function.span, index) {
-                next = way;
+            } else if let Some(after_cycle) = self.contour_cycle(&mut maker, &words, function.does, function.span, index) {
+                next = after_cycle;
             }
         } else if let Some((name, arguments, span)) = &block.call {
             maker.of_cycle = true;

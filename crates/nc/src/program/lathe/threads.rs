@@ -185,10 +185,10 @@ impl Maker<'_> {
             if allowance > 0.0 { finishes as usize } else { finishes as usize - 1 },
         ));
         let slope = libm::tan((angle / 2.0).to_radians());
-        let way = if end.z_mm < begin.z_mm { -1.0 } else { 1.0 };
+        let direction = if end.z_mm < begin.z_mm { -1.0 } else { 1.0 };
         for depth in depths {
             // The root is the target of the block; each pass is above it by the remaining depth.
-            let z = begin.z_mm + way * depth * slope;
+            let z = begin.z_mm + direction * depth * slope;
             self.rapid(at(begin.radius_mm, z));
             self.thread_pass(begin, z, (end, taper), height - depth, (lead, run_out), span);
         }

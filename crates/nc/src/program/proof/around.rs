@@ -227,7 +227,7 @@ impl<'t> Around<'_, 't> {
         let Some(task) = planned.get(at).and_then(|task| self.tasks.get(*task)) else { return };
         let others = made.iter().zip(&planned).filter(|(made, planned)| made != planned).count();
         // The path length by its coordinates distinguishes two orders.
-        let way: f64 = self
+        let length: f64 = self
             .made
             .cuts
             .windows(2)
@@ -241,7 +241,7 @@ impl<'t> Around<'_, 't> {
                 .with(Name::At, cut.at)
                 .with(Name::Needed, [task.stop.at.x, task.stop.at.y])
                 .with(Name::Count, others)
-                .with(Name::Way, crate::units::round_to(way, 1)),
+                .with(Name::Way, crate::units::round_to(length, 1)),
         );
     }
 
