@@ -88,7 +88,8 @@ fn main() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("growth");
     fs::create_dir_all(&folder).unwrap();
     println!("{:<16} {:>44} {:>36} {:>9}", "input", "sizes", "seconds", "exponent");
-    for growth in ALL.iter().filter(|one| chosen.is_empty() || chosen.iter().any(|name| one.name.contains(name.as_str())))
+    for growth in
+        ALL.iter().filter(|one| chosen.is_empty() || chosen.iter().any(|name| one.name.contains(name.as_str())))
     {
         let seconds = growth.sizes.map(|size| {
             let file = folder.join(format!("{}-{size}.{}", growth.name, growth.ending));

@@ -145,7 +145,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let file: Arc<str> = Arc::from(shown.as_str());
             // Only shown faults get words: a program may have a fault in every word.
             let (reported, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
-            let mut problems: Vec<Diagnostic> = reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            let mut problems: Vec<Diagnostic> =
+                reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             problems.extend(proof::of_part(&serious, context));
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let mut made = None;

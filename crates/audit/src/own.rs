@@ -248,7 +248,10 @@ impl Own<'_> {
         Conditions {
             place: node.place.clone(),
             rows: vec![row],
-            is_limited: node.get("limited_by").and_then(Node::text).is_some_and(|limit| limit != Limit::CuttingSpeed.name()),
+            is_limited: node
+                .get("limited_by")
+                .and_then(Node::text)
+                .is_some_and(|limit| limit != Limit::CuttingSpeed.name()),
             rounds: node.get("rounds").is_some_and(|rounds| !rounds.is_null()),
             factors: BTreeMap::new(),
             figures,

@@ -14,7 +14,6 @@
 //! not mention findings, none of severity `error` or `wrong` is accepted.
 
 mod answer;
-mod read_question;
 mod called;
 mod digest;
 pub mod expected;
@@ -26,6 +25,7 @@ mod merge;
 mod planned;
 mod question;
 mod read;
+mod read_question;
 pub mod reasons;
 mod table;
 pub mod write;

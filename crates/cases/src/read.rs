@@ -187,7 +187,8 @@ fn title(own: &Node) -> String {
         let text = written(node);
         text.strip_prefix('{').and_then(|text| text.strip_suffix('}')).map_or(text.clone(), str::to_owned)
     };
-    let question_keys = [CaseForm::given, CaseForm::hole, CaseForm::part, CaseForm::turn, CaseForm::program, CaseForm::audit];
+    let question_keys =
+        [CaseForm::given, CaseForm::hole, CaseForm::part, CaseForm::turn, CaseForm::program, CaseForm::audit];
     let question = question_keys.into_iter().find_map(|key| own.get(key.name())).map(keys);
     match (own.get(CaseForm::table.name()).and_then(Node::text), question) {
         (Some(table), Some(given)) => format!("{table}: {given}"),

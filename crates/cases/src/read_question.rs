@@ -45,7 +45,10 @@ enum QuestionKind {
 const QUESTION_KEYS: [(QuestionKind, Keys); 4] = [
     (QuestionKind::Table, &[CaseForm::table, CaseForm::given]),
     (QuestionKind::Turn, &[CaseForm::turn, CaseForm::show, CaseForm::objective]),
-    (QuestionKind::Program, &[CaseForm::program, CaseForm::control, CaseForm::machine, CaseForm::setting, CaseForm::part]),
+    (
+        QuestionKind::Program,
+        &[CaseForm::program, CaseForm::control, CaseForm::machine, CaseForm::setting, CaseForm::part],
+    ),
     (QuestionKind::Audit, &[CaseForm::audit]),
 ];
 
@@ -58,8 +61,10 @@ enum Input<'n> {
 impl Reader<'_> {
     /// The question of a case, with its keys.
     pub(super) fn question(&mut self, fields: &mut Fields<'_, CaseForm>) -> (Option<Question>, Keys) {
-        let questions: Vec<(&Node, QuestionKind, Keys)> =
-            QUESTION_KEYS.iter().filter_map(|(kind, keys)| Some((fields.take(*keys.first()?)?, *kind, *keys))).collect();
+        let questions: Vec<(&Node, QuestionKind, Keys)> = QUESTION_KEYS
+            .iter()
+            .filter_map(|(kind, keys)| Some((fields.take(*keys.first()?)?, *kind, *keys)))
+            .collect();
         if let [(.., first), (second, _, other), ..] = questions.as_slice() {
             let name = |keys: Keys| keys.first().map(|key| key.name()).unwrap_or_default();
             let message = note!("case-two-questions-one-case", first = name(first), name = name(other));

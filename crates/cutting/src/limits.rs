@@ -170,7 +170,8 @@ fn at_step(
         row: machine.row(MachineQuantity::SpindlePower)?,
         margin: Some(margin),
     };
-    for reduced_feed in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
+    for reduced_feed in
+        [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
         if let Some(borne) = reduced_feed.filter(|borne| borne.feed.0 < feed.0) {
             feed = borne.feed;

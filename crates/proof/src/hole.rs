@@ -11,7 +11,7 @@ use crate::tables::rules::{MadeBy, ReamingCase};
 use crate::tables::standards::{MinorDiameterConstant, ThreadMinorDiameter};
 use crate::units::Micrometres;
 
-use super::cylinder::{CylinderRequirements, CylinderId};
+use super::cylinder::{CylinderId, CylinderRequirements};
 use super::reach::{Both, MethodKey, Reach, drift, oversize};
 use super::{Fault, Wanting, loads, tool};
 
@@ -83,7 +83,9 @@ impl Walk<'_, '_> {
             return Ok(());
         }
         let Some(place) = CylinderId::of(transition) else { return Ok(()) };
-        let Some(required) = CylinderRequirements::of(place, self.hole, self.part, self.position()) else { return Ok(()) };
+        let Some(required) = CylinderRequirements::of(place, self.hole, self.part, self.position()) else {
+            return Ok(());
+        };
         // A step begins with the state of the cylinder that it widens.
         let before = self.states.get(&place).or_else(|| self.states.get(&CylinderId::Main)).copied();
         self.enters(transition, &required);
@@ -189,7 +191,14 @@ impl Walk<'_, '_> {
     }
 
     /// The stock in the worst case: the widest hole before, with its axis offset to one side.
-    fn stock(&mut self, transition: &Transition, required: &CylinderRequirements<'_>, before: State, reach: Reach, last: bool) {
+    fn stock(
+        &mut self,
+        transition: &Transition,
+        required: &CylinderRequirements<'_>,
+        before: State,
+        reach: Reach,
+        last: bool,
+    ) {
         let shift = match (reach.own_axis, before.axis) {
             // The spindle returns to the same point.
             (Some(own), Some(_)) if before.led => own.best + own.best,

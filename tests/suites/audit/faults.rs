@@ -95,7 +95,8 @@ fn text_of(finding: &AuditFinding) -> String {
 fn a_plan_without_a_slip_has_no_finding() {
     for case in CASES {
         let found = audited(&case_file(case.right));
-        let grave: Vec<String> = found.findings.iter().filter(|one| one.severity < Severity::Note).map(text_of).collect();
+        let grave: Vec<String> =
+            found.findings.iter().filter(|one| one.severity < Severity::Note).map(text_of).collect();
         // The book divides force and power by the factor by which it raises the feed (docs/worked-example.md).
         assert_eq!(grave, case.known, "{}", case.right);
     }

@@ -86,7 +86,8 @@ fn every_choice_is_judged_as_the_source_has_it() {
         let audit = audited(&text);
         let roots = || audit.findings.iter().filter(|one| one.follows_from.is_empty() && !of_method(one));
         let grave: BTreeSet<String> = roots().filter(|one| one.severity < Severity::Note).map(with_figures).collect();
-        let is_root = |expected: &String| roots().any(|one| finding_line(one) == *expected || with_figures(one) == *expected);
+        let is_root =
+            |expected: &String| roots().any(|one| finding_line(one) == *expected || with_figures(one) == *expected);
         let missed: Vec<&String> = case.finds.iter().filter(|expected| !is_root(expected)).collect();
         if !missed.is_empty() {
             wrong.push(format!("{}: not said {missed:?}, but {grave:?}", case.name));

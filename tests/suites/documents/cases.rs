@@ -219,7 +219,8 @@ fn a_change_of_any_expected_figure_fails_where_it_stands() {
 
 /// Whether what was planted is what fails, and nothing else.
 fn told_there(failures: &[Failure], at: &Place, now: &str) {
-    let is_of_place = |one: &Failure| one.expected.contains(now) && (one.place.line, one.place.column) <= (at.line, at.column);
+    let is_of_place =
+        |one: &Failure| one.expected.contains(now) && (one.place.line, one.place.column) <= (at.line, at.column);
     assert!(!failures.is_empty() && failures.iter().all(is_of_place), "{at}: {now}: {failures:#?}");
     let places: BTreeSet<&Place> = failures.iter().map(|one| &one.place).collect();
     assert_eq!(places.len(), 1, "{at}: {now}: {failures:#?}");

@@ -115,7 +115,8 @@ fn check(
     wrong: &mut Vec<String>,
 ) {
     let all = routes(cell.plan);
-    let of_way: Vec<&RouteSummary> = all.iter().filter(|found| found.source.is_none_or(|source| source == cell.source)).collect();
+    let of_way: Vec<&RouteSummary> =
+        all.iter().filter(|found| found.source.is_none_or(|source| source == cell.source)).collect();
     for scheme in &cell.schemes {
         let mut own = known[*scheme].clone();
         let mut names = vec![(*scheme).to_owned()];

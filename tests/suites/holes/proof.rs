@@ -214,8 +214,9 @@ fn grid(every: usize) -> (usize, usize) {
             let state =
                 if made { format!(", state: pre-machined, state_diameter: {:.1}", size * 0.8) } else { String::new() };
             let extent = if through { "through: true".to_owned() } else { format!("depth: {length}") };
-            let keys =
-                format!("diameter: {size}H{it}, {extent}, roughness: Ra {ra}, centre_tolerance: 0.2{state}, at: [[0, 0]]");
+            let keys = format!(
+                "diameter: {size}H{it}, {extent}, roughness: Ra {ra}, centre_tolerance: 0.2{state}, at: [[0, 0]]"
+            );
             parts += 1;
             let plan = plan_of_hole(material, "gf2171", &thickness.to_string(), &keys);
             // Whatever else is told of the plan: a route that was taken is one that holds.

@@ -202,11 +202,15 @@ fn a_wrong_correction_names_the_tool_whose_it_is() {
     let wrong = proof.findings.iter().find(|finding| finding.code.name() == "wrong-correction").unwrap();
     let message = Lang::EN.say(&wrong.note);
     assert!(
-        message.starts_with("T2 cuts with H1 = ") && message.contains(", the offset of T1, and its correction is H2 = "),
+        message.starts_with("T2 cuts with H1 = ")
+            && message.contains(", the offset of T1, and its correction is H2 = "),
         "{message}"
     );
     let message = Lang::UK.say(&wrong.note);
-    assert!(message.starts_with("T2 ріже з H1 = ") && message.contains(", коректором T1, а його корекція H2 = "), "{message}");
+    assert!(
+        message.starts_with("T2 ріже з H1 = ") && message.contains(", коректором T1, а його корекція H2 = "),
+        "{message}"
+    );
 }
 
 /// Every deviation of docs/proof.md is shown by some altered program, here or in the tests below.

@@ -97,7 +97,11 @@ fn a_plan_of_ours_has_names_of_one_line() {
         assert_ne!(spoilt, plan);
         fs::write(folder.join("plan.json"), spoilt).unwrap();
         let answer = command(&folder, &["audit", "plan.json"], b"");
-        assert!(answer.code == Some(2) && answer.beside.contains(&format!("error[{code}]: ")), "{sign}: {}", answer.beside);
+        assert!(
+            answer.code == Some(2) && answer.beside.contains(&format!("error[{code}]: ")),
+            "{sign}: {}",
+            answer.beside
+        );
     }
 }
 
@@ -122,7 +126,12 @@ fn the_name_of_a_file_steers_nothing() {
         [["plan", path.as_str()], ["audit", &path], ["audit", "plans"], ["check", &path], ["plan", "--no\u{1b}"]]
     {
         let answer = command(&folder, &arguments, b"");
-        assert!(visible(&answer.answer) && visible(&answer.beside), "{arguments:?}: {}{}", answer.answer, answer.beside);
+        assert!(
+            visible(&answer.answer) && visible(&answer.beside),
+            "{arguments:?}: {}{}",
+            answer.answer,
+            answer.beside
+        );
         assert!((answer.answer + &answer.beside).contains('\u{fffd}'), "{arguments:?}");
     }
     // Programs get the name as it is, in figures; whatever a terminal may be shown has another sign in its place.

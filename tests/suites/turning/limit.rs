@@ -75,7 +75,11 @@ fn mm(value: f64) -> Micrometres {
 }
 
 fn bound(limit: &LimitingDepth, bound: Bound) -> &BoundTold {
-    limit.bounds.iter().find(|checked| checked.bound == bound).unwrap_or_else(|| panic!("{bound:?} is not told: {limit:?}"))
+    limit
+        .bounds
+        .iter()
+        .find(|checked| checked.bound == bound)
+        .unwrap_or_else(|| panic!("{bound:?} is not told: {limit:?}"))
 }
 
 fn newtons(load: Load) -> f64 {
@@ -223,7 +227,10 @@ fn a_boring_bar_is_held_by_its_stiffness() {
     let per_mm = 3000.0 * 0.353_553 * libm::pow(limit.speed_m_per_min.0, -0.15) * 0.845_90 * 1.1125;
     let steps = (1150.5 / per_mm * 10.0).floor() / 10.0;
     assert_eq!((limit.depth_mm, limit.decided_by), (Some(mm(steps)), Bound::ShankStiffness));
-    assert!(limit.bounds.iter().all(|checked| checked.bound != Bound::PartRadius), "a bore has no radius to run out of");
+    assert!(
+        limit.bounds.iter().all(|checked| checked.bound != Bound::PartRadius),
+        "a bore has no radius to run out of"
+    );
 }
 
 /// Fed across the axis the edge behind the tip cuts, 5 degrees off the face: 0.66·12·cos 5 = 7.89 mm, for PDJNR with 32

@@ -138,7 +138,10 @@ fn lengths_are_exact_and_words_are_not_repeated() {
 
 #[test]
 fn programs_of_single_moves() {
-    insta::assert_snapshot!("turning-program-linuxcnc-plain", plain(&control("linuxcnc"), &toolpath(), &setting()).unwrap());
+    insta::assert_snapshot!(
+        "turning-program-linuxcnc-plain",
+        plain(&control("linuxcnc"), &toolpath(), &setting()).unwrap()
+    );
     insta::assert_snapshot!(
         "turning-program-sinumerik-plain",
         plain(&control("sinumerik"), &toolpath(), &setting()).unwrap()
@@ -206,7 +209,9 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
     };
     let cut = |path: &mut Toolpath| path.go(at(20.0, 5.0), Purpose::Cut);
     let arc = |radius: f64, purpose: Purpose| {
-        move |path: &mut Toolpath| path.follow(Piece::arc(at(20.0, 0.0), at(20.0, 10.0), mm(radius), Turn::Left), purpose)
+        move |path: &mut Toolpath| {
+            path.follow(Piece::arc(at(20.0, 0.0), at(20.0, 10.0), mm(radius), Turn::Left), purpose)
+        }
     };
     let as_is = |_: &mut Setting| {};
     let bad_task = |contour: &Contour, corner: Point, roughing: Roughing| {

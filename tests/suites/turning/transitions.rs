@@ -306,7 +306,8 @@ fn over_steps_the_levels_are_those_of_the_shaft() {
 /// 12.4-27 (l. 392-394): pick-up may be the last scheme up to Rz 40; for a finer surface finishing must follow.
 #[test]
 fn pick_up_is_the_last_up_to_rz_40() {
-    let follows = |scheme, roughness: &str| finishing_must_follow(scheme, roughness.parse().unwrap(), &KNOWLEDGE).unwrap();
+    let follows =
+        |scheme, roughness: &str| finishing_must_follow(scheme, roughness.parse().unwrap(), &KNOWLEDGE).unwrap();
     assert_eq!(follows(Scheme::PickUp, "Rz 40"), None);
     assert_eq!(follows(Scheme::PickUp, "Rz 80"), None);
     assert_eq!(follows(Scheme::PickUp, "Rz 20").unwrap().note.code(), "finishing-must-follow");

@@ -41,7 +41,8 @@ pub(super) fn check<'a>(
             continue;
         }
         let openings = openings(hole, context)?;
-        for opening in openings.iter().filter(|opening| opening.required && is_made_by_own_plan(context, hole, opening)) {
+        for opening in openings.iter().filter(|opening| opening.required && is_made_by_own_plan(context, hole, opening))
+        {
             check_made(context, graph, hole, opening, &rows, findings);
         }
         // Plans of the program report themselves what they cut beyond the drawing.

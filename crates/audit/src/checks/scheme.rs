@@ -67,7 +67,8 @@ impl Group<'_, '_> {
     /// Whether the program's route, or a candidate compared with it, has that scheme; 1 of A.5 is a complex, not
     /// scheme 01.
     fn weighed(&self, scheme: &str) -> bool {
-        let is = |own: &str, source: RouteSource| own == scheme || source == RouteSource::Tables && same_scheme(scheme, own);
+        let is =
+            |own: &str, source: RouteSource| own == scheme || source == RouteSource::Tables && same_scheme(scheme, own);
         is(&self.route.scheme, self.route.source)
             || self.route.alternatives.iter().any(|other| is(&other.scheme, other.source))
     }
@@ -241,7 +242,8 @@ impl Group<'_, '_> {
         stated: &[Operation],
         scheme: Option<&Text>,
     ) -> Result<Option<&'static str>, KnowledgeError> {
-        let of_tables = self.route.alternatives.iter().filter(|other| other.source == RouteSource::Tables && other.meets);
+        let of_tables =
+            self.route.alternatives.iter().filter(|other| other.source == RouteSource::Tables && other.meets);
         let mut schemes: Vec<&str> = of_tables.map(|other| other.scheme.as_str()).collect();
         schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.source == RouteSource::Tables));
         let printed = |own: &String| match self.answer.centred {

@@ -33,7 +33,8 @@ fn notes(page: &mut Page, table: &Table, left_out: Vec<Inlines>, all: usize) {
     if !left_out.is_empty() {
         let mut columns = Inlines::joined(left_out, ", ");
         if !page.words.see_all.is_empty() {
-            columns = columns.text("; ").append(Inlines::sentence(&page.words.see_all.replace(WIDTH, &all.to_string())));
+            columns =
+                columns.text("; ").append(Inlines::sentence(&page.words.see_all.replace(WIDTH, &all.to_string())));
         }
         page.field(&page.words.left_out.into(), &columns, STEP);
     }

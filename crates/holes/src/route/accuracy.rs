@@ -104,8 +104,11 @@ pub fn write(
         };
         // A centring spot has no diameter yet: the rule is queried with the diameter of the cylinder.
         let diameter = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
-        let next =
-            if state == HoleState::Finished { Vec::new() } else { next_transition(state, diameter, shop)?.winners()? };
+        let next = if state == HoleState::Finished {
+            Vec::new()
+        } else {
+            next_transition(state, diameter, shop)?.winners()?
+        };
         if let Some(row) = next.iter().find(|row| row.operation == operation) {
             state = row.leaves;
             reached = of_row_with_reason(row, shop)?;
@@ -260,7 +263,9 @@ pub fn rough_face(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Option<(f
     let loses = position_accuracy(drilling, shop)?;
     let percent = loses
         .loss_max
-        .ok_or_else(|| KnowledgeError::missing(&loses.row.table.id, note!("table-lacks-figure-of", name = drilling.name())))?
+        .ok_or_else(|| {
+            KnowledgeError::missing(&loses.row.table.id, note!("table-lacks-figure-of", name = drilling.name()))
+        })?
         .0;
     Ok(Some((percent / 100.0, Because::row(loses.row, Note::new("rough-face").with("percent", percent)))))
 }

@@ -93,8 +93,11 @@ impl Contract {
 pub fn hold(table: &Table, contract: &Contract) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     let required_columns = || contract.inputs.iter().chain(contract.fields);
-    for (required, input) in
-        contract.inputs.iter().map(|required| (required, true)).chain(contract.fields.iter().map(|required| (required, false)))
+    for (required, input) in contract
+        .inputs
+        .iter()
+        .map(|required| (required, true))
+        .chain(contract.fields.iter().map(|required| (required, false)))
     {
         let Some(column) = table.columns.iter().find(|column| column.name == required.name) else {
             if !(contract.is_of_family() && required.shape.optional) {
@@ -115,10 +118,12 @@ pub fn hold(table: &Table, contract: &Contract) -> Vec<Diagnostic> {
         }
     }
     for column in &table.columns {
-        let known = required_columns().any(|required| required.name == column.name) || contract.shown.contains(&column.name.as_str());
+        let known = required_columns().any(|required| required.name == column.name)
+            || contract.shown.contains(&column.name.as_str());
         if !known {
             let message = note!("lint-table-nobody-reads-column", table = table.id, column = column.name);
-            let names: Vec<&str> = required_columns().map(|required| required.name).chain(contract.shown.iter().copied()).collect();
+            let names: Vec<&str> =
+                required_columns().map(|required| required.name).chain(contract.shown.iter().copied()).collect();
             let help = match nearest(&column.name, names.iter().copied()) {
                 Some(near) => note!("lint-reads", row = contract.row, near = near),
                 None => note!("lint-reads-put-what-for-people", row = contract.row, names = names.join(", ")),
@@ -138,8 +143,12 @@ fn place(table: &Table, column: &Column) -> Option<Place> {
 
 fn missing(table: &Table, contract: &Contract, name: &str) -> Diagnostic {
     let message = note!("lint-table-column-missing-which-reads", table = table.id, name = name, row = contract.row);
-    let known =
-        contract.inputs.iter().chain(contract.fields).map(|required| required.name).chain(contract.shown.iter().copied());
+    let known = contract
+        .inputs
+        .iter()
+        .chain(contract.fields)
+        .map(|required| required.name)
+        .chain(contract.shown.iter().copied());
     let known: Vec<&str> = known.collect();
     let unread = table.columns.iter().map(|column| column.name.as_str()).filter(|column| !known.contains(column));
     let finding = Diagnostic::error("missing-column", message, super::rows::head_place(table));

@@ -74,7 +74,9 @@ pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
         );
         match &program.files {
             Ok(_) => format!("{summary}\n"),
-            Err(error) => format!("{}\n", say!(lang, "turn-program-not-written", program = summary, why = error.note())),
+            Err(error) => {
+                format!("{}\n", say!(lang, "turn-program-not-written", program = summary, why = error.note()))
+            }
         }
     };
     programs.iter().enumerate().map(line).collect()

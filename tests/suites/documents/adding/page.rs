@@ -99,7 +99,8 @@ pub fn files(title: &str) -> Vec<Item> {
         item |= line.starts_with("- ") && !block;
     }
     let split = |item: &String| {
-        let (head, instruction) = item.split_once("`: ").unwrap_or_else(|| panic!("{title}: {item}: what is done with it?"));
+        let (head, instruction) =
+            item.split_once("`: ").unwrap_or_else(|| panic!("{title}: {item}: what is done with it?"));
         Item { new: head.starts_with("new "), paths: quoted(&format!("{head}`")), instruction: instruction.to_owned() }
     };
     items.iter().map(split).collect()

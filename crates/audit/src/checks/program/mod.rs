@@ -67,7 +67,8 @@ pub(super) fn check<'a>(
             let deviations = proven(context, &plan, &job, &set, &run)?;
             // Where the program agrees with the corrected plan, a deviation follows from the slips of the plan.
             let slips = graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine));
-            let by_right = if slips && !deviations.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
+            let by_right =
+                if slips && !deviations.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
             for deviation in deviations {
                 let own = by_right.as_ref().is_none_or(|known| known.contains(&key(&deviation)));
                 judged::deviation(context, graph, &plan, deviation, own, &file, &mut seen)?;

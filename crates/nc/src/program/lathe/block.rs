@@ -302,7 +302,8 @@ impl Maker<'_> {
         if !axes && !circle {
             return;
         }
-        let span = if in_block { words.of_group(LatheGroup::Motion).map_or(self.span, |it| it.span) } else { self.span };
+        let span =
+            if in_block { words.of_group(LatheGroup::Motion).map_or(self.span, |it| it.span) } else { self.span };
         if mode == Does::ThreadBox {
             self.before_moving(span, true);
             self.thread_box(words, span);

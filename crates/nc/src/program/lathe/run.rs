@@ -255,7 +255,9 @@ impl Run<'_> {
             maker.of_cycle = true;
             if function.does == Does::ThreadCycle {
                 maker.thread_cycle(&words, function.span);
-            } else if let Some(after_cycle) = self.contour_cycle(&mut maker, &words, function.does, function.span, index) {
+            } else if let Some(after_cycle) =
+                self.contour_cycle(&mut maker, &words, function.does, function.span, index)
+            {
                 next = after_cycle;
             }
         } else if let Some((name, arguments, span)) = &block.call {
