@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 
 use technolog::audit::marks::read_scheme;
 use technolog::audit::{Auditor, Unreadable, read_plan, rules};
-use technolog::cases::{Around, read_cases};
+use technolog::cases::{ReadContext, read_cases};
 use technolog::document::{self, Document, Format};
 use technolog::knowledge::input::{text_of, unseen};
 use technolog::knowledge::{Diagnostic, Knowledge, Place, SourceFile};
@@ -136,7 +136,7 @@ fn tables(text: &str) {
 }
 
 fn cases(text: &str) {
-    let around = Around { knowledge: &KNOWLEDGE, codes: &CODES, files: &|_| Err("none".to_owned()) };
+    let around = ReadContext { knowledge: &KNOWLEDGE, codes: &CODES, files: &|_| Err("none".to_owned()) };
     mistakes(&read_cases("cases.test.yaml", text, around).mistakes, text);
 }
 

@@ -144,7 +144,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
             // Only shown faults get words: a program may have a fault in every word.
-            let (reported, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
+            let (reported, more) = context.amount.select(faults.iter().collect(), |fault| fault.severity);
             let mut problems: Vec<Diagnostic> =
                 reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             problems.extend(proof::of_part(&serious, context));

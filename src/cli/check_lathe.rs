@@ -60,7 +60,7 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
         }
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
-            let (reported, more) = context.amount.of(run.faults.iter().collect(), |fault| fault.severity);
+            let (reported, more) = context.amount.select(run.faults.iter().collect(), |fault| fault.severity);
             let problems: Vec<Diagnostic> = reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let all: Vec<Severity> = run.faults.iter().map(|fault| proof::shown(fault.severity)).collect();

@@ -43,7 +43,7 @@ impl Amount {
     }
 
     /// The shown ones, in order, and the number of others. Among equally severe ones the first are shown.
-    pub fn of<T, G: Ord>(self, all: Vec<T>, grave: impl Fn(&T) -> G) -> (Vec<T>, usize) {
+    pub fn select<T, G: Ord>(self, all: Vec<T>, grave: impl Fn(&T) -> G) -> (Vec<T>, usize) {
         if self == Self::All || all.len() <= MOST_SHOWN {
             return (all, 0);
         }
@@ -92,7 +92,7 @@ impl Texts {
 
 /// The shown problems, as in [`render_all`], and the number of others.
 pub fn render(problems: Vec<Diagnostic>, texts: &Texts, amount: Amount, lang: Lang) -> String {
-    let (shown, more) = amount.of(problems, |problem| problem.severity);
+    let (shown, more) = amount.select(problems, |problem| problem.severity);
     render_all(&shown, texts, lang) + &below(more, lang)
 }
 

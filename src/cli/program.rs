@@ -167,13 +167,13 @@ fn complain(findings: &[&Finding], faults: &[Fault], proof: &Proof, text: String
     const NAME: &str = "program.nc";
     let mut problems = proof::of_part(findings, context);
     let file = std::sync::Arc::from(NAME);
-    let (shown, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
+    let (shown, more) = context.amount.select(faults.iter().collect(), |fault| fault.severity);
     problems.extend(shown.iter().map(|fault| check::diagnostic(fault, &file, context)));
     problems.extend(proof::diagnostics(proof, &text, &file, context));
     if problems.is_empty() {
         return;
     }
     let texts = Texts::default().with(NAME, NAME.to_owned(), Cow::Owned(text));
-    let (shown, more_now) = context.amount.of(problems, |problem| problem.severity);
+    let (shown, more_now) = context.amount.select(problems, |problem| problem.severity);
     output::complain(&(render_all(&shown, &texts, context.lang) + &below(more + more_now, context.lang)));
 }

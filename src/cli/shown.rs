@@ -17,13 +17,13 @@ use super::record::{bare, results};
 
 /// The title of a table.
 pub fn title(lang: Lang, table: &Table) -> &str {
-    table.title.of(lang.tag())
+    table.title.text(lang.tag())
 }
 
 /// The name of a column, if it has one besides its key.
 pub fn label(lang: Lang, column: &Column) -> Option<&str> {
     let usual = || lang.find(&format!("table-column-{}", column.name));
-    column.label.as_ref().map(|label| label.of(lang.tag())).or_else(usual)
+    column.label.as_ref().map(|label| label.text(lang.tag())).or_else(usual)
 }
 
 /// The column of a page: its name with symbol and unit, figures to the right.

@@ -148,7 +148,7 @@ struct TableJson<'t> {
     result: &'t [String],
     key: &'t [String],
     columns: Vec<ColumnJson<'t>>,
-    rows: Vec<record::Whole<'t>>,
+    rows: Vec<record::WholeRow<'t>>,
     notes: &'t [String],
 }
 
@@ -163,7 +163,7 @@ fn table_json<'t>(table: &'t Table, context: &Context) -> TableJson<'t> {
         result: &table.result,
         key: &table.key,
         columns: table.columns.iter().map(|column| column_json(column, context)).collect(),
-        rows: table.all_rows().map(record::Whole::of).collect(),
+        rows: table.all_rows().map(record::WholeRow::of).collect(),
         notes: &table.notes,
     }
 }

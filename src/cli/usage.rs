@@ -12,14 +12,14 @@ use super::words::Lang;
 /// The fault of the arguments and its remedy; none where clap's own text is shown: help, version, and kinds of faults
 /// that this command line cannot have.
 pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang: Lang) -> Option<String> {
-    let of = |kind| error.get(kind).map(text).unwrap_or_default();
-    let (argument, value) = (of(ContextKind::InvalidArg), of(ContextKind::InvalidValue));
+    let context_text = |kind| error.get(kind).map(text).unwrap_or_default();
+    let (argument, value) = (context_text(ContextKind::InvalidArg), context_text(ContextKind::InvalidValue));
     let about = |code: &'static str| Note::new(code).with("argument", &argument).with("value", &value);
     let note = match error.kind() {
         ErrorKind::MissingRequiredArgument => about("usage-missing"),
         ErrorKind::UnknownArgument => about("usage-unknown"),
         ErrorKind::InvalidSubcommand => {
-            Note::new("usage-no-command").with("command", of(ContextKind::InvalidSubcommand))
+            Note::new("usage-no-command").with("command", context_text(ContextKind::InvalidSubcommand))
         }
         ErrorKind::MissingSubcommand => Note::new("usage-command-missing"),
         ErrorKind::InvalidValue if value.is_empty() => about("usage-value-missing"),
@@ -28,7 +28,7 @@ pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang:
             None => about("usage-bad-value"),
         },
         ErrorKind::ArgumentConflict => {
-            let other = of(ContextKind::PriorArg);
+            let other = context_text(ContextKind::PriorArg);
             if other == argument || other.is_empty() {
                 about("usage-twice")
             } else {
@@ -47,11 +47,11 @@ pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang:
             message.push_str(&format!("\n  {}", lang.say(&Note::new(code).with("values", values))));
         }
     };
-    more("usage-possible-values", of(ContextKind::ValidValue));
+    more("usage-possible-values", context_text(ContextKind::ValidValue));
     for kind in [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue] {
-        more("usage-similar", of(kind));
+        more("usage-similar", context_text(kind));
     }
-    let usage = of(ContextKind::Usage);
+    let usage = context_text(ContextKind::Usage);
     let usage = if usage.is_empty() { usage_of(command, arguments) } else { usage };
     let usage = usage.trim().trim_start_matches("Usage:").trim();
     let usage = worded(usage, lang);

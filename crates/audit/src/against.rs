@@ -44,7 +44,8 @@ pub struct Difference {
     /// The subject; tools by their place in the first plan, or in the second where only that has them.
     pub subject: Subject,
     /// The key of the figure, or `row`, `order`, `designation`, … for other things.
-    pub what: String,
+    #[serde(rename = "what")]
+    pub key: String,
     /// The quantity of the figure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quantity: Option<Quantity>,
@@ -63,7 +64,8 @@ pub struct Difference {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cost {
     /// `machine`, `rapid`, `tool_change`, `total` in min; `changes` and `places` in numbers.
-    pub what: &'static str,
+    #[serde(rename = "what")]
+    pub kind: &'static str,
     /// In the first plan.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub a: Option<f64>,
@@ -113,7 +115,7 @@ fn costs(a: &[(&'static str, Option<f64>)], b: &[(&'static str, Option<f64>)]) -
     let both = a.iter().zip(b).filter(|(a, b)| a.1.is_some() || b.1.is_some());
     let rounded = |value: f64| crate::units::round_to(value, 4);
     both.map(|((what, a), (_, b))| Cost {
-        what,
+        kind: what,
         a: a.map(rounded),
         b: b.map(rounded),
         more: a.zip(*b).map(|(a, b)| rounded(b - a)),
@@ -283,7 +285,7 @@ impl PlanComparison<'_> {
         b: Option<String>,
     ) {
         let (subject, what) = (subject.clone(), what.to_owned());
-        self.differences.push(Difference { section, subject, what, quantity: None, factor: None, a, b });
+        self.differences.push(Difference { section, subject, key: what, quantity: None, factor: None, a, b });
     }
 }
 

@@ -111,8 +111,8 @@ pub struct Change {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct MissingKeys {
     /// Which part: the number of a row, of conditions, or of a tool as `T3`; empty: the section as a whole.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub of: String,
+    #[serde(rename = "of", skip_serializing_if = "String::is_empty")]
+    pub part: String,
     /// The subject of that part.
     pub subject: Subject,
     /// The keys it lacks, as a plan file has them.
@@ -423,7 +423,7 @@ impl Stated {
     /// The name of a factor: of the card it is one of the table of corrections, else it is the author's own.
     pub(super) fn factor(&self, name: &str) -> Figure {
         match self.method {
-            CuttingMethod::Card => Figure::Word(Word { of: "factor", id: name.to_owned().into() }),
+            CuttingMethod::Card => Figure::Word(Word { vocabulary: "factor", id: name.to_owned().into() }),
             CuttingMethod::Formula => name.into_figure(),
         }
     }

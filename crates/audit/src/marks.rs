@@ -57,7 +57,8 @@ pub struct Marks {
     /// Points achieved.
     pub points: f64,
     /// Maximum of points.
-    pub of: f64,
+    #[serde(rename = "of")]
+    pub maximum: f64,
     /// Whether the plan passes, where the scheme gives a limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub passed: Option<bool>,
@@ -101,7 +102,7 @@ pub enum DeductedBy {
 }
 
 impl BySeverity {
-    const fn of(self, severity: Severity) -> Option<f64> {
+    const fn points(self, severity: Severity) -> Option<f64> {
         match severity {
             Severity::Error => self.error,
             Severity::Wrong => self.wrong,
@@ -139,7 +140,7 @@ impl MarkingScheme {
         }
         let points = rounded(left);
         let passed = self.pass.map(|pass| points >= pass);
-        Marks { scheme: self.name.clone(), points, of: self.points, passed, deductions }
+        Marks { scheme: self.name.clone(), points, maximum: self.points, passed, deductions }
     }
 
     fn charge(&self, finding: &AuditFinding) -> (f64, DeductedBy) {
@@ -150,10 +151,10 @@ impl MarkingScheme {
             return (*points, DeductedBy::Rule);
         }
         let own = self.sections.iter().find(|(section, _)| *section == finding.section);
-        if let Some(points) = own.and_then(|(_, own)| own.deduct.of(finding.severity)) {
+        if let Some(points) = own.and_then(|(_, own)| own.deduct.points(finding.severity)) {
             return (points, DeductedBy::Section);
         }
-        (self.deduct.of(finding.severity).unwrap_or(0.0), DeductedBy::Severity)
+        (self.deduct.points(finding.severity).unwrap_or(0.0), DeductedBy::Severity)
     }
 }
 

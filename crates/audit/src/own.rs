@@ -113,7 +113,7 @@ pub(super) fn read(
     let Ok(tolerances) = tolerances else {
         return problems.error("knowledge", note!("planfile-table-audit-tolerance-cannot-used"), &root.place);
     };
-    let mut reader = Own { problems, tolerances };
+    let mut reader = OwnPlanReader { problems, tolerances };
     let (mut rows, mut conditions) = (Vec::new(), Vec::new());
     for hole in items(root.get("holes")) {
         let name = text_of(hole, "name");
@@ -172,12 +172,12 @@ fn endless(node: &Node) -> Option<(&Node, &str)> {
     }
 }
 
-struct Own<'a> {
+struct OwnPlanReader<'a> {
     problems: &'a mut Problems,
     tolerances: Tolerances,
 }
 
-impl Own<'_> {
+impl OwnPlanReader<'_> {
     fn figure(&mut self, node: &Node, quantity: Quantity) -> Option<StatedFigure> {
         let text = node.text()?;
         if node.is_null() {

@@ -26,13 +26,13 @@ struct Tolerance {
     rounded: bool,
     severity: Severity,
     range: Range,
-    whole: bool,
+    whole_number: bool,
 }
 
 impl Tolerance {
     fn of(row: &Row<'_>) -> Self {
-        let &Row { half_places, own_places, rounded, severity, range, whole, .. } = row;
-        Self { half_places, relative: row.relative.0 / 100.0, own_places, rounded, severity, range, whole }
+        let &Row { half_places, own_places, rounded, severity, range, whole: whole_number, .. } = row;
+        Self { half_places, relative: row.relative.0 / 100.0, own_places, rounded, severity, range, whole_number }
     }
 }
 
@@ -52,7 +52,7 @@ impl Tolerances {
     }
 
     /// How far a stated figure may be from a value, in the unit of its quantity.
-    pub fn of(&self, quantity: Quantity, stated: &StatedFigure, value: f64) -> f64 {
+    pub fn allowed_difference(&self, quantity: Quantity, stated: &StatedFigure, value: f64) -> f64 {
         let Some(own) = self.0.get(&quantity) else { return 0.0 };
         // Binary fractions are not exact: a millionth of the value is no deviation.
         own.half_places * stated.last_place / 2.0 + own.relative * value.abs() + 1e-9 * value.abs().max(1.0)
@@ -80,7 +80,7 @@ impl Tolerances {
 
     /// Whether it is a whole number.
     pub fn is_whole_number(&self, quantity: Quantity) -> bool {
-        self.0.get(&quantity).is_some_and(|own| own.whole)
+        self.0.get(&quantity).is_some_and(|own| own.whole_number)
     }
 
     /// How grave a deviation is.

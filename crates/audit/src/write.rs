@@ -121,19 +121,19 @@ fn tool(text: &mut String, tool: &ToolPlan) {
 /// Conditions, each once with all the rows it is for.
 fn all_conditions(plan: &Plan, rows: &[At]) -> Vec<String> {
     let mut order: Vec<String> = Vec::new();
-    let mut of: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    let mut rows_by_text: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for (at, row) in rows.iter().enumerate() {
         let Some(transition) = transition(plan, *row).filter(|transition| !transition.elsewhere) else { continue };
         // The same tool at the same conditions is written once.
         let key = format!("T{} {}", transition.tool.number, conditions(transition));
-        let known = of.entry(key.clone()).or_default();
+        let known = rows_by_text.entry(key.clone()).or_default();
         if known.is_empty() {
             order.push(key);
         }
         known.push(at + 1);
     }
     let with_rows = |key: &String| {
-        let rows: Vec<String> = of.get(key)?.iter().map(usize::to_string).collect();
+        let rows: Vec<String> = rows_by_text.get(key)?.iter().map(usize::to_string).collect();
         let (_, figures) = key.split_once(' ')?;
         Some(format!("{{for: [{}], {figures}}}", rows.join(", ")))
     };

@@ -35,14 +35,14 @@ pub fn is_called(object: &Object, text: &str) -> Result<bool, UnknownWord> {
         return Ok(Pattern::read(text)?.fits(object));
     }
     if object.contains_key("designation") {
-        let whole = |(designation, table): (&str, &str)| same_letters(&format!("{designation} {table}"), text);
+        let is_designation = |(designation, table): (&str, &str)| same_letters(&format!("{designation} {table}"), text);
         let both = texts(object, "designation").zip(texts(object, "table"));
-        return Ok(has("designation", text) || both.is_some_and(whole));
+        return Ok(has("designation", text) || both.is_some_and(is_designation));
     }
     if object.contains_key("code") {
         // Its full name may contain a field with spaces.
-        let whole = name(object).is_some_and(|name| same_letters(&name, text));
-        return Ok(whole || text.split_whitespace().all(|word| OF_FINDING.iter().any(|key| has(key, word))));
+        let is_name = name(object).is_some_and(|name| same_letters(&name, text));
+        return Ok(is_name || text.split_whitespace().all(|word| OF_FINDING.iter().any(|key| has(key, word))));
     }
     Ok(NAMES.iter().any(|key| has(key, text)))
 }
@@ -100,12 +100,12 @@ impl<'t> Pattern<'t> {
             elsewhere: false,
         };
         for word in words {
-            let of = |prefix: &str| word.strip_prefix(prefix).and_then(number_of);
+            let number_after = |prefix: &str| word.strip_prefix(prefix).and_then(number_of);
             if let Some(diameter) = number_of(word) {
                 own.diameter = Some(diameter);
-            } else if let Some(step) = of("step:") {
+            } else if let Some(step) = number_after("step:") {
                 own.step = Some(step);
-            } else if let Some(also) = of("also:") {
+            } else if let Some(also) = number_after("also:") {
                 own.also = Some(also);
             } else if let Some((name, _)) = Feature::NAMES.iter().find(|(name, _)| *name == word) {
                 own.feature = name;

@@ -35,7 +35,7 @@ pub const WORDS: &[&str] = &[
 #[derive(Clone, Debug)]
 pub struct Expected {
     /// The expectation itself.
-    pub what: What,
+    pub kind: ExpectedKind,
     /// Where it stands.
     pub place: Place,
     /// As written.
@@ -44,7 +44,7 @@ pub struct Expected {
 
 /// The kinds of expectations.
 #[derive(Clone, Debug)]
-pub enum What {
+pub enum ExpectedKind {
     /// Nothing yet: an empty value.
     Open,
     /// There must be no value.
@@ -111,14 +111,14 @@ pub struct Part {
 
 impl Expected {
     /// An expectation of another kind at the same place.
-    fn at(from: &Node, what: What) -> Self {
-        Self { what, place: from.place.clone(), written: node(from) }
+    fn at(from: &Node, kind: ExpectedKind) -> Self {
+        Self { kind, place: from.place.clone(), written: node(from) }
     }
 
     /// The expectation under a key, where it is a mapping.
     pub fn get(&self, key: &str) -> Option<&Self> {
-        match &self.what {
-            What::Map(entries) => entries.iter().find(|(known, _)| known.text == key).map(|(_, expected)| expected),
+        match &self.kind {
+            ExpectedKind::Map(entries) => entries.iter().find(|(known, _)| known.text == key).map(|(_, expected)| expected),
             _ => None,
         }
     }
@@ -135,11 +135,11 @@ impl Part {
 /// Reads an expectation; faults are reported, and then nothing is returned.
 pub fn read(from: &Node, problems: &mut Problems) -> Option<Expected> {
     let what = match &from.kind {
-        NodeKind::Scalar { .. } if from.is_null() => What::Open,
-        NodeKind::Scalar { text, quoted: false } if text == "absent" => What::Absent,
-        NodeKind::Scalar { text, quoted: false } if text == "present" => What::Present,
-        NodeKind::Scalar { text, .. } => What::Is(text.clone()),
-        NodeKind::Seq(nodes) => What::List(items(nodes, problems)?),
+        NodeKind::Scalar { .. } if from.is_null() => ExpectedKind::Open,
+        NodeKind::Scalar { text, quoted: false } if text == "absent" => ExpectedKind::Absent,
+        NodeKind::Scalar { text, quoted: false } if text == "present" => ExpectedKind::Present,
+        NodeKind::Scalar { text, .. } => ExpectedKind::Is(text.clone()),
+        NodeKind::Seq(nodes) => ExpectedKind::List(items(nodes, problems)?),
         NodeKind::Map(entries) => {
             let ends = entries.iter().all(|(key, node)| ["from", "to"].contains(&key.text.as_str()) && is_value(node));
             let own = |key: &str| !["from", "to"].contains(&key) && WORDS.contains(&key);
@@ -148,7 +148,7 @@ pub fn read(from: &Node, problems: &mut Problems) -> Option<Expected> {
             } else if entries.iter().any(|(key, _)| own(&key.text)) {
                 matcher(from, problems)?
             } else {
-                What::Map(keys(from, problems)?)
+                ExpectedKind::Map(keys(from, problems)?)
             }
         }
     };
@@ -174,12 +174,12 @@ fn items(nodes: &[Node], problems: &mut Problems) -> Option<Vec<Item>> {
             return Some(Item { expected: read(inner, problems)?, optional: true });
         }
         let mut expected = read(node, problems)?;
-        let short = match &expected.what {
-            What::Is(text) => text.strip_suffix(" *").map(str::to_owned),
+        let short = match &expected.kind {
+            ExpectedKind::Is(text) => text.strip_suffix(" *").map(str::to_owned),
             _ => None,
         };
         let optional = short.is_some();
-        expected.what = short.map_or(expected.what, What::Is);
+        expected.kind = short.map_or(expected.kind, ExpectedKind::Is);
         Some(Item { expected, optional })
     };
     nodes.iter().map(|node| read_item(node, problems)).collect::<Vec<_>>().into_iter().collect()
@@ -206,7 +206,7 @@ fn spelt_out(key: &Key, node: &Node) -> (Key, Node) {
     }
 }
 
-fn range(from: &Node, problems: &mut Problems) -> Option<What> {
+fn range(from: &Node, problems: &mut Problems) -> Option<ExpectedKind> {
     let mut fields = problems.open_map(from)?;
     let mut end = |key: &str, problems: &mut Problems| match fields.take(key) {
         Some(node) => number(node, problems).map(Some),
@@ -220,32 +220,32 @@ fn range(from: &Node, problems: &mut Problems) -> Option<What> {
         let message = note!("case-no-number-from", low = low, high = high);
         return problems.error_help("bad-value", message, &from.place, note!("case-write-smaller-one-first"));
     }
-    Some(What::Range { from: least, to: greatest, keys: keys(from, problems)? })
+    Some(ExpectedKind::Range { from: least, to: greatest, keys: keys(from, problems)? })
 }
 
-fn matcher(from: &Node, problems: &mut Problems) -> Option<What> {
+fn matcher(from: &Node, problems: &mut Problems) -> Option<ExpectedKind> {
     let mut fields = problems.open_map(from)?;
     if let Some(is) = fields.take("is") {
         let within = fields.take("within");
         fields.finish(&["is", "within"], problems);
-        let Some(within) = within else { return Some(read(is, problems)?.what) };
+        let Some(within) = within else { return Some(read(is, problems)?.kind) };
         let (value, by) = (number(is, problems), tolerance(within, problems));
-        return value.zip(by).map(|(is, by)| What::Near { is, by: by.of(is) });
+        return value.zip(by).map(|(is, by)| ExpectedKind::Near { is, by: by.allowed_difference(is) });
     }
     if let Some(several) = fields.take("one_of") {
         fields.finish(&["one_of"], problems);
-        return Some(What::OneOf(all(problems.list(several)?, problems)?));
+        return Some(ExpectedKind::OneOf(all(problems.list(several)?, problems)?));
     }
     if let Some(other) = fields.take("not") {
         fields.finish(&["not"], problems);
-        return Some(What::Not(Box::new(read(other, problems)?)));
+        return Some(ExpectedKind::Not(Box::new(read(other, problems)?)));
     }
     if fields.take("within").is_some() {
         return problems.error_help("missing-key", note!("case-within-what"), &from.place, note!("case-write-within"));
     }
     let part = part(&mut fields, problems);
     fields.finish(&["starts", "ends", "contains", "lacks", "how_many", "every", "none_from"], problems);
-    Some(What::Some(Box::new(part?)))
+    Some(ExpectedKind::Some(Box::new(part?)))
 }
 
 fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<Part> {
@@ -320,7 +320,7 @@ enum Tolerance {
 }
 
 impl Tolerance {
-    fn of(&self, is: f64) -> f64 {
+    fn allowed_difference(&self, is: f64) -> f64 {
         match self {
             Self::By(by) => *by,
             Self::Share(share) => is.abs() * share,

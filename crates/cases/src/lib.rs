@@ -52,9 +52,9 @@ use crate::turning::shaft::Mistake;
 pub use called::{brief, name as called};
 pub use expected::Expected;
 pub use file::schema;
-pub use hold::{Came, Failure};
+pub use hold::{ActualValue, Failure};
 pub use kind::{FileKind, other_kind};
-pub use read::{Around, read_cases};
+pub use read::{ReadContext, read_cases};
 pub use reasons::Why;
 
 use question::Question;
@@ -141,7 +141,7 @@ impl Case {
                 place: self.place.clone(),
                 path: String::new(),
                 expected: String::new(),
-                came: Came::Open(Some(digest::digest(&self.question, answer))),
+                actual: ActualValue::Open(Some(digest::digest(&self.question, answer))),
                 why: Vec::new(),
             }],
         }

@@ -17,7 +17,7 @@ use crate::knowledge::yaml::{Key, Problems};
 use crate::plan::{AlternativeStep, HolePlan, Plan, RouteSource, Transition};
 
 use super::called::Pattern;
-use super::expected::{Expected, What};
+use super::expected::{Expected, ExpectedKind};
 
 /// The short keys of a group of holes.
 #[derive(Serialize, JsonSchema)]
@@ -112,21 +112,21 @@ struct KeyCheck<'s, 'p> {
 impl<'s> KeyCheck<'s, '_> {
     fn fit(&mut self, expected: &Expected, schemas: &[&'s Value]) {
         let forms = self.forms(schemas);
-        match &expected.what {
-            What::Open | What::Absent | What::Present | What::Near { .. } => {}
-            What::Is(text) => self.called(expected, text, &forms),
-            What::Range { keys, .. } => {
+        match &expected.kind {
+            ExpectedKind::Open | ExpectedKind::Absent | ExpectedKind::Present | ExpectedKind::Near { .. } => {}
+            ExpectedKind::Is(text) => self.called(expected, text, &forms),
+            ExpectedKind::Range { keys, .. } => {
                 if is_object(&forms) {
                     self.keys(keys, &forms);
                 }
             }
-            What::OneOf(several) => several.iter().for_each(|one| self.fit(one, &forms)),
-            What::Not(one) => self.fit(one, &forms),
-            What::List(items) => {
+            ExpectedKind::OneOf(several) => several.iter().for_each(|one| self.fit(one, &forms)),
+            ExpectedKind::Not(one) => self.fit(one, &forms),
+            ExpectedKind::List(items) => {
                 let inner = inner(&forms);
                 items.iter().for_each(|item| self.fit(&item.expected, &inner));
             }
-            What::Some(part) => {
+            ExpectedKind::Some(part) => {
                 let inner = inner(&forms);
                 for one in part.all() {
                     // The number of items is no item.
@@ -135,9 +135,9 @@ impl<'s> KeyCheck<'s, '_> {
                     }
                 }
             }
-            What::Map(keys) if is_object(&forms) => self.keys(keys, &forms),
+            ExpectedKind::Map(keys) if is_object(&forms) => self.keys(keys, &forms),
             // Items by their names.
-            What::Map(names) => {
+            ExpectedKind::Map(names) => {
                 let inner = inner(&forms);
                 names.iter().for_each(|(_, one)| self.fit(one, &inner));
             }

@@ -13,7 +13,7 @@ use crate::turning::passes::cost::Objective;
 use crate::turning::workpiece::Turned;
 
 use super::expected::Expected;
-use super::hold::{Answer, Came, Failure, hold, is_from};
+use super::hold::{Answer, ActualValue, Failure, hold, is_from};
 use super::reasons::Why;
 use super::table;
 
@@ -95,7 +95,7 @@ impl Question {
                 place: case.clone(),
                 path: keys.join("."),
                 expected: "none_from: wrong".to_owned(),
-                came: Came::Unwanted(finding.clone()),
+                actual: ActualValue::Unwanted(finding.clone()),
                 why: Vec::<Why>::new(),
             }));
         }

@@ -12,7 +12,7 @@ use crate::note::{Note, Severity};
 use crate::turning::shaft::Mistake;
 use technolog_note::note;
 
-use super::expected::{self, Expected, What};
+use super::expected::{self, Expected, ExpectedKind};
 use super::file::{CaseForm, CasesFile};
 use super::question::Question;
 use super::written::node as written;
@@ -20,7 +20,7 @@ use super::{Case, CaseFile, limits, merge, planned, table};
 
 /// The context for reading a file of cases.
 #[derive(Clone, Copy)]
-pub struct Around<'a> {
+pub struct ReadContext<'a> {
     /// The tables that are asked.
     pub knowledge: &'a Knowledge,
     /// Every code that a finding can have.
@@ -29,7 +29,7 @@ pub struct Around<'a> {
     pub files: Files<'a>,
 }
 
-impl std::fmt::Debug for Around<'_> {
+impl std::fmt::Debug for ReadContext<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Around").finish_non_exhaustive()
     }
@@ -39,7 +39,7 @@ impl std::fmt::Debug for Around<'_> {
 const COMMON: [KeyOf<CaseForm>; 4] = [CaseForm::name, CaseForm::source, CaseForm::because, CaseForm::expect];
 
 /// Reads a file of cases. Usable cases are returned beside the mistakes.
-pub fn read_cases(file: &str, text: &str, around: Around<'_>) -> CaseFile {
+pub fn read_cases(file: &str, text: &str, around: ReadContext<'_>) -> CaseFile {
     let (root, diagnostics) = parse(file, text);
     let mut reader = Reader { around, problems: Problems(diagnostics), meant: Vec::new(), texts: Vec::new(), file };
     let cases = root.map(|root| reader.file(&root)).unwrap_or_default();
@@ -66,7 +66,7 @@ fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<IntoFigur
 
 /// Reads one file.
 pub(super) struct Reader<'a> {
-    pub(super) around: Around<'a>,
+    pub(super) around: ReadContext<'a>,
     pub(super) problems: Problems,
     /// Mistakes of turned parts, which have their own words.
     pub(super) meant: Vec<Mistake>,
@@ -95,8 +95,8 @@ impl Reader<'_> {
     fn case(&mut self, number: usize, own: &Node, head: &Node) -> Option<Case> {
         let mistakes = self.mistakes();
         let _ = self.problems.open_map(own)?;
-        let whole = merge::over(own, head);
-        let mut fields = self.problems.map(&whole)?;
+        let merged = merge::over(own, head);
+        let mut fields = self.problems.map(&merged)?;
         let name = fields.take(CaseForm::name).and_then(|node| self.problems.name(node)).map(str::to_owned);
         let mut text = |key| fields.take(key).and_then(|node| self.problems.lines(node)).map(str::to_owned);
         let (source, because) = (text(CaseForm::source), text(CaseForm::because));
@@ -115,7 +115,7 @@ impl Reader<'_> {
                 match &question {
                     Some(question) => self.fit(&mut expected, question),
                     // The faults of both are reported at once.
-                    None if whole.get(CaseForm::hole.name()).is_some() => {
+                    None if merged.get(CaseForm::hole.name()).is_some() => {
                         planned::fit(&expected, 1, &mut self.problems)
                     }
                     None => {}
@@ -156,10 +156,10 @@ impl Reader<'_> {
 
     /// A misspelt code would never be found among findings that must be absent.
     fn codes(&mut self, findings: &Expected) {
-        let What::Some(part) = &findings.what else { return };
+        let ExpectedKind::Some(part) = &findings.kind else { return };
         let codes = part.lacks.iter().map(|one| one.get("code").unwrap_or(one));
-        let texts = codes.filter_map(|one| match &one.what {
-            What::Is(text) => Some((one, text)),
+        let texts = codes.filter_map(|one| match &one.kind {
+            ExpectedKind::Is(text) => Some((one, text)),
             _ => None,
         });
         for (one, text) in texts {

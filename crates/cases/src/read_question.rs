@@ -15,7 +15,7 @@ use technolog_note::{Note, note};
 
 use super::file::CaseForm;
 use super::question::{Program, Question};
-use super::read::{Around, Reader};
+use super::read::{ReadContext, Reader};
 use super::{merge, table};
 
 /// Keys of a case that belong together.
@@ -96,8 +96,8 @@ impl Reader<'_> {
             (None, None) => None,
             (Some(part), None) => self.part(part),
             (part, Some(hole)) => {
-                let whole = self.part_of_hole(part, hole);
-                whole.and_then(|whole| self.part(&whole))
+                let merged = self.part_of_hole(part, hole);
+                merged.and_then(|whole| self.part(&whole))
             }
         };
         part.zip(method).map(|(part, method)| Question::Part { part: Box::new(part), method })
@@ -245,7 +245,7 @@ impl Reader<'_> {
     }
 
     fn audit(&mut self, node: &Node) -> Option<Stated> {
-        let Around { knowledge, files, .. } = self.around;
+        let ReadContext { knowledge, files, .. } = self.around;
         let read = match self.input(node)? {
             Input::Here(node) => read_plan_node(node, self.file, knowledge, files),
             Input::File(path, text) => {

@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::note::{Because, Finding, Note};
 
 use super::called::same_letters;
-use super::expected::{Expected, What};
+use super::expected::{Expected, ExpectedKind};
 
 /// A reason, as data.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +51,7 @@ pub fn reasons(trail: &[&Value], path: &[String], expected: &Expected) -> Vec<Wh
             return findings(trail.first().copied(), object.get("name"));
         };
         let mut reasons = Vec::new();
-        if let ("scheme", What::Is(scheme)) = (key.as_str(), &expected.what) {
+        if let ("scheme", ExpectedKind::Is(scheme)) = (key.as_str(), &expected.kind) {
             reasons.extend(not_taken(route, scheme));
         }
         reasons.extend(because(route.get("because")));

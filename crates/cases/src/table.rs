@@ -11,7 +11,7 @@ use crate::knowledge::{Answer, Column, Input, Knowledge, QueryError, RowRef, Tab
 use crate::note::{Because, Note};
 use crate::units::Unit;
 
-use super::expected::{Expected, Item, What};
+use super::expected::{Expected, Item, ExpectedKind};
 use super::hold;
 use super::reasons::Why;
 
@@ -145,17 +145,17 @@ pub fn json(rows: &[RowRef<'_>]) -> Json {
 /// that collects rows, the first). `none` means that no row answers.
 pub fn about<'v>(expected: &mut Expected, rows: &'v Json, table: &Table) -> &'v Json {
     let all = rows.as_array().map(Vec::as_slice).unwrap_or_default();
-    match (&expected.what, all) {
-        (What::Is(word), _) if word == "none" => {
-            expected.what = What::List(Vec::new());
+    match (&expected.kind, all) {
+        (ExpectedKind::Is(word), _) if word == "none" => {
+            expected.kind = ExpectedKind::List(Vec::new());
             rows
         }
-        (What::Map(_), [row]) => row,
-        (What::Map(_), [first, ..]) if table.kind == TableKind::Decision => first,
-        (What::Map(_), _) => {
+        (ExpectedKind::Map(_), [row]) => row,
+        (ExpectedKind::Map(_), [first, ..]) if table.kind == TableKind::Decision => first,
+        (ExpectedKind::Map(_), _) => {
             // Not one row: the whole list is the actual value.
             let item = Item { expected: expected.clone(), optional: false };
-            expected.what = What::List(vec![item]);
+            expected.kind = ExpectedKind::List(vec![item]);
             rows
         }
         _ => rows,
@@ -210,15 +210,15 @@ fn value_json(column: &Column, value: &Value) -> Json {
 
 /// Compares the keys of an expectation with the columns of the table; a single value of a list column is a list of one.
 pub fn fit(expected: &mut Expected, table: &Table, problems: &mut Problems) {
-    match &mut expected.what {
-        What::List(items) => items.iter_mut().for_each(|item| fit(&mut item.expected, table, problems)),
-        What::Map(keys) => {
+    match &mut expected.kind {
+        ExpectedKind::List(items) => items.iter_mut().for_each(|item| fit(&mut item.expected, table, problems)),
+        ExpectedKind::Map(keys) => {
             for (key, inner) in keys {
                 let column =
                     answer_columns(table).into_iter().map(|(_, column)| column).find(|column| column.name == key.text);
-                if let (Some(Column { list: true, .. }), What::Is(_)) = (column, &inner.what) {
+                if let (Some(Column { list: true, .. }), ExpectedKind::Is(_)) = (column, &inner.kind) {
                     let item = Item { expected: inner.clone(), optional: false };
-                    inner.what = What::List(vec![item]);
+                    inner.kind = ExpectedKind::List(vec![item]);
                 }
                 if column.is_none() && !OF_ROWS.contains(&key.text.as_str()) {
                     let names =

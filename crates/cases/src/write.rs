@@ -7,8 +7,8 @@ use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::{Diagnostic, Place};
 use crate::knowledge::yaml::{Key, Node, NodeKind, parse};
 
-use super::hold::Came;
-use super::{Around, Asker, Case, CaseFile, Failure, digest, read_cases, written};
+use super::hold::ActualValue;
+use super::{ReadContext, Asker, Case, CaseFile, Failure, digest, read_cases, written};
 
 /// The most that a line of written YAML holds.
 const WIDTH: usize = 110;
@@ -33,7 +33,7 @@ pub fn fill(
     text: &str,
     file: &CaseFile,
     failures: &[Vec<Failure>],
-    around: Around<'_>,
+    around: ReadContext<'_>,
     asker: &Asker<'_>,
 ) -> Result<Filled, KnowledgeError> {
     let mut filled = Filled::default();
@@ -113,11 +113,11 @@ struct Writer<'t> {
 impl Writer<'_> {
     /// The edits for a case; none if one of its open places cannot be found.
     fn edits(&self, own: &Node, case: &Case, failures: &[Failure]) -> Option<Vec<Edit>> {
-        if let (None, [Failure { came: Came::Open(Some(digest)), .. }]) = (&case.expected, failures) {
+        if let (None, [Failure { actual: ActualValue::Open(Some(digest)), .. }]) = (&case.expected, failures) {
             return Some(vec![self.whole_expectation(own, digest)]);
         }
-        let open = failures.iter().filter_map(|failure| match &failure.came {
-            Came::Open(came) => Some((&failure.place, came.as_ref().map(digest::bare).unwrap_or_default())),
+        let open = failures.iter().filter_map(|failure| match &failure.actual {
+            ActualValue::Open(came) => Some((&failure.place, came.as_ref().map(digest::bare).unwrap_or_default())),
             _ => None,
         });
         open.map(|(place, came)| self.empty(place, &written::value(&came))).collect()

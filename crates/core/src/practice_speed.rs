@@ -144,11 +144,11 @@ impl<'k> PracticeSpeed<'k> {
     /// For operations without rows of their own: a share of drilling or turning.
     fn share(
         operation: SharedWork,
-        of: Option<Self>,
+        speed: Option<Self>,
         knowledge: &'k Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
         let Some(row) = knowledge.ask(&SpeedShareFor { operation })?.winner()? else { return Ok(None) };
-        Ok(of.map(|of| of.times(row.share_low, row.share, row.share_high)))
+        Ok(speed.map(|of| of.times(row.share_low, row.share, row.share_high)))
     }
 }
 

@@ -40,7 +40,7 @@ pub use crate::tables::cutting::Surface;
 pub use card::CardDoubt;
 pub use limits::spindle_step;
 
-use practice::Held;
+use practice::PracticeComparison;
 use settle::Settled;
 
 /// A cut.
@@ -200,7 +200,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
     let power = torque.map(|torque| power_of(torque, limited.rpm));
     // The life belongs to the speed of the formula, also where practice is slower; where practice is faster, to the
     // speed of practice.
-    let lives_at = if practice == Held::Faster { draft.speed } else { formula_speed };
+    let lives_at = if practice == PracticeComparison::Faster { draft.speed } else { formula_speed };
     let tool_life = Minutes(draft.tool_life.0 * libm::pow(lives_at.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(limited.because);
@@ -225,7 +225,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         power_kw: power.map(|power| power.rounded(4)),
         machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
         limited_by: match limited.limited_by {
-            Limit::CuttingSpeed if practice != Held::No => Limit::PracticeSpeed,
+            Limit::CuttingSpeed if practice != PracticeComparison::FormulaKept => Limit::PracticeSpeed,
             limit => limit,
         },
         tool_life_min: tool_life.rounded(0),

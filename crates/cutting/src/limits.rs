@@ -53,7 +53,7 @@ impl<'k> Margin<'k> {
 }
 
 /// The feed that the loads permit, if it is less than the required one.
-pub(super) struct Borne {
+pub(super) struct ReducedFeed {
     pub feed: MillimetresPerRev,
     /// The limit.
     pub limit: Limit,
@@ -64,13 +64,13 @@ pub(super) struct Borne {
 const SLACK: f64 = 1e-9;
 
 /// Reduces a feed to the limits of drill strength, thrust and torque at a spindle step; none if it is within them.
-pub(super) fn borne(
+pub(super) fn reduced_feed(
     draft: &DraftConditions,
     feed: MillimetresPerRev,
     cut: &Cut,
     rpm: RevsPerMinute,
     shop: &Shop<'_>,
-) -> Tried<Option<Borne>, Uncut> {
+) -> Tried<Option<ReducedFeed>, Uncut> {
     let (machine, loads) = (&shop.machine, draft.loads);
     let speed = speed_at(rpm, draft.motion.turned);
     let (thrust, torque) = (Margin::of(Load::Thrust, shop)?, Margin::of(Load::Torque, shop)?);
@@ -95,8 +95,8 @@ pub(super) fn borne(
 }
 
 /// The feed within all limits, if the required one is not.
-fn within(bounds: &[Option<Bound<'_>>], required: MillimetresPerRev, speed: MetresPerMinute) -> Option<Borne> {
-    let mut borne: Option<Borne> = None;
+fn within(bounds: &[Option<Bound<'_>>], required: MillimetresPerRev, speed: MetresPerMinute) -> Option<ReducedFeed> {
+    let mut borne: Option<ReducedFeed> = None;
     for bound in bounds.iter().flatten() {
         let before = borne.as_ref().map_or(required, |borne| borne.feed);
         if let Some(law) = bound.law
@@ -111,7 +111,7 @@ fn within(bounds: &[Option<Bound<'_>>], required: MillimetresPerRev, speed: Metr
             let mut because = borne.map_or_else(Vec::new, |borne| borne.because);
             because.push(Because::row(bound.row, note));
             because.extend(bound.margin.map(Margin::reason));
-            borne = Some(Borne { feed, limit: bound.kind, because });
+            borne = Some(ReducedFeed { feed, limit: bound.kind, because });
         }
     }
     borne
@@ -171,7 +171,7 @@ fn at_step(
         margin: Some(margin),
     };
     for reduced_feed in
-        [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
+        [reduced_feed(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
         if let Some(borne) = reduced_feed.filter(|borne| borne.feed.0 < feed.0) {
             feed = borne.feed;

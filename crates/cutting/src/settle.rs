@@ -7,8 +7,8 @@ use crate::shop::Shop;
 use crate::tables::rules::FeedChoice;
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
-use super::limits::{self, Borne, LimitedConditions};
-use super::practice::{self, Held};
+use super::limits::{self, ReducedFeed, LimitedConditions};
+use super::practice::{self, PracticeComparison};
 use super::{Cut, DraftConditions, force_opinion, reaming};
 
 /// The most rounds of reducing the feed. Loads that do not depend on the speed need one; those that do (boring,
@@ -21,7 +21,7 @@ pub(super) struct Settled {
     /// The speed of the formula for the final feed, before practice and the steps of the spindle.
     pub formula_speed: MetresPerMinute,
     /// The result of the comparison with practice.
-    pub practice: Held,
+    pub practice: PracticeComparison,
     pub limited: LimitedConditions,
 }
 
@@ -42,8 +42,8 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let (mut limited_by, mut because) = (None, Vec::new());
     for _ in 0..ROUNDS {
         let rpm = limits::step_of(&found.draft, shop)?;
-        let Some(Borne { feed, limit, because: reasons }) =
-            limits::borne(&found.draft, found.draft.feed, cut, rpm, shop)?
+        let Some(ReducedFeed { feed, limit, because: reasons }) =
+            limits::reduced_feed(&found.draft, found.draft.feed, cut, rpm, shop)?
         else {
             break;
         };
@@ -66,7 +66,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
 struct DraftAtFeed {
     draft: DraftConditions,
     formula_speed: MetresPerMinute,
-    practice: Held,
+    practice: PracticeComparison,
 }
 
 impl DraftAtFeed {
@@ -86,7 +86,7 @@ fn at(
     let formula_speed = draft.speed;
     let mut practice = practice::hold(&mut draft, cut, shop)?;
     if reaming::hold_for_surface(&mut draft, cut, shop)? {
-        practice = Held::Slower;
+        practice = PracticeComparison::Slower;
     }
     force_opinion::hold_torque(&mut draft, tabulated, cut, shop)?;
     Ok(DraftAtFeed { draft, formula_speed, practice })

@@ -127,12 +127,12 @@ fn bottoms(depth: Micrometres, step: Micrometres) -> impl Iterator<Item = Microm
 }
 
 /// The rapid motions of a work outside its cycles: from the tool-change position over its points and back.
-struct Ways {
+struct RapidTimes {
     rapid: Rapid,
     change_at: Position,
 }
 
-impl Ways {
+impl RapidTimes {
     /// Along X and Y between two points of a set-up; an absent point is the tool-change position.
     fn across(&self, from: Option<Point>, to: Option<Point>, setup: &SetUp) -> Minutes {
         let home = Point { x: self.change_at.x - setup.zero.x, y: self.change_at.y - setup.zero.y };
@@ -146,7 +146,7 @@ impl Ways {
     }
 
     /// All rapids that are not part of a cycle.
-    fn of(&self, work: &ToolWork, correction: Micrometres, setup: &SetUp) -> Minutes {
+    fn work_time(&self, work: &ToolWork, correction: Micrometres, setup: &SetUp) -> Minutes {
         let points = || work.stops.iter().map(|stop| Some(stop.at));
         let from = std::iter::once(None).chain(points());
         let to = points().chain([None]);
@@ -162,7 +162,7 @@ impl Ways {
 /// visit of the plan, so far only those across the part, become complete. So do those by the textbook's rule and the
 /// lower bound, because no order of the points avoids the rest.
 pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [ToolVisit]) -> Times {
-    let ways = Ways { rapid: machine.rapids(), change_at: job.change_at };
+    let ways = RapidTimes { rapid: machine.rapids(), change_at: job.change_at };
     // A program begins at the machine's zero and first moves to the tool-change position: that belongs to the first
     // work.
     let Position { x, y, z } = job.change_at;
@@ -174,7 +174,7 @@ pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [Tool
     for setup in &job.setups {
         for work in &setup.works {
             let correction = job.correctors.iter().find(|(number, _)| *number == work.corrector);
-            let mut rapid = ways.of(work, correction.map_or(Micrometres::ZERO, |(_, length)| *length), setup);
+            let mut rapid = ways.work_time(work, correction.map_or(Micrometres::ZERO, |(_, length)| *length), setup);
             for stop in &work.stops {
                 let Some(cycle) = work.cycles.get(stop.cycle) else { continue };
                 let took = cycle.duration(ways.rapid);

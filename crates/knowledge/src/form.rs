@@ -172,7 +172,7 @@ impl<'n, F> Fields<'n, F> {
         let present = hint::present(known, self.entries);
         let (mut unknown, mut meant) = (Vec::new(), BTreeSet::new());
         for (key, node) in self.remaining() {
-            let hint = hint::of(&key.text, known, &present);
+            let hint = hint::for_typed(&key.text, known, &present);
             let help = match &hint {
                 _ if node.is_null() && key.text.bytes().all(|byte| byte.is_ascii_digit()) => {
                     note!("yaml-write-decimal-point-number-comma")
@@ -212,7 +212,7 @@ impl<F: Form> Fields<'_, F> {
         let present = hint::present(&known, self.entries);
         let meant = |typed: &str| {
             typed == key.0
-                || !known.contains(&typed) && hint::of(typed, &known, &present).is_some_and(|hint| hint.key() == key.0)
+                || !known.contains(&typed) && hint::for_typed(typed, &known, &present).is_some_and(|hint| hint.key() == key.0)
         };
         self.entries.iter().any(|(typed, node)| !node.is_null() && meant(&typed.text))
     }
@@ -235,7 +235,7 @@ impl Problems {
 
 /// The known key meant by a mistyped or Ukrainian one.
 pub fn similar_key<'k>(typed: &str, known: &[&'k str]) -> Option<&'k str> {
-    hint::of(typed, known, &[]).map(|hint| hint.key())
+    hint::for_typed(typed, known, &[]).map(|hint| hint.key())
 }
 
 /// The problem that [`Fields::need`] reports for a missing key.

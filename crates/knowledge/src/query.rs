@@ -108,7 +108,7 @@ pub enum QueryError {
         /// The input's name.
         name: String,
         /// Its type and unit.
-        what: Box<Note>,
+        expected: Box<Note>,
     },
     /// An input is not of its column's type or unit.
     IllTyped {
@@ -119,7 +119,7 @@ pub enum QueryError {
         /// What was given.
         given: String,
         /// What is expected.
-        what: Box<Note>,
+        expected: Box<Note>,
     },
     /// An input is outside the column's domain.
     OutOfDomain {
@@ -149,8 +149,8 @@ impl From<&QueryError> for Note {
             E::UnknownInput { table, name, known } => {
                 note!("table-has-no-input", table = table, name = name, known = known)
             }
-            E::Missing { table, name, what } => note!("table-needs-input", table = table, name = name, what = **what),
-            E::IllTyped { table, name, given, what } => {
+            E::Missing { table, name, expected: what } => note!("table-needs-input", table = table, name = name, what = **what),
+            E::IllTyped { table, name, given, expected: what } => {
                 note!("table-input-ill-typed", table = table, name = name, given = given, what = **what)
             }
             E::OutOfDomain { table, name, given, domain } => {
@@ -358,7 +358,7 @@ impl Table {
             table: self.id.clone(),
             name: column.name.clone(),
             given: format!("`{input}`"),
-            what: describe(column).into(),
+            expected: describe(column).into(),
         }
     }
 
@@ -372,7 +372,7 @@ impl Table {
     }
 
     fn missing(&self, column: &Column) -> QueryError {
-        QueryError::Missing { table: self.id.clone(), name: column.name.clone(), what: describe(column).into() }
+        QueryError::Missing { table: self.id.clone(), name: column.name.clone(), expected: describe(column).into() }
     }
 
     fn unknown_input(&self, inputs: &[(&str, Option<Input<'_>>)]) -> QueryError {

@@ -65,10 +65,10 @@ fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&AuditFinding
     let mut sections: Vec<Section> = audit.findings.iter().map(|finding| finding.section).collect();
     sections.sort_unstable();
     sections.dedup();
-    let of = |section: Section| audit.findings.iter().filter(|finding| finding.section == section).collect();
-    let whole: Vec<(Section, Vec<&AuditFinding>)> =
-        sections.into_iter().map(|section| (section, of(section))).collect();
-    whole.into_iter()
+    let findings_of = |section: Section| audit.findings.iter().filter(|finding| finding.section == section).collect();
+    let by_section: Vec<(Section, Vec<&AuditFinding>)> =
+        sections.into_iter().map(|section| (section, findings_of(section))).collect();
+    by_section.into_iter()
 }
 
 /// The fault in one sentence.

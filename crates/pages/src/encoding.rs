@@ -122,7 +122,7 @@ pub fn of_text(
     // A machine without a record is an error, so that nobody reads a sheet of another one.
     let named = &Machine::find(knowledge, machine)?.table.title;
     // The title of a table stands in the table, in both languages.
-    let machine = named.of(lang.tag());
+    let machine = named.text(lang.tag());
     let equipment = say!(lang, "encoding-equipment-is", machine = machine, control = name(control, lang));
     Ok(EncodingSheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })
 }

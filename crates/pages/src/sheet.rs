@@ -124,7 +124,7 @@ fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
     );
     let machine = Machine::find(knowledge, &part.machine).map(|machine| &machine.table.title);
     // The title of a table stands in the table, in both languages.
-    let machine = machine.map_or(part.machine.as_str(), |title| title.of(lang.tag()));
+    let machine = machine.map_or(part.machine.as_str(), |title| title.text(lang.tag()));
     let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
     let blank = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
     page.push(crate::document::Block::Fields(vec![

@@ -35,18 +35,18 @@ pub(super) fn sentence(plan: &Plan, work: &ToolWork, cycles: &[usize], lang: Lan
     let mut before: Option<Operation> = None;
     for (hole, number, count) in of_work(work, cycles) {
         let Some((hole, transition)) = of_plan(plan, hole, number) else { continue };
-        let what = holes(hole, transition, count.min(hole.at.len()), lang);
+        let holes_text = holes(hole, transition, count.min(hole.at.len()), lang);
         let operation = Figure::operation(transition.operation.name());
-        let whole = |operation| say!(lang, "cycles-operation", operation = operation, holes = what.as_str());
+        let with_holes = |operation| say!(lang, "cycles-operation", operation = operation, holes = holes_text.as_str());
         match before.replace(transition.operation) {
-            None => text.push_str(&capital(&whole(operation))),
+            None => text.push_str(&capital(&with_holes(operation))),
             Some(same) if same == transition.operation => {
                 text.push_str(", ");
-                text.push_str(&what);
+                text.push_str(&holes_text);
             }
             Some(_) => {
                 text.push_str("; ");
-                text.push_str(&whole(operation));
+                text.push_str(&with_holes(operation));
             }
         }
     }

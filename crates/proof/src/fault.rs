@@ -8,7 +8,7 @@ pub use crate::tables::rules::Load;
 
 /// What a transition reaches at best and ordinarily, and the requirement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Wanting {
+pub enum Shortfall {
     /// The grade of a diameter.
     Grade(ItGrade, ItGrade, ItGrade),
     /// The roughness of a surface.
@@ -26,7 +26,7 @@ pub enum Fault {
     /// The stock on diameter is more than such a tool may remove at once.
     TooMuch { operation: Operation, stock: Micrometres, most: Micrometres },
     /// The last transition reaches the required value only at best, or not at all.
-    Wanting { operation: Operation, what: Wanting },
+    Wanting { operation: Operation, shortfall: Shortfall },
     /// The hole may be wider than its upper limit.
     TooWide { operation: Operation, diameter: Micrometres, may_be: Micrometres, limit: Micrometres },
     /// Nothing leaves the cylinder within its limits.
@@ -61,7 +61,7 @@ impl Fault {
     /// What is reached only at best is doubtful; everything else damages the part or the tool.
     pub fn severity(&self) -> Severity {
         match self {
-            Self::Wanting { what, .. } if what.at_best() => Severity::Doubtful,
+            Self::Wanting { shortfall: what, .. } if what.at_best() => Severity::Doubtful,
             _ => Severity::Error,
         }
     }
@@ -80,7 +80,7 @@ impl Fault {
             Self::TooMuch { operation, stock, most } => {
                 of("proof-too-much", operation).with("stock", stock).with("most", most)
             }
-            Self::Wanting { operation, what } => what.with_figures(of(what.code(), operation)),
+            Self::Wanting { operation, shortfall: what } => what.with_figures(of(what.code(), operation)),
             Self::TooWide { operation, diameter, may_be, limit } => {
                 of("proof-too-wide", operation).with("diameter", diameter).with("may_be", may_be).with("limit", limit)
             }
@@ -140,7 +140,7 @@ const fn overload(load: Load) -> &'static str {
     }
 }
 
-impl Wanting {
+impl Shortfall {
     /// Whether the required value is reached at best.
     fn at_best(self) -> bool {
         match self {

@@ -13,7 +13,7 @@ use crate::units::Micrometres;
 
 use super::cylinder::{CylinderId, CylinderRequirements};
 use super::reach::{Both, MethodKey, Reach, drift, oversize};
-use super::{Fault, Wanting, loads, tool};
+use super::{Fault, Shortfall, loads, tool};
 
 /// The current state of a cylinder.
 #[derive(Clone, Copy, Debug)]
@@ -329,16 +329,16 @@ impl Walk<'_, '_> {
         let mut wanting = Vec::new();
         let mut grade = true;
         if let Some(it) = reach.it {
-            let what = Wanting::Grade(it.best, it.ordinary, required.diameter.it);
-            grade = what.holds();
-            wanting.push(what);
+            let of_grade = Shortfall::Grade(it.best, it.ordinary, required.diameter.it);
+            grade = of_grade.holds();
+            wanting.push(of_grade);
         }
-        wanting.push(Wanting::Surface(reach.roughness.best, reach.roughness.ordinary, required.roughness));
+        wanting.push(Shortfall::Surface(reach.roughness.best, reach.roughness.ordinary, required.roughness));
         if let Some((axis, position)) = state.axis.zip(required.position) {
-            wanting.push(Wanting::Position(axis.best, axis.ordinary, position));
+            wanting.push(Shortfall::Position(axis.best, axis.ordinary, position));
         }
-        let wanting = wanting.into_iter().filter(|what| !what.holds());
-        self.faults.extend(wanting.map(|what| Fault::Wanting { operation, what }));
+        let wanting = wanting.into_iter().filter(|shortfall| !shortfall.holds());
+        self.faults.extend(wanting.map(|shortfall| Fault::Wanting { operation, shortfall }));
         // The size of these tools does not follow the tolerance field.
         let fixed = matches!(operation, Operation::Drill | Operation::DrillOut | Operation::Counterbore);
         let may_be = left + width;

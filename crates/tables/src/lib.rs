@@ -102,7 +102,7 @@ pub fn documentation(knowledge: &Knowledge) -> Vec<ForPeople<'_>> {
         let rows = contract.map(|contract| contracts::for_people(table, contract)).unwrap_or_default();
         ForPeople { table: &table.id, columns, rows }
     });
-    listed.filter(|of| !of.columns.is_empty() || !of.rows.is_empty()).collect()
+    listed.filter(|parts| !parts.columns.is_empty() || !parts.rows.is_empty()).collect()
 }
 
 #[cfg(test)]

@@ -51,14 +51,14 @@ pub fn chain(hole: &Hole, plan: &HolePlan) -> Result<(), TestCaseError> {
 
 /// Tools of the catalogs, conditions that are numbers and that the machine bears.
 pub fn sound(step: &Transition, plan: &Plan, machine: &Machine<'_>) -> Result<(), TestCaseError> {
-    let what = format!("{:?} of {}", step.operation, step.diameter_mm);
-    prop_assert!(designated(&step.tool.table, &step.tool.designation), "{what}: no {:?}", step.tool);
-    prop_assert!(designated(&step.holder.table, &step.holder.designation), "{what}: no {:?}", step.holder);
+    let step_text = format!("{:?} of {}", step.operation, step.diameter_mm);
+    prop_assert!(designated(&step.tool.table, &step.tool.designation), "{step_text}: no {:?}", step.tool);
+    prop_assert!(designated(&step.holder.table, &step.holder.designation), "{step_text}: no {:?}", step.holder);
     // What is done on another machine is in no magazine of this one.
     let tool = plan.tools.iter().find(|tool| tool.number == step.tool.number);
     let has = |tool: &technolog::plan::ToolPlan| tool.designation == step.tool.designation;
-    prop_assert!(step.elsewhere || tool.is_some_and(has), "{what}");
-    prop_assert!(step.passes >= 1 && step.travel_mm > Micrometres::ZERO, "{what}");
+    prop_assert!(step.elsewhere || tool.is_some_and(has), "{step_text}");
+    prop_assert!(step.passes >= 1 && step.travel_mm > Micrometres::ZERO, "{step_text}");
     let it = &step.conditions;
     for figure in [
         it.depth_of_cut_mm,
@@ -69,16 +69,16 @@ pub fn sound(step: &Transition, plan: &Plan, machine: &Machine<'_>) -> Result<()
         it.tool_life_min.0,
         it.computed_speed_m_per_min.0,
     ] {
-        prop_assert!(figure.is_finite() && figure > 0.0, "{what}: {it:?}");
+        prop_assert!(figure.is_finite() && figure > 0.0, "{step_text}: {it:?}");
     }
-    prop_assert!(machine.spindle_steps.contains(&it.spindle_rpm), "{what}: {:?}", it.spindle_rpm);
+    prop_assert!(machine.spindle_steps.contains(&it.spindle_rpm), "{step_text}: {:?}", it.spindle_rpm);
     // Half of the last printed place above the limit.
     // A small reamer's power may round to nothing.
     let within = |value: Option<f64>, limit: f64, place: f64| value.is_none_or(|it| it >= 0.0 && it <= limit + place);
-    prop_assert!(within(Some(it.feed_mm_per_min.0), machine.feed_max.0, 0.05), "{what}: {it:?}");
-    prop_assert!(within(it.axial_force_n.map(|it| it.0), machine.thrust.0, 0.5), "{what}: {it:?}");
-    prop_assert!(within(it.torque_n_m.map(|it| it.0), machine.spindle_torque.0, 0.005), "{what}: {it:?}");
-    prop_assert!(within(it.power_kw.map(|it| it.0), machine.spindle_power.0, 0.005), "{what}: {it:?}");
+    prop_assert!(within(Some(it.feed_mm_per_min.0), machine.feed_max.0, 0.05), "{step_text}: {it:?}");
+    prop_assert!(within(it.axial_force_n.map(|it| it.0), machine.thrust.0, 0.5), "{step_text}: {it:?}");
+    prop_assert!(within(it.torque_n_m.map(|it| it.0), machine.spindle_torque.0, 0.005), "{step_text}: {it:?}");
+    prop_assert!(within(it.power_kw.map(|it| it.0), machine.spindle_power.0, 0.005), "{step_text}: {it:?}");
     Ok(())
 }
 

@@ -223,7 +223,7 @@ pub fn score(name: &str, text: &str, usual: usize, run: impl Fn(&str) -> Run) ->
                 let at = a.iter().zip(b).position(|(a, b)| a != b).unwrap_or(a.len().min(b.len()));
                 format!("{:?} instead of {:?}", b.get(at), a.get(at))
             };
-            let what = if made.motions != right.motions {
+            let difference = if made.motions != right.motions {
                 differs(&right.motions, &made.motions)
             } else if made.states != right.states {
                 let all = |run: &Run| run.states.values().flatten().cloned().collect::<Vec<_>>();
@@ -231,7 +231,7 @@ pub fn score(name: &str, text: &str, usual: usize, run: impl Fn(&str) -> Run) ->
             } else {
                 format!("time {} instead of {}", made.time, right.time)
             };
-            score.unnoticed.push(format!("{name}:{}: {}: {}: {what}", mutant.line, mutant.kind, mutant.change));
+            score.unnoticed.push(format!("{name}:{}: {}: {}: {difference}", mutant.line, mutant.kind, mutant.change));
         }
     }
     score

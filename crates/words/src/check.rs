@@ -8,7 +8,7 @@ use fluent_syntax::parser::parse;
 use super::catalogue::{Language, gaps};
 
 /// One message of a file.
-pub struct Entered {
+pub struct CatalogueMessage {
     /// The file it stands in.
     pub file: &'static str,
     /// The figures of its gaps; those of an attribute under the attribute's name.
@@ -16,7 +16,7 @@ pub struct Entered {
 }
 
 /// The messages of a language by their names, and the faults of its files.
-pub fn entries(language: &Language) -> (BTreeMap<String, Entered>, Vec<String>) {
+pub fn entries(language: &Language) -> (BTreeMap<String, CatalogueMessage>, Vec<String>) {
     let (mut entries, mut faults) = (BTreeMap::new(), Vec::new());
     for (file, text) in language.files() {
         let place = format!("{}/{file}", language.tag);
@@ -50,7 +50,7 @@ pub fn entries(language: &Language) -> (BTreeMap<String, Entered>, Vec<String>) 
                 );
                 of_forms.insert(form, gaps(pattern).into_iter().map(str::to_owned).collect());
             }
-            if entries.insert(name.clone(), Entered { file, gaps: of_forms }).is_some() {
+            if entries.insert(name.clone(), CatalogueMessage { file, gaps: of_forms }).is_some() {
                 faults.push(format!("{place}: {name} stands twice"));
             }
         }

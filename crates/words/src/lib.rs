@@ -102,13 +102,13 @@ impl Lang {
     }
 
     /// A word of a vocabulary; its id where it has no translation, as designations have none.
-    pub fn term<'i>(self, of: &str, id: &'i str) -> &'i str {
-        self.plain(&format!("{of}-{id}"), None).unwrap_or(id)
+    pub fn term<'i>(self, vocabulary: &str, id: &'i str) -> &'i str {
+        self.plain(&format!("{vocabulary}-{id}"), None).unwrap_or(id)
     }
 
     /// Another form of a word, such as `verb` of an operation.
-    pub fn form<'i>(self, of: &str, id: &'i str, form: &str) -> &'i str {
-        self.plain(&format!("{of}-{id}"), Some(form)).unwrap_or(id)
+    pub fn form<'i>(self, vocabulary: &str, id: &'i str, form: &str) -> &'i str {
+        self.plain(&format!("{vocabulary}-{id}"), Some(form)).unwrap_or(id)
     }
 
     /// A single figure: a number as written in this language, a word translated.
@@ -116,7 +116,7 @@ impl Lang {
         match figure {
             Figure::Text(text) => text.to_string(),
             Figure::Number(number) => self.0.number(number),
-            Figure::Word(Word { of, id }) => self.term(of, id).to_owned(),
+            Figure::Word(Word { vocabulary: of, id }) => self.term(of, id).to_owned(),
             Figure::Named(named) => {
                 let own = named.names.iter().find(|(tag, _)| *tag == self.tag()).or(named.names.last());
                 own.map_or_else(|| self.figure(&Figure::Word(named.word.clone())), |(_, name)| name.clone())

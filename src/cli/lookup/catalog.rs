@@ -41,7 +41,7 @@ pub fn answer(question: &LookupQuestion<'_>, format: Format, context: &Context) 
             inputs: record::Inputs(
                 question.given.iter().map(|(index, value)| (&table.columns[*index], value)).collect(),
             ),
-            rows: rows.iter().map(|&row| record::Whole::of(row)).collect(),
+            rows: rows.iter().map(|&row| record::WholeRow::of(row)).collect(),
             nearest: near::json(&missed.near),
             nearest_values: missed.keys.iter().map(|key| (key.column.name.as_str(), key)).collect(),
         })?,
@@ -151,7 +151,7 @@ struct Json<'a> {
     table: &'a str,
     result: record::Results<'a>,
     inputs: record::Inputs<'a>,
-    rows: Vec<record::Whole<'a>>,
+    rows: Vec<record::WholeRow<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     nearest: Vec<near::Json<'a>>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]

@@ -212,7 +212,7 @@ impl<'a> DecisionReport<'a> {
             row: first.map(RowRef::number),
             outputs: first.map(record::Cells::outputs),
             inputs: record::Inputs(self.inputs.iter().map(|input| (input.column, input.value)).collect()),
-            about: first.map(record::About::of),
+            about: first.map(record::RowData::of),
             uncovered: self.gap.map(|gap| gap.reason.as_str()),
             nearest: near::json(&self.near),
             passed_over: self
@@ -225,7 +225,7 @@ impl<'a> DecisionReport<'a> {
                 .iter()
                 .map(|&(row, column, cell)| Rejected { row: row.number(), column: &column.name, cell })
                 .collect(),
-            rows: self.winners.iter().map(|&row| record::Whole::of(row)).collect(),
+            rows: self.winners.iter().map(|&row| record::WholeRow::of(row)).collect(),
         }
     }
 }
@@ -247,14 +247,14 @@ struct Json<'t> {
     outputs: Option<record::Cells<'t>>,
     inputs: record::Inputs<'t>,
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
-    about: Option<record::About<'t>>,
+    about: Option<record::RowData<'t>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uncovered: Option<&'t str>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     nearest: Vec<near::Json<'t>>,
     passed_over: Vec<PassedOver<'t>>,
     rejected: Vec<Rejected<'t>>,
-    rows: Vec<record::Whole<'t>>,
+    rows: Vec<record::WholeRow<'t>>,
 }
 
 #[derive(Serialize)]

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use technolog::audit::Files;
-use technolog::cases::{Around, CaseFile, FileKind, read_cases};
+use technolog::cases::{ReadContext, CaseFile, FileKind, read_cases};
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::Lang;
 use technolog::turning::shaft::Mistake;
@@ -117,8 +117,8 @@ pub fn read(found: &SourceFile, anywhere: bool, knowledge: &Knowledge, context: 
 }
 
 /// The context for reading cases.
-pub fn around<'a>(knowledge: &'a Knowledge, codes: &'a [String], files: Files<'a>) -> Around<'a> {
-    Around { knowledge, codes, files }
+pub fn around<'a>(knowledge: &'a Knowledge, codes: &'a [String], files: Files<'a>) -> ReadContext<'a> {
+    ReadContext { knowledge, codes, files }
 }
 
 /// Every code that a finding can have.

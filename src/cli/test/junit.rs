@@ -5,7 +5,7 @@ use technolog::document::cleaned_lines;
 
 use super::super::Context;
 use super::super::diagnostics::render_all;
-use super::{CaseFileRun, Ran, page};
+use super::{CaseFileRun, CaseRun, page};
 
 /// The document.
 pub fn document(runs: &[CaseFileRun], context: &Context) -> String {
@@ -50,7 +50,7 @@ fn suite(run: &CaseFileRun, context: &Context) -> String {
     text + "  </testsuite>\n"
 }
 
-fn case(ran: &Ran, file: &str, context: &Context) -> String {
+fn case(ran: &CaseRun, file: &str, context: &Context) -> String {
     let name = escaped(&format!("{}. {}", ran.case.number, ran.case.name));
     let line = ran.case.place.line;
     let head = format!("    <testcase name=\"{name}\" classname=\"{file}\" file=\"{file}\" line=\"{line}\"");

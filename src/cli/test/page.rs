@@ -1,12 +1,12 @@
 //! Results of cases for people.
 
-use technolog::cases::{Came, Failure, Why, brief};
+use technolog::cases::{ActualValue, Failure, Why, brief};
 use technolog::document::{Column, Document, FindingBlock, Inlines, Severity, Table};
 use technolog::note::{Because, Figure, Note};
 use technolog::words::say;
 
 use super::super::Lang;
-use super::{CaseFileRun, Ran};
+use super::{CaseFileRun, CaseRun};
 
 /// The most letters of a value that are shown.
 const LONG: usize = 400;
@@ -68,7 +68,7 @@ fn sum(runs: &[CaseFileRun], lang: Lang) -> String {
 }
 
 /// The origin of the expectation.
-pub fn origin(ran: &Ran, lang: Lang) -> impl Iterator<Item = String> {
+pub fn origin(ran: &CaseRun, lang: Lang) -> impl Iterator<Item = String> {
     let source = ran.case.source.as_ref().map(|text| say!(lang, "test-source", text = text));
     let because = ran.case.because.as_ref().map(|text| say!(lang, "test-because", text = text));
     source.into_iter().chain(because)
@@ -92,28 +92,28 @@ pub fn short(failure: &Failure, lang: Lang) -> String {
 
 /// The expected value.
 pub fn expected(failure: &Failure, lang: Lang) -> String {
-    match (&failure.came, failure.expected.as_str()) {
-        (Came::Open(_), _) => say!(lang, "test-nothing-yet").to_owned(),
-        (Came::Unwanted(_), written) => say!(lang, "test-not-there", written = written),
+    match (&failure.actual, failure.expected.as_str()) {
+        (ActualValue::Open(_), _) => say!(lang, "test-nothing-yet").to_owned(),
+        (ActualValue::Unwanted(_), written) => say!(lang, "test-not-there", written = written),
         (_, written) => written.to_owned(),
     }
 }
 
 /// The actual value.
 pub fn actual_value(failure: &Failure, lang: Lang) -> String {
-    match &failure.came {
-        Came::Value(value) | Came::Open(Some(value)) => brief(value),
-        Came::Nothing | Came::Open(None) => say!(lang, "test-nothing").to_owned(),
-        Came::Without(list) => say!(lang, "test-without", list = brief(list)),
-        Came::Unwanted(value) => match serde_json::from_value::<Note>(value.clone()) {
+    match &failure.actual {
+        ActualValue::Value(value) | ActualValue::Open(Some(value)) => brief(value),
+        ActualValue::Nothing | ActualValue::Open(None) => say!(lang, "test-nothing").to_owned(),
+        ActualValue::Without(list) => say!(lang, "test-without", list = brief(list)),
+        ActualValue::Unwanted(value) => match serde_json::from_value::<Note>(value.clone()) {
             // A finding of an audit contains its figures itself.
             Ok(note) if value.get("field").is_none() => format!("{}: {}", brief(value), lang.say(&note)),
             _ => brief(value),
         },
-        Came::NoSuch { key, near: Some(near), .. } => say!(lang, "test-no-such-key-near", key = key, near = near),
-        Came::NoSuch { key, known, .. } => say!(lang, "test-no-such-key", key = key, known = known.join(", ")),
-        Came::NoSuchWord { word, near: Some(near) } => say!(lang, "test-no-such-word-near", word = word, near = near),
-        Came::NoSuchWord { word, near: None } => say!(lang, "test-no-such-word", word = word),
+        ActualValue::NoSuch { key, near: Some(near), .. } => say!(lang, "test-no-such-key-near", key = key, near = near),
+        ActualValue::NoSuch { key, known, .. } => say!(lang, "test-no-such-key", key = key, known = known.join(", ")),
+        ActualValue::NoSuchWord { word, near: Some(near) } => say!(lang, "test-no-such-word-near", word = word, near = near),
+        ActualValue::NoSuchWord { word, near: None } => say!(lang, "test-no-such-word", word = word),
     }
 }
 

@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 
 use serde_json::Value;
-use technolog::cases::{Around, Asker, CaseFile, Failure, read_cases};
+use technolog::cases::{ReadContext, Asker, CaseFile, Failure, read_cases};
 use technolog::knowledge::diagnostic::Place;
 use technolog::knowledge::yaml::{Node, NodeKind, parse};
 use technolog::parallel;
@@ -23,7 +23,7 @@ fn root(path: &str) -> PathBuf {
 fn read(path: &Path, text: &str) -> CaseFile {
     let codes = Lang::codes();
     let files = |name: &str| fs::read_to_string(path.with_file_name(name)).map_err(|error| error.to_string());
-    read_cases(&path.display().to_string(), text, Around { knowledge: &KNOWLEDGE, codes: &codes, files: &files })
+    read_cases(&path.display().to_string(), text, ReadContext { knowledge: &KNOWLEDGE, codes: &codes, files: &files })
 }
 
 fn test_files(folder: &str) -> Vec<PathBuf> {

@@ -118,8 +118,8 @@ fn screw(
     };
     let each = Id::new(Scope::Clamping, Q::ForcePerClamp);
     // Where the force per clamp is not stated, it is the force divided by the number of clamps.
-    let whole = Id::new(Scope::Clamping, Q::ClampForce);
-    let Some(force) = graph.right(each).or_else(|| graph.right(whole)) else { return Ok(()) };
+    let total = Id::new(Scope::Clamping, Q::ClampForce);
+    let Some(force) = graph.right(each).or_else(|| graph.right(total)) else { return Ok(()) };
     let bears = own.force_80.0;
     if bears + 0.5 >= force {
         // The program's own plan takes the smallest screw that bears the force and is thick enough, unless the

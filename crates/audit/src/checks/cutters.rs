@@ -133,7 +133,7 @@ fn need<'a>(
     let drills = matches!(operation, Operation::Drill | Operation::DrillOut);
     let required = if context.stated.own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
     let plain = row.step.is_none() && hole.steps.is_empty();
-    let reach = if required && plain { tips.of(context, at) } else { None };
+    let reach = if required && plain { tips.tip_depth(context, at) } else { None };
     let cone = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));
     CutterNeed {
         enters: length(Q::From).unwrap_or_default(),

@@ -43,8 +43,8 @@ pub(super) fn check<'a>(
                 .with("thickness", thickness);
             findings.retain(|finding| finding.field != field());
             // The tip of a drill would leave only a small hole.
-            let whole = figure.value >= thickness.to_mm();
-            let finding = say(if whole { Severity::Error } else { Severity::Doubtful }, note);
+            let is_through = figure.value >= thickness.to_mm();
+            let finding = say(if is_through { Severity::Error } else { Severity::Doubtful }, note);
             findings.push(with_right_value(finding, figure, format!("< {thickness}"), Q::Depth));
             continue;
         }

@@ -35,8 +35,8 @@ pub(super) fn check<'a>(
         );
         if let Some(cutter) = context.cutter(at) {
             let row = cutter.row.row;
-            let of = ReportedRow { row, section: Section::Tools };
-            standard(&of, tool.standard.as_ref(), field("standard"), &about, findings);
+            let reported = ReportedRow { row, section: Section::Tools };
+            standard(&reported, tool.standard.as_ref(), field("standard"), &about, findings);
             if let Some(shank) = &tool.shank
                 && shank.value != cutter.head.shank.name()
             {
@@ -71,8 +71,8 @@ pub(super) fn check<'a>(
             findings,
         );
         if let Some(holder) = context.holder(at) {
-            let of = ReportedRow { row: holder.row, section: Section::Holders };
-            standard(&of, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
+            let reported = ReportedRow { row: holder.row, section: Section::Holders };
+            standard(&reported, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
         }
     }
     Ok(())
@@ -116,22 +116,22 @@ fn named<'k, T>(
 
 /// Whether a standard belongs to the row: to its table, or to the place of the row in the source.
 fn standard(
-    of: &ReportedRow<'_>,
+    reported: &ReportedRow<'_>,
     standard: Option<&Text>,
     field: String,
     about: &dyn Fn(AuditFinding) -> AuditFinding,
     findings: &mut Vec<AuditFinding>,
 ) {
     let Some(standard) = standard else { return };
-    let place: String = plain(of.row.place()).into_iter().collect();
+    let place: String = plain(reported.row.place()).into_iter().collect();
     let written: String = plain(&standard.value).into_iter().collect();
     if place.contains(&written) {
         return;
     }
-    let because = Because::row(of.row, Note::new("named"));
+    let because = Because::row(reported.row, Note::new("named"));
     let finding =
-        |severity, note: Note| AuditFinding::new(severity, of.section, field.clone(), note).at(&standard.place);
-    let found = match of.row.table.standard.as_deref() {
+        |severity, note: Note| AuditFinding::new(severity, reported.section, field.clone(), note).at(&standard.place);
+    let found = match reported.row.table.standard.as_deref() {
         // There is nothing to compare it with.
         None => finding(Severity::Note, Note::new("audit-standard-unchecked").with("standard", &standard.value)),
         Some(right) => match likeness(&standard.value, right) {

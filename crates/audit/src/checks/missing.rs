@@ -28,7 +28,7 @@ pub(super) fn check<'a>(
         }
     };
     let lack =
-        |of: String, scope: Scope, keys: Vec<&'static str>| MissingKeys { of, subject: context.subject(scope), keys };
+        |of: String, scope: Scope, keys: Vec<&'static str>| MissingKeys { part: of, subject: context.subject(scope), keys };
     let mut rows = Vec::new();
     if stated.rows.is_empty() {
         rows.push(missing_key("route"));
@@ -102,5 +102,5 @@ fn missing_key(key: &'static str) -> MissingKeys {
 /// In the form that programs read: `T3: correction`, `2: tool hole`.
 fn keys_text(lack: &MissingKeys) -> String {
     let keys = lack.keys.join(" ");
-    if lack.of.is_empty() { keys } else { format!("{}: {keys}", lack.of) }
+    if lack.part.is_empty() { keys } else { format!("{}: {keys}", lack.part) }
 }

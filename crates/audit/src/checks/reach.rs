@@ -33,7 +33,7 @@ impl Tips {
 
     /// How far below its face the tip of a row's tool goes: depth, point and overrun. Point and overrun are those of
     /// the same transition in the program's plan, if there is one; none if the depth is not known.
-    pub fn of(&self, context: &Context<'_>, at: usize) -> Option<Micrometres> {
+    pub fn tip_depth(&self, context: &Context<'_>, at: usize) -> Option<Micrometres> {
         let row = context.stated.rows.get(at).filter(|row| !row.elsewhere)?;
         let hole = context.hole(row)?;
         let figure = |quantity| {
@@ -72,7 +72,7 @@ pub(super) fn check<'a>(
     for (tool, own) in context.stated.tools.iter().enumerate() {
         let rows = context.stated.rows_of_tool(own.number);
         // The deepest hole of the tool decides.
-        let deepest = rows.filter_map(|(at, _)| Some((at, tips.of(context, at)?))).max_by_key(|(_, tip)| *tip);
+        let deepest = rows.filter_map(|(at, _)| Some((at, tips.tip_depth(context, at)?))).max_by_key(|(_, tip)| *tip);
         let Some((at, needed)) = deepest else { continue };
         holder(context, graph, (tool, at), needed, findings);
         flute(context, (tool, at), needed, findings);

@@ -113,7 +113,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
     let mut deepest = Vec::new();
     for (tool, own) in context.stated.tools.iter().enumerate() {
         let rows = context.stated.rows_of_tool(own.number);
-        let row = rows.filter_map(|(at, _)| Some((at, tips.of(context, at)?))).max_by_key(|(_, tip)| *tip);
+        let row = rows.filter_map(|(at, _)| Some((at, tips.tip_depth(context, at)?))).max_by_key(|(_, tip)| *tip);
         deepest.extend(row.map(|(row, tip)| (tool, row, tip)));
     }
     let below = |tip: Micrometres| (tip - part.blank.thickness).max(Micrometres::ZERO);

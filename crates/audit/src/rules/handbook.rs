@@ -90,7 +90,7 @@ fn is_at_step(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: M
     let law = formulas.speed;
     let fits = |speed: f64| {
         let at_step = law.life_at(life, speed, cutting::speed_at(RevsPerMinute(rpm.value), diameter).0);
-        (own.value - at_step).abs() <= tolerances.of(Q::ToolLife, own, at_step)
+        (own.value - at_step).abs() <= tolerances.allowed_difference(Q::ToolLife, own, at_step)
     };
     fits(speed.value) || by_law(context, at, formulas, diameter, life).is_some_and(fits)
 }

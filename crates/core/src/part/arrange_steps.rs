@@ -8,7 +8,7 @@ use technolog_note::note;
 use super::check::BoreSpan;
 use super::file::hole as form;
 use super::read::Reader;
-use super::read_steps::{Whole, depth_or_length};
+use super::read_steps::{GroupValues, depth_or_length};
 use super::{Bottom, Face, HoleStep, Thread, ToleratedDiameter};
 
 /// The cylinders of a hole: the main one, and the wider ones beside it.
@@ -62,7 +62,7 @@ impl Cylinder {
 impl Reader<'_> {
     /// Compares the diameter of the group with its steps: it is the narrowest step, or a cylinder that continues
     /// after the last step and is then added. Returns whether it was added.
-    pub(super) fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &Whole<'_>) -> Option<bool> {
+    pub(super) fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &GroupValues<'_>) -> Option<bool> {
         let Some(own) = &whole.own else { return Some(false) };
         let nominal = own.diameter.nominal;
         let narrowest = cylinders.iter().map(Cylinder::nominal).min()?;
@@ -147,7 +147,7 @@ impl Reader<'_> {
 
     /// Makes the narrowest cylinder the main one; those before it are entered from the entry face, those after it
     /// from the back.
-    pub(super) fn arrange(&mut self, mut cylinders: Vec<Cylinder>, whole: Whole<'_>) -> Option<Cylinders> {
+    pub(super) fn arrange(&mut self, mut cylinders: Vec<Cylinder>, whole: GroupValues<'_>) -> Option<Cylinders> {
         if let (Some((chamfer, place)), Some(first)) = (whole.chamfer, cylinders.first_mut()) {
             if let Some(own) = first.chamfer.filter(|own| *own != chamfer) {
                 let message = note!("part-chamfer-at-entry-here-first", chamfer = chamfer, own = own);

@@ -19,14 +19,14 @@ pub const MOST_CLAMPS: usize = 100;
 
 /// The things whose number is limited.
 #[derive(Clone, Copy)]
-pub(super) enum Counted {
+pub(super) enum LimitedCount {
     Points,
     Kinds,
     Steps,
     Clamps,
 }
 
-impl Counted {
+impl LimitedCount {
     const fn maximum(self) -> usize {
         match self {
             Self::Points => MOST_POINTS,
@@ -60,19 +60,19 @@ impl Counted {
 
 impl Reader<'_> {
     /// Refuses a count above the limit.
-    pub(super) fn no_more(&mut self, what: Counted, count: usize, place: &Place) -> Option<()> {
-        match what.refusal(count) {
-            Some((message, help)) => self.problems.error_help(what.code(), message, place, help),
+    pub(super) fn refuse_more(&mut self, counted: LimitedCount, count: usize, place: &Place) -> Option<()> {
+        match counted.refusal(count) {
+            Some((message, help)) => self.problems.error_help(counted.code(), message, place, help),
             None => Some(()),
         }
     }
 
     /// The items of a list up to the limit; a longer list is refused at its first extra item.
-    pub(super) fn bounded<'n>(&mut self, what: Counted, items: &'n [Node]) -> &'n [Node] {
-        if let Some(beyond) = items.get(what.maximum()) {
-            let _ = self.no_more(what, items.len(), &beyond.place);
+    pub(super) fn bounded<'n>(&mut self, counted: LimitedCount, items: &'n [Node]) -> &'n [Node] {
+        if let Some(beyond) = items.get(counted.maximum()) {
+            let _ = self.refuse_more(counted, items.len(), &beyond.place);
         }
-        items.get(..what.maximum()).unwrap_or(items)
+        items.get(..counted.maximum()).unwrap_or(items)
     }
 
     /// Counts the points of a list or a pattern before they are made; none if they are too many, which is reported
@@ -83,7 +83,7 @@ impl Reader<'_> {
         if before > MOST_POINTS {
             return None;
         }
-        self.no_more(Counted::Points, self.counted_points, &node.place)
+        self.refuse_more(LimitedCount::Points, self.counted_points, &node.place)
     }
 }
 
@@ -94,10 +94,10 @@ impl Part {
         let points = self.holes.iter().map(|hole| hole.at.len()).sum();
         let steps = self.holes.iter().map(|hole| hole.steps.len()).max().unwrap_or_default();
         let counts = [
-            (Counted::Points, points),
-            (Counted::Kinds, self.holes.len()),
-            (Counted::Steps, steps),
-            (Counted::Clamps, self.fixture.clamps.len()),
+            (LimitedCount::Points, points),
+            (LimitedCount::Kinds, self.holes.len()),
+            (LimitedCount::Steps, steps),
+            (LimitedCount::Clamps, self.fixture.clamps.len()),
         ];
         counts.into_iter().find_map(|(what, count)| what.refusal(count))
     }

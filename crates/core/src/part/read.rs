@@ -12,7 +12,7 @@ use technolog_note::note;
 
 use super::check;
 use super::file::{self, PartFile};
-use super::limits::Counted;
+use super::limits::LimitedCount;
 use super::stated;
 use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
 
@@ -234,7 +234,7 @@ impl Reader<'_> {
         fields.finish(self.problems);
         let mut clamps = Vec::new();
         let nodes = clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
-        for node in self.bounded(Counted::Clamps, nodes) {
+        for node in self.bounded(LimitedCount::Clamps, nodes) {
             let Some(mut fields) = self.problems.map(node) else { continue };
             let at_node = fields.need(file::Clamp::at, self.problems);
             let at = at_node.and_then(|node| self.point(node));

@@ -39,7 +39,7 @@ pub(super) struct Fitted {
     pub approach: Micrometres,
     pub conditions: Rc<Conditions>,
     /// The time of one pass in one hole.
-    pub took: Duration,
+    pub pass_time: Duration,
     /// What the card could not give for the conditions.
     pub doubts: Vec<CardDoubt>,
     /// Whether the step is a centring spot that also makes an edge of the hole.
@@ -104,18 +104,18 @@ pub(super) struct FittedTool {
 /// The cutter, conditions and travel of a step, without the step's own reasons; shared by all routes that have the
 /// step.
 #[derive(Clone, Debug)]
-pub(super) struct Outfit {
+pub(super) struct ToolAndConditions {
     tool: Rc<FittedTool>,
     pub travel: Micrometres,
     pub conditions: Rc<Conditions>,
     /// The time of one pass in one hole.
-    pub took: Duration,
+    pub pass_time: Duration,
     doubts: Vec<CardDoubt>,
 }
 
 /// The key of an outfit: everything it depends on. The routes of one hole share most of their steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct OutfitKey {
+struct StepKey {
     operation: Operation,
     place: StepLocation,
     diameter: Micrometres,
@@ -153,7 +153,7 @@ pub(super) struct Fitting<'p, 'k> {
     reamer_lead_share: f64,
     /// Lead of a tap, pitches.
     tap_lead: f64,
-    known: RefCell<BTreeMap<OutfitKey, Result<Outfit, Reason>>>,
+    known: RefCell<BTreeMap<StepKey, Result<ToolAndConditions, Reason>>>,
     /// The conditions of centring spots computed so far.
     spots: RefCell<BTreeMap<SpotKey, Rc<Conditions>>>,
     /// The single drills compared with two-pass drilling so far; none where there are no conditions for them.
@@ -225,8 +225,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// The cutter, conditions and travel of a step that is not centring.
-    pub fn outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
-        let key = OutfitKey {
+    pub fn outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<ToolAndConditions> {
+        let key = StepKey {
             operation: step.operation,
             place: step.place,
             diameter: step.diameter,
@@ -255,13 +255,13 @@ impl<'p, 'k> Fitting<'p, 'k> {
 
     /// One step that is not centring.
     pub fn fit_step(&self, mut step: RouteStep, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
-        let Outfit { tool, travel, conditions, took, doubts } = self.outfit(&step, follows, last)?;
+        let ToolAndConditions { tool, travel, conditions, pass_time: took, doubts } = self.outfit(&step, follows, last)?;
         let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
         because.extend(self.conventions(&step)?);
         let (tool, approach) = (Some(tool), *approach);
-        Ok(Fitted { step, tool, travel, approach, conditions, took, doubts, makes_edge: false, because })
+        Ok(Fitted { step, tool, travel, approach, conditions, pass_time: took, doubts, makes_edge: false, because })
     }
 
     /// The time of one pass in one hole, in the canned cycle that a program uses for it.
@@ -312,7 +312,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(because)
     }
 
-    fn new_outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
+    fn new_outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<ToolAndConditions> {
         // The limits of another machine are not known.
         let other = step.elsewhere.then(|| self.shop.without_limits());
         let shop = other.as_ref().unwrap_or(self.shop);
@@ -383,7 +383,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             because,
         };
         let took = self.pass_time(step, travel, self.travels(step.place.through).0, &conditions)?;
-        Ok(Outfit { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), took, doubts })
+        Ok(ToolAndConditions { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), pass_time: took, doubts })
     }
 
     /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.

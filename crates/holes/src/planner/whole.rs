@@ -22,7 +22,7 @@ use crate::units::{ItGrade, Micrometres, Minutes};
 use super::fit::{Fitted, Fitting};
 
 /// The steps that open a wider cylinder, or why there are none.
-type Opened = Result<Vec<RouteStep>, Reason>;
+type OpeningSteps = Result<Vec<RouteStep>, Reason>;
 
 /// What is needed to find the routes of one group.
 pub(super) struct Finder<'a, 'k> {
@@ -36,7 +36,7 @@ pub(super) struct Finder<'a, 'k> {
     pub position: accuracy::Position,
     pub shop: &'a Shop<'k>,
     /// The best steps to open each wider cylinder from a diameter, found so far.
-    pub opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
+    pub opened: RefCell<BTreeMap<(usize, Micrometres), OpeningSteps>>,
     pub rapids_between: Minutes,
     /// The times of the operator's manual work.
     pub hands: Hands,
@@ -60,7 +60,7 @@ impl Finder<'_, '_> {
                 continue;
             }
             let outfit = self.fitting.outfit(step, None, false)?;
-            minutes += self.time_of(step, outfit.took);
+            minutes += self.time_of(step, outfit.pass_time);
         }
         Ok(Minutes(minutes))
     }
@@ -68,7 +68,7 @@ impl Finder<'_, '_> {
     /// Time of a step in all holes of the group, with approach and retract, and with the setting of the bar between
     /// passes, min.
     pub fn time(&self, fitted: &Fitted) -> f64 {
-        self.time_of(&fitted.step, fitted.took)
+        self.time_of(&fitted.step, fitted.pass_time)
     }
 
     fn time_of(&self, step: &RouteStep, took: Duration) -> f64 {

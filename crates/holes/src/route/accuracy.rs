@@ -137,7 +137,7 @@ pub fn write(
             let (roughness, because) = tapped(shop)?;
             step.because.push(because);
             step.achieved =
-                Some(Achieved { it: None, roughness: Some(roughness), position_mm: position.of(centred, guided) });
+                Some(Achieved { it: None, roughness: Some(roughness), position_mm: position.error(centred, guided) });
             continue;
         }
         let (mut it, mut roughness) = (None, None);
@@ -157,7 +157,7 @@ pub fn write(
             roughness = roughness.or(promise.roughness);
         }
         let promised = promise.and_then(|promise| promise.position).filter(|_| Some(index) == last);
-        let position_mm = position.of(centred, guided).or(promised);
+        let position_mm = position.error(centred, guided).or(promised);
         step.achieved = Some(Achieved { it, roughness, position_mm });
     }
     Ok(())
@@ -241,7 +241,7 @@ impl Position {
         Self { drilled: false, ..self }
     }
 
-    fn of(self, centred: bool, guided: bool) -> Option<Micrometres> {
+    fn error(self, centred: bool, guided: bool) -> Option<Micrometres> {
         match (guided, self.drilled, centred) {
             (true, ..) => Some(self.bored),
             (false, true, true) => Some(self.centred),

@@ -53,7 +53,7 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
     let after_here = after;
     for index in (0..transitions.len()).rev() {
         let previous = index.checked_sub(1).map(|before| transitions[before]);
-        let question = Backwards { operation: transitions[index], after, previous, bore, sizes, shop };
+        let question = BackwardStep { operation: transitions[index], after, previous, bore, sizes, shop };
         let mut made = if steps.is_empty() && transitions[index] == Operation::Drill {
             vec![question.last_drill(slack)?]
         } else {
@@ -78,7 +78,7 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
         && *first - last.diameter > slack.unwrap_or_default() + (*first - after_here)
     {
         // The first transition on the other machine may find more stock: that machine bores the rest away first.
-        let question = Backwards {
+        let question = BackwardStep {
             operation: Operation::RoughBore,
             after: after_here,
             previous: Some(last.operation),
@@ -159,7 +159,7 @@ fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finis
 
 /// One transition, seen backwards from the diameter that it must leave.
 #[derive(Clone, Copy)]
-pub(super) struct Backwards<'a, 'k> {
+pub(super) struct BackwardStep<'a, 'k> {
     /// The transition.
     pub operation: Operation,
     /// The diameter it leaves.
@@ -171,7 +171,7 @@ pub(super) struct Backwards<'a, 'k> {
     pub shop: &'a Shop<'k>,
 }
 
-impl Backwards<'_, '_> {
+impl BackwardStep<'_, '_> {
     /// The steps of the transition, first to last: one, or several where rough boring needs thinner bars first.
     /// `from` of the first step is what the transition before must leave.
     pub fn steps(self) -> Tried<Vec<RouteStep>> {

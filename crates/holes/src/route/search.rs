@@ -24,7 +24,7 @@ use crate::tables::rules::{HoleState, NextTransition};
 use crate::units::{Micrometres, Minutes};
 
 use super::bores::{Before, Bore};
-use super::diameters::{Backwards, Sizes};
+use super::diameters::{BackwardStep, Sizes};
 use super::{Candidate, RouteStep, accuracy};
 
 /// The most routes that are returned: the fastest by the times of their edges.
@@ -239,7 +239,7 @@ impl<'a, 'k> Graph<'a, 'k> {
                 continue;
             }
             let question =
-                Backwards { operation, after, previous, bore: self.bore, sizes: self.sizes, shop: self.shop };
+                BackwardStep { operation, after, previous, bore: self.bore, sizes: self.sizes, shop: self.shop };
             let steps = if last && operation == Operation::Drill {
                 question.last_drill(None).map(|step| vec![step])
             } else {

@@ -31,14 +31,14 @@ pub struct Cutter<'s, 'k> {
     /// Its own diameter; for a boring bar the diameter it is set to.
     pub diameter: Micrometres,
     /// The rule or request by which it was chosen.
-    pub by: By<'k>,
+    pub by: CutterReason<'k>,
     /// The cutters that were rejected before it.
     pub over: Vec<Note>,
 }
 
 /// Why a cutter was chosen, as data: most cutters are considered and not taken, so the text is made last.
 #[derive(Clone, Debug)]
-pub enum By<'k> {
+pub enum CutterReason<'k> {
     /// By the order of the tables for a transition.
     Order {
         /// The rule that names the tables.
@@ -67,15 +67,15 @@ impl Cutter<'_, '_> {
     /// The reason for the choice.
     pub fn because(&self) -> Because {
         let because = match &self.by {
-            By::Order { ground: Some(own), size, .. } => Because {
+            CutterReason::Order { ground: Some(own), size, .. } => Because {
                 unconfirmed: Some("the catalogs have no cutter of this size; it must be ground to order".to_owned()),
                 ..Because::row(self.row.row, Note::new("cutter-ground-down").with("own", own).with("size", size))
             },
-            By::Order { rule, operation, ground: None, .. } => {
+            CutterReason::Order { rule, operation, ground: None, .. } => {
                 Because::row(self.row.row, ordered("cutter", rule, *operation))
             }
-            By::Steps { narrow, wide, .. } => Because::row(self.row.row, steps(*narrow, *wide)),
-            By::Named => Because::row(self.row.row, Note::new("named")),
+            CutterReason::Steps { narrow, wide, .. } => Because::row(self.row.row, steps(*narrow, *wide)),
+            CutterReason::Named => Because::row(self.row.row, Note::new("named")),
         };
         because.over(self.over.clone())
     }
@@ -83,9 +83,9 @@ impl Cutter<'_, '_> {
     /// The reason for the order of the tables.
     pub fn order(&self) -> Because {
         match &self.by {
-            By::Order { rule, operation, .. } => Because::row(rule.row, ordered("tool-tables", rule, *operation)),
-            By::Steps { table, narrow, wide } => Because::table(table, steps(*narrow, *wide)),
-            By::Named => Because::row(self.row.row, Note::new("named")),
+            CutterReason::Order { rule, operation, .. } => Because::row(rule.row, ordered("tool-tables", rule, *operation)),
+            CutterReason::Steps { table, narrow, wide } => Because::table(table, steps(*narrow, *wide)),
+            CutterReason::Named => Because::row(self.row.row, Note::new("named")),
         }
     }
 }
@@ -187,7 +187,7 @@ pub(super) fn cutters<'s, 'k>(
                 head,
                 designation: designation(candidate, need)?,
                 diameter: candidate.diameter.unwrap_or(need.diameter),
-                by: By::Order {
+                by: CutterReason::Order {
                     rule: Rc::clone(&rule),
                     operation: need.operation,
                     ground: ground.then(|| candidate.diameter.unwrap_or_default()),
@@ -234,7 +234,7 @@ pub(super) fn step_drills<'s, 'k>(
                 head,
                 designation,
                 diameter: need.diameter,
-                by: By::Steps { table, narrow: need.diameter, wide },
+                by: CutterReason::Steps { table, narrow: need.diameter, wide },
                 over: Vec::new(),
             });
         }

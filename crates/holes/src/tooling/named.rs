@@ -14,7 +14,7 @@ use crate::tables::holders::HolderRow;
 use crate::tables::rules::HolderForShank;
 use crate::tables::tools::{BoringStage, CutterRow};
 
-use super::cutter::{By, Cutter, CutterNeed};
+use super::cutter::{CutterReason, Cutter, CutterNeed};
 use super::holder;
 use super::reach::refuse;
 use super::sizes::size_fits;
@@ -161,7 +161,7 @@ fn as_cutter<'s, 'k>(named: &'s NamedCutter<'k>) -> Cutter<'s, 'k> {
         head: named.head,
         designation: named.designation,
         diameter: named.row.diameter.unwrap_or_default(),
-        by: By::Named,
+        by: CutterReason::Named,
         over: Vec::new(),
     }
 }

@@ -51,7 +51,7 @@ fn not_stated() -> String {
 }
 
 fn value(difference: &Difference, text: &str, lang: Lang) -> String {
-    match difference.what.as_str() {
+    match difference.key.as_str() {
         _ if difference.quantity.is_some() => figure(text, lang),
         "shank" => lang.term("word", text).to_owned(),
         "scheme" => lang.figure(&Figure::scheme(text)),
@@ -63,7 +63,7 @@ fn value(difference: &Difference, text: &str, lang: Lang) -> String {
 /// The quantity with its unit.
 fn quantity_text(difference: &Difference, lang: Lang) -> String {
     let Some(quantity) = difference.quantity else {
-        return keys::words(&difference.what, lang).unwrap_or_else(|| difference.what.clone());
+        return keys::words(&difference.key, lang).unwrap_or_else(|| difference.key.clone());
     };
     let factor = difference.factor.as_ref();
     let what = factor.map_or_else(|| name(quantity, lang), |factor| words::factor(quantity, factor, lang));
@@ -81,6 +81,6 @@ fn costs(cost: &Cost, lang: Lang) -> [Inlines; 4] {
         Some(0.0) => "=".to_owned(),
         Some(more) => figure(&format!("{more:+}"), lang),
     };
-    let what = lang.find(&format!("audit-cost-{}", cost.what)).unwrap_or(cost.what);
+    let what = lang.find(&format!("audit-cost-{}", cost.kind)).unwrap_or(cost.kind);
     [what.into(), Inlines::number(shown(cost.a)), Inlines::number(shown(cost.b)), Inlines::number(more)]
 }

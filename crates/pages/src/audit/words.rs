@@ -180,7 +180,7 @@ pub(super) fn finding_text(finding: &AuditFinding, lang: Lang) -> String {
 fn missing(missing: &[MissingKeys], section: &str, lang: Lang) -> String {
     let mut groups: Vec<(&[&str], Vec<String>)> = Vec::new();
     for lack in missing {
-        let whose = if section == "route" { lack.of.clone() } else { subject(&lack.subject, lang) };
+        let whose = if section == "route" { lack.part.clone() } else { subject(&lack.subject, lang) };
         match groups.iter_mut().find(|(keys, _)| *keys == lack.keys) {
             Some((_, known)) => known.push(whose),
             None => groups.push((&lack.keys, vec![whose])),
@@ -189,7 +189,7 @@ fn missing(missing: &[MissingKeys], section: &str, lang: Lang) -> String {
     if matches!(missing, [lack] if lack.keys == [section]) {
         return lang.word("audit-whole-section").to_owned();
     }
-    let whole = missing.iter().all(|lack| lack.of.is_empty());
+    let whole = missing.iter().all(|lack| lack.part.is_empty());
     let group = |(keys, whose): &(&[&str], Vec<String>)| {
         let names: Vec<String> = keys
             .iter()

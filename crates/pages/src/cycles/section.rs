@@ -89,7 +89,7 @@ impl<'p> HoleSection<'p> {
     pub(super) fn hole(&self, canvas: &mut Canvas, lang: Lang) {
         let (left, right) = (self.axis - PLATE, self.axis + PLATE);
         let (face, floor) = (self.y(self.top), self.y(self.bottom.max(self.low)));
-        let whole = self.bottom >= self.low;
+        let is_through = self.bottom >= self.low;
         // The plate, hatched.
         let id = format!("c{:.0}-{:.0}", self.corner.0, self.corner.1);
         canvas.push_element(format_args!(
@@ -99,7 +99,7 @@ impl<'p> HoleSection<'p> {
         canvas.rectangle((left, face), (right, floor), &format!("url(#{id})"), None);
         let edge = Pen::solid(INK, 1.2);
         canvas.line(&[(left, face), (right, face)], edge);
-        if whole {
+        if is_through {
             canvas.line(&[(left, floor), (right, floor)], edge);
         } else {
             broken_edge(canvas, left, right, floor);

@@ -102,7 +102,7 @@ fn head(page: &mut Document, operation: &Operation, knowledge: &Knowledge, lang:
     };
     let machine = part.machine.as_deref().map_or(say!(lang, "turn-no-lathe"), |id| {
         let record = knowledge.table(&format!("lathe-{id}"));
-        record.map_or(id, |table| table.title.of(lang.tag()))
+        record.map_or(id, |table| table.title.text(lang.tag()))
     });
     page.push(fields([
         (say!(lang, "turn-material").to_owned(), material(&part.material, knowledge)),

@@ -15,11 +15,11 @@ use super::super::super::context::Context;
 use super::super::super::finding::{AuditFinding, Section};
 use super::super::super::graph::{Graph, Status};
 use super::super::super::quantity::{Id, Quantity as Q, Scope};
-use super::causes::{SETTING, Seen};
+use super::causes::{SETTING, FindingFacts};
 use super::{field, holds};
 
 /// Offset registers whose setting differs from the plan.
-pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, setting: &Setting, seen: &mut Vec<Seen>) {
+pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, setting: &Setting, seen: &mut Vec<FindingFacts>) {
     let Some((file, text)) = context.stated.program.as_ref().and_then(|program| program.setting.as_ref()) else {
         return;
     };
@@ -47,7 +47,7 @@ pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, set
         // A correction that is wrong in the plan itself says nothing against the setting.
         let wrong = graph.verdict(id(Q::Correction)).filter(|verdict| !matches!(verdict.status, Status::Fine));
         finding.follows_from.extend(wrong.map(|verdict| context.field(verdict.id)));
-        seen.push(Seen::of_setting(finding, tool.number));
+        seen.push(FindingFacts::of_setting(finding, tool.number));
     }
 }
 
@@ -62,7 +62,7 @@ pub(super) fn deviation(
     deviation: proof::ProgramFinding,
     own: bool,
     file: &Arc<str>,
-    seen: &mut Vec<Seen>,
+    seen: &mut Vec<FindingFacts>,
 ) -> Result<(), KnowledgeError> {
     let row = row(context, deviation.hole(), deviation.operation());
     let of_row = row.and_then(|row| Some(context.stated.rows.get(row)?.tool.as_ref()?.value));
@@ -109,7 +109,7 @@ pub(super) fn deviation(
         finding = finding.at(place);
     }
     finding.follows_from = follows_from;
-    seen.push(Seen::of_deviation(finding, tool, deviation));
+    seen.push(FindingFacts::of_deviation(finding, tool, deviation));
     Ok(())
 }
 

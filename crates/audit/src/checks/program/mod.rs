@@ -26,7 +26,7 @@ use super::super::context::Context;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::Quantity as Q;
-use causes::Seen;
+use causes::FindingFacts;
 use stated_plan::{NotComparable, Reading, comparable_plan, unordered};
 
 /// The transitions of every hole as a plan states them; none if it does not say enough.
@@ -56,7 +56,7 @@ pub(super) fn check<'a>(
     let set = set(context, setting.clone(), as_stated.as_ref().ok().zip(job.as_ref()));
     let run = context.auditor.run(program, &language, &context.shop.machine, &set);
 
-    let mut seen: Vec<Seen> = run.faults.iter().map(|fault| of_fault(fault, &run.steps, &file)).collect();
+    let mut seen: Vec<FindingFacts> = run.faults.iter().map(|fault| of_fault(fault, &run.steps, &file)).collect();
     let missing = |NotComparable { note, place }: NotComparable| {
         let finding = AuditFinding::new(Severity::Note, Section::Program, "program".to_owned(), note);
         finding.at(place.as_ref().unwrap_or(&program.file.place))
@@ -160,7 +160,7 @@ fn right(
 }
 
 /// A fault that the control found, with the tool in the spindle.
-fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> Seen {
+fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> FindingFacts {
     let place = Place { file: file.clone(), line: fault.span.line, column: fault.span.column, width: fault.span.width };
     let field = fault.path().map_or_else(|| "program".to_owned(), |path| format!("program.{path}"));
     let finding = AuditFinding::new(fault.severity, Section::Program, field, fault.note.clone()).at(&place);
@@ -173,7 +173,7 @@ fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> Seen {
     // What is written after the end of the main program belongs to no tool.
     let own = ends.is_none_or(|end| main <= end);
     let tool = changes.find(|(line, _)| own && *line <= main).map(|(_, tool)| tool);
-    Seen::of_fault(finding, tool, fault)
+    FindingFacts::of_fault(finding, tool, fault)
 }
 
 /// The path to a block of a program in the plan: `program.N1`.

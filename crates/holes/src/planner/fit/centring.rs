@@ -91,7 +91,7 @@ impl<'k> Fitting<'_, 'k> {
         because.push(Because::row(rule.row, note));
         let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
         let took = self.pass_time(&step, travel, approach, &conditions)?;
-        Ok(Fitted { step, tool: None, travel, approach, conditions, took, doubts, makes_edge, because })
+        Ok(Fitted { step, tool: None, travel, approach, conditions, pass_time: took, doubts, makes_edge, because })
     }
 
     /// The conditions of centring with a drill of the diameter `tool`.

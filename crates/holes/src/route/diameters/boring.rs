@@ -7,9 +7,9 @@ use crate::reason::Reason;
 use crate::tables::tools::{BoringStage, CutterRow};
 
 use super::super::RouteStep;
-use super::{Backwards, allowance};
+use super::{BackwardStep, allowance};
 
-impl Backwards<'_, '_> {
+impl BackwardStep<'_, '_> {
     /// Rough boring. After a drill it begins at the largest drill that leaves the smallest allowance or more; as the
     /// first transition, at the existing hole; after another roughing it takes one allowance. Where the bar for the
     /// final size cannot enter, thinner bars widen the hole first, one step each. Each step has as many equal passes

@@ -9,9 +9,9 @@ use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::super::{RouteStep, accuracy, handbook, openings};
-use super::{Backwards, allowance};
+use super::{BackwardStep, allowance};
 
-impl Backwards<'_, '_> {
+impl BackwardStep<'_, '_> {
     /// A transition that removes an allowance. The diameter before it is that of the handbook where the range of
     /// section 1.2.1 permits it, otherwise the aim of the range; where a drill makes it, the nearest drill.
     pub(super) fn finishing(self) -> Tried<RouteStep> {

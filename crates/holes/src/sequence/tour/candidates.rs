@@ -78,7 +78,7 @@ impl Tree {
             edges.extend(once.map(|&(cost, other)| (prices.priced(cost, node, other as usize), node as u32, other)));
         }
         edges.sort_unstable();
-        let count = prices.of.len() as u32;
+        let count = prices.by_node.len() as u32;
         let mut tree = Self { above: (0..count).map(|node| (node, i64::MAX)).collect() };
         let mut sizes = vec![1_u32; count as usize];
         for (cost, from, to) in edges {

@@ -21,7 +21,7 @@ pub(super) fn near_points(space: &Space<'_>) -> Vec<Vec<(i64, u32)>> {
 fn neighbours_of(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec<(i64, u32)> {
     let [a, b, c, d] = [const { Shortest::new(OF_QUARTER) }; 4];
     let at = space.points[node];
-    let mut around = Around { space, node, at, nearest: Shortest::new(NEAREST), quarters: [a, b, c, d] };
+    let mut around = NearQuery { space, node, at, nearest: Shortest::new(NEAREST), quarters: [a, b, c, d] };
     places.seek(&mut around);
     let quarters = around.quarters.iter().flat_map(Shortest::iter);
     let mut near: Vec<(i64, u32)> = around.nearest.iter().chain(quarters).collect();
@@ -32,7 +32,7 @@ fn neighbours_of(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec
 }
 
 /// The query for near points, in all directions and in each quadrant.
-struct Around<'s> {
+struct NearQuery<'s> {
     space: &'s Space<'s>,
     node: usize,
     at: Point,
@@ -40,7 +40,7 @@ struct Around<'s> {
     quarters: [Shortest; 4],
 }
 
-impl Around<'_> {
+impl NearQuery<'_> {
     /// Every direction belongs to one quadrant, an axis to the quadrant that it begins.
     fn quarter(&self, point: Point) -> usize {
         match ((point.x - self.at.x).micrometres(), (point.y - self.at.y).micrometres()) {
@@ -52,7 +52,7 @@ impl Around<'_> {
     }
 }
 
-impl Query for Around<'_> {
+impl Query for NearQuery<'_> {
     fn lower_bound(&self, _: usize, bounds: &Bounds) -> Option<i64> {
         let cost = self.space.metric.cost(self.at, bounds.nearest(self.at));
         // A box lies within one quadrant if its corners do; otherwise its best point may be in any of them.

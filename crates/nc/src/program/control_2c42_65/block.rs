@@ -324,7 +324,7 @@ impl Maker<'_> {
         let active = matches!(function, 41 | 42);
         let changed = words.g[RADIUS].or(words.g[PLANE]).map(|function| function.span);
         let changed = changed.or(words.get('D').filter(|_| active).map(|word| word.span));
-        let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.has(function.code));
+        let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.contains(function.code));
         if let Some(offset) = offset.filter(|_| active && words.g[RADIUS].is_none()) {
             self.report(
                 "offset-with-radius-correction",
@@ -390,7 +390,7 @@ impl Maker<'_> {
 
     /// Whether a cycle is in force.
     pub(super) fn cycle_in_force(&self) -> bool {
-        self.control.cycles.has(self.state.groups[CYCLE])
+        self.control.cycles.contains(self.state.groups[CYCLE])
     }
 
     /// The function of motion in force.

@@ -80,12 +80,12 @@ impl<T> ByCode<T> {
     }
 
     /// Whether there is a value for a code.
-    pub(super) fn has(&self, code: u8) -> bool {
+    pub(super) fn contains(&self, code: u8) -> bool {
         self.get(code).is_some()
     }
 
     /// The value for an address.
-    pub(super) fn of(&self, address: char) -> Option<&T> {
+    pub(super) fn for_address(&self, address: char) -> Option<&T> {
         self.get(u8::try_from(address).ok()?)
     }
 }

@@ -143,7 +143,7 @@ impl SourceLine<'_> {
                 let next = behind + written.len();
                 let places = comma_places(&self.text[next..end], written);
                 let word = written.trim_start_matches(blank);
-                match (places, self.control.addresses.of(character)) {
+                match (places, self.control.addresses.for_address(character)) {
                     (Some(places), Some(known)) => {
                         let span = self.span(at, next + 1 + places.len());
                         self.faults.push(decimal_comma(character, word, places, known.decimal, span, fault));
@@ -184,7 +184,7 @@ impl SourceLine<'_> {
             }
             _ => block.words.push(word),
         }
-        if word.address == 'G' && self.control.cycles.has(word.code()) {
+        if word.address == 'G' && self.control.cycles.contains(word.code()) {
             self.in_cycle = true;
         }
     }
@@ -197,7 +197,7 @@ impl SourceLine<'_> {
     }
 
     fn word(&mut self, address: char, written: &str, span: TextSpan) -> Option<Word> {
-        let Some(&known) = self.control.addresses.of(address) else {
+        let Some(&known) = self.control.addresses.for_address(address) else {
             self.faults.push(match latin(address) {
                 Some(latin) => fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin),
                 None if address.is_ascii_uppercase() => fault("unknown-address", span, None).with("letter", address),
@@ -213,9 +213,9 @@ impl SourceLine<'_> {
         }
         // In a cycle H is a feed (table 3.13).
         let limited = if address == 'H' && self.in_cycle { 'F' } else { address };
-        let limits = self.control.addresses.of(limited).and_then(|it| it.limits).or_else(|| {
+        let limits = self.control.addresses.for_address(limited).and_then(|it| it.limits).or_else(|| {
             // U, V and W are in no table of limits: they are lengths like X.
-            self.control.addresses.of('X').and_then(|it| it.limits).filter(|_| known.length)
+            self.control.addresses.for_address('X').and_then(|it| it.limits).filter(|_| known.length)
         });
         if let Some((low, high)) = limits
             && !(low..=high).contains(&thousandths)

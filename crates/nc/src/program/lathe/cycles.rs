@@ -7,14 +7,14 @@ use super::motion::{LatheAct, LathePlace, LathePoint};
 use super::roughing::{Between, NoPasses, Passes, hollows, levels};
 use super::words::{BlockWords, Value};
 use crate::program::{Subject, TextSpan};
-use crate::tables::controls::lathe_reading::{Does, Form};
+use crate::tables::controls::lathe_reading::{WordEffect, Form};
 
 /// The name of a cycle.
-const fn name(does: Does) -> &'static str {
+const fn name(does: WordEffect) -> &'static str {
     match does {
-        Does::RoughAlong => "G71",
-        Does::RoughAcross => "G72",
-        Does::ThreadCycle => "G76",
+        WordEffect::RoughAlong => "G71",
+        WordEffect::RoughAcross => "G72",
+        WordEffect::ThreadCycle => "G76",
         _ => "G70",
     }
 }
@@ -50,7 +50,7 @@ impl Maker<'_> {
             return;
         }
         let lengths = ["X", "Z", "U", "W", "I", "K", "R"];
-        let thread = words.function_for(Does::ThreadCycle).is_some() || words.function_for(Does::Dwell).is_some();
+        let thread = words.function_for(WordEffect::ThreadCycle).is_some() || words.function_for(WordEffect::Dwell).is_some();
         let pointless =
             words.all().iter().find(|it| lengths.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
         if let Some(value) = pointless.filter(|_| !thread) {
@@ -74,15 +74,15 @@ impl Maker<'_> {
     pub(super) fn diameters(&self) -> bool {
         use crate::tables::controls::lathe_reading::LatheGroup::Measure;
         self.is(LatheReader::Fanuc)
-            || self.state.is(Measure, Does::Diameters)
-            || self.state.is(Measure, Does::DiametersAbsolute)
+            || self.state.is(Measure, WordEffect::Diameters)
+            || self.state.is(Measure, WordEffect::DiametersAbsolute)
     }
 
     /// G70, G71, G72 of LinuxCNC.
     pub(super) fn linuxcnc_cycle(
         &mut self,
         words: &BlockWords,
-        does: Does,
+        does: WordEffect,
         span: TextSpan,
         begin: LathePoint,
         legs: Vec<Leg>,
@@ -107,7 +107,7 @@ impl Maker<'_> {
             self.report("lathe-contour-short", span);
             return;
         }
-        if does == Does::Finish {
+        if does == WordEffect::Finish {
             let passes = words.take("P").map_or(1.0, |it| it.value).clamp(0.0, 1000.0) as usize;
             for _ in 0..passes {
                 self.stroke(Stroke::Rapid(spot(begin)), PassFrame::default(), span);
@@ -117,7 +117,7 @@ impl Maker<'_> {
             let depth = self.above_zero(words.take("I").cloned(), 1.0, span);
             let retract = self.above_zero(words.take("R").cloned(), 0.5, span);
             if !self.broken() {
-                self.rough(&legs, does == Does::RoughAcross, (depth, retract), span);
+                self.rough(&legs, does == WordEffect::RoughAcross, (depth, retract), span);
             }
         }
         // It is not certain which motion the control has active afterwards.
@@ -194,14 +194,14 @@ impl Maker<'_> {
     }
 
     /// The first block of G71 and G72 of Fanuc: depth and retract.
-    pub(super) fn first_block(&mut self, words: &BlockWords, does: Does, span: TextSpan) {
+    pub(super) fn first_block(&mut self, words: &BlockWords, does: WordEffect, span: TextSpan) {
         if !self.fields(words, name(does), Form::First, span) {
             return;
         }
-        let depth = words.take(if does == Does::RoughAlong { "U" } else { "W" }).cloned();
+        let depth = words.take(if does == WordEffect::RoughAlong { "U" } else { "W" }).cloned();
         let depth = self.above_zero(depth, 0.0, span);
         let retract = self.above_zero(words.take("R").cloned(), 0.0, span);
-        let kept = if does == Does::RoughAlong { &mut self.state.first.along } else { &mut self.state.first.across };
+        let kept = if does == WordEffect::RoughAlong { &mut self.state.first.along } else { &mut self.state.first.across };
         *kept = Some((depth, retract));
     }
 
@@ -209,7 +209,7 @@ impl Maker<'_> {
     pub(super) fn fanuc_cycle(
         &mut self,
         words: &BlockWords,
-        does: Does,
+        does: WordEffect,
         span: TextSpan,
         begin: LathePoint,
         legs: Vec<Leg>,
@@ -220,11 +220,11 @@ impl Maker<'_> {
             self.report("lathe-contour-short", span);
             return;
         }
-        if does == Does::Finish {
+        if does == WordEffect::Finish {
             self.finish(&legs, begin, span);
             return;
         }
-        let across = does == Does::RoughAcross;
+        let across = does == WordEffect::RoughAcross;
         let Some((depth, retract)) = (if across { self.state.first.across } else { self.state.first.along }) else {
             self.report_with("lathe-cycle-first-block", span, "word", name(does));
             return;

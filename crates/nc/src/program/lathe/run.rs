@@ -14,7 +14,7 @@ use super::state::State;
 use super::text::{self, Argument, Block, Head};
 use super::words::BlockWords;
 use crate::program::{Fault, TextSpan};
-use crate::tables::controls::lathe_reading::{Does, LatheGroup};
+use crate::tables::controls::lathe_reading::{WordEffect, LatheGroup};
 
 /// The most blocks and motions of a run.
 const BUDGET: usize = crate::program::running::BUDGET;
@@ -250,10 +250,10 @@ impl Run<'_> {
         let cycle = words
             .functions
             .iter()
-            .find(|it| matches!(it.does, Does::RoughAlong | Does::RoughAcross | Does::Finish | Does::ThreadCycle));
+            .find(|it| matches!(it.does, WordEffect::RoughAlong | WordEffect::RoughAcross | WordEffect::Finish | WordEffect::ThreadCycle));
         if let Some(function) = cycle {
             maker.of_cycle = true;
-            if function.does == Does::ThreadCycle {
+            if function.does == WordEffect::ThreadCycle {
                 maker.thread_cycle(&words, function.span);
             } else if let Some(after_cycle) =
                 self.contour_cycle(&mut maker, &words, function.does, function.span, index)
@@ -263,9 +263,9 @@ impl Run<'_> {
         } else if let Some((name, arguments, span)) = &block.call {
             maker.of_cycle = true;
             self.call_of_siemens(&mut maker, name, arguments, *span);
-        } else if words.function_for(Does::SpeedLimit).is_none()
-            && words.function_for(Does::Dwell).is_none()
-            && words.function_for(Does::Call).is_none()
+        } else if words.function_for(WordEffect::SpeedLimit).is_none()
+            && words.function_for(WordEffect::Dwell).is_none()
+            && words.function_for(WordEffect::Call).is_none()
         {
             maker.motion(&words);
         }
@@ -300,7 +300,7 @@ impl Run<'_> {
         if let Some(Head::Call(name, _)) = &block.head {
             return Some((name.clone(), 1, block.span));
         }
-        if let Some(function) = words.function_for(Does::Call) {
+        if let Some(function) = words.function_for(WordEffect::Call) {
             let number = words.take("P").map_or(0.0, |value| value.value).max(0.0) as u64;
             let times = words.take("L").map(|value| value.value.max(0.0) as u32);
             let (number, packed) = if number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
@@ -334,7 +334,7 @@ impl Run<'_> {
         &mut self,
         maker: &mut Maker<'_>,
         words: &BlockWords,
-        does: Does,
+        does: WordEffect,
         span: TextSpan,
         index: usize,
     ) -> Option<Next> {
@@ -350,7 +350,7 @@ impl Run<'_> {
             return None;
         }
         // Fanuc: the first block of G71 and G72 has no P.
-        if words.look("P").is_none() && does != Does::Finish {
+        if words.look("P").is_none() && does != WordEffect::Finish {
             maker.first_block(words, does, span);
             return None;
         }
@@ -372,7 +372,7 @@ impl Run<'_> {
             self.blocks.get(from).is_some_and(|block| names_axis(block, "X", "U") && names_axis(block, "Z", "W"));
         maker.fanuc_cycle(words, does, span, begin, legs, type_two);
         // The control continues after the contour if the call comes before it.
-        (does != Does::Finish && to > index).then_some(Next::To(to + 1))
+        (does != WordEffect::Finish && to > index).then_some(Next::To(to + 1))
     }
 
     /// CYCLE95, CYCLE97 and MSG.
@@ -429,8 +429,8 @@ impl Run<'_> {
             let modes = [LatheGroup::Motion, LatheGroup::Plane, LatheGroup::Distance, LatheGroup::Compensation];
             for function in &words.functions {
                 match function.does {
-                    Does::Return => break,
-                    Does::Thread | Does::ThreadBox => {
+                    WordEffect::Return => break,
+                    WordEffect::Thread | WordEffect::ThreadBox => {
                         inner.report_with("lathe-contour-word", function.span, "word", function.code.clone())
                     }
                     _ if modes.contains(&function.group) => {
@@ -447,7 +447,7 @@ impl Run<'_> {
             let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
             if axes {
                 let in_block = words.of_group(LatheGroup::Motion).is_some();
-                let round = matches!(mode, Some(Does::Clockwise | Does::Counterclockwise));
+                let round = matches!(mode, Some(WordEffect::Clockwise | WordEffect::Counterclockwise));
                 // LinuxCNC takes an arc in a contour without its own function as G2.
                 if round && !in_block && self.language.kind == LatheReader::LinuxCnc {
                     inner.report("lathe-arc-unsaid", block.span);
@@ -461,7 +461,7 @@ impl Run<'_> {
                         let (from, to) = (super::block::spot(from), super::block::spot(to));
                         if from.to(to) > 0.0 {
                             let round = shape.round.map(|(centre, ccw)| Round { centre, ccw });
-                            let (rapid, line) = (mode == Does::Rapid, block.span.line);
+                            let (rapid, line) = (mode == WordEffect::Rapid, block.span.line);
                             legs.push(Leg { from, to, round, rapid, feed, line });
                         }
                     }

@@ -5,7 +5,7 @@ use super::block::{Maker, spot};
 use super::motion::{LatheAct, LathePlace, LathePoint};
 use super::words::{BlockWords, Value};
 use crate::program::TextSpan;
-use crate::tables::controls::lathe_reading::{Does, Form};
+use crate::tables::controls::lathe_reading::{WordEffect, Form};
 use crate::units::MillimetresPerRev;
 
 /// The most passes of a thread.
@@ -208,7 +208,7 @@ impl Maker<'_> {
             self.report("lathe-place-unknown", span);
             return None;
         };
-        let mut end = self.shape(words, Does::Rapid, span)?.to.point()?;
+        let mut end = self.shape(words, WordEffect::Rapid, span)?.to.point()?;
         if let Some((kept, x, z)) = kept {
             end.radius_mm = if x { end.radius_mm } else { kept.radius_mm };
             end.z_mm = if z { end.z_mm } else { kept.z_mm };
@@ -257,7 +257,7 @@ impl Maker<'_> {
             self.report("lathe-no-lead", span);
             return;
         };
-        let in_block = words.function_for(Does::ThreadBox).is_some();
+        let in_block = words.function_for(WordEffect::ThreadBox).is_some();
         let kept = self.state.box_end.filter(|_| !in_block);
         let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
         let (x, z) = (given("X", "U"), given("Z", "W"));

@@ -8,7 +8,7 @@ use super::expression::Parameters;
 use super::rules::fault;
 use super::text::Block;
 use crate::program::{Fault, TextSpan};
-use crate::tables::controls::lathe_reading::{Does, LatheGroup};
+use crate::tables::controls::lathe_reading::{WordEffect, LatheGroup};
 
 /// A word with its value.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ pub(super) struct Value {
 pub(super) struct Function {
     pub code: String,
     pub group: LatheGroup,
-    pub does: Does,
+    pub does: WordEffect,
     pub span: TextSpan,
 }
 
@@ -99,7 +99,7 @@ impl BlockWords {
         self.functions.iter().find(|function| function.group == group)
     }
 
-    pub fn function_for(&self, does: Does) -> Option<&Function> {
+    pub fn function_for(&self, does: WordEffect) -> Option<&Function> {
         self.functions.iter().find(|function| function.does == does)
     }
 

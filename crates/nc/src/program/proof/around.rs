@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::cuts::{TOLERANCE, same_position};
 use super::matching::Matched;
-use super::walk::{Event, Stay, TipMotion};
+use super::walk::{Event, PointVisit, TipMotion};
 use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask};
 use crate::job::Pause;
 use crate::motion::{BlockRef, Turning};
@@ -51,7 +51,7 @@ impl<'t> Around<'_, 't> {
         at
     }
 
-    fn at_change(&self, stay: &Stay) -> bool {
+    fn at_change(&self, stay: &PointVisit) -> bool {
         let change = self.input.job.change_at;
         stay.machine == [change.x, change.y]
     }
@@ -127,9 +127,9 @@ impl<'t> Around<'_, 't> {
             if !made.moves() {
                 continue;
             }
-            let of = leads.or_else(|| cuts.get(stay).map(|(_, last)| *last)).and_then(|cut| self.task(cut));
+            let work = leads.or_else(|| cuts.get(stay).map(|(_, last)| *last)).and_then(|cut| self.task(cut));
             // Motion to an unplanned cut is reported with that cut.
-            let Some(task) = of else {
+            let Some(task) = work else {
                 if !cuts.contains_key(stay) && made.machine.z != up {
                     findings.push(say(Code::IdleHeight).with(Name::Z, made.to[2]));
                 }

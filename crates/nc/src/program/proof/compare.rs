@@ -35,17 +35,17 @@ pub(super) fn all(
             continue;
         };
         let task = &tasks[number];
-        let say = Say { cut, task };
+        let say = CutAtStop { cut, task };
         if tools.of_section(cut.section) != Some(task.tool.tool) {
             let needed = task.tool.tool;
             findings
-                .push(say.now(Code::WrongTool, Severity::Error).with(Name::Tool, cut.tool).with(Name::Needed, needed));
+                .push(say.finding(Code::WrongTool, Severity::Error).with(Name::Tool, cut.tool).with(Name::Needed, needed));
         }
         let point = (task.setup, task.stop.at.x, task.stop.at.y);
         match furthest.get(&point) {
             Some(&before) if before > number => {
                 let earlier = tasks[before].cycle.operation;
-                findings.push(say.now(Code::WrongOrder, Severity::Error).with(Name::Instead, earlier));
+                findings.push(say.finding(Code::WrongOrder, Severity::Error).with(Name::Instead, earlier));
             }
             _ => {
                 furthest.insert(point, number);
@@ -66,14 +66,14 @@ pub(super) fn all(
 }
 
 /// A cut and its stop, for the findings about them.
-pub(super) struct Say<'a, 't> {
+pub(super) struct CutAtStop<'a, 't> {
     pub cut: &'a Descent,
     pub task: &'a StopTask<'t>,
 }
 
-impl Say<'_, '_> {
+impl CutAtStop<'_, '_> {
     /// A finding about the cut.
-    pub fn now(&self, code: Code, severity: Severity) -> ProgramFinding {
+    pub fn finding(&self, code: Code, severity: Severity) -> ProgramFinding {
         ProgramFinding::new(code, severity, self.cut.block)
             .with(Name::Hole, &self.task.stop.hole)
             .with(Name::Operation, self.task.cycle.operation)
@@ -88,7 +88,7 @@ impl Say<'_, '_> {
         made: impl Into<DeviationFigure>,
         needed: impl Into<DeviationFigure>,
     ) -> ProgramFinding {
-        self.now(code, severity).with(Name::Made, made).with(Name::Needed, needed)
+        self.finding(code, severity).with(Name::Made, made).with(Name::Needed, needed)
     }
 }
 
@@ -188,7 +188,7 @@ fn missing(matched: &Matched, tasks: &[StopTask<'_>], findings: &mut Vec<Program
 }
 
 /// Where the feed begins and how deep it goes.
-fn levels(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn levels(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cycle, transition) = (say.task.cycle, say.task.transition);
     let part = &input.plan.part;
     if let Some(begin) = say.cut.begin() {
@@ -235,7 +235,7 @@ fn levels(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramF
 }
 
 /// Speed, feed, dwell, coolant.
-fn conditions(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn conditions(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let other = |made: f64, needed: f64| (made - needed).abs() > FIGURE;
     // Another choice is acceptable, but not far beyond the load that the tool bears.
@@ -276,18 +276,18 @@ fn conditions(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<Prog
         findings.push(say.figure(Code::OtherDwell, severity, crate::units::round_to(cut.dwell(), 3), needed));
     }
     if cut.other_dwells() > 0.0 {
-        findings.push(say.now(Code::DwellElsewhere, Severity::Note).with(Name::Made, cut.other_dwells()));
+        findings.push(say.finding(Code::DwellElsewhere, Severity::Note).with(Name::Made, cut.other_dwells()));
     }
     let flows = cut.cutting().all(|made| made.coolant);
     if say.task.tool.coolant && !flows {
-        findings.push(say.now(Code::CoolantMissing, Severity::Doubtful));
+        findings.push(say.finding(Code::CoolantMissing, Severity::Doubtful));
     } else if !say.task.tool.coolant && cut.cutting().any(|made| made.coolant) {
-        findings.push(say.now(Code::CoolantSuperfluous, Severity::Note));
+        findings.push(say.finding(Code::CoolantSuperfluous, Severity::Note));
     }
 }
 
 /// The infeed, at once or in steps.
-fn steps(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn steps(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let downs = cut.downs();
     let (step, back, leaves) = match cycle.kind {
@@ -295,7 +295,7 @@ fn steps(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFi
         CycleKind::ChipBreak { step, retreat } => (step, retreat, false),
         _ => {
             if downs.len() > 1 {
-                findings.push(say.now(Code::StepsNotPlanned, Severity::Note).with(Name::Made, downs.len()));
+                findings.push(say.finding(Code::StepsNotPlanned, Severity::Note).with(Name::Made, downs.len()));
             }
             return;
         }
@@ -329,7 +329,7 @@ fn steps(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFi
 }
 
 /// The retract.
-fn way_out(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn way_out(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let moves: Vec<&TipMove> = cut.way_out().iter().filter(|made| made.moves()).collect();
     let inside: Vec<&&TipMove> = moves.iter().filter(|made| made.from[2] < cycle.begin - TOLERANCE).collect();
@@ -337,7 +337,7 @@ fn way_out(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<Program
     match &cycle.kind {
         CycleKind::FeedOut | CycleKind::Tap { .. } => {
             if inside.iter().any(|made| !at_feed(made)) {
-                findings.push(say.now(Code::OutAtRapid, Severity::Wrong));
+                findings.push(say.finding(Code::OutAtRapid, Severity::Wrong));
             }
             let other = inside.iter().filter_map(|made| made.feed());
             let mut other = other.filter(|feed| (feed - cycle.feed_mm_per_min.0).abs() > FIGURE);
@@ -347,7 +347,7 @@ fn way_out(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<Program
         }
         _ => {
             if let Some(feed) = moves.iter().find_map(|made| made.feed()) {
-                findings.push(say.now(Code::OutAtFeed, Severity::Note).with(Name::Made, feed));
+                findings.push(say.finding(Code::OutAtFeed, Severity::Note).with(Name::Made, feed));
             }
         }
     }
@@ -374,12 +374,12 @@ fn way_out(say: &Say<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<Program
     }
 }
 
-fn turning_out(say: &Say<'_, '_>, cycle: &Cycle, turned: bool, stood: bool, findings: &mut Vec<ProgramFinding>) {
+fn turning_out(say: &CutAtStop<'_, '_>, cycle: &Cycle, turned: bool, stood: bool, findings: &mut Vec<ProgramFinding>) {
     if cycle.kind == CycleKind::BoreStop {
         if turned {
-            findings.push(say.now(Code::OutTurning, Severity::Wrong));
+            findings.push(say.finding(Code::OutTurning, Severity::Wrong));
         }
     } else if stood {
-        findings.push(say.now(Code::OutStanding, Severity::Doubtful));
+        findings.push(say.finding(Code::OutStanding, Severity::Doubtful));
     }
 }

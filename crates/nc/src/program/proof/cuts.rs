@@ -1,6 +1,6 @@
 //! Turns stays into cuts: one path of the tip into the part and out of it, with its pecks and circles together.
 
-use super::walk::{Stay, TipMotion, TipMove};
+use super::walk::{PointVisit, TipMotion, TipMove};
 use crate::motion::{BlockRef, Sense, Turning};
 use crate::units::Micrometres;
 
@@ -42,7 +42,7 @@ pub(super) struct Descent {
 }
 
 /// The cuts of a stay, and its motions above the face, each with the cut that follows.
-pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent>, Vec<(Option<usize>, TipMove)>) {
+pub(super) fn cuts(number: usize, stay: &PointVisit, top: Micrometres) -> (Vec<Descent>, Vec<(Option<usize>, TipMove)>) {
     let mut cuts: Vec<Descent> = Vec::new();
     let mut above: Vec<(Option<usize>, TipMove)> = Vec::new();
     // The last motion was below the face.

@@ -83,7 +83,7 @@ impl TipMove {
 
 /// Everything done at a point.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Stay {
+pub(super) struct PointVisit {
     /// The number of the tool change before it, from 1; 0 before the first.
     pub section: usize,
     /// The tool in the spindle, as the program calls it.
@@ -119,7 +119,7 @@ pub(super) enum Event {
 /// A program as stays and events.
 #[derive(Clone, Debug, Default)]
 pub(super) struct TipHistory {
-    pub stays: Vec<Stay>,
+    pub stays: Vec<PointVisit>,
     /// With their place among the steps, and the stay they happened at.
     pub events: Vec<(usize, BlockRef, Event)>,
 }
@@ -304,8 +304,8 @@ fn tip(at: Position, state: &WalkState, frame: &SetUpFrame) -> Tip {
     [at.x - frame.zero.x, at.y - frame.zero.y, at.z - frame.zero.z - longer]
 }
 
-fn stay(state: &WalkState, setup: usize, at: Tip, step: &MotionStep, travel: Option<TipMove>) -> Stay {
-    Stay {
+fn stay(state: &WalkState, setup: usize, at: Tip, step: &MotionStep, travel: Option<TipMove>) -> PointVisit {
+    PointVisit {
         section: state.section,
         tool: state.tool,
         setup,

@@ -22,7 +22,7 @@ use crate::program::written::{Form, LineRole, WorkRef, WrittenProgram};
 
 use crate::program::block::Block;
 use points::PointRun;
-use program_writer::{BlockPurpose, Called, ProgramWriter};
+use program_writer::{BlockPurpose, BlockGroup, ProgramWriter};
 
 /// The program of a job.
 pub fn write(job: &Job, form: Form) -> WrittenProgram {
@@ -173,8 +173,8 @@ fn drawn_together(sheet: &mut ProgramWriter, blocks: &[Block]) -> Vec<Block> {
             points::Repeat::Once(block) => drawn.push(block),
             points::Repeat::Times(group, times) => {
                 match sheet.subprogram(group.clone(), BlockPurpose::of(LineRole::Point)) {
-                    Called::Subprogram(number) => drawn.push(Block::new().calls(number, times)),
-                    Called::Blocks(_) => drawn.extend(std::iter::repeat_n(group, times).flatten()),
+                    BlockGroup::Subprogram(number) => drawn.push(Block::new().calls(number, times)),
+                    BlockGroup::Blocks(_) => drawn.extend(std::iter::repeat_n(group, times).flatten()),
                 }
             }
         }
