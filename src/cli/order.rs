@@ -137,7 +137,7 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
             context.emit_cleaned(&order_drawing::drawing(&panels, Some(&plan.part)))?;
         }
         _ => {
-            let not_kept: Vec<Finding> = plan.visiting.iter().filter_map(|own| not_kept(own, &machine)).collect();
+            let not_kept: Vec<Finding> = plan.visiting.iter().filter_map(|visiting| not_kept(visiting, &machine)).collect();
             context.emit_document(&report::order::of_part(&plan, home, &not_kept, context.lang), format)?;
         }
     }

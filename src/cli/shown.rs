@@ -78,7 +78,7 @@ fn figure(lang: Lang, column: &Column, written: &str) -> String {
     match column.ty {
         // Tables of machines and controls have the unit of each figure in a separate column.
         ColumnType::Unit => match written.parse() {
-            Ok(own) if own != Unit::None => unit(own, lang).to_owned(),
+            Ok(parsed) if parsed != Unit::None => unit(parsed, lang).to_owned(),
             _ => written.to_owned(),
         },
         ColumnType::Text => lang.remark(written).into_owned(),

@@ -88,7 +88,7 @@ impl Auditor<'_> {
         found.clamping();
         found.figures(Section::Times, &Subject::default(), &a.times, &b.times);
         let mut differences = found.differences;
-        differences.sort_by_key(|one| one.section);
+        differences.sort_by_key(|difference| difference.section);
         let costs = costs(&self.expenses(a)?, &self.expenses(b)?);
         Ok(Comparison { a: a.file.clone(), b: b.file.clone(), differences, costs })
     }
@@ -204,7 +204,7 @@ impl PlanComparison<'_> {
     fn conditions(&mut self, subject: &Subject, (a, b): (Option<usize>, Option<usize>)) {
         let none = Figures::new();
         let (a, b) = (a.and_then(|at| self.a.conditions.get(at)), b.and_then(|at| self.b.conditions.get(at)));
-        let [one, two] = [a, b].map(|own| own.map_or(&none, |own| &own.figures));
+        let [one, two] = [a, b].map(|own| own.map_or(&none, |conditions| &conditions.figures));
         self.figures(Section::Conditions, subject, one, two);
         // Factors of conditions that only one plan has are not listed: their results are.
         let (Some(a), Some(b)) = (a, b) else { return };
@@ -225,7 +225,7 @@ impl PlanComparison<'_> {
         let (a, b) = (self.a.clamping.as_ref(), self.b.clamping.as_ref());
         let subject = Subject::default();
         let none = Figures::new();
-        let [one, two] = [a, b].map(|own| own.map_or(&none, |own| &own.figures));
+        let [one, two] = [a, b].map(|own| own.map_or(&none, |clamping| &clamping.figures));
         self.figures(Section::Clamping, &subject, one, two);
         let names: [(&str, NameOf); 3] =
             [("screw", |own| &own.screw), ("designation", |own| &own.designation), ("standard", |own| &own.standard)];

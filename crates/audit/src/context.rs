@@ -101,7 +101,7 @@ impl<'a> Context<'a> {
     pub fn reference(&self, row: usize) -> Option<&'a Transition> {
         let diameter = self.stated.rows.get(row)?.figures.get(&Quantity::Diameter).filter(|_| !self.stated.own);
         let alike =
-            |found: &&Transition| diameter.is_none_or(|own| (own.value - found.diameter_mm.to_mm()).abs() < 1e-6);
+            |found: &&Transition| diameter.is_none_or(|figure| (figure.value - found.diameter_mm.to_mm()).abs() < 1e-6);
         self.same_transition(row).filter(alike)
     }
 

@@ -176,12 +176,12 @@ fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
         return None;
     }
     let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, one) in a.iter().enumerate() {
+    for (i, sign) in a.iter().enumerate() {
         let mut corner = i;
         row[0] = i + 1;
         let mut least = row[0];
         for (j, other) in b.iter().enumerate() {
-            let changed = corner + usize::from(one != other);
+            let changed = corner + usize::from(sign != other);
             corner = row[j + 1];
             row[j + 1] = changed.min(row[j] + 1).min(corner + 1);
             least = least.min(row[j + 1]);

@@ -27,13 +27,13 @@ pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
 
 /// The field, if a finding already reports a slip of it.
 pub(super) fn roots_of(findings: &[AuditFinding], field: String) -> Vec<String> {
-    let slip = |one: &AuditFinding| one.field == field && is_fault(one) && one.follows_from.is_empty();
+    let slip = |finding: &AuditFinding| finding.field == field && is_fault(finding) && finding.follows_from.is_empty();
     if findings.iter().any(slip) { vec![field] } else { Vec::new() }
 }
 
 /// Removes the verdict on a figure that proved right, and the findings that followed only from it.
 pub(super) fn retract(findings: &mut Vec<AuditFinding>, field: &str, rule: &Rule) {
-    let slip = |one: &AuditFinding| one.field == field && one.kind.rule() == Some(rule) && one.follows_from.is_empty();
+    let slip = |finding: &AuditFinding| finding.field == field && finding.kind.rule() == Some(rule) && finding.follows_from.is_empty();
     if !findings.iter().any(slip) {
         return;
     }
@@ -48,7 +48,7 @@ pub(super) fn retract(findings: &mut Vec<AuditFinding>, field: &str, rule: &Rule
 
 /// Traces every finding back to the slips that follow from nothing, and lists its consequences there.
 pub(super) fn settle(findings: &mut [AuditFinding]) {
-    let settled: Vec<BTreeSet<String>> = findings.iter().map(|one| roots(one, findings)).collect();
+    let settled: Vec<BTreeSet<String>> = findings.iter().map(|finding| roots(finding, findings)).collect();
     for (one, roots) in findings.iter_mut().zip(settled) {
         let known: BTreeSet<String> = one.follows_from.iter().cloned().collect();
         if roots.is_empty() || roots == known {
@@ -80,9 +80,9 @@ pub(super) fn settle(findings: &mut [AuditFinding]) {
 }
 
 /// The fields of a finding's roots: of the findings it follows from, those that follow from nothing.
-fn roots(one: &AuditFinding, all: &[AuditFinding]) -> BTreeSet<String> {
+fn roots(finding: &AuditFinding, all: &[AuditFinding]) -> BTreeSet<String> {
     let (mut found, mut seen) = (BTreeSet::new(), BTreeSet::new());
-    let mut open = one.follows_from.clone();
+    let mut open = finding.follows_from.clone();
     while let Some(field) = open.pop() {
         if !seen.insert(field.clone()) {
             continue;
@@ -130,8 +130,8 @@ mod tests {
     #[test]
     fn a_slip_is_taken_back_with_what_followed_from_it_alone() {
         let mut findings = vec![finding("a", &[]), finding("b", &["a"]), finding("c", &["a", "d"]), finding("d", &[])];
-        for one in &mut findings {
-            one.kind = FindingKind::Formula(&RULE);
+        for finding in &mut findings {
+            finding.kind = FindingKind::Formula(&RULE);
         }
         retract(&mut findings, "a", &RULE);
         let left: Vec<&str> = findings.iter().map(|one| one.field.as_str()).collect();

@@ -235,7 +235,7 @@ impl NotHeld {
 /// Something in the program is not known well enough.
 fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<Vec<Motion>, NotHeld> {
     let mut motions = Vec::new();
-    for one in all.iter().filter(|one| one.act.moves()) {
+    for one in all.iter().filter(|motion| motion.act.moves()) {
         let line = one.line;
         let cuts = one.act.cuts();
         let known = one.from.point().zip(one.to.point());

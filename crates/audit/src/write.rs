@@ -141,26 +141,26 @@ fn all_conditions(plan: &Plan, rows: &[At]) -> Vec<String> {
 }
 
 fn conditions(transition: &Transition) -> String {
-    let own: &Conditions = &transition.conditions;
+    let conditions: &Conditions = &transition.conditions;
     let mut flow = Flow::default();
-    flow.push_field("depth_of_cut", own.depth_of_cut_mm).push_field("feed", own.feed_mm_per_rev.0);
-    flow.push_field("speed", own.computed_speed_m_per_min.0);
-    if own.rounds.is_none() && !matches!(transition.operation, Operation::Mill) {
+    flow.push_field("depth_of_cut", conditions.depth_of_cut_mm).push_field("feed", conditions.feed_mm_per_rev.0);
+    flow.push_field("speed", conditions.computed_speed_m_per_min.0);
+    if conditions.rounds.is_none() && !matches!(transition.operation, Operation::Mill) {
         let diameter = transition.also_diameter_mm.unwrap_or(transition.diameter_mm);
-        flow.push_field("rpm_computed", round_to(rpm_at(own.computed_speed_m_per_min, diameter).0, 1));
+        flow.push_field("rpm_computed", round_to(rpm_at(conditions.computed_speed_m_per_min, diameter).0, 1));
     }
-    flow.push_field("rpm", own.spindle_rpm.0);
-    if own.limited_by != Limit::CuttingSpeed {
-        flow.push_field("limited_by", own.limited_by.name());
+    flow.push_field("rpm", conditions.spindle_rpm.0);
+    if conditions.limited_by != Limit::CuttingSpeed {
+        flow.push_field("limited_by", conditions.limited_by.name());
     }
-    flow.push_field("speed_taken", own.speed_m_per_min.0).push_field("minute_feed", own.feed_mm_per_min.0);
-    flow.maybe("force", own.axial_force_n.map(|force| force.0));
-    flow.maybe("torque", own.torque_n_m.map(|torque| torque.0));
-    flow.maybe("power", own.power_kw.map(|power| power.0));
-    flow.push_field("travel", transition.travel_mm).push_field("time", own.machine_time_min.0);
+    flow.push_field("speed_taken", conditions.speed_m_per_min.0).push_field("minute_feed", conditions.feed_mm_per_min.0);
+    flow.maybe("force", conditions.axial_force_n.map(|force| force.0));
+    flow.maybe("torque", conditions.torque_n_m.map(|torque| torque.0));
+    flow.maybe("power", conditions.power_kw.map(|power| power.0));
+    flow.push_field("travel", transition.travel_mm).push_field("time", conditions.machine_time_min.0);
     // With another limit, the life is that of a lower load, not the one for which speeds are given.
-    if own.limited_by == Limit::CuttingSpeed {
-        flow.push_field("tool_life", own.tool_life_min.0);
+    if conditions.limited_by == Limit::CuttingSpeed {
+        flow.push_field("tool_life", conditions.tool_life_min.0);
     }
     flow.0.join(", ")
 }

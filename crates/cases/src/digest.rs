@@ -131,7 +131,7 @@ fn findings(answer: &Value) -> Value {
 /// The least severity such that no finding has it or a higher one.
 fn free(findings: &[Value]) -> Option<&'static str> {
     let mut lightest_first = Severity::NAMES.iter().rev();
-    lightest_first.find(|(_, severity)| !findings.iter().any(|one| is_from(one, *severity))).map(|(name, _)| *name)
+    lightest_first.find(|(_, severity)| !findings.iter().any(|value| is_from(value, *severity))).map(|(name, _)| *name)
 }
 
 fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {

@@ -174,7 +174,7 @@ impl<'v> Holder<'v, '_> {
             }
             (ExpectedKind::OneOf(several), Some(value)) => {
                 // Each one is tried, so that a mistake in any of them is reported.
-                let fitting = several.iter().filter(|one| self.fits(one, value)).count();
+                let fitting = several.iter().filter(|item| self.fits(item, value)).count();
                 if fitting == 0 {
                     self.fail(expected, came());
                 }
@@ -286,10 +286,10 @@ impl<'v> Holder<'v, '_> {
         {
             self.fail(expected, ActualValue::Value(around.clone()));
         }
-        for one in &part.contains {
-            let fitting = values.iter().filter(|value| self.fits(one, value)).count();
+        for item in &part.contains {
+            let fitting = values.iter().filter(|value| self.fits(item, value)).count();
             if fitting == 0 {
-                self.lacking(one, values, around);
+                self.lacking(item, values, around);
             }
         }
         for one in &part.lacks {
@@ -342,7 +342,7 @@ impl<'v> Holder<'v, '_> {
 
     /// `contains` and `lacks` of a text.
     fn of_text(&mut self, expected: &Expected, part: &Part, text: &str, value: &'v Value) {
-        let has = |one: &Expected| matches!(&one.kind, ExpectedKind::Is(inner) if text.contains(inner.as_str()));
+        let has = |item: &Expected| matches!(&item.kind, ExpectedKind::Is(inner) if text.contains(inner.as_str()));
         let of_list = part.starts.is_some() || part.ends.is_some() || part.how_many.is_some() || part.every.is_some();
         if of_list || part.none_from.is_some() {
             self.fail(expected, ActualValue::Value(value.clone()));
@@ -371,7 +371,7 @@ pub fn is_from(finding: &Value, severity: Severity) -> bool {
 fn is(text: &str, value: &Value) -> Result<bool, UnknownWord> {
     Ok(match value {
         Value::String(own) => called::same_letters(own, text),
-        Value::Number(own) => own.as_f64().is_some_and(|own| number_of(text) == Some(own)),
+        Value::Number(number) => number.as_f64().is_some_and(|own| number_of(text) == Some(own)),
         Value::Bool(own) => text == own.to_string(),
         Value::Object(object) => called::is_called(object, text)?,
         Value::Null | Value::Array(_) => false,

@@ -58,7 +58,7 @@ type IntoFigure = (Note, Option<Note>);
 /// The identity of a mistake; for a mistake in the form, with its words.
 fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<IntoFigure>) {
     let words = match mistake {
-        Mistake::Form(own) => Some((own.message.clone(), own.help.clone())),
+        Mistake::Form(problem) => Some((problem.message.clone(), problem.help.clone())),
         Mistake::Meaning(..) => None,
     };
     (mistake.place().cloned(), mistake.code(), words)
@@ -157,7 +157,7 @@ impl Reader<'_> {
     /// A misspelt code would never be found among findings that must be absent.
     fn codes(&mut self, findings: &Expected) {
         let ExpectedKind::Some(part) = &findings.kind else { return };
-        let codes = part.lacks.iter().map(|one| one.get("code").unwrap_or(one));
+        let codes = part.lacks.iter().map(|item| item.get("code").unwrap_or(item));
         let texts = codes.filter_map(|one| match &one.kind {
             ExpectedKind::Is(text) => Some((one, text)),
             _ => None,

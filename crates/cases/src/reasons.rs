@@ -62,8 +62,8 @@ pub fn reasons(trail: &[&Value], path: &[String], expected: &Expected) -> Vec<Wh
 
 fn because(reasons: Option<&Value>) -> Vec<Why> {
     let reasons = reasons.and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
-    let read = reasons.iter().filter_map(|one| serde_json::from_value::<Because>(one.clone()).ok());
-    read.map(|one| Why::Because(Box::new(one))).collect()
+    let read = reasons.iter().filter_map(|value| serde_json::from_value::<Because>(value.clone()).ok());
+    read.map(|reason| Why::Because(Box::new(reason))).collect()
 }
 
 fn findings(answer: Option<&Value>, hole: Option<&Value>) -> Vec<Why> {

@@ -52,9 +52,9 @@ impl Question {
         if !whole {
             return None;
         }
-        let own = Self { table: found.id.clone(), given: columns };
+        let question = Self { table: found.id.clone(), given: columns };
         if found.kind == TableKind::Decision
-            && let Err(error) = own.decide(found)
+            && let Err(error) = question.decide(found)
         {
             let place = given.map_or(&table.place, |given| &given.place);
             return problems.error_help(
@@ -64,7 +64,7 @@ impl Question {
                 note!("case-technolog-table-shows-columns"),
             );
         }
-        Some(own)
+        Some(question)
     }
 
     fn decide<'t>(&self, table: &'t Table) -> Result<Answer<'t>, QueryError> {

@@ -101,7 +101,7 @@ impl<'k> PracticeSpeed<'k> {
         let of = |coating| Self::carbide(CarbideWork::Turn, coating, pass, group, knowledge);
         let (uncoated, coated) = (of(Coating::Uncoated)?, of(Coating::Coated)?);
         let turned = match (uncoated, coated) {
-            (Some(one), Some(other)) if other.high.0 > one.high.0 => Some(Self { high: other.high, ..one }),
+            (Some(speed), Some(other)) if other.high.0 > speed.high.0 => Some(Self { high: other.high, ..speed }),
             (uncoated, coated) => uncoated.or(coated),
         };
         if inner { Self::share(SharedWork::Bore, turned, knowledge) } else { Ok(turned) }

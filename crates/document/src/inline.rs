@@ -102,8 +102,8 @@ impl Inlines {
     /// Joins lines with a separator.
     pub fn joined(all: impl IntoIterator<Item = Self>, between: &str) -> Self {
         let mut joined = Self::default();
-        for (at, one) in all.into_iter().enumerate() {
-            joined = if at > 0 { joined.text(between).append(one) } else { one };
+        for (at, line) in all.into_iter().enumerate() {
+            joined = if at > 0 { joined.text(between).append(line) } else { line };
         }
         joined
     }

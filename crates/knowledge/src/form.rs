@@ -186,7 +186,7 @@ impl<'n, F> Fields<'n, F> {
         }
         if !meant.is_empty() {
             let behind = problems.0.split_off(self.before.min(problems.0.len()));
-            let same = |one: &Diagnostic| one.place.as_ref() == Some(self.place) && meant.contains(&one.message);
+            let same = |problem: &Diagnostic| problem.place.as_ref() == Some(self.place) && meant.contains(&problem.message);
             problems.0.extend(behind.into_iter().filter(|one| !same(one)));
         }
         problems.0.extend(unknown);

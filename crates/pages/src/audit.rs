@@ -44,9 +44,9 @@ pub fn page(audit: &Audit, lang: Lang) -> Document {
         page.heading(2, heading(section, lang));
         findings.into_iter().for_each(|finding| page.push(block(finding, audit, lang)));
     }
-    if let Some(own) = &audit.marks {
-        page.heading(2, marks::headline(own, lang));
-        page.push(marks::table(own, audit, lang));
+    if let Some(marks) = &audit.marks {
+        page.heading(2, marks::headline(marks, lang));
+        page.push(marks::table(marks, audit, lang));
     }
     page
 }
@@ -114,9 +114,9 @@ fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
         lines.push(say!(lang, "audit-is-slip").to_owned());
     }
     if !finding.supplied.is_empty() {
-        let taken = finding.supplied.iter().map(|one| {
-            let value = with_unit(&figure(&one.value, lang), one.quantity.unit(), lang);
-            Figure::Text(say!(lang, "audit-supplied-one", what = name(one.quantity, lang), value = value).into())
+        let taken = finding.supplied.iter().map(|shown| {
+            let value = with_unit(&figure(&shown.value, lang), shown.quantity.unit(), lang);
+            Figure::Text(say!(lang, "audit-supplied-one", what = name(shown.quantity, lang), value = value).into())
         });
         lines.push(say!(lang, "audit-supplied", taken = Figure::list(taken)));
     }
@@ -136,7 +136,7 @@ fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
     }
     if !finding.changes.is_empty() {
         let changes = finding.changes.iter();
-        let changes = changes.map(|one| (one.field.as_str(), words::change(&one.stated, &one.right, lang)));
+        let changes = changes.map(|change| (change.field.as_str(), words::change(&change.stated, &change.right, lang)));
         lines.push(say!(lang, "audit-changes", fields = words::fields(changes, audit, lang)));
     }
     lines

@@ -34,7 +34,7 @@ pub fn of_part(plan: &Plan, home: Point, not_kept: &[Finding], lang: Lang) -> Do
             let hole = finding.hole.as_deref().unwrap_or_default();
             say!(lang, "order-method", hole = hole, why = finding.note.clone()).into()
         });
-        page.push(Block::List(plan.visiting.iter().map(|own| visiting(own, lang)).chain(not_kept).collect()));
+        page.push(Block::List(plan.visiting.iter().map(|method| visiting(method, lang)).chain(not_kept).collect()));
     }
     page
 }

@@ -82,8 +82,8 @@ fn findings<'f>(page: &mut Document, all: impl Iterator<Item = &'f note::Finding
     if let Some(counted) = counted {
         page.push(unconfirmed(&counted, lang));
     }
-    for one in listed {
-        page.push(if is_of_row(&one.note) { unconfirmed(&one.note, lang) } else { finding(one, lang) });
+    for listed_finding in listed {
+        page.push(if is_of_row(&listed_finding.note) { unconfirmed(&listed_finding.note, lang) } else { finding(listed_finding, lang) });
     }
 }
 

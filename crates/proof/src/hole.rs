@@ -128,9 +128,9 @@ impl Walk<'_, '_> {
     fn position(&self) -> Option<Micrometres> {
         match self.hole.centre_tolerance {
             CentreTolerance::Width(width) => Some(width),
-            CentreTolerance::Grade { it } => {
+            CentreTolerance::Grade { it: grade } => {
                 let distance = self.hole.smallest_centre_distance()?;
-                tolerance_width(it, distance, self.shop.knowledge).ok()
+                tolerance_width(grade, distance, self.shop.knowledge).ok()
             }
         }
     }

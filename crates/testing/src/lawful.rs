@@ -59,26 +59,26 @@ pub fn sound(step: &Transition, plan: &Plan, machine: &Machine<'_>) -> Result<()
     let has = |tool: &technolog::plan::ToolPlan| tool.designation == step.tool.designation;
     prop_assert!(step.elsewhere || tool.is_some_and(has), "{step_text}");
     prop_assert!(step.passes >= 1 && step.travel_mm > Micrometres::ZERO, "{step_text}");
-    let it = &step.conditions;
+    let conditions = &step.conditions;
     for figure in [
-        it.depth_of_cut_mm,
-        it.feed_mm_per_rev.0,
-        it.speed_m_per_min.0,
-        it.feed_mm_per_min.0,
-        it.machine_time_min.0,
-        it.tool_life_min.0,
-        it.computed_speed_m_per_min.0,
+        conditions.depth_of_cut_mm,
+        conditions.feed_mm_per_rev.0,
+        conditions.speed_m_per_min.0,
+        conditions.feed_mm_per_min.0,
+        conditions.machine_time_min.0,
+        conditions.tool_life_min.0,
+        conditions.computed_speed_m_per_min.0,
     ] {
-        prop_assert!(figure.is_finite() && figure > 0.0, "{step_text}: {it:?}");
+        prop_assert!(figure.is_finite() && figure > 0.0, "{step_text}: {conditions:?}");
     }
-    prop_assert!(machine.spindle_steps.contains(&it.spindle_rpm), "{step_text}: {:?}", it.spindle_rpm);
+    prop_assert!(machine.spindle_steps.contains(&conditions.spindle_rpm), "{step_text}: {:?}", conditions.spindle_rpm);
     // Half of the last printed place above the limit.
     // A small reamer's power may round to nothing.
     let within = |value: Option<f64>, limit: f64, place: f64| value.is_none_or(|it| it >= 0.0 && it <= limit + place);
-    prop_assert!(within(Some(it.feed_mm_per_min.0), machine.feed_max.0, 0.05), "{step_text}: {it:?}");
-    prop_assert!(within(it.axial_force_n.map(|it| it.0), machine.thrust.0, 0.5), "{step_text}: {it:?}");
-    prop_assert!(within(it.torque_n_m.map(|it| it.0), machine.spindle_torque.0, 0.005), "{step_text}: {it:?}");
-    prop_assert!(within(it.power_kw.map(|it| it.0), machine.spindle_power.0, 0.005), "{step_text}: {it:?}");
+    prop_assert!(within(Some(conditions.feed_mm_per_min.0), machine.feed_max.0, 0.05), "{step_text}: {conditions:?}");
+    prop_assert!(within(conditions.axial_force_n.map(|force| force.0), machine.thrust.0, 0.5), "{step_text}: {conditions:?}");
+    prop_assert!(within(conditions.torque_n_m.map(|torque| torque.0), machine.spindle_torque.0, 0.005), "{step_text}: {conditions:?}");
+    prop_assert!(within(conditions.power_kw.map(|power| power.0), machine.spindle_power.0, 0.005), "{step_text}: {conditions:?}");
     Ok(())
 }
 

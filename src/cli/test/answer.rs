@@ -86,7 +86,7 @@ fn case<'a>(ran: &'a CaseRun, context: &Context) -> CaseJson<'a> {
         written: ran.written,
         source: ran.case.source.as_deref(),
         because: ran.case.because.as_deref(),
-        failures: ran.failures.iter().map(|one| failure(one, context)).collect(),
+        failures: ran.failures.iter().map(|failed| failure(failed, context)).collect(),
     }
 }
 

@@ -78,11 +78,11 @@ fn diameter(
     let id = Id::new(Scope::Row(at), Q::Diameter);
     let field = context.field(id);
     // Another check has already found the diameter wrong, such as that of an opening.
-    let already_reported = findings.iter().any(|one| {
-        one.field == field
-            && one.follows_from.is_empty()
-            && one.severity <= Severity::Wrong
-            && one.kind == FindingKind::Opening
+    let already_reported = findings.iter().any(|finding| {
+        finding.field == field
+            && finding.follows_from.is_empty()
+            && finding.severity <= Severity::Wrong
+            && finding.kind == FindingKind::Opening
     });
     if already_reported {
         return Ok(vec![field]);
@@ -100,7 +100,7 @@ fn diameter(
 fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> Result<bool, KnowledgeError> {
     let Some(own) = row.figures.get(&Q::Diameter) else { return Ok(false) };
     let value = Micrometres::from_mm_rounded(own.value);
-    if context.reference(at).is_some_and(|own| own.diameter_mm == value) {
+    if context.reference(at).is_some_and(|transition| transition.diameter_mm == value) {
         return Ok(true);
     }
     let opens = |row: &Row| row.opens_main_cylinder() && row.operation.value != Operation::Tap;

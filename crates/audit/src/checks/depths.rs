@@ -92,7 +92,7 @@ fn breaks_through(
     let thickness = context.stated.part.blank.thickness;
     // Where the drawing leaves no room, as for the run-out of a thread, the program's plan comes out too.
     let ours = context.plan.holes.iter().find(|plan| plan.name == hole.name);
-    let no_room = ours.is_some_and(|plan| plan.transitions.iter().any(|one| one.end() >= thickness));
+    let no_room = ours.is_some_and(|plan| plan.transitions.iter().any(|transition| transition.end() >= thickness));
     if hole.through || row.operation.value == Operation::CentreDrill || no_room {
         return None;
     }

@@ -28,8 +28,8 @@ pub(super) fn check<'a>(
 /// Checks every figure that the machine limits.
 fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
-    for (at, own) in context.stated.conditions.iter().enumerate() {
-        let elsewhere = own.rows.iter().all(|row| context.stated.rows.get(*row).is_some_and(|row| row.elsewhere));
+    for (at, conditions) in context.stated.conditions.iter().enumerate() {
+        let elsewhere = conditions.rows.iter().all(|row| context.stated.rows.get(*row).is_some_and(|row| row.elsewhere));
         if elsewhere {
             continue;
         }
@@ -40,7 +40,7 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result
             (Q::Power, machine.spindle_power.0, Bound::SpindlePower),
         ];
         for (quantity, most, bound) in bounds {
-            let Some(figure) = own.figures.get(&quantity).filter(|figure| figure.value > most * 1.001) else {
+            let Some(figure) = conditions.figures.get(&quantity).filter(|figure| figure.value > most * 1.001) else {
                 continue;
             };
             let note = Note::new("audit-beyond-machine")
@@ -59,9 +59,9 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result
 /// A spindle speed that no rule computed must still be a step of the machine.
 fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
-    for (at, own) in context.stated.conditions.iter().enumerate() {
+    for (at, conditions) in context.stated.conditions.iter().enumerate() {
         let id = Id::new(Scope::Conditions(at), Q::Rpm);
-        let Some(figure) = own.figures.get(&Q::Rpm).filter(|_| graph.formula(id).is_none()) else { continue };
+        let Some(figure) = conditions.figures.get(&Q::Rpm).filter(|_| graph.formula(id).is_none()) else { continue };
         let Some((below, above)) = context.steps_around(figure.value) else { continue };
         let (severity, note) = match context.beyond_series(figure.value) {
             Some(beyond) => (Severity::Error, beyond),

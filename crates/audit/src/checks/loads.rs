@@ -73,14 +73,14 @@ struct Loads {
 
 /// The loads of the program's transition at another feed: powers of the feed, by the row of `torque-and-thrust`.
 fn at_feed(context: &Context<'_>, reference: &Transition, feed: f64) -> Option<Loads> {
-    let own = &reference.conditions;
+    let conditions = &reference.conditions;
     let table = context.shop.knowledge.table_of::<TorqueAndThrust<'_>>().ok()?;
-    let because = own.because.iter().find(|why| why.table == table.id)?;
+    let because = conditions.because.iter().find(|why| why.table == table.id)?;
     let row = TorqueAndThrust::read(table.row(because.row?.checked_sub(1)?)?).ok()?;
-    let scale = |exponent| libm::pow(feed / own.feed_mm_per_rev.0, exponent);
+    let scale = |exponent| libm::pow(feed / conditions.feed_mm_per_rev.0, exponent);
     Some(Loads {
-        torque: own.torque_n_m.map(|torque| torque.0 * scale(row.ym)),
-        force: own.axial_force_n.map(|force| force.0 * scale(row.yp)),
+        torque: conditions.torque_n_m.map(|torque| torque.0 * scale(row.ym)),
+        force: conditions.axial_force_n.map(|force| force.0 * scale(row.yp)),
         because: because.clone(),
     })
 }

@@ -75,10 +75,10 @@ fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, Knowledg
 /// Whether the program's plan makes an opening: what that plan cannot make either is reported for the part.
 fn is_made_by_own_plan(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
     let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { return false };
-    let makes = |one: &Transition| {
-        one.feature == opening.feature
-            || one.operation == Operation::CentreDrill && one.diameter_mm >= opening.diameter
-            || one.also_diameter_mm == Some(opening.diameter)
+    let makes = |transition: &Transition| {
+        transition.feature == opening.feature
+            || transition.operation == Operation::CentreDrill && transition.diameter_mm >= opening.diameter
+            || transition.also_diameter_mm == Some(opening.diameter)
     };
     plan.transitions.iter().any(makes)
 }
@@ -194,7 +194,7 @@ pub(super) fn right_by_drawing(
     for (at, conditions) in context.stated.conditions.iter().enumerate() {
         let same = |own: f64| Micrometres::from_mm_rounded(own) == right;
         if conditions.rows.first() == Some(&row)
-            && conditions.figures.get(&Q::Diameter).is_some_and(|own| same(own.value))
+            && conditions.figures.get(&Q::Diameter).is_some_and(|figure| same(figure.value))
         {
             let field = context.field(Id::new(Scope::Conditions(at), Q::Diameter));
             roots::retract(findings, &field, &PASS_DIAMETER);

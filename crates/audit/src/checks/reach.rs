@@ -41,8 +41,8 @@ impl Tips {
             Some(Micrometres::from_mm_rounded(figure.value))
         };
         let depth = figure(Q::Depth);
-        if let Some(own) = context.reference(at) {
-            return Some(depth.unwrap_or(own.depth_mm) + own.end() - own.depth_mm);
+        if let Some(transition) = context.reference(at) {
+            return Some(depth.unwrap_or(transition.depth_mm) + transition.end() - transition.depth_mm);
         }
         if !row.opens_main_cylinder() {
             return depth;

@@ -267,7 +267,7 @@ impl Group<'_, '_> {
     /// Whether the rows cut the edges that A.7 gives for the scheme, while the program's plan cuts them with another
     /// tool.
     fn has_edges_of(&self, scheme: Option<&Text>) -> Result<bool, KnowledgeError> {
-        let edges = |list: &[Operation]| list.iter().filter(|one| one.is_of_edge()).count();
+        let edges = |list: &[Operation]| list.iter().filter(|operation| operation.is_of_edge()).count();
         let Some(scheme) = scheme else { return Ok(false) };
         let given = table_answer::transitions(&full(&scheme.value), &self.context.shop)?;
         let stated = edges(&self.stated());
@@ -304,7 +304,7 @@ fn full(scheme: &str) -> String {
 
 /// The transitions without those of edges.
 fn main(list: &[Operation]) -> Vec<Operation> {
-    list.iter().copied().filter(|one| !one.is_of_edge()).collect()
+    list.iter().copied().filter(|operation| !operation.is_of_edge()).collect()
 }
 
 /// The transitions with one drilling in place of two in a row.

@@ -61,7 +61,7 @@ fn operation(context: &Context<'_>, id: Id) -> Option<Operation> {
 /// The rows behind the feed of the table.
 fn rows(context: &Context<'_>, id: Id) -> Vec<Because> {
     let Scope::Conditions(at) = id.scope else { return Vec::new() };
-    let first = context.stated.conditions.get(at).and_then(|own| own.rows.first().copied());
+    let first = context.stated.conditions.get(at).and_then(|conditions| conditions.rows.first().copied());
     let reference = first.filter(|_| id.quantity == Q::Feed).and_then(|row| context.same_transition(row));
-    reference.map(|own| own.conditions.because.iter().take(1).cloned().collect()).unwrap_or_default()
+    reference.map(|transition| transition.conditions.because.iter().take(1).cloned().collect()).unwrap_or_default()
 }

@@ -175,15 +175,15 @@ impl ZoneCheck<'_, '_> {
         let machine = &self.context.shop.machine;
         let mut found = Vec::new();
         let most = machine.nose_to_table.map(|(_, most)| most);
-        for one in reaches {
-            let needed = one.stroke.passes_from();
+        for reach in reaches {
+            let needed = reach.stroke.passes_from();
             let Some(most) = most.filter(|most| needed > *most) else { continue };
-            let note = Note::new("audit-zone-over").with("length", one.stroke.length).with("approach", self.approach);
+            let note = Note::new("audit-zone-over").with("length", reach.stroke.length).with("approach", self.approach);
             let note = note.with("thickness", self.context.stated.part.blank.thickness).with("fixture", self.fixture);
-            let fits = (most - one.stroke.highest).max(Micrometres::ZERO);
+            let fits = (most - reach.stroke.highest).max(Micrometres::ZERO);
             let note = note.with("needed", needed).with("most", most).with("fits", fits);
-            let finding = self.finding(one, note, format!("<= {fits}"));
-            found.push((one.tool, finding.resting_on([limit(machine.row(MachineQuantity::NoseToTableMax)?)])));
+            let finding = self.finding(reach, note, format!("<= {fits}"));
+            found.push((reach.tool, finding.resting_on([limit(machine.row(MachineQuantity::NoseToTableMax)?)])));
         }
         let least = machine.nose_to_table.map(|(least, _)| least);
         let strokes: Vec<Stroke> = reaches.iter().map(|one| one.stroke).collect();
@@ -212,17 +212,17 @@ impl ZoneCheck<'_, '_> {
         Ok(found)
     }
 
-    fn finding(&self, one: &Reach, note: Note, right: String) -> AuditFinding {
+    fn finding(&self, reach: &Reach, note: Note, right: String) -> AuditFinding {
         let context = self.context;
-        let tool = &context.stated.tools[one.tool];
-        let field = context.field(Id::new(Scope::Tool(one.tool), Q::Assembly));
+        let tool = &context.stated.tools[reach.tool];
+        let field = context.field(Id::new(Scope::Tool(reach.tool), Q::Assembly));
         let figure = tool.figures.get(&Q::Assembly);
         let place = figure.map_or(&tool.place, |figure| &figure.place);
         let mut finding = AuditFinding::new(no_room_severity(context), Section::Lengths, field, note).at(place);
-        finding.subject = context.subject(Scope::Row(one.row));
+        finding.subject = context.subject(Scope::Row(reach.row));
         finding.subject.tool = Some(tool.number);
         finding.quantity = Some(Q::Assembly);
-        let stated = figure.map_or_else(|| one.stroke.length.to_string(), |figure| figure.text.clone());
+        let stated = figure.map_or_else(|| reach.stroke.length.to_string(), |figure| figure.text.clone());
         finding.with_values(stated, right)
     }
 }

@@ -21,19 +21,19 @@ impl Reader<'_> {
         let items = self.problems.list(node).unwrap_or_default();
         let (mut all, mut named): (Vec<Conditions>, BTreeSet<usize>) = (Vec::new(), BTreeSet::new());
         for node in limits::rows(items, |own| &own.place, &mut self.problems) {
-            let Some(own) = self.read_entry(node, rows) else { continue };
-            let twice = own.rows.iter().find(|row| named.contains(*row));
+            let Some(conditions) = self.read_entry(node, rows) else { continue };
+            let twice = conditions.rows.iter().find(|row| named.contains(*row));
             if let Some(row) = twice.and_then(|row| rows.get(*row)) {
                 let message = note!("planfile-row-has-conditions-already", row = row.number);
                 let _ = self.problems.error_help::<()>(
                     "duplicate-row",
                     message,
-                    &own.place,
+                    &conditions.place,
                     note!("planfile-name-every-row-once"),
                 );
             }
-            named.extend(&own.rows);
-            all.push(own);
+            named.extend(&conditions.rows);
+            all.push(conditions);
         }
         all
     }

@@ -178,16 +178,16 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
         cutting::spindle_step(computed, shop).ok().map(|(step, ..)| step.0)
     };
     let series = shop.machine.row(MachineQuantity::SpindleSpeeds)?;
-    let mut own = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
-    own.because.push(Because::row(series, Note::new("audit-series")));
-    own.because.push(Because::table(shop.knowledge.table_of::<SpindleStep<'_>>()?, Note::new("audit-step-rule")));
-    own.judge = Some(Box::new(move |value, values| {
+    let mut formula = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
+    formula.because.push(Because::row(series, Note::new("audit-series")));
+    formula.because.push(Because::table(shop.knowledge.table_of::<SpindleStep<'_>>()?, Note::new("audit-step-rule")));
+    formula.judge = Some(Box::new(move |value, values| {
         let computed = *values.first()?;
         // A limit only lowers the spindle speed, and leaves it at a step of the machine.
         let slower = is_limited && value < computed && context.steps_around(value).is_none();
         if slower { None } else { judge_step(context, value, computed) }
     }));
-    graph.add(own);
+    graph.add(formula);
     Ok(())
 }
 
@@ -258,9 +258,9 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
 /// the program must have them; in another plan only missing values are taken.
 fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, first: usize) {
     let Some(reference) = context.reference(first) else { return };
-    let own = &reference.conditions;
+    let conditions = &reference.conditions;
     let id = |quantity| Id::new(Scope::Conditions(at), quantity);
-    let because = || own.because.iter().take(2).cloned();
+    let because = || conditions.because.iter().take(2).cloned();
     let spot = reference.operation == Operation::CentreDrill;
     if spot {
         let why = reference.because.iter().filter(|why| why.table == "centre-spot").cloned();
@@ -283,15 +283,15 @@ fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, fir
         graph.add(fixed_figure(&BY_TABLES, Id::new(Scope::Row(first), quantity), value, because()));
     }
     let figures = [
-        (Q::DepthOfCut, Some(own.depth_of_cut_mm)),
-        (Q::Feed, Some(own.feed_mm_per_rev.0)),
-        (Q::Speed, Some(own.computed_speed_m_per_min.0)),
-        (Q::Rpm, Some(own.spindle_rpm.0)),
-        (Q::SpeedTaken, Some(own.speed_m_per_min.0)),
-        (Q::Force, own.axial_force_n.map(|force| force.0)),
-        (Q::Torque, own.torque_n_m.map(|torque| torque.0)),
+        (Q::DepthOfCut, Some(conditions.depth_of_cut_mm)),
+        (Q::Feed, Some(conditions.feed_mm_per_rev.0)),
+        (Q::Speed, Some(conditions.computed_speed_m_per_min.0)),
+        (Q::Rpm, Some(conditions.spindle_rpm.0)),
+        (Q::SpeedTaken, Some(conditions.speed_m_per_min.0)),
+        (Q::Force, conditions.axial_force_n.map(|force| force.0)),
+        (Q::Torque, conditions.torque_n_m.map(|torque| torque.0)),
         (Q::Travel, Some(reference.travel_mm.to_mm())),
-        (Q::Time, Some(own.machine_time_min.0)),
+        (Q::Time, Some(conditions.machine_time_min.0)),
     ];
     for (quantity, value) in figures {
         if let Some(value) = value {

@@ -108,7 +108,7 @@ fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judg
             return None;
         }
         let mut rows = context.stated.rows_of_tool(tool);
-        let made = rows.any(|(_, row)| row.figures.get(&Q::Diameter).is_some_and(|own| own.value == value));
+        let made = rows.any(|(_, row)| row.figures.get(&Q::Diameter).is_some_and(|figure| figure.value == value));
         let grindable = made && stated < catalog && catalog - stated <= limit;
         let note = Note::new("audit-ground").with("own", catalog).with("size", stated);
         Some(if grindable { (Severity::Note, note) } else { (Severity::Wrong, Note::new("audit-figure")) })

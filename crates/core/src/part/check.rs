@@ -66,7 +66,7 @@ impl Group {
     /// The least distance between a hole of this group and one of another: at each common depth, the sum of the
     /// radii.
     fn needs(&self, other: &Self) -> Option<Micrometres> {
-        let pairs = self.spans.iter().flat_map(|own| other.spans.iter().map(move |theirs| (own, theirs)));
+        let pairs = self.spans.iter().flat_map(|span| other.spans.iter().map(move |theirs| (span, theirs)));
         let beside = pairs.filter(|(own, theirs)| own.from < theirs.to && theirs.from < own.to);
         beside.map(|(own, theirs)| (own.diameter + theirs.diameter).half()).max()
     }
@@ -337,7 +337,7 @@ holes:
     fn problems(holes: &str) -> Vec<String> {
         let knowledge = shipped::knowledge().unwrap();
         let problems = read_part("part", &format!("{HEAD}{holes}"), &knowledge).err().unwrap_or_default();
-        problems.iter().map(|one| one.text(|note| technolog_words::Lang::EN.say(note))).collect()
+        problems.iter().map(|problem| problem.text(|note| technolog_words::Lang::EN.say(note))).collect()
     }
 
     fn hole(name: &str, keys: &str) -> String {

@@ -126,7 +126,7 @@ mod tests {
 
     /// The part, or each problem with its code and place.
     fn read(text: &str) -> Result<Part, Vec<String>> {
-        let text_of = |one: &crate::knowledge::Diagnostic| one.text(|note| Lang::EN.say(note));
+        let text_of = |problem: &crate::knowledge::Diagnostic| problem.text(|note| Lang::EN.say(note));
         read_part("p", text, &shipped::knowledge().unwrap()).map_err(|problems| problems.iter().map(text_of).collect())
     }
 

@@ -158,7 +158,7 @@ mod tests {
         match read_part("part", &text, &shipped::knowledge().unwrap()) {
             Ok(mut part) => Ok(part.holes.remove(0)),
             Err(problems) => {
-                Err(problems.iter().map(|one| one.text(|note| technolog_words::Lang::EN.say(note))).collect())
+                Err(problems.iter().map(|problem| problem.text(|note| technolog_words::Lang::EN.say(note))).collect())
             }
         }
     }

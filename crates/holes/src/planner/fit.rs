@@ -423,7 +423,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             surface: self.surface,
             cutter: None,
             pitch: step.pitch,
-            it: step.asks.map(|(it, _)| it),
+            it: step.asks.map(|(grade, _)| grade),
             feed_diameter: step.also.map(|_| step.diameter),
             tool_diameter: step.also.map(|_| step.diameter),
         }

@@ -75,7 +75,7 @@ pub(super) fn choose_centre_drill(
                 centre.tool = Some(Rc::clone(tool));
             }
             Err(why) => {
-                findings.extend(why.iter().map(|one| Finding::of_hole(Severity::Error, &hole.name, one.note())));
+                findings.extend(why.iter().map(|unfit| Finding::of_hole(Severity::Error, &hole.name, unfit.note())));
                 draft.route = None;
                 draft.steps.clear();
             }

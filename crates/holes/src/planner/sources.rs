@@ -229,12 +229,12 @@ impl Finder<'_, '_> {
         if main.thread.is_none() {
             // The proof judges the promise of a table; here the promise is enough.
             let promised = candidate.promise.map(|promise| promise.it);
-            if promised.is_none_or(|it| it > main.diameter.it) && reached.it.is_none_or(|it| it > main.diameter.it) {
+            if promised.is_none_or(|it| it > main.diameter.it) && reached.it.is_none_or(|grade| grade > main.diameter.it) {
                 let it = reached.it.map_or_else(|| "-".to_owned(), |it| it.to_string());
                 misses.push(Note::new("misses-grade").with("it", it).with("asked", main.diameter.it));
             }
             let promised = candidate.promise.and_then(|promise| promise.roughness);
-            if promised.is_none_or(|own| own > main.roughness)
+            if promised.is_none_or(|roughness| roughness > main.roughness)
                 && reached.roughness.is_none_or(|own| own > main.roughness)
             {
                 let note = Note::new("misses-roughness").with("asked", main.roughness);

@@ -45,7 +45,7 @@ pub(super) fn of_row<'k>(
     shop: &Shop<'k>,
 ) -> Result<Option<(ItGrade, Roughness, RowRef<'k>)>, KnowledgeError> {
     let knowledge = shop.knowledge;
-    let (found, it, ra): (RowRef<'k>, _, _) = if let Some(number) = row.a1 {
+    let (found, grade, ra): (RowRef<'k>, _, _) = if let Some(number) = row.a1 {
         let found = knowledge.need(&number.to_string(), |row: &HoleAccuracy<'_>| row.no == number)?;
         (found.row, finest(&found)?, found.ra_finest)
     } else if let Some(method) = row.a2 {
@@ -57,7 +57,7 @@ pub(super) fn of_row<'k>(
     } else {
         return Ok(None);
     };
-    Ok(Some((it, Roughness::from_ra(ra), found)))
+    Ok(Some((grade, Roughness::from_ra(ra), found)))
 }
 
 /// As `of_row`, with the reason as a plan shows it.
@@ -65,13 +65,13 @@ fn of_row_with_reason(
     row: &NextTransition<'_>,
     shop: &Shop<'_>,
 ) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
-    let Some((it, roughness, found)) = of_row(row, shop)? else { return Ok(None) };
-    let note = Note::new("reaches").with("it", it).with("roughness", roughness);
+    let Some((grade, roughness, found)) = of_row(row, shop)? else { return Ok(None) };
+    let note = Note::new("reaches").with("it", grade).with("roughness", roughness);
     let mut because = Because::row(found, note);
     if because.unconfirmed.is_none() {
         because.unconfirmed = row.row.row().unconfirmed.clone();
     }
-    Ok(Some((it, roughness, because)))
+    Ok(Some((grade, roughness, because)))
 }
 
 /// Writes the accuracy that each step achieves: by the chain of `next-transition`, for the last step by the promise
@@ -168,9 +168,9 @@ pub fn write(
 fn by_itself(operation: Operation, shop: &Shop<'_>) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
     let says = |row: &TransitionAccuracy<'_>| row.prepares.as_ref().is_some_and(|own| own.contains(&operation));
     let Some(row) = shop.knowledge.find(says)? else { return Ok(None) };
-    let (it, roughness) = (row.it_coarsest, Roughness::from_ra(row.ra_coarsest));
-    let note = Note::new("reaches-by-itself").with("it", it).with("roughness", roughness);
-    Ok(Some((it, roughness, Because::row(row.row, note))))
+    let (grade, roughness) = (row.it_coarsest, Roughness::from_ra(row.ra_coarsest));
+    let note = Note::new("reaches-by-itself").with("it", grade).with("roughness", roughness);
+    Ok(Some((grade, roughness, Because::row(row.row, note))))
 }
 
 /// The roughness that a tap leaves, by table A.3; its grade is the thread's own.
@@ -282,10 +282,10 @@ fn position_accuracy<'k>(drilling: DrillingWay, shop: &Shop<'k>) -> Result<Posit
 pub fn centre_tolerance(hole: &Hole, shop: &Shop<'_>) -> Result<Micrometres, Reason> {
     match hole.centre_tolerance {
         CentreTolerance::Width(width) => Ok(width),
-        CentreTolerance::Grade { it } => {
-            let distance = hole.smallest_centre_distance().ok_or(Reason::GradeWithoutDistance { it })?;
-            let width = crate::part::tolerance_width(it, distance, shop.knowledge);
-            width.map_err(|why| Reason::GradeOutsideTable { it, distance, why })
+        CentreTolerance::Grade { it: grade } => {
+            let distance = hole.smallest_centre_distance().ok_or(Reason::GradeWithoutDistance { it: grade })?;
+            let width = crate::part::tolerance_width(grade, distance, shop.knowledge);
+            width.map_err(|why| Reason::GradeOutsideTable { it: grade, distance, why })
         }
     }
 }

@@ -325,10 +325,10 @@ impl Bore {
             return Ok((self.diameter.it, self.roughness));
         }
         let drilled = super::accuracy::drilling(shop)?;
-        let it = drilled
+        let grade = drilled
             .it_coarsest
             .ok_or_else(|| KnowledgeError::missing(&drilled.row.table.id, note!("order-grade-drilling")))?;
-        Ok((it, Roughness::from_ra(drilled.ra_coarsest)))
+        Ok((grade, Roughness::from_ra(drilled.ra_coarsest)))
     }
 
     /// Why a chamfer is there although the drawing has none.

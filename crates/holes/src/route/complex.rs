@@ -44,11 +44,11 @@ fn kind(question: &SchemeQuestion<'_>, openings: Openings) -> Option<(ComplexGro
 /// # Errors
 /// The knowledge base has no answer, or A.4 has no complex for it.
 pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
-    let (it, nominal, centre) = (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
+    let (grade, nominal, centre) = (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
     let Some((kind, diameter)) = kind(question, openings) else {
-        return Err(Refusal::Not(Reason::NoComplexGroup { it, diameter: nominal, centre }));
+        return Err(Refusal::Not(Reason::NoComplexGroup { it: grade, diameter: nominal, centre }));
     };
-    let no_complex = || Refusal::Not(Reason::NoComplex { it, diameter: nominal, centre });
+    let no_complex = || Refusal::Not(Reason::NoComplex { it: grade, diameter: nominal, centre });
     let query = ComplexesOfHoleFor { hole: kind, diameter, centre_tolerance: centre };
     let answer = shop.knowledge.ask_within(&query)?.ok_or_else(no_complex)?;
     let Some(row) = answer.winner()? else { return Err(no_complex()) };

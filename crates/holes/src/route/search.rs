@@ -210,8 +210,8 @@ impl<'a, 'k> Graph<'a, 'k> {
         let goal = self.states.add_node(SearchState { diameter: target });
         let (asked_it, asked_roughness) = self.bore.asks(self.shop)?;
         for row in self.rule.clone().iter() {
-            let Some((it, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
-            if it > asked_it || roughness > asked_roughness {
+            let Some((grade, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
+            if grade > asked_it || roughness > asked_roughness {
                 continue;
             }
             self.enter(goal, row, true)?;

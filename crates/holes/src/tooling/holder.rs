@@ -142,7 +142,7 @@ pub(super) fn first_holder<'s, 'k>(
     let machine = &shop.machine;
     let overhang = overhang(cutter, need, shop)?;
     if cutter.head.shank == Shank::Taper {
-        let mass_kg = cutter.row.mass.map(|own| own.0);
+        let mass_kg = cutter.row.mass.map(|mass| mass.0);
         let mounted = MountedCutter { holder: None, length: overhang.length, overhang, mass_kg };
         return Ok(within_limits(mounted, cutter, machine));
     }

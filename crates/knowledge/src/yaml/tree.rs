@@ -276,7 +276,7 @@ mod tests {
     #[test]
     fn a_duplicate_key_is_found_with_its_place() {
         let (root, problems) = parse("t.yaml", "a: 1\nb: {c: 2, c: 3, d: 4, c: 5}\n");
-        let places: Vec<String> = problems.iter().map(|one| one.place.as_ref().unwrap().to_string()).collect();
+        let places: Vec<String> = problems.iter().map(|problem| problem.place.as_ref().unwrap().to_string()).collect();
         assert_eq!(places, ["t.yaml:2:11", "t.yaml:2:23"]);
         let root = root.unwrap();
         let kept = ["c", "d"].map(|key| root.get("b").unwrap().get(key).unwrap().text());
@@ -306,7 +306,7 @@ mod tests {
                 [format!("a: 1\nb: x{sign}y\n"), format!("a: 1\nb: \"x{sign}y\"\n"), format!("a: 1\nb{sign}: 1\n")]
             {
                 let (_, problems) = parse("t.yaml", &text);
-                let texts: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
+                let texts: Vec<String> = problems.iter().map(|problem| problem.text(|note| Lang::EN.say(note))).collect();
                 assert!(
                     texts[0].starts_with("t.yaml:2:") && texts[0].contains("[control-character]"),
                     "{text:?}: {texts:?}"
@@ -366,7 +366,7 @@ mod tests {
         // The list itself is one, and keys are.
         for text in ["- 1\n".repeat(99), "a: [1, 1, 1]\n".to_owned() + &"b: {c: 1}\n".repeat(23) + "d:\n"] {
             let (root, problems) = parse_within(100, "t.yaml", &text);
-            assert!(root.is_some() && problems.iter().all(|one| one.code == "duplicate-key"), "{text}");
+            assert!(root.is_some() && problems.iter().all(|problem| problem.code == "duplicate-key"), "{text}");
             let (root, problems) = parse_within(99, "t.yaml", &text);
             assert!(root.is_none());
             let message = problems.last().unwrap().text(|note| Lang::EN.say(note));

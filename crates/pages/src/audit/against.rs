@@ -22,11 +22,11 @@ pub fn page(comparison: &Comparison, lang: Lang) -> Document {
         page.heading(2, heading(first.section, lang));
         let about = [lang.word("audit-column-about"), lang.word("audit-column-what"), a, b];
         let mut table = Table::new(about.map(Column::text));
-        for one in section {
+        for difference in section {
             let [a, b] =
-                [&one.a, &one.b].map(|stated| stated.as_ref().map_or_else(not_stated, |text| value(one, text, lang)));
+                [&difference.a, &difference.b].map(|stated| stated.as_ref().map_or_else(not_stated, |text| value(difference, text, lang)));
             table.row(
-                [subject(&one.subject, lang), quantity_text(one, lang), a, b].map(|cell| Inlines::sentence(&cell)),
+                [subject(&difference.subject, lang), quantity_text(difference, lang), a, b].map(|cell| Inlines::sentence(&cell)),
             );
         }
         page.push(table);

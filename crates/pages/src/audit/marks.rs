@@ -31,7 +31,7 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
         text("audit-column-ground").keep(Keep::Optional),
     ]);
     // The deductions have the order of the findings, one for each.
-    for (one, finding) in marks.deductions.iter().zip(&audit.findings).filter(|(one, _)| one.points > 0.0) {
+    for (one, finding) in marks.deductions.iter().zip(&audit.findings).filter(|(deduction, _)| deduction.points > 0.0) {
         table.row([
             Inlines::number(figure(&format!("-{}", one.points), lang)),
             severity(one.severity, lang).into(),

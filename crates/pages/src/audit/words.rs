@@ -115,7 +115,7 @@ fn about(finding: &AuditFinding, lang: Lang) -> String {
 pub(super) fn quantity_text(finding: &AuditFinding, lang: Lang) -> String {
     match finding.quantity {
         Some(quantity) => {
-            finding.factor.as_ref().map_or_else(|| name(quantity, lang), |own| factor(quantity, own, lang))
+            finding.factor.as_ref().map_or_else(|| name(quantity, lang), |figure| factor(quantity, figure, lang))
         }
         // About a section as a whole, which is named already; for missing figures, which of them.
         None if finding.section == Section::Program => String::new(),

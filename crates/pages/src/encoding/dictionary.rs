@@ -55,10 +55,10 @@ impl Dictionary {
     /// # Errors
     /// There is no such table, or a row lacks a meaning.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let mut own = Self::default();
+        let mut dictionary = Self::default();
         if control == "2c42-65" {
-            own.take_2c42_65(knowledge)?;
-            return Ok(own);
+            dictionary.take_2c42_65(knowledge)?;
+            return Ok(dictionary);
         }
         let words = format!("{control}-words");
         let lacks = |_| KnowledgeError::missing(&words, crate::note::Note::new("table-no-words-of-control"));
@@ -67,9 +67,9 @@ impl Dictionary {
             let unit = row.unit.filter(|unit| *unit != AddressUnit::Ones.name()).map(str::to_owned);
             let incremental = row.incremental_uk.zip(row.incremental_en);
             let meaning = Meaning { unit, ..Meaning::new(row.meaning_uk, row.meaning_en, incremental) };
-            own.take(row.word, &row.cycles.unwrap_or_default(), meaning);
+            dictionary.take(row.word, &row.cycles.unwrap_or_default(), meaning);
         }
-        Ok(own)
+        Ok(dictionary)
     }
 
     fn take_2c42_65(&mut self, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
@@ -211,7 +211,7 @@ impl Dictionary {
 
     /// The unit of the address with the same meaning in a cycle: H of a retract is a feed, like F.
     fn unit_alike(&self, cycle: &str, meanings: &[Meaning]) -> Option<&String> {
-        let alike = |others: &[Meaning]| others.iter().any(|other| meanings.iter().any(|own| own.uk == other.uk));
+        let alike = |others: &[Meaning]| others.iter().any(|other| meanings.iter().any(|meaning| meaning.uk == other.uk));
         let of_cycle = self.parameters.iter().filter(|((own, _), _)| own == cycle);
         of_cycle.filter(|(_, others)| alike(others)).find_map(|((_, word), _)| self.words.get(word)?.unit.as_ref())
     }

@@ -105,10 +105,10 @@ pub(super) fn place(transition: &Transition) -> String {
     if transition.elsewhere { NONE.to_owned() } else { format!("T{}", transition.tool.number) }
 }
 
-fn step(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> Vec<Inlines> {
+fn step(plan: &Plan, hole: &HolePlan, transition: &Transition, lang: Lang) -> Vec<Inlines> {
     vec![
-        content(plan, own, transition, lang).into(),
-        own.route.as_ref().map_or_else(String::new, |route| of_route(route, lang)).into(),
+        content(plan, hole, transition, lang).into(),
+        hole.route.as_ref().map_or_else(String::new, |route| of_route(route, lang)).into(),
         place(transition).into(),
         format!("{}{}", transition.tool.designation, mark(&transition.because)).into(),
         achieved(transition.achieved.as_ref(), lang).into(),
@@ -116,8 +116,8 @@ fn step(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> Vec
 }
 
 /// The content of a transition, as on a route card.
-fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> String {
-    let Some(hole) = hole(plan, &own.name) else { return String::new() };
+fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lang) -> String {
+    let Some(hole) = hole(plan, &hole_plan.name) else { return String::new() };
     let key = match transition.operation {
         Operation::CentreDrill => "plan-step-spot",
         // A mill that widens nothing levels the floor.
@@ -129,7 +129,7 @@ fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> 
         .with("verb", operation_verb(transition.operation.name(), lang))
         .with("count", hole.at.len())
         .with("size", size_of(hole, transition))
-        .with("hole", own.name.as_str());
+        .with("hole", hole_plan.name.as_str());
     if key != "plan-step" {
         note = note.with("diameter", transition.diameter_mm);
     }
@@ -155,7 +155,7 @@ fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> 
 /// Grade and roughness, as far as the tables say.
 fn achieved(achieved: Option<&Achieved>, lang: Lang) -> String {
     let Some(achieved) = achieved else { return String::new() };
-    let it = achieved.it.map(|it| format!("IT{it}"));
+    let it = achieved.it.map(|grade| format!("IT{grade}"));
     let roughness = achieved.roughness.map(|roughness| lang.figure(&roughness.into_figure()));
     it.into_iter().chain(roughness).collect::<Vec<_>>().join(", ")
 }
@@ -181,8 +181,8 @@ fn route_name(source: RouteSource, table: &str, scheme: &str, lang: Lang) -> Str
 }
 
 /// The requirements of a group, the route taken, and the runner-up with its cost.
-fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
-    let route = own.route.as_ref()?;
+fn choice(plan: &Plan, hole_plan: &HolePlan, lang: Lang) -> Option<Field> {
+    let route = hole_plan.route.as_ref()?;
     let against = match route.runner_up() {
         Some(other) => runner_up(other, lang),
         None => say!(lang, "plan-no-runner-up").to_owned(),
@@ -190,12 +190,12 @@ fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
     let text = say!(
         lang,
         "plan-choice",
-        required = requirement(hole(plan, &own.name)?, route.centre_tolerance_mm, lang),
+        required = requirement(hole(plan, &hole_plan.name)?, route.centre_tolerance_mm, lang),
         route = of_route(route, lang),
         time = exactly(route.time_min.0, 2),
         against = against
     );
-    Some(Field::new(own.name.as_str(), text))
+    Some(Field::new(hole_plan.name.as_str(), text))
 }
 
 /// The requirements of the drawing for a group: grade, roughness, centre tolerance.

@@ -160,7 +160,7 @@ pub(super) fn together(seen: Vec<FindingFacts>, knowledge: &Knowledge) -> Result
             false => finding.follows_from.clone(),
         })
         .collect();
-    let mut found: Vec<AuditFinding> = seen.into_iter().map(|one| one.finding).collect();
+    let mut found: Vec<AuditFinding> = seen.into_iter().map(|facts| facts.finding).collect();
     for (at, finding) in found.iter_mut().enumerate() {
         if let Some(fields) = root(at, &causes).and_then(|root| fields.get(root))
             && finding.follows_from.is_empty()
@@ -173,12 +173,12 @@ pub(super) fn together(seen: Vec<FindingFacts>, knowledge: &Knowledge) -> Result
 
 /// The cause of a finding: the first that a row of the table names.
 fn cause(at: usize, seen: &[FindingFacts], rules: &[Rule<'_>]) -> Option<usize> {
-    let own = seen.get(at)?;
-    for rule in rules.iter().filter(|rule| own.is(rule.consequence)) {
+    let facts = seen.get(at)?;
+    for rule in rules.iter().filter(|rule| facts.is(rule.consequence)) {
         for (number, other) in seen.iter().enumerate() {
             // Of two of one id the first is the cause.
-            let later = number >= at && (number == at || other.who == own.who);
-            if !later && other.is(rule.cause) && rule.agree(other, own) {
+            let later = number >= at && (number == at || other.who == facts.who);
+            if !later && other.is(rule.cause) && rule.agree(other, facts) {
                 return Some(number);
             }
         }

@@ -67,7 +67,7 @@ impl Maker<'_> {
             return;
         }
         let missing: Vec<String> =
-            cycle.required.iter().filter(|it| self.parameter(**it).is_none()).map(ToString::to_string).collect();
+            cycle.required.iter().filter(|sign| self.parameter(**sign).is_none()).map(ToString::to_string).collect();
         if !missing.is_empty() {
             self.report(
                 "cycle-parameter-missing",

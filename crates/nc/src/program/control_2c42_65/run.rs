@@ -119,7 +119,7 @@ impl<S: Sink> ProgramRun<'_, S> {
         match after {
             After::End => BlockOutcome::Out,
             After::Return if depth == 0 => {
-                let span = words.m.iter().find(|it| it.code == 99).map_or(block.span, |it| it.span);
+                let span = words.m.iter().find(|it| it.code == 99).map_or(block.span, |function| function.span);
                 self.running.nowhere_to_return(span, block.number)
             }
             After::Return => BlockOutcome::Back,

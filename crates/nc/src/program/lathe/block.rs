@@ -285,7 +285,7 @@ impl Maker<'_> {
     pub fn motion(&mut self, words: &BlockWords) {
         let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
         let away =
-            words.function_for(WordEffect::Away).or_else(|| words.function_for(WordEffect::MachinePosition)).map(|it| it.span);
+            words.function_for(WordEffect::Away).or_else(|| words.function_for(WordEffect::MachinePosition)).map(|function| function.span);
         if let Some(span) = away {
             self.away(words, axes, span);
             return;

@@ -61,7 +61,7 @@ impl Maker<'_> {
     /// The start of a cycle of LinuxCNC: its X and Z, or the position of the tool.
     pub(super) fn begin_of_words(&mut self, words: &BlockWords, span: TextSpan) -> Option<LathePoint> {
         let diameter = self.diameters();
-        let x = words.take("X").map(|it| it.value * if diameter { 0.5 } else { 1.0 }).or(self.state.at.radius_mm);
+        let x = words.take("X").map(|value| value.value * if diameter { 0.5 } else { 1.0 }).or(self.state.at.radius_mm);
         let z = words.take("Z").map(|it| it.value).or(self.state.at.z_mm);
         let place = LathePlace { radius_mm: x, z_mm: z };
         if place.point().is_none() || self.state.at.point().is_none() {
@@ -92,7 +92,7 @@ impl Maker<'_> {
             return;
         }
         for field in ["D", "E"] {
-            if let Some(given) = words.take(field).filter(|it| it.value != 0.0).cloned() {
+            if let Some(given) = words.take(field).filter(|value| value.value != 0.0).cloned() {
                 self.report_with("lathe-cycle-not-read", given.span, "word", format!("{}{}", given.name, given.value));
             }
         }
@@ -230,10 +230,10 @@ impl Maker<'_> {
             return;
         };
         let allowance = PassPoint {
-            x: words.take("U").map_or(0.0, |it| it.value) / 2.0,
+            x: words.take("U").map_or(0.0, |value| value.value) / 2.0,
             z: words.take("W").map_or(0.0, |it| it.value),
         };
-        let shift = |it: PassPoint| PassPoint { z: it.z + allowance.z, x: it.x + allowance.x };
+        let shift = |point: PassPoint| PassPoint { z: point.z + allowance.z, x: point.x + allowance.x };
         // The rough contour is the finished one, moved by both allowances; so is the start of the passes.
         let moved: Vec<Leg> = legs
             .iter()

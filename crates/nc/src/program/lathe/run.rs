@@ -388,7 +388,7 @@ impl Run<'_> {
                 let contour = contour.trim_end_matches(".SPF");
                 let marked = contour.split_once(':').and_then(|(from, to)| {
                     let find =
-                        |name: &str| self.blocks.iter().position(|it| it.head == Some(Head::Mark(name.to_owned())));
+                        |name: &str| self.blocks.iter().position(|block| block.head == Some(Head::Mark(name.to_owned())));
                     Some(find(from)? + 1..find(to)?)
                 });
                 let range = marked.or_else(|| self.programs.named.get(contour).cloned());

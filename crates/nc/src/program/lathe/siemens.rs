@@ -220,7 +220,7 @@ impl Maker<'_> {
 
 /// A contour with both allowances.
 fn moved(legs: &[Leg], by: PassPoint) -> Vec<Leg> {
-    let shift = |it: PassPoint| PassPoint { z: it.z + by.z, x: it.x + by.x };
+    let shift = |point: PassPoint| PassPoint { z: point.z + by.z, x: point.x + by.x };
     let moved = |leg: &Leg| {
         let round = leg.round.map(|it| Round { centre: shift(it.centre), ..it });
         Leg { from: shift(leg.from), to: shift(leg.to), round, ..*leg }

@@ -46,7 +46,7 @@ impl Maker<'_> {
         let lead = self.above_zero(number("P"), 0.0, span);
         let first = self.above_zero(number("J"), 0.0, span) * scale;
         let full = self.above_zero(number("K"), 0.0, span) * scale;
-        let crest = number("I").map_or(0.0, |it| it.value) * scale;
+        let crest = number("I").map_or(0.0, |value| value.value) * scale;
         let end = number("Z").map_or(0.0, |it| it.value);
         let power = number("R").map_or(1.0, |it| it.value).max(1.0);
         let angle = number("Q").map_or(0.0, |it| it.value);
@@ -120,7 +120,7 @@ impl Maker<'_> {
         if !self.fields(words, "G76", Form::First, span) {
             return;
         }
-        let code = words.take("P").map_or(0.0, |it| it.value);
+        let code = words.take("P").map_or(0.0, |value| value.value);
         let least = self.thousandths(words.take("Q").cloned());
         let allowance = words.take("R").cloned().map_or(0.0, |it| self.millimetres(&it));
         let whole = code.clamp(0.0, 999_999.0) as u32;
@@ -160,7 +160,7 @@ impl Maker<'_> {
         let lead = self.above_zero(words.take("F").cloned(), 0.0, span);
         let height = self.thousandths(words.take("P").cloned());
         let first = self.thousandths(words.take("Q").cloned());
-        let taper = words.take("R").cloned().map_or(0.0, |it| self.millimetres(&it));
+        let taper = words.take("R").cloned().map_or(0.0, |value| self.millimetres(&value));
         let Some((begin, end)) = self.ends_of_thread(words, None, span) else { return };
         if height <= 0.0 || first <= 0.0 || allowance >= height {
             self.report_with("lathe-cycle-value", span, "field", if first <= 0.0 { "Q" } else { "P" });

@@ -88,7 +88,7 @@ impl BlockWords {
             return;
         };
         let free = matches!(group, LatheGroup::Machine | LatheGroup::Free | LatheGroup::OneShot);
-        if let Some(first) = self.functions.iter().find(|it| it.group == group && (!free || it.code == code)) {
+        if let Some(first) = self.functions.iter().find(|function| function.group == group && (!free || function.code == code)) {
             let problem = fault("group-exclusive", span, block.number).with("first", first.code.clone());
             faults.push(problem.with("second", code.to_owned()));
         }

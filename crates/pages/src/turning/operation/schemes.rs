@@ -25,7 +25,7 @@ pub(super) fn schemes(
     page.paragraph(say!(lang, "turn-depth-of-work", depth = rounded(work.levels.depth.to_mm(), lang)));
     page.paragraph(conditions(work, lang));
     let because = work.pace.conditions.iter().flat_map(|found| &found.because);
-    if let Some(nose_bound) = because.into_iter().find(|one| technolog_turning::cutting::is_nose_bound(one)) {
+    if let Some(nose_bound) = because.into_iter().find(|reason| technolog_turning::cutting::is_nose_bound(reason)) {
         page.paragraph(reasoned(nose_bound, lang));
     }
     page.paragraph(reasoned(&work.because, lang));
@@ -78,19 +78,19 @@ fn compared(work: &Work, lang: Lang) -> Table {
         Column::number(say!(lang, "turn-time"), min),
         Column::number(say!(lang, "turn-ridges"), mm),
     ];
-    let row = |one: &Transition| {
-        let name = lang.term("word", one.scheme.name());
-        let taken = work.taken == Some(one.scheme);
+    let row = |transition: &Transition| {
+        let name = lang.term("word", transition.scheme.name());
+        let taken = work.taken == Some(transition.scheme);
         vec![
             if taken { "+" } else { "" }.into(),
             if taken { Inlines::default().strong(name) } else { name.into() }.into(),
-            Cell::count(one.measures.passes),
-            Cell::Figure(one.measures.cutting_mm, 1),
-            Cell::Figure(one.measures.beside_mm, 1),
-            Cell::Figure(one.measures.rapid_mm, 1),
-            Cell::Figure(one.measures.time_min.0, 3),
+            Cell::count(transition.measures.passes),
+            Cell::Figure(transition.measures.cutting_mm, 1),
+            Cell::Figure(transition.measures.beside_mm, 1),
+            Cell::Figure(transition.measures.rapid_mm, 1),
+            Cell::Figure(transition.measures.time_min.0, 3),
             // With three decimals: 0 means an even allowance.
-            Cell::Figure(one.ridges_mm.to_mm(), 3),
+            Cell::Figure(transition.ridges_mm.to_mm(), 3),
         ]
     };
     table(columns, work.transitions.iter().map(row).collect(), lang)
