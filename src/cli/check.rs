@@ -147,7 +147,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let (reported, more) = context.amount.select(faults.iter().collect(), |fault| fault.severity);
             let mut problems: Vec<Diagnostic> =
                 reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
-            problems.extend(proof::of_part(&serious, context));
+            problems.extend(proof::part_diagnostics(&serious, context));
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let mut made = None;
             if let (Some(planned), Some(proof)) = (&planned, &proof) {

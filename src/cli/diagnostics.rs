@@ -180,7 +180,7 @@ fn marked(stretch: &Stretch<'_>) -> [String; 2] {
     let shown = |text: &str| cleaned(&text.replace('\t', "    "));
     let dots = |cut: bool| if cut { "..." } else { "" };
     let before = format!("{}{}", dots(stretch.cut_before), shown(stretch.before));
-    let meant = shown(stretch.meant);
+    let meant = shown(stretch.marked);
     let mark = " ".repeat(before.width()) + &"^".repeat(meant.width().max(1));
     [format!("{before}{meant}{}{}", shown(stretch.behind), dots(stretch.cut_behind)), mark]
 }

@@ -66,7 +66,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 fn documentation(knowledge: &Knowledge, format: Format, context: &Context) -> Result<Outcome, CliError> {
     let listed = tables::documentation(knowledge);
     if format == Format::Json {
-        let rows = listed.iter().map(|parts| json!({"table": parts.table, "columns": parts.columns, "rows": parts.rows}));
+        let rows =
+            listed.iter().map(|parts| json!({"table": parts.table, "columns": parts.columns, "rows": parts.rows}));
         context.emit_json(&rows.collect::<Vec<_>>())?;
     } else {
         let mut page = Document::new(context.lang.tag(), context.word("lint-documentation"));

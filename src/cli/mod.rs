@@ -143,7 +143,7 @@ impl Context {
     /// The command does not have it, or name and extension contradict each other.
     pub fn format(&self, command: &str, known: &[Format]) -> Result<Format, CliError> {
         let meant = self.output.as_deref().map(Format::of_ending).unwrap_or_default();
-        if let Some(ending) = self.output.as_deref().and_then(format::of_others) {
+        if let Some(ending) = self.output.as_deref().and_then(format::foreign_extension) {
             let message = say!(self.lang, "cli-alien-ending", command = command, ending = ending.as_str());
             // A hand-written plan has the extension of any YAML.
             let known = known.iter().filter(|format| **format != Format::Hand || !known.contains(&Format::Yaml));

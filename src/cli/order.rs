@@ -137,8 +137,9 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
             context.emit_cleaned(&order_drawing::drawing(&panels, Some(&plan.part)))?;
         }
         _ => {
-            let not_kept: Vec<Finding> = plan.visiting.iter().filter_map(|visiting| not_kept(visiting, &machine)).collect();
-            context.emit_document(&report::order::of_part(&plan, home, &not_kept, context.lang), format)?;
+            let not_kept: Vec<Finding> =
+                plan.visiting.iter().filter_map(|visiting| not_kept(visiting, &machine)).collect();
+            context.emit_document(&report::order::part_page(&plan, home, &not_kept, context.lang), format)?;
         }
     }
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
@@ -200,7 +201,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
             let panel = Panel { title, path, from_change: false, closed: args.closed };
             context.emit_cleaned(&order_drawing::drawing(&[panel], None))?;
         }
-        _ => context.emit_document(&report::order::of_list(&tour, context.lang), format)?,
+        _ => context.emit_document(&report::order::list_page(&tour, context.lang), format)?,
     }
     Ok(Outcome::Done)
 }

@@ -56,7 +56,7 @@ impl Show {
 
 /// What can be shown, each with its formats.
 pub fn shown() -> Vec<(String, &'static [Format])> {
-    format::of_each(Show::value_variants(), |show| show.formats())
+    format::formats_of_each(Show::value_variants(), |show| show.formats())
 }
 
 /// The answer in JSON.
@@ -107,7 +107,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let proof = planned.prove(&steps, &setting);
     if job.setups.is_empty() && format != Format::Json {
         // No hole can be made: there is nothing to write, and half a program is worse than none.
-        let problems = proof::of_part(&findings, context);
+        let problems = proof::part_diagnostics(&findings, context);
         output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
         return Ok(Outcome::Findings);
     }
@@ -165,7 +165,7 @@ fn with_message<'a>(finding: &'a Finding, context: &Context) -> FindingMessage<'
 /// Reports faults beside the program: of the part, of the machine, of its blocks.
 fn complain(findings: &[&Finding], faults: &[Fault], proof: &Proof, text: String, context: &Context) {
     const NAME: &str = "program.nc";
-    let mut problems = proof::of_part(findings, context);
+    let mut problems = proof::part_diagnostics(findings, context);
     let file = std::sync::Arc::from(NAME);
     let (shown, more) = context.amount.select(faults.iter().collect(), |fault| fault.severity);
     problems.extend(shown.iter().map(|fault| check::diagnostic(fault, &file, context)));

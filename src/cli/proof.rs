@@ -86,7 +86,7 @@ pub const fn shown(severity: note::Severity) -> Severity {
 }
 
 /// Findings about the part as diagnostics, without a place in the program.
-pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic> {
+pub fn part_diagnostics(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic> {
     let diagnostic = |finding: &&note::Finding| {
         let sentence = context.lang.say(&finding.note);
         let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));

@@ -189,7 +189,8 @@ fn about(column: &Column, lang: Lang) -> Vec<String> {
 pub fn row_remarks(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     let corrections = |row: &Row| -> Vec<String> {
         let texts = row.corrections.iter().map(|correction| {
-            let (column, printed, reason) = (&correction.column, &correction.printed, lang.remark(&correction.reason).into_owned());
+            let (column, printed, reason) =
+                (&correction.column, &correction.printed, lang.remark(&correction.reason).into_owned());
             say!(lang, "cli-printed-otherwise", column = column, printed = printed, reason = reason)
         });
         texts.collect()

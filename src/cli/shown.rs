@@ -10,7 +10,7 @@ use technolog::note::Figure;
 use technolog::plan::Operation;
 use technolog::report::{operation_noun, unit, with_unit};
 use technolog::units::Unit;
-use technolog::words::{LANGUAGES, listed, say};
+use technolog::words::{LANGUAGES, joined_list, say};
 
 use super::Lang;
 use super::record::{bare, results};
@@ -68,7 +68,9 @@ pub fn cell(lang: Lang, column: &Column, cell: &Cell) -> String {
 /// A value without its unit.
 pub fn value(lang: Lang, column: &Column, value: &Value) -> String {
     match value {
-        Value::List(items) => listed(&items.iter().map(|item| self::value(lang, column, item)).collect::<Vec<_>>()),
+        Value::List(items) => {
+            joined_list(&items.iter().map(|item| self::value(lang, column, item)).collect::<Vec<_>>())
+        }
         other => figure(lang, column, &bare(column, other)),
     }
 }
@@ -240,7 +242,7 @@ fn one_of(lang: Lang, column: &Column) -> String {
         name if name.replace(' ', "-") == *id => id.clone(),
         name => format!("{id} ({name})"),
     };
-    say!(lang, "cli-one-of", values = listed(&column.values.iter().map(value).collect::<Vec<_>>()))
+    say!(lang, "cli-one-of", values = joined_list(&column.values.iter().map(value).collect::<Vec<_>>()))
 }
 
 #[cfg(test)]

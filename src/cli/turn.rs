@@ -90,7 +90,7 @@ impl Show {
 
 /// What can be shown, each with its formats.
 pub fn shown() -> Vec<(String, &'static [Format])> {
-    format::of_each(Show::value_variants(), |show| show.formats().1)
+    format::formats_of_each(Show::value_variants(), |show| show.formats().1)
 }
 
 /// Objectives by their names.

@@ -114,8 +114,8 @@ impl Auditor<'_> {
 fn costs(a: &[(&'static str, Option<f64>)], b: &[(&'static str, Option<f64>)]) -> Vec<Cost> {
     let both = a.iter().zip(b).filter(|(a, b)| a.1.is_some() || b.1.is_some());
     let rounded = |value: f64| crate::units::round_to(value, 4);
-    both.map(|((what, a), (_, b))| Cost {
-        kind: what,
+    both.map(|((kind, a), (_, b))| Cost {
+        kind,
         a: a.map(rounded),
         b: b.map(rounded),
         more: a.zip(*b).map(|(a, b)| rounded(b - a)),

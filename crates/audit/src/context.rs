@@ -99,7 +99,7 @@ impl<'a> Context<'a> {
     /// The same transition in the program's plan: of the same hole, operation and place, and of the stated diameter,
     /// if any.
     pub fn reference(&self, row: usize) -> Option<&'a Transition> {
-        let diameter = self.stated.rows.get(row)?.figures.get(&Quantity::Diameter).filter(|_| !self.stated.own);
+        let diameter = self.stated.rows.get(row)?.figures.get(&Quantity::Diameter).filter(|_| !self.stated.is_own);
         let alike =
             |found: &&Transition| diameter.is_none_or(|figure| (figure.value - found.diameter_mm.to_mm()).abs() < 1e-6);
         self.same_transition(row).filter(alike)
@@ -110,7 +110,7 @@ impl<'a> Context<'a> {
         let own = self.stated.rows.get(row)?;
         let name = &own.hole.as_ref()?.value;
         let hole = self.plan.holes.iter().find(|hole| hole.name == *name)?;
-        if self.stated.own {
+        if self.stated.is_own {
             let turn = self.stated.rows_of_hole(name).position(|(at, _)| at == row)?;
             return hole.transitions.get(turn).filter(|other| other.operation == own.operation.value);
         }

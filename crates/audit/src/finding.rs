@@ -335,7 +335,8 @@ impl Audit {
     /// The finding to look at first: the most severe one that follows from no other; among equals the first of the
     /// report.
     pub fn first_root(&self) -> Option<&AuditFinding> {
-        let roots = self.findings.iter().filter(|finding| finding.severity < Severity::Note && finding.follows_from.is_empty());
+        let roots =
+            self.findings.iter().filter(|finding| finding.severity < Severity::Note && finding.follows_from.is_empty());
         roots.min_by_key(|one| one.severity)
     }
 
@@ -353,7 +354,8 @@ impl Context<'_> {
             Scope::Constant => key.to_owned(),
             Scope::Row(at) => format!("route.{}.{key}", self.stated.rows.get(at).map_or(0, |row| row.number)),
             Scope::Conditions(at) => {
-                let factors = self.stated.conditions.get(at).and_then(|conditions| conditions.factors.get(&id.quantity));
+                let factors =
+                    self.stated.conditions.get(at).and_then(|conditions| conditions.factors.get(&id.quantity));
                 match factors.and_then(|factors| factors.get(id.index)) {
                     Some(factor) => format!("conditions.{}.{key}.{}", at + 1, factor.name.value),
                     None => format!("conditions.{}.{key}", at + 1),
@@ -376,7 +378,9 @@ impl Context<'_> {
     pub(super) fn subject(&self, scope: Scope) -> Subject {
         let rows = match scope {
             Scope::Row(at) => vec![at],
-            Scope::Conditions(at) => self.stated.conditions.get(at).map(|conditions| conditions.rows.clone()).unwrap_or_default(),
+            Scope::Conditions(at) => {
+                self.stated.conditions.get(at).map(|conditions| conditions.rows.clone()).unwrap_or_default()
+            }
             _ => Vec::new(),
         };
         let tool = match scope {

@@ -147,7 +147,7 @@ pub(super) fn read(
         file: file.to_owned(),
         part: head.part,
         method: head.cutting,
-        own: true,
+        is_own: true,
         tree: Some(root.clone()),
         rows,
         tools,

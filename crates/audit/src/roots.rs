@@ -17,7 +17,7 @@ fn is_fault(finding: &AuditFinding) -> bool {
 
 /// The slips that a finding about a stated figure follows from: the figure itself if it is a slip, otherwise its
 /// roots.
-pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
+pub(super) fn figure_roots(graph: &Graph<'_>, id: Id) -> Vec<Id> {
     match graph.verdict(id).map(|verdict| verdict.status.clone()) {
         Some(Status::Root(Severity::Error | Severity::Wrong, _)) => vec![id],
         Some(Status::Follows(roots)) => roots.into_iter().collect(),
@@ -33,7 +33,9 @@ pub(super) fn roots_of(findings: &[AuditFinding], field: String) -> Vec<String> 
 
 /// Removes the verdict on a figure that proved right, and the findings that followed only from it.
 pub(super) fn retract(findings: &mut Vec<AuditFinding>, field: &str, rule: &Rule) {
-    let slip = |finding: &AuditFinding| finding.field == field && finding.kind.rule() == Some(rule) && finding.follows_from.is_empty();
+    let slip = |finding: &AuditFinding| {
+        finding.field == field && finding.kind.rule() == Some(rule) && finding.follows_from.is_empty()
+    };
     if !findings.iter().any(slip) {
         return;
     }

@@ -52,7 +52,7 @@ pub struct Stated {
     pub method: CuttingMethod,
     /// Whether `technolog plan` wrote it: then its figures are rounded as that command rounds, and its route is
     /// listed hole by hole.
-    pub own: bool,
+    pub is_own: bool,
     /// The file of a plan of the program, as a tree with places.
     pub tree: Option<Node>,
     /// The route, in the order of work.

@@ -153,7 +153,8 @@ fn conditions(transition: &Transition) -> String {
     if conditions.limited_by != Limit::CuttingSpeed {
         flow.push_field("limited_by", conditions.limited_by.name());
     }
-    flow.push_field("speed_taken", conditions.speed_m_per_min.0).push_field("minute_feed", conditions.feed_mm_per_min.0);
+    flow.push_field("speed_taken", conditions.speed_m_per_min.0)
+        .push_field("minute_feed", conditions.feed_mm_per_min.0);
     flow.maybe("force", conditions.axial_force_n.map(|force| force.0));
     flow.maybe("torque", conditions.torque_n_m.map(|torque| torque.0));
     flow.maybe("power", conditions.power_kw.map(|power| power.0));

@@ -18,7 +18,7 @@ pub struct UnknownWord {
     /// The word.
     pub word: String,
     /// The word that was perhaps meant.
-    pub near: Option<String>,
+    pub likely: Option<String>,
 }
 
 /// The fields by which a finding may be named, in any order.
@@ -88,7 +88,7 @@ impl<'t> Pattern<'t> {
         let known = || Operation::NAMES.iter().map(|(name, _)| *name);
         if let Some(word) = operations.iter().find(|word| Operation::from_name(word).is_none()) {
             let near = nearest(word, known()).map(str::to_owned);
-            return Err(UnknownWord { word: (*word).to_owned(), near });
+            return Err(UnknownWord { word: (*word).to_owned(), likely: near });
         }
         let mut own = Self {
             operations,
@@ -116,7 +116,7 @@ impl<'t> Pattern<'t> {
                     _ => {
                         let features = Feature::NAMES.iter().map(|(name, _)| *name);
                         let near = nearest(word, features.chain(["back", "elsewhere"])).map(str::to_owned);
-                        return Err(UnknownWord { word: word.to_owned(), near });
+                        return Err(UnknownWord { word: word.to_owned(), likely: near });
                     }
                 }
             }

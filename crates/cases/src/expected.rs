@@ -76,7 +76,7 @@ pub enum ExpectedKind {
     /// This whole list.
     List(Vec<Item>),
     /// Some items of a list; `contains` also applies to a text.
-    Some(Box<Part>),
+    Some(Box<ListRequirements>),
     /// These keys of an object, or these items of a list by their names.
     Map(Vec<(Key, Expected)>),
 }
@@ -92,7 +92,7 @@ pub struct Item {
 
 /// Requirements for some items of a list.
 #[derive(Clone, Debug, Default)]
-pub struct Part {
+pub struct ListRequirements {
     /// It begins with these.
     pub starts: Option<Vec<Item>>,
     /// It ends with these.
@@ -100,7 +100,7 @@ pub struct Part {
     /// It contains each of these, in any place.
     pub contains: Vec<Expected>,
     /// It has none of these.
-    pub lacks: Vec<Expected>,
+    pub excluded: Vec<Expected>,
     /// The number of its items.
     pub how_many: Option<Expected>,
     /// Each item.
@@ -118,17 +118,19 @@ impl Expected {
     /// The expectation under a key, where it is a mapping.
     pub fn get(&self, key: &str) -> Option<&Self> {
         match &self.kind {
-            ExpectedKind::Map(entries) => entries.iter().find(|(known, _)| known.text == key).map(|(_, expected)| expected),
+            ExpectedKind::Map(entries) => {
+                entries.iter().find(|(known, _)| known.text == key).map(|(_, expected)| expected)
+            }
             _ => None,
         }
     }
 }
 
-impl Part {
+impl ListRequirements {
     /// All requirements for items.
     pub fn all(&self) -> Vec<&Expected> {
         let items = self.starts.iter().chain(&self.ends).flatten().map(|item| &item.expected);
-        items.chain(&self.contains).chain(&self.lacks).chain(&self.how_many).chain(&self.every).collect()
+        items.chain(&self.contains).chain(&self.excluded).chain(&self.how_many).chain(&self.every).collect()
     }
 }
 
@@ -248,7 +250,7 @@ fn matcher(from: &Node, problems: &mut Problems) -> Option<ExpectedKind> {
     Some(ExpectedKind::Some(Box::new(part?)))
 }
 
-fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<Part> {
+fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<ListRequirements> {
     // A single one needs no brackets.
     fn as_list(node: &Node) -> &[Node] {
         match &node.kind {
@@ -256,7 +258,7 @@ fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<Par
             _ => std::slice::from_ref(node),
         }
     }
-    let mut part = Part::default();
+    let mut part = ListRequirements::default();
     let mut whole = true;
     if let Some(node) = fields.take("starts") {
         part.starts = items(as_list(node), problems);
@@ -266,7 +268,7 @@ fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<Par
         part.ends = items(as_list(node), problems);
         whole &= part.ends.is_some();
     }
-    for (key, list) in [("contains", &mut part.contains), ("lacks", &mut part.lacks)] {
+    for (key, list) in [("contains", &mut part.contains), ("lacks", &mut part.excluded)] {
         if let Some(node) = fields.take(key) {
             let found = all(as_list(node), problems);
             whole &= found.is_some();

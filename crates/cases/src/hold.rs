@@ -10,7 +10,7 @@ use crate::knowledge::yaml::Key;
 use crate::note::Severity;
 
 use super::called::{self, NAMES, UnknownWord};
-use super::expected::{Expected, Item, Part, ExpectedKind, number_of};
+use super::expected::{Expected, ExpectedKind, Item, ListRequirements, number_of};
 use super::reasons::{Why, reasons};
 
 /// The relative difference of two floating numbers that count as equal: less than any tolerance an author writes.
@@ -28,7 +28,7 @@ pub struct Failure {
     /// The actual value.
     pub actual: ActualValue,
     /// The reasons in the answer.
-    pub why: Vec<Why>,
+    pub reasons: Vec<Why>,
 }
 
 impl Failure {
@@ -119,13 +119,13 @@ struct Holder<'v, 'k> {
 }
 
 impl<'v> Holder<'v, '_> {
-    fn fail(&mut self, expected: &Expected, came: ActualValue) {
+    fn fail(&mut self, expected: &Expected, actual: ActualValue) {
         self.failures.push(Failure {
             place: expected.place.clone(),
             path: self.path.join("."),
             expected: expected.written.clone(),
-            actual: came,
-            why: reasons(&self.trail, &self.path, expected),
+            actual,
+            reasons: reasons(&self.trail, &self.path, expected),
         });
     }
 
@@ -151,7 +151,8 @@ impl<'v> Holder<'v, '_> {
     fn fits(&mut self, expected: &Expected, value: &'v Value) -> bool {
         let failures = self.probe(expected, value);
         let fits = failures.is_empty();
-        let slip = |failure: &Failure| matches!(failure.actual, ActualValue::NoSuchWord { .. } | ActualValue::NoSuch { .. });
+        let slip =
+            |failure: &Failure| matches!(failure.actual, ActualValue::NoSuchWord { .. } | ActualValue::NoSuch { .. });
         if let Some(slip) = failures.into_iter().find(slip)
             && !self.failures.iter().any(|known| known.place == slip.place && known.actual == slip.actual)
         {
@@ -182,7 +183,7 @@ impl<'v> Holder<'v, '_> {
             (ExpectedKind::Is(text), Some(value)) => match is(text, value) {
                 Ok(true) => {}
                 Ok(false) => self.fail(expected, came()),
-                Err(UnknownWord { word, near }) => self.fail(expected, ActualValue::NoSuchWord { word, near }),
+                Err(UnknownWord { word, likely: near }) => self.fail(expected, ActualValue::NoSuchWord { word, near }),
             },
             (ExpectedKind::Near { is, by }, Some(value)) => {
                 let near = |number: f64| (number - is).abs() <= by + HAIR * number.abs().max(is.abs());
@@ -200,12 +201,18 @@ impl<'v> Holder<'v, '_> {
                     self.fail(expected, came());
                 }
             }
-            (ExpectedKind::List(items), Some(around @ Value::Array(values))) => self.list(expected, items, values, around),
-            (ExpectedKind::Some(part), Some(around @ Value::Array(values))) => self.part(expected, part, values, around),
+            (ExpectedKind::List(items), Some(around @ Value::Array(values))) => {
+                self.list(expected, items, values, around)
+            }
+            (ExpectedKind::Some(part), Some(around @ Value::Array(values))) => {
+                self.part(expected, part, values, around)
+            }
             (ExpectedKind::Some(part), Some(value @ Value::String(text))) => self.of_text(expected, part, text, value),
             (ExpectedKind::Map(keys), Some(Value::Object(object))) => self.object(keys, object, value),
             (ExpectedKind::Map(names), Some(around @ Value::Array(values))) => self.named(names, values, around),
-            (ExpectedKind::List(_) | ExpectedKind::Some(_) | ExpectedKind::Map(_), Some(_)) => self.fail(expected, came()),
+            (ExpectedKind::List(_) | ExpectedKind::Some(_) | ExpectedKind::Map(_), Some(_)) => {
+                self.fail(expected, came())
+            }
         }
     }
 
@@ -275,7 +282,7 @@ impl<'v> Holder<'v, '_> {
         first.optional && self.begins(rest, values, whole)
     }
 
-    fn part(&mut self, expected: &Expected, part: &Part, values: &'v [Value], around: &'v Value) {
+    fn part(&mut self, expected: &Expected, part: &ListRequirements, values: &'v [Value], around: &'v Value) {
         if let Some(items) = &part.starts
             && !self.begins(items, values, false)
         {
@@ -292,7 +299,7 @@ impl<'v> Holder<'v, '_> {
                 self.lacking(item, values, around);
             }
         }
-        for one in &part.lacks {
+        for one in &part.excluded {
             for value in values {
                 if self.fits(one, value) {
                     self.fail(one, ActualValue::Unwanted(value.clone()));
@@ -341,7 +348,7 @@ impl<'v> Holder<'v, '_> {
     }
 
     /// `contains` and `lacks` of a text.
-    fn of_text(&mut self, expected: &Expected, part: &Part, text: &str, value: &'v Value) {
+    fn of_text(&mut self, expected: &Expected, part: &ListRequirements, text: &str, value: &'v Value) {
         let has = |item: &Expected| matches!(&item.kind, ExpectedKind::Is(inner) if text.contains(inner.as_str()));
         let of_list = part.starts.is_some() || part.ends.is_some() || part.how_many.is_some() || part.every.is_some();
         if of_list || part.none_from.is_some() {
@@ -350,7 +357,7 @@ impl<'v> Holder<'v, '_> {
         for one in part.contains.iter().filter(|one| !has(one)) {
             self.fail(one, ActualValue::Value(value.clone()));
         }
-        for one in part.lacks.iter().filter(|one| has(one) || !matches!(one.kind, ExpectedKind::Is(_))) {
+        for one in part.excluded.iter().filter(|one| has(one) || !matches!(one.kind, ExpectedKind::Is(_))) {
             self.fail(one, ActualValue::Value(value.clone()));
         }
     }

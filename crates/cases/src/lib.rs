@@ -142,7 +142,7 @@ impl Case {
                 path: String::new(),
                 expected: String::new(),
                 actual: ActualValue::Open(Some(digest::digest(&self.question, answer))),
-                why: Vec::new(),
+                reasons: Vec::new(),
             }],
         }
     }

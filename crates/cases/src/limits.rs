@@ -57,7 +57,8 @@ mod tests {
         let NodeKind::Seq(tests) = &tests.kind else { panic!("no list") };
         let mut problems = Problems::default();
         let read = cases(tests, &head, &mut problems).len();
-        let shown = |problem: &crate::knowledge::Diagnostic| format!("{} {}", problem.place.as_ref().unwrap(), problem.code);
+        let shown =
+            |problem: &crate::knowledge::Diagnostic| format!("{} {}", problem.place.as_ref().unwrap(), problem.code);
         (read, problems.0.iter().map(shown).collect())
     }
 

@@ -196,7 +196,7 @@ impl<'s> KeyCheck<'s, '_> {
         let is_transition = |form: &&Value| form.pointer("/properties/operation").is_some();
         if let (true, Err(slip)) = (forms.iter().any(is_transition), Pattern::read(text)) {
             let message = note!("case-no-word-transition", word = slip.word);
-            let help = match slip.near {
+            let help = match slip.likely {
                 Some(near) => note!("cli-did-you-mean", name = near),
                 None => note!("case-write-operation-then-what-known"),
             };

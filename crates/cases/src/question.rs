@@ -13,7 +13,7 @@ use crate::turning::passes::cost::Objective;
 use crate::turning::workpiece::Turned;
 
 use super::expected::Expected;
-use super::hold::{Answer, ActualValue, Failure, hold, is_from};
+use super::hold::{ActualValue, Answer, Failure, hold, is_from};
 use super::reasons::Why;
 use super::table;
 
@@ -79,7 +79,7 @@ impl Question {
             let about = table::about(&mut expected_rows, answer, found);
             let mut failures = hold(&expected_rows, Answer { value: about, vouched: true });
             let why = if failures.is_empty() { Vec::new() } else { question.why(found, expected) };
-            failures.iter_mut().for_each(|failure| failure.why.clone_from(&why));
+            failures.iter_mut().for_each(|failure| failure.reasons.clone_from(&why));
             return failures;
         }
         let vouched = matches!(self, Self::Part { .. });
@@ -96,7 +96,7 @@ impl Question {
                 path: keys.join("."),
                 expected: "none_from: wrong".to_owned(),
                 actual: ActualValue::Unwanted(finding.clone()),
-                why: Vec::<Why>::new(),
+                reasons: Vec::<Why>::new(),
             }));
         }
         failures

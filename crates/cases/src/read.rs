@@ -41,9 +41,10 @@ const COMMON: [KeyOf<CaseForm>; 4] = [CaseForm::name, CaseForm::source, CaseForm
 /// Reads a file of cases. Usable cases are returned beside the mistakes.
 pub fn read_cases(file: &str, text: &str, around: ReadContext<'_>) -> CaseFile {
     let (root, diagnostics) = parse(file, text);
-    let mut reader = Reader { around, problems: Problems(diagnostics), meant: Vec::new(), texts: Vec::new(), file };
+    let mut reader =
+        Reader { context: around, problems: Problems(diagnostics), mistakes: Vec::new(), texts: Vec::new(), file };
     let cases = root.map(|root| reader.file(&root)).unwrap_or_default();
-    let Reader { problems, meant, texts, .. } = reader;
+    let Reader { problems, mistakes: meant, texts, .. } = reader;
     // The head is read for each case.
     let mut known = BTreeSet::new();
     let all = problems.0.into_iter().map(Mistake::Form).chain(meant);
@@ -66,10 +67,10 @@ fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<IntoFigur
 
 /// Reads one file.
 pub(super) struct Reader<'a> {
-    pub(super) around: ReadContext<'a>,
+    pub(super) context: ReadContext<'a>,
     pub(super) problems: Problems,
     /// Mistakes of turned parts, which have their own words.
-    pub(super) meant: Vec<Mistake>,
+    pub(super) mistakes: Vec<Mistake>,
     pub(super) texts: Vec<NamedText>,
     pub(super) file: &'a str,
 }
@@ -131,14 +132,14 @@ impl Reader<'_> {
     }
 
     fn mistakes(&self) -> usize {
-        self.problems.0.len() + self.meant.len()
+        self.problems.0.len() + self.mistakes.len()
     }
 
     /// Checks an expectation against the possible answers.
     fn fit(&mut self, expected: &mut Expected, question: &Question) {
         match question {
             Question::Table(question) => {
-                if let Ok(table) = self.around.knowledge.table(&question.table) {
+                if let Ok(table) = self.context.knowledge.table(&question.table) {
                     table::fit(expected, table, &mut self.problems);
                 }
             }
@@ -157,7 +158,7 @@ impl Reader<'_> {
     /// A misspelt code would never be found among findings that must be absent.
     fn codes(&mut self, findings: &Expected) {
         let ExpectedKind::Some(part) = &findings.kind else { return };
-        let codes = part.lacks.iter().map(|item| item.get("code").unwrap_or(item));
+        let codes = part.excluded.iter().map(|item| item.get("code").unwrap_or(item));
         let texts = codes.filter_map(|one| match &one.kind {
             ExpectedKind::Is(text) => Some((one, text)),
             _ => None,
@@ -166,9 +167,9 @@ impl Reader<'_> {
             let is_code = |word: &&str| word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'-');
             for word in text.split_whitespace().filter(is_code) {
                 let rule = || rules::all().any(|rule| rule.id == word);
-                if Severity::from_word(word).is_none() && !self.around.codes.iter().any(|code| code == word) && !rule()
+                if Severity::from_word(word).is_none() && !self.context.codes.iter().any(|code| code == word) && !rule()
                 {
-                    let near = nearest(word, self.around.codes.iter().map(String::as_str));
+                    let near = nearest(word, self.context.codes.iter().map(String::as_str));
                     let help = near.map_or_else(
                         || note!("case-write-severity-code-findings-format"),
                         |near| note!("cli-did-you-mean", name = near),

@@ -77,7 +77,7 @@ impl Reader<'_> {
         let question = match kind {
             QuestionKind::Table => {
                 let given = fields.take(CaseForm::given);
-                let knowledge = self.around.knowledge;
+                let knowledge = self.context.knowledge;
                 table::Question::read(node, given, knowledge, &mut self.problems).map(Question::Table)
             }
             QuestionKind::Turn => self.turned(node, fields),
@@ -137,7 +137,7 @@ impl Reader<'_> {
     }
 
     fn part(&mut self, node: &Node) -> Option<Part> {
-        let knowledge = self.around.knowledge;
+        let knowledge = self.context.knowledge;
         match self.input(node)? {
             Input::Here(node) => read_part_node(node, knowledge, &mut self.problems),
             Input::File(path, text) => match read_part(&path, &text, knowledge) {
@@ -148,7 +148,7 @@ impl Reader<'_> {
     }
 
     fn turned(&mut self, node: &Node, fields: &mut Fields<'_, CaseForm>) -> Option<Question> {
-        let knowledge = self.around.knowledge;
+        let knowledge = self.context.knowledge;
         let show = fields.take(CaseForm::show);
         let operation = match show {
             None => Some(false),
@@ -162,7 +162,7 @@ impl Reader<'_> {
         let part = match read {
             Ok(part) => part,
             Err(mistakes) => {
-                self.meant.extend(mistakes);
+                self.mistakes.extend(mistakes);
                 return None;
             }
         };
@@ -192,7 +192,7 @@ impl Reader<'_> {
     }
 
     fn program(&mut self, node: &Node, fields: &mut Fields<'_, CaseForm>) -> Option<Question> {
-        let knowledge = self.around.knowledge;
+        let knowledge = self.context.knowledge;
         let control = fields.need(CaseForm::control, &mut self.problems);
         let names = Language::NAMES.map(|name| (name, name));
         let control = control.and_then(|node| self.choice(node, &names));
@@ -232,7 +232,7 @@ impl Reader<'_> {
 
     fn machine(&mut self, node: &Node, part: Option<&Part>) -> Option<String> {
         let id = self.problems.text(node)?;
-        if let Err(error) = Machine::find(self.around.knowledge, id) {
+        if let Err(error) = Machine::find(self.context.knowledge, id) {
             return self.problems.error("unknown-machine", Note::from(&error), &node.place);
         }
         match part.filter(|part| part.machine != id) {
@@ -245,7 +245,7 @@ impl Reader<'_> {
     }
 
     fn audit(&mut self, node: &Node) -> Option<Stated> {
-        let ReadContext { knowledge, files, .. } = self.around;
+        let ReadContext { knowledge, files, .. } = self.context;
         let read = match self.input(node)? {
             Input::Here(node) => read_plan_node(node, self.file, knowledge, files),
             Input::File(path, text) => {
@@ -288,7 +288,7 @@ impl Reader<'_> {
     }
 
     fn named(&mut self, path: &str, place: &Place) -> Option<String> {
-        match (self.around.files)(path) {
+        match (self.context.files)(path) {
             Ok(text) => {
                 self.texts.push((path.to_owned(), text.clone()));
                 Some(text)

@@ -11,7 +11,7 @@ use crate::knowledge::{Answer, Column, Input, Knowledge, QueryError, RowRef, Tab
 use crate::note::{Because, Note};
 use crate::units::Unit;
 
-use super::expected::{Expected, Item, ExpectedKind};
+use super::expected::{Expected, ExpectedKind, Item};
 use super::hold;
 use super::reasons::Why;
 

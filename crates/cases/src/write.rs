@@ -8,7 +8,7 @@ use crate::knowledge::diagnostic::{Diagnostic, Place};
 use crate::knowledge::yaml::{Key, Node, NodeKind, parse};
 
 use super::hold::ActualValue;
-use super::{ReadContext, Asker, Case, CaseFile, Failure, digest, read_cases, written};
+use super::{Asker, Case, CaseFile, Failure, ReadContext, digest, read_cases, written};
 
 /// The most that a line of written YAML holds.
 const WIDTH: usize = 110;

@@ -105,8 +105,9 @@ impl<'k> Material<'k> {
         let ratio = knowledge.find(|row: &HardnessStrength<'_>| row.material_group == self.group)?.map(|row| row.ratio);
         let exact = |value: f64| Decimal::from_f64_rounded(value);
         let figure = |value: f64| exact(crate::units::round_to(value, 0));
-        let follows =
-            |value: Option<f64>, by: &dyn Fn(f64, f64) -> f64| value.zip(ratio).map(|(of, ratio)| figure(by(of, ratio)));
+        let follows = |value: Option<f64>, by: &dyn Fn(f64, f64) -> f64| {
+            value.zip(ratio).map(|(of, ratio)| figure(by(of, ratio)))
+        };
         let hardness =
             state.hardness.map(exact).or_else(|| follows(state.strength, &|strength, ratio| strength / ratio));
         let strength =

@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// The results in the order of the inputs. After each one `told` is called with the number of finished inputs.
+/// The results in the order of the inputs. After each one `report` is called with the number of finished inputs.
 pub fn map<T: Sync, R: Send>(things: &[T], work: impl Fn(&T) -> R + Sync, report: impl Fn(usize) + Sync) -> Vec<R> {
     let cores = thread::available_parallelism().map_or(1, NonZero::get).min(things.len());
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));

@@ -30,7 +30,7 @@ pub(super) fn table_operation(operation: Operation) -> Coefficients {
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - D, t in mm, s in mm/rev, T in min.
 pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
-    by_tables(cut, feed::tabulated(cut, shop)?.or(in_table(cut, taken, shop)?), shop)
+    by_tables(cut, feed::tabulated(cut, shop)?.with_feed(in_table(cut, taken, shop)?), shop)
 }
 
 /// A feed as in the tables: the cards raise theirs by a material factor afterwards.

@@ -21,7 +21,7 @@ use super::{Cut, DraftConditions, PowerLaw};
 /// `specific-cutting-force`, `force-opinion`). Nothing for a grade without a group of VDI 3323.
 ///
 /// They are compared at the feed of the tables, `tabulated`, so that a feed reduced later does not change the decision.
-pub(super) fn hold_torque(
+pub(super) fn compare_torque(
     draft: &mut DraftConditions,
     tabulated: Option<MillimetresPerRev>,
     cut: &Cut,

@@ -124,7 +124,7 @@ pub(super) fn step_of(draft: &DraftConditions, shop: &Shop<'_>) -> Result<RevsPe
 
 /// Chooses the spindle step and keeps the feed within the loads, the power and the feed range; `limited` names the
 /// load that has already reduced the feed.
-pub(super) fn hold(
+pub(super) fn limit_to_machine(
     draft: &DraftConditions,
     limited: Option<Limit>,
     cut: &Cut,

@@ -176,11 +176,11 @@ fn feed_per_tooth(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, 
 fn tool_life(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Tried<(Minutes, Vec<Because>), Uncut> {
     let (tool_material, diameter) = (cut.tool_material, mill.diameter);
     if let Some(row) = shop.knowledge.ask(&MillingToolLifeFor { mill: MILL, diameter })?.winner()? {
-        return Ok((row.life, vec![Because::row(row.row, factors::lasts(row.life))]));
+        return Ok((row.life, vec![Because::row(row.row, factors::tool_life_text(row.life))]));
     }
     let operation = Coefficients::Mill;
     let question = |material_group| ToolLifeBeyondFor { operation, material_group, tool_material, diameter };
     let figures = figures::ask(question, shop)?;
     let life = figures.row.life;
-    Ok((life, figures.because(factors::lasts(life))))
+    Ok((life, figures.because(factors::tool_life_text(life))))
 }

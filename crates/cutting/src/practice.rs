@@ -26,7 +26,11 @@ pub enum PracticeComparison {
 }
 
 /// Compares the speed of a draft with practice, by the rule `second-opinion`.
-pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Result<PracticeComparison, KnowledgeError> {
+pub(super) fn compare_with_practice(
+    draft: &mut DraftConditions,
+    cut: &Cut,
+    shop: &Shop<'_>,
+) -> Result<PracticeComparison, KnowledgeError> {
     let (speed, comparison, because) = second_opinion(draft.speed, cut, &shop.material, shop.knowledge)?;
     draft.speed = speed;
     draft.because.extend(because);

@@ -22,7 +22,7 @@ use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors, feed, law
 /// - M = Cp·t^x·sz^y·D·z/200·Kp, N·m, with Cp, x, y of turning (table `boring-force`), sz = s/z in mm/tooth;
 /// - D, t in mm, s in mm/rev, T in min, z the number of teeth.
 pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
-    let Feed { feed, mut because, doubts } = corrected_feed(cut, shop)?.or(taken);
+    let Feed { feed, mut because, doubts } = corrected_feed(cut, shop)?.with_feed(taken);
     let (tool_life, life) = factors::tool_life(Coefficients::Ream, cut, shop)?;
     because.extend(life);
     let (law, figures) = laws::speed(Coefficients::Ream, cut.tool_material, feed, shop)?;
@@ -54,7 +54,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
 /// and with the largest stock of a rough reamer (table `stock-before-reaming`). The formula alone would give a faster
 /// speed, because the stock is smaller; and a lower feed for the surface must not raise the speed either. None for
 /// other cuts.
-pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
+pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
     if !cut.operation.is_reaming() || cut.roughness.is_none() {
         return Ok(false);
     }

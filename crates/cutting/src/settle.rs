@@ -7,7 +7,7 @@ use crate::shop::Shop;
 use crate::tables::rules::FeedChoice;
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
-use super::limits::{self, ReducedFeed, LimitedConditions};
+use super::limits::{self, LimitedConditions, ReducedFeed};
 use super::practice::{self, PracticeComparison};
 use super::{Cut, DraftConditions, force_opinion, reaming};
 
@@ -53,7 +53,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
         because.extend(reasons);
         because.push(feed_reason("speed-for-feed", feed, &found, Some(before), shop)?);
     }
-    let mut limited = limits::hold(&found.draft, limited_by, cut, shop)?;
+    let mut limited = limits::limit_to_machine(&found.draft, limited_by, cut, shop)?;
     because.append(&mut limited.because);
     if limited.feed != found.draft.feed {
         found = at(cut, Some(limited.feed), tabulated, shop)?;
@@ -84,11 +84,11 @@ fn at(
 ) -> Tried<DraftAtFeed, Uncut> {
     let mut draft = super::draft(cut, feed, shop)?;
     let formula_speed = draft.speed;
-    let mut practice = practice::hold(&mut draft, cut, shop)?;
-    if reaming::hold_for_surface(&mut draft, cut, shop)? {
+    let mut practice = practice::compare_with_practice(&mut draft, cut, shop)?;
+    if reaming::limit_for_surface(&mut draft, cut, shop)? {
         practice = PracticeComparison::Slower;
     }
-    force_opinion::hold_torque(&mut draft, tabulated, cut, shop)?;
+    force_opinion::compare_torque(&mut draft, tabulated, cut, shop)?;
     Ok(DraftAtFeed { draft, formula_speed, practice })
 }
 

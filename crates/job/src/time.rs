@@ -151,7 +151,8 @@ impl RapidTimes {
         let from = std::iter::once(None).chain(points());
         let to = points().chain([None]);
         let across: Minutes = from.zip(to).map(|(from, to)| self.across(from, to, setup)).sum();
-        let height = |stop: Option<&super::Stop>| stop.and_then(|stop| work.cycles.get(stop.cycle)).map(|cycle| cycle.out);
+        let height =
+            |stop: Option<&super::Stop>| stop.and_then(|stop| work.cycles.get(stop.cycle)).map(|cycle| cycle.out);
         let ends = [height(work.stops.first()), height(work.stops.last())];
         let quill: Minutes = ends.into_iter().flatten().map(|out| self.down(out, correction, setup)).sum();
         across + quill

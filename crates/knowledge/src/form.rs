@@ -186,7 +186,8 @@ impl<'n, F> Fields<'n, F> {
         }
         if !meant.is_empty() {
             let behind = problems.0.split_off(self.before.min(problems.0.len()));
-            let same = |problem: &Diagnostic| problem.place.as_ref() == Some(self.place) && meant.contains(&problem.message);
+            let same =
+                |problem: &Diagnostic| problem.place.as_ref() == Some(self.place) && meant.contains(&problem.message);
             problems.0.extend(behind.into_iter().filter(|one| !same(one)));
         }
         problems.0.extend(unknown);
@@ -212,7 +213,8 @@ impl<F: Form> Fields<'_, F> {
         let present = hint::present(&known, self.entries);
         let meant = |typed: &str| {
             typed == key.0
-                || !known.contains(&typed) && hint::for_typed(typed, &known, &present).is_some_and(|hint| hint.key() == key.0)
+                || !known.contains(&typed)
+                    && hint::for_typed(typed, &known, &present).is_some_and(|hint| hint.key() == key.0)
         };
         self.entries.iter().any(|(typed, node)| !node.is_null() && meant(&typed.text))
     }

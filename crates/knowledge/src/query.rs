@@ -149,9 +149,11 @@ impl From<&QueryError> for Note {
             E::UnknownInput { table, name, known } => {
                 note!("table-has-no-input", table = table, name = name, known = known)
             }
-            E::Missing { table, name, expected: what } => note!("table-needs-input", table = table, name = name, what = **what),
-            E::IllTyped { table, name, given, expected: what } => {
-                note!("table-input-ill-typed", table = table, name = name, given = given, what = **what)
+            E::Missing { table, name, expected } => {
+                note!("table-needs-input", table = table, name = name, what = **expected)
+            }
+            E::IllTyped { table, name, given, expected } => {
+                note!("table-input-ill-typed", table = table, name = name, given = given, what = **expected)
             }
             E::OutOfDomain { table, name, given, domain } => {
                 note!("table-input-out-of-domain", table = table, name = name, given = given, domain = domain)

@@ -80,7 +80,7 @@ pub fn encoding_sheet(
     knowledge: &Knowledge,
     lang: Lang,
 ) -> Result<EncodingSheet, KnowledgeError> {
-    let mut sheet = of_text(&written.text(), &job.machine, control, knowledge, lang)?;
+    let mut sheet = sheet_of_text(&written.text(), &job.machine, control, knowledge, lang)?;
     sheet.part = Some(job.part.clone());
     sheet.instructions = instructions(job, lang);
     let named = written.lines.iter().filter_map(|line| Some((line.work?, line.cycle?))).collect();
@@ -100,7 +100,7 @@ pub fn encoding_sheet(
 ///
 /// # Errors
 /// There are no tables of words for the control, or they lack a meaning; the machine is not known.
-pub fn of_text(
+pub fn sheet_of_text(
     text: &str,
     machine: &str,
     control: &str,
@@ -111,7 +111,7 @@ pub fn of_text(
     let mut modes = dictionary::Modes::default();
     let mut rows = Vec::new();
     for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
-        let found = blocks::of_line(line);
+        let found = blocks::words_of_line(line);
         let tool = dictionary.tool(&found);
         let meaning = dictionary.meaning(&found, &mut modes, lang);
         // The sign of a tape is no block and has no end.

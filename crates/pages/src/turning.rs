@@ -83,7 +83,11 @@ fn findings<'f>(page: &mut Document, all: impl Iterator<Item = &'f note::Finding
         page.push(unconfirmed(&counted, lang));
     }
     for listed_finding in listed {
-        page.push(if is_of_row(&listed_finding.note) { unconfirmed(&listed_finding.note, lang) } else { finding(listed_finding, lang) });
+        page.push(if is_of_row(&listed_finding.note) {
+            unconfirmed(&listed_finding.note, lang)
+        } else {
+            finding(listed_finding, lang)
+        });
     }
 }
 

@@ -61,7 +61,7 @@ impl Fault {
     /// What is reached only at best is doubtful; everything else damages the part or the tool.
     pub fn severity(&self) -> Severity {
         match self {
-            Self::Wanting { shortfall: what, .. } if what.at_best() => Severity::Doubtful,
+            Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
             _ => Severity::Error,
         }
     }
@@ -80,7 +80,7 @@ impl Fault {
             Self::TooMuch { operation, stock, most } => {
                 of("proof-too-much", operation).with("stock", stock).with("most", most)
             }
-            Self::Wanting { operation, shortfall: what } => what.with_figures(of(what.code(), operation)),
+            Self::Wanting { operation, shortfall } => shortfall.with_figures(of(shortfall.code(), operation)),
             Self::TooWide { operation, diameter, may_be, limit } => {
                 of("proof-too-wide", operation).with("diameter", diameter).with("may_be", may_be).with("limit", limit)
             }

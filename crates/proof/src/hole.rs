@@ -106,7 +106,7 @@ impl Walk<'_, '_> {
         let method = MethodKey {
             operation: transition.operation,
             centred: self.centred,
-            after: before.map_or(MadeBy::Solid, |before| before.made_by),
+            made_by: before.map_or(MadeBy::Solid, |before| before.made_by),
             last,
         };
         let Some(reach) = Reach::of(method, transition.diameter_mm, self.shop)? else { return Ok(()) };
@@ -328,7 +328,7 @@ impl Walk<'_, '_> {
         }
         let mut wanting = Vec::new();
         let mut grade = true;
-        if let Some(it) = reach.it {
+        if let Some(it) = reach.grade {
             let of_grade = Shortfall::Grade(it.best, it.ordinary, required.diameter.it);
             grade = of_grade.holds();
             wanting.push(of_grade);

@@ -76,9 +76,18 @@ pub fn sound(step: &Transition, plan: &Plan, machine: &Machine<'_>) -> Result<()
     // A small reamer's power may round to nothing.
     let within = |value: Option<f64>, limit: f64, place: f64| value.is_none_or(|it| it >= 0.0 && it <= limit + place);
     prop_assert!(within(Some(conditions.feed_mm_per_min.0), machine.feed_max.0, 0.05), "{step_text}: {conditions:?}");
-    prop_assert!(within(conditions.axial_force_n.map(|force| force.0), machine.thrust.0, 0.5), "{step_text}: {conditions:?}");
-    prop_assert!(within(conditions.torque_n_m.map(|torque| torque.0), machine.spindle_torque.0, 0.005), "{step_text}: {conditions:?}");
-    prop_assert!(within(conditions.power_kw.map(|power| power.0), machine.spindle_power.0, 0.005), "{step_text}: {conditions:?}");
+    prop_assert!(
+        within(conditions.axial_force_n.map(|force| force.0), machine.thrust.0, 0.5),
+        "{step_text}: {conditions:?}"
+    );
+    prop_assert!(
+        within(conditions.torque_n_m.map(|torque| torque.0), machine.spindle_torque.0, 0.005),
+        "{step_text}: {conditions:?}"
+    );
+    prop_assert!(
+        within(conditions.power_kw.map(|power| power.0), machine.spindle_power.0, 0.005),
+        "{step_text}: {conditions:?}"
+    );
     Ok(())
 }
 

@@ -171,7 +171,7 @@ pub struct Worked {
 }
 
 /// Place a whole way off.
-pub fn work_off(stock: &Stock, toolpath: &Toolpath, edge: Option<Half>) -> Worked {
+pub fn simulate(stock: &Stock, toolpath: &Toolpath, edge: Option<Half>) -> Worked {
     let mut columns = Columns::of(stock, toolpath);
     let (mut below, mut hit, mut depth) = (f64::NEG_INFINITY, f64::NEG_INFINITY, 0.0_f64);
     for (piece, purpose) in toolpath.pieces() {

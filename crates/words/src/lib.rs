@@ -116,14 +116,14 @@ impl Lang {
         match figure {
             Figure::Text(text) => text.to_string(),
             Figure::Number(number) => self.0.number(number),
-            Figure::Word(Word { vocabulary: of, id }) => self.term(of, id).to_owned(),
+            Figure::Word(Word { vocabulary, id }) => self.term(vocabulary, id).to_owned(),
             Figure::Named(named) => {
                 let own = named.names.iter().find(|(tag, _)| *tag == self.tag()).or(named.names.last());
                 own.map_or_else(|| self.figure(&Figure::Word(named.word.clone())), |(_, name)| name.clone())
             }
             Figure::List(parts, between) => {
                 let texts: Vec<String> = parts.iter().map(|part| self.figure(part)).collect();
-                if *between == ", " { listed(&texts) } else { texts.join(between) }
+                if *between == ", " { joined_list(&texts) } else { texts.join(between) }
             }
             Figure::Note(note) => self.say(note),
             Figure::Stored(text) => text.clone(),
@@ -283,7 +283,7 @@ impl std::str::FromStr for Lang {
 }
 /// A list of texts. If one of them is a number with a decimal comma, the separator is a semicolon, because a comma
 /// would be ambiguous.
-pub fn listed(texts: &[String]) -> String {
+pub fn joined_list(texts: &[String]) -> String {
     let has_comma = |one: &String| {
         let mut parts = one.split(',');
         let (before, behind) = (parts.next().unwrap_or_default(), parts.next());
@@ -308,6 +308,6 @@ mod tests {
             assert_eq!(Lang::UK.figure(&list(numbers)), uk);
             assert_eq!(Lang::EN.figure(&list(numbers)), en);
         }
-        assert_eq!(listed(&["A, B".to_owned(), "C".to_owned()]), "A, B, C");
+        assert_eq!(joined_list(&["A, B".to_owned(), "C".to_owned()]), "A, B, C");
     }
 }

@@ -102,6 +102,6 @@ fn failure<'a>(failure: &'a Failure, context: &Context) -> FailureJson<'a> {
             ActualValue::Nothing | ActualValue::NoSuch { .. } | ActualValue::NoSuchWord { .. } => None,
         },
         message: page::short(failure, context.lang),
-        why: failure.why.iter().map(|reason| page::why(reason, context.lang)).collect(),
+        why: failure.reasons.iter().map(|reason| page::why(reason, context.lang)).collect(),
     }
 }

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use technolog::audit::Files;
-use technolog::cases::{ReadContext, CaseFile, FileKind, read_cases};
+use technolog::cases::{CaseFile, FileKind, ReadContext, read_cases};
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::Lang;
 use technolog::turning::shaft::Mistake;

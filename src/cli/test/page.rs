@@ -80,7 +80,7 @@ pub fn failure_lines(failure: &Failure, lang: Lang) -> Vec<String> {
     let mut lines = vec![format!("{}:{} {}", place.line, place.column, failure.path)];
     lines.push(say!(lang, "test-expected", value = cut(&expected(failure, lang))));
     lines.push(say!(lang, "test-came", value = cut(&actual_value(failure, lang))));
-    lines.extend(failure.why.iter().take(REASONS).map(|reason| say!(lang, "test-why", reason = why(reason, lang))));
+    lines.extend(failure.reasons.iter().take(REASONS).map(|reason| say!(lang, "test-why", reason = why(reason, lang))));
     lines
 }
 
@@ -110,9 +110,13 @@ pub fn actual_value(failure: &Failure, lang: Lang) -> String {
             Ok(note) if value.get("field").is_none() => format!("{}: {}", brief(value), lang.say(&note)),
             _ => brief(value),
         },
-        ActualValue::NoSuch { key, near: Some(near), .. } => say!(lang, "test-no-such-key-near", key = key, near = near),
+        ActualValue::NoSuch { key, near: Some(near), .. } => {
+            say!(lang, "test-no-such-key-near", key = key, near = near)
+        }
         ActualValue::NoSuch { key, known, .. } => say!(lang, "test-no-such-key", key = key, known = known.join(", ")),
-        ActualValue::NoSuchWord { word, near: Some(near) } => say!(lang, "test-no-such-word-near", word = word, near = near),
+        ActualValue::NoSuchWord { word, near: Some(near) } => {
+            say!(lang, "test-no-such-word-near", word = word, near = near)
+        }
         ActualValue::NoSuchWord { word, near: None } => say!(lang, "test-no-such-word", word = word),
     }
 }

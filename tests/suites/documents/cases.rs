@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 
 use serde_json::Value;
-use technolog::cases::{ReadContext, Asker, CaseFile, Failure, read_cases};
+use technolog::cases::{Asker, CaseFile, Failure, ReadContext, read_cases};
 use technolog::knowledge::diagnostic::Place;
 use technolog::knowledge::yaml::{Node, NodeKind, parse};
 use technolog::parallel;

@@ -66,10 +66,14 @@ fn every_planted_error_is_found() {
     }
 
     // 30.6 m/min are the upper end for a steel of HB 200 (the American handbook's table), and a third above it 40.8.
-    let fast = with_change(&reamed, |steps| transition_of(steps, Operation::Drill).conditions.speed_m_per_min = MetresPerMinute(45.0));
+    let fast = with_change(&reamed, |steps| {
+        transition_of(steps, Operation::Drill).conditions.speed_m_per_min = MetresPerMinute(45.0)
+    });
     assert!(matches!(fast[..], [Fault::TooFast { .. }]), "{fast:?}");
     // 0.02 · 7.8³ mm³ · 800 MPa = 7.6 N·m.
-    let twisted = with_change(&reamed, |steps| transition_of(steps, Operation::Drill).conditions.torque_n_m = Some(NewtonMetres(8.0)));
+    let twisted = with_change(&reamed, |steps| {
+        transition_of(steps, Operation::Drill).conditions.torque_n_m = Some(NewtonMetres(8.0))
+    });
     assert!(matches!(twisted[..], [Fault::Twists { .. }]), "{twisted:?}");
 
     let blind = sound("30", "diameter: 12H7, depth: 20, roughness: Ra 1.25, centre_tolerance: 0.2");
@@ -139,7 +143,10 @@ fn what_is_reached_is_never_what_is_asked() {
     plan.holes[0].transitions.retain(|step| step.operation != Operation::CentreDrill);
     plan.part.holes[0].centre_tolerance = technolog::part::CentreTolerance::Width(mm(0.1));
     let off = faults(&plan);
-    assert!(off.iter().any(|fault| matches!(fault, Fault::Wanting { shortfall: Shortfall::Position(..), .. })), "{off:?}");
+    assert!(
+        off.iter().any(|fault| matches!(fault, Fault::Wanting { shortfall: Shortfall::Position(..), .. })),
+        "{off:?}"
+    );
     // Who prefers the tables gets their scheme, and is told what it does not reach ordinarily.
     let keys = "diameter: 10H11, through: true, roughness: Rz 40, centre_tolerance: 0.2, at: [[0, 0]]";
     let (own, tables) =

@@ -201,7 +201,7 @@ fn no_transition_is_lost_or_said_twice() {
 fn the_worked_example_has_no_word_without_a_meaning() {
     let text = fs::read_to_string(root().join("examples/appendix-g/program.nc")).unwrap();
     for lang in [Lang::UK, Lang::EN] {
-        let sheet = encoding::of_text(&text, "gf2171", "2c42-65", &KNOWLEDGE, lang).unwrap();
+        let sheet = encoding::sheet_of_text(&text, "gf2171", "2c42-65", &KNOWLEDGE, lang).unwrap();
         for row in &sheet.rows {
             assert!(!row.meaning.contains("не знають") && !row.meaning.contains("not know"), "{row:?}");
             assert!(row.transition.is_none());
@@ -244,7 +244,7 @@ fn words_mean_what_the_manuals_say() {
         ("fanuc", "N1 G82 Z-5. R1. P500", vec!["P500: dwell at the bottom = 500 ms"]),
         ("fanuc", "M98 P1001", vec!["M98: subprogram call"]),
     ] {
-        let sheet = encoding::of_text(line, "gf2171", control, &KNOWLEDGE, Lang::EN).unwrap();
+        let sheet = encoding::sheet_of_text(line, "gf2171", control, &KNOWLEDGE, Lang::EN).unwrap();
         for part in expected {
             let meanings: Vec<&str> = sheet.rows[0].meaning.split("; ").collect();
             assert!(meanings.contains(&part), "{control} {line}: {part} is not in {meanings:?}");
@@ -465,7 +465,7 @@ proptest! {
     #[test]
     fn no_text_makes_a_sheet_panic(text in "([A-Za-z#%;/(\\[\\]<>).0-9 -]{0,30}|\\PC{0,40})(\n[GMXZTHODNP/(#.0-9 -]{0,40}){0,4}") {
         for control in ["2c42-65", "linuxcnc", "fanuc"] {
-            let sheet = encoding::of_text(&text, "gf2171", control, &KNOWLEDGE, Lang::UK).unwrap();
+            let sheet = encoding::sheet_of_text(&text, "gf2171", control, &KNOWLEDGE, Lang::UK).unwrap();
             let lines = text.lines().filter(|line| !line.trim().is_empty()).count();
             prop_assert_eq!(sheet.rows.len(), lines);
             prop_assert_eq!(sheet.csv().is_empty(), false);

@@ -10,7 +10,7 @@ use technolog::turning::transitions::builder::SupportPointRole;
 use technolog::turning::transitions::check::Unsuited;
 use technolog::turning::transitions::measures::best;
 use technolog::turning::transitions::{PreparedZone, Scheme, Settings, Stock, Transition, finishing_must_follow, work};
-use technolog_testing::section::{ROUNDING, at, mm, settings, steps, steps_beside, tool, valleys, work_off, zones};
+use technolog_testing::section::{ROUNDING, at, mm, settings, simulate, steps, steps_beside, tool, valleys, zones};
 use technolog_testing::{KNOWLEDGE, section};
 
 fn tried(stock: &Stock, settings: &Settings, scheme: Scheme, nose: f64) -> Tried<Transition, Unsuited> {
@@ -360,7 +360,7 @@ fn keeps_the_laws(stock: &Stock, found: &Transition) -> Result<section::Worked, 
     let scheme = found.scheme;
     prop_assert_eq!(found.path.end(), found.path.from, "{:?} ends at home", scheme);
     prop_assert_eq!(found.points.len(), found.path.moves.len() + 1);
-    let worked = work_off(stock, &found.path, found.edge);
+    let worked = simulate(stock, &found.path, found.edge);
     prop_assert!(worked.below < ROUNDING, "{:?} cuts {} mm below the contour", scheme, worked.below);
     prop_assert!(worked.hit < ROUNDING, "{:?}: a rapid goes {} mm into metal", scheme, worked.hit);
     let ridges = found.ridges_mm.to_mm();

@@ -33,7 +33,7 @@ pub(super) fn check<'a>(
 /// The clamping must be computed for the row that needs the largest force: the largest torque divided by its distance
 /// to the clamp, where plan or drawing give the places of clamps (5.2 item 7).
 fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findings: &mut Vec<AuditFinding>) {
-    if context.stated.own {
+    if context.stated.is_own {
         return;
     }
     let load = |(at, row): (usize, &Row)| {
@@ -129,7 +129,7 @@ fn screw(
         let thick = |screw: &&ClampScrew<'_>| screw.nominal_diameter.to_mm() >= least;
         let smallest = screws.iter().filter(thick).find(|screw| screw.force_80.0 + 0.5 >= force);
         let named = context.stated.part.fixture.clamps.iter().any(|clamp| clamp.screw.is_some());
-        let smaller = |screw: &&ClampScrew<'_>| context.stated.own && !named && screw.row.index < own.row.index;
+        let smaller = |screw: &&ClampScrew<'_>| context.stated.is_own && !named && screw.row.index < own.row.index;
         if let Some(smallest) = smallest.filter(smaller) {
             let note = Note::new("audit-screw-large").with("screw", thread).with("force", round_to(force, 0));
             let finding = finding(Severity::Doubtful, "screw", note, text);

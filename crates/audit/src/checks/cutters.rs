@@ -32,7 +32,7 @@ pub(super) fn check<'a>(
         let Some(cutter) = context.cutter(tool) else { continue };
         let Some(hole) = context.hole(row) else { continue };
         // The angle of an edge is in no row; in a plan of the program the check `ours` compares it.
-        if row.operation.value.is_of_edge() && context.stated.own {
+        if row.operation.value.is_of_edge() && context.stated.is_own {
             continue;
         }
         let finding = |severity, why: Note| {
@@ -57,7 +57,7 @@ pub(super) fn check<'a>(
                 unsuited.kind = FindingKind::OfOther(other);
             }
             findings.push(unsuited);
-        } else if let Some(why) = named::of_other_bottom(cutter, hole.through).filter(|_| row.of_main_cylinder()) {
+        } else if let Some(why) = named::other_design_note(cutter, hole.through).filter(|_| row.of_main_cylinder()) {
             findings.push(finding(Severity::Wrong, why));
         }
     }
@@ -87,7 +87,7 @@ fn diameter(
     if already_reported {
         return Ok(vec![field]);
     }
-    let roots = roots::of_figure(graph, id);
+    let roots = roots::figure_roots(graph, id);
     if roots == [id] && backed(context, at, row, hole)? {
         roots::retract(findings, &field, &DIAMETER);
         return Ok(Vec::new());
@@ -131,7 +131,8 @@ fn need<'a>(
     let planned = context.reference(at).map(|transition| transition.diameter_mm);
     let diameter = length(Q::Diameter).or(planned).unwrap_or(hole.diameter.nominal);
     let drills = matches!(operation, Operation::Drill | Operation::DrillOut);
-    let required = if context.stated.own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
+    let required =
+        if context.stated.is_own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
     let plain = row.step.is_none() && hole.steps.is_empty();
     let reach = if required && plain { tips.tip_depth(context, at) } else { None };
     let cone = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));

@@ -29,7 +29,8 @@ pub(super) fn check<'a>(
 fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     for (at, conditions) in context.stated.conditions.iter().enumerate() {
-        let elsewhere = conditions.rows.iter().all(|row| context.stated.rows.get(*row).is_some_and(|row| row.elsewhere));
+        let elsewhere =
+            conditions.rows.iter().all(|row| context.stated.rows.get(*row).is_some_and(|row| row.elsewhere));
         if elsewhere {
             continue;
         }

@@ -23,7 +23,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     // The figures of a plan of the program come from these formulas.
-    if stated.own {
+    if stated.is_own {
         return Ok(());
     }
     for (at, conditions) in stated.conditions.iter().enumerate() {
@@ -38,7 +38,7 @@ pub(super) fn check<'a>(
         let figures = [(id(Q::Force), by.force, Section::Conditions), (id(Q::Torque), by.torque, Section::Conditions)];
         for (id, by_formula, section) in figures.into_iter().chain(clamping) {
             // In a plan by formula the rules of `handbook` judge it.
-            if graph.formula(id).is_some_and(|formula| handbook::is_of(formula.rule)) {
+            if graph.formula(id).is_some_and(|formula| handbook::is_handbook_rule(formula.rule)) {
                 continue;
             }
             let Some((figure, by_formula)) = stated.figure(id).zip(by_formula) else { continue };

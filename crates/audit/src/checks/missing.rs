@@ -15,7 +15,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     // A plan of the program leaves out nothing by mistake.
-    if stated.own {
+    if stated.is_own {
         return Ok(());
     }
     let mut say = |section: &str, missing: Vec<MissingKeys>| {
@@ -27,8 +27,11 @@ pub(super) fn check<'a>(
             findings.push(finding);
         }
     };
-    let lack =
-        |of: String, scope: Scope, keys: Vec<&'static str>| MissingKeys { part: of, subject: context.subject(scope), keys };
+    let lack = |part: String, scope: Scope, keys: Vec<&'static str>| MissingKeys {
+        part,
+        subject: context.subject(scope),
+        keys,
+    };
     let mut rows = Vec::new();
     if stated.rows.is_empty() {
         rows.push(missing_key("route"));

@@ -17,7 +17,7 @@ use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
 use super::super::rules::counts::PASS_DIAMETER;
 use super::super::stated::Row;
-use super::route::of_hole;
+use super::route::hole_subject;
 
 /// An opening of the drawing.
 #[derive(Clone, Copy, Debug)]
@@ -127,7 +127,7 @@ fn check_made(
         }
         None => {
             let (field, note) = (format!("route.{}", hole.name), note("audit-opening-not-made"));
-            let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).about(of_hole(hole));
+            let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).about(hole_subject(hole));
             match rows.last() {
                 Some((_, row)) => finding.at(&row.place),
                 None => finding,

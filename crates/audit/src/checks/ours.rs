@@ -163,7 +163,7 @@ impl PlanComparer {
 
 /// A value as people read it: an id of the program in that field becomes a word, a name given by the author stays.
 fn value(path: &str, text: &str) -> Figure {
-    let own = |of| Figure::Word(Word { vocabulary: of, id: text.to_owned().into() });
+    let own = |vocabulary| Figure::Word(Word { vocabulary, id: text.to_owned().into() });
     let mut keys = path.split('.').rev().skip_while(|key| key.bytes().all(|letter| letter.is_ascii_digit()));
     match keys.next().unwrap_or_default() {
         _ if matches!(text, "true" | "false" | "null") => own("audit-value"),

@@ -15,7 +15,7 @@ use super::super::graph::Graph;
 use super::super::near::{same_scheme, same_table};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::stated::{Row, Text};
-use super::route::of_hole;
+use super::route::hole_subject;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -87,7 +87,7 @@ impl Group<'_, '_> {
             .with("table", &self.route.table);
         let finding =
             AuditFinding::new(severity, Section::Route, format!("route.{}.{key}", row.number), note).at(place);
-        finding.about(of_hole(self.hole)).resting_on(self.route.because.iter().take(3).cloned())
+        finding.about(hole_subject(self.hole)).resting_on(self.route.because.iter().take(3).cloned())
     }
 
     /// Checks every scheme that a row names: whether the tables permit it, and whether the other rows name the same.
@@ -177,7 +177,7 @@ impl Group<'_, '_> {
         // Edges are judged in another check; here only whether the scheme has them as the rows do, where the
         // program's plan differs.
         let merged = self.is_ours();
-        if merged && (self.context.stated.own || !self.has_edges_of(scheme)?) {
+        if merged && (self.context.stated.is_own || !self.has_edges_of(scheme)?) {
             return Ok(());
         }
         let stated = self.stated();

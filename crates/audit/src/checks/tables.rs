@@ -19,7 +19,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     // In a plan of the program every figure is compared with the new plan.
-    if context.stated.own {
+    if context.stated.is_own {
         return Ok(());
     }
     for (&id, &table) in graph.tables() {

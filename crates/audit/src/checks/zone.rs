@@ -25,7 +25,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     table(context, findings)?;
     // A plan of the program reports these itself.
-    if !context.stated.own {
+    if !context.stated.is_own {
         travels(context, findings)?;
     }
     height(context, graph, findings)
@@ -150,7 +150,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
         }
         findings.push(finding);
     }
-    if context.shop.machine.nose_to_table.is_none() && !context.stated.own && !deepest.is_empty() {
+    if context.shop.machine.nose_to_table.is_none() && !context.stated.is_own && !deepest.is_empty() {
         let note = Note::new("audit-zone-unknown");
         findings.push(AuditFinding::new(Severity::Note, Section::Lengths, "tools".to_owned(), note));
     }
@@ -159,7 +159,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
 
 /// The severity for a tool without room; lower for plans of the program, because their program reports it again.
 fn no_room_severity(context: &Context<'_>) -> Severity {
-    if context.stated.own { Severity::Doubtful } else { Severity::Error }
+    if context.stated.is_own { Severity::Doubtful } else { Severity::Error }
 }
 
 struct ZoneCheck<'c, 'a> {

@@ -50,7 +50,8 @@ impl Reader<'_> {
 
     /// `holder: T1`: the tool has the holder that T1 has.
     fn share(&mut self, tools: &mut [Tool], number: u32, same: &StatedValue<u32>) {
-        let same_tool = tools.iter().find(|tool| tool.number == same.value && tool.number != number && tool.holder.is_some());
+        let same_tool =
+            tools.iter().find(|tool| tool.number == same.value && tool.number != number && tool.holder.is_some());
         let Some(same_tool) = same_tool.cloned() else {
             let message = note!("planfile-t-has-no-holder-own", value = same.value);
             let help = note!("planfile-name-tool-whose-holder-written");

@@ -167,7 +167,7 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let shop = &context.shop;
     let is_limited = conditions.is_limited;
     // In a plan of the program, a speed limited by something else than the cutting speed has no step of its own here.
-    if is_limited && context.stated.own || conditions.rounds {
+    if is_limited && context.stated.is_own || conditions.rounds {
         return Ok(());
     }
     if context.stated.rows[conditions.rows[0]].operation.value == Operation::Tap {
@@ -271,7 +271,7 @@ fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, fir
             why,
         ));
     }
-    if !context.stated.own {
+    if !context.stated.is_own {
         return;
     }
     // The quantities without a formula in the route.

@@ -19,7 +19,7 @@ use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{fixed_figure, formula};
 
 /// Whether a rule is one of the handbook's formulas of speed and loads.
-pub(crate) fn is_of(rule: &Rule) -> bool {
+pub(crate) fn is_handbook_rule(rule: &Rule) -> bool {
     [SPEED, FORCE, TORQUE, POWER].contains(rule)
 }
 
@@ -33,7 +33,7 @@ pub(super) const RULES: &[Rule] = &[LIFE, SPEED, FORCE, TORQUE, POWER];
 
 pub(super) fn add_all<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     // In a plan of the program the figures come from these formulas, and `by-tables` checks them all.
-    if context.stated.own {
+    if context.stated.is_own {
         return Ok(());
     }
     for at in 0..context.stated.conditions.len() {
@@ -195,7 +195,8 @@ fn speed<'a>(
     // Where the formula is far from public tables, the program takes the speed of those tables; that speed is no
     // slip.
     let reference = conditions.rows.first().and_then(|row| context.reference(*row));
-    let practice = reference.filter(|_| named.is_empty()).map(|transition| transition.conditions.computed_speed_m_per_min.0);
+    let practice =
+        reference.filter(|_| named.is_empty()).map(|transition| transition.conditions.computed_speed_m_per_min.0);
     add(context, graph, formula, (compute, practice), formulas.speed_because.iter().take(because))
 }
 

@@ -44,7 +44,7 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
 /// The knowledge base has no answer.
 pub fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     FAMILIES.iter().try_for_each(|family| family(context, graph))?;
-    graph.know(conditions::by_tables(context)?);
+    graph.add_table_values(conditions::by_tables(context)?);
     Ok(())
 }
 

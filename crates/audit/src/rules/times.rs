@@ -38,7 +38,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             Because::row(context.shop.machine.row(MachineQuantity::ToolChangeTime)?, Note::new("audit-tool-change"));
         graph.add(fixed_figure(&CHANGE, id(Q::ChangeTime), changes as f64 * change, [because]));
     }
-    if stated.own {
+    if stated.is_own {
         graph.add(fixed_figure(&RAPID, id(Q::RapidTime), context.plan.time.rapid_min.0, []));
     }
     // Further times that a plan may include; leaving them out is no mistake by itself.

@@ -50,7 +50,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 // A core drill or reamer may be ground, and a bar set, to the size of its row.
                 let set = quantity == Q::Diameter
                     && !matches!(operation, Some(Operation::Drill | Operation::DrillOut | Operation::CentreDrill));
-                if set && stated.own {
+                if set && stated.is_own {
                     continue;
                 }
                 let mut dimension = fixed_figure(&DIMENSION, id(quantity), length.to_mm(), because());
@@ -155,7 +155,7 @@ fn corrections<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) {
         formula(&PLUS, id(Q::Correction), inputs.clone(), "{0}−{1}", difference)
     };
     // Where neither plan nor program has G43 or G44, both signs are accepted.
-    if context.correction_word(at).is_none() && !stated.own {
+    if context.correction_word(at).is_none() && !stated.is_own {
         correction.judge = Some(Box::new(move |value, inputs| {
             let plus = difference(inputs)?;
             let near = |right: f64| (value - right).abs() < 1e-6;

@@ -63,7 +63,7 @@ impl Reader<'_> {
     /// Compares the diameter of the group with its steps: it is the narrowest step, or a cylinder that continues
     /// after the last step and is then added. Returns whether it was added.
     pub(super) fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &GroupValues<'_>) -> Option<bool> {
-        let Some(sized) = &whole.own else { return Some(false) };
+        let Some(sized) = &whole.diameter else { return Some(false) };
         let nominal = sized.diameter.nominal;
         let narrowest = cylinders.iter().map(Cylinder::nominal).min()?;
         let fault = if nominal < narrowest {
@@ -101,7 +101,8 @@ impl Reader<'_> {
             return None;
         };
         if depth <= last {
-            let message = note!("part-steps-end-at-which-leaves", last = last, depth = depth, diameter = sized.diameter);
+            let message =
+                note!("part-steps-end-at-which-leaves", last = last, depth = depth, diameter = sized.diameter);
             let place = cylinders.last()?.place.clone();
             return self.problems.error_help("bad-depth", message, &place, depth_or_length());
         }
@@ -126,7 +127,7 @@ impl Reader<'_> {
     }
 
     /// Checks that the cylinders narrow towards the main one from each side.
-    pub(super) fn narrows(&mut self, cylinders: &[Cylinder], through: bool) -> Option<()> {
+    pub(super) fn check_narrowing(&mut self, cylinders: &[Cylinder], through: bool) -> Option<()> {
         let mut sound = Some(());
         for (index, cylinder) in cylinders.iter().enumerate() {
             let wide = cylinder.nominal();

@@ -73,7 +73,7 @@ impl Group {
 }
 
 /// No two groups of one name.
-pub(super) fn names(groups: &[Group], problems: &mut Problems) {
+pub(super) fn check_names(groups: &[Group], problems: &mut Problems) {
     let mut known = BTreeSet::new();
     for (name, place) in groups.iter().filter_map(|group| group.name.as_ref()) {
         if !known.insert(name) {
@@ -84,7 +84,7 @@ pub(super) fn names(groups: &[Group], problems: &mut Problems) {
 }
 
 /// Checks depths against the thickness, every hole inside the blank, no two holes in each other.
-pub(super) fn geometry(groups: &[Group], blank: &Blank, datum: &Datum, problems: &mut Problems) {
+pub(super) fn check_geometry(groups: &[Group], blank: &Blank, datum: &Datum, problems: &mut Problems) {
     for group in groups {
         depth(group, blank, problems);
         inside(group, blank, datum, problems);
@@ -93,7 +93,7 @@ pub(super) fn geometry(groups: &[Group], blank: &Blank, datum: &Datum, problems:
 }
 
 /// Checks that every clamp presses on the blank, and not on a hole.
-pub(super) fn clamps(
+pub(super) fn check_clamps(
     clamps: &[(Point, Place)],
     groups: &[Group],
     blank: &Blank,

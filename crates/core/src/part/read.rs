@@ -83,10 +83,10 @@ impl Reader<'_> {
             None => Some(Fixture::default()),
         };
         let groups = holes_node.map(|node| self.groups(node, blank.as_ref())).unwrap_or_default();
-        check::names(&groups, self.problems);
+        check::check_names(&groups, self.problems);
         if let (Some(blank), Some(datum)) = (&blank, &datum) {
-            check::geometry(&groups, blank, datum, self.problems);
-            check::clamps(&clamps, &groups, blank, datum, self.problems);
+            check::check_geometry(&groups, blank, datum, self.problems);
+            check::check_clamps(&clamps, &groups, blank, datum, self.problems);
         }
         let (material, material_state) = material?;
         Some(Part {

@@ -37,8 +37,10 @@ impl Features {
     pub fn spans(&self) -> Vec<BoreSpan> {
         let mut spans = Vec::new();
         // A cone narrows at once, so only its mouth counts.
-        let mouths =
-            [self.cone.as_ref().map(|(cone, _)| cone.diameter), self.countersink.as_ref().map(|(countersink, _)| countersink.diameter)];
+        let mouths = [
+            self.cone.as_ref().map(|(cone, _)| cone.diameter),
+            self.countersink.as_ref().map(|(countersink, _)| countersink.diameter),
+        ];
         spans.extend(
             mouths
                 .into_iter()

@@ -82,7 +82,7 @@ impl Reader<'_> {
             let through = through.unwrap_or(true);
             // A `depth` of a through hole that is not the thickness is reported at the key itself.
             let depth = if through { blank.map(|blank| blank.thickness) } else { depth };
-            let values = GroupValues { own: sized, through, depth, roughness, bottom, chamfer, place };
+            let values = GroupValues { diameter: sized, through, depth, roughness, bottom, chamfer, place };
             self.steps(steps, values)
         } else {
             self.cylinder(sized, depth, roughness, bottom, chamfer)

@@ -15,7 +15,7 @@ use super::read_diameter::Sized;
 /// The values of the group besides its steps.
 pub(super) struct GroupValues<'a> {
     /// Its own diameter or thread, if it gives one.
-    pub own: Option<Sized>,
+    pub diameter: Option<Sized>,
     pub through: bool,
     /// The blank's thickness, or a blind hole's `depth`.
     pub depth: Option<Micrometres>,
@@ -58,7 +58,7 @@ impl Reader<'_> {
             let place = &cylinders.last()?.place;
             return self.problems.error_help("bad-depth", message, place, depth_or_length());
         }
-        self.narrows(&cylinders, whole.through)?;
+        self.check_narrowing(&cylinders, whole.through)?;
         self.arrange(cylinders, whole)
     }
 

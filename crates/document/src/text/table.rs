@@ -1,7 +1,7 @@
 //! Tables: ruled under a head; wrapped and without optional columns if they are too wide; written row by row if they
 //! still do not fit.
 
-use super::wrap::{Line, Word, of_cell, of_heading, wrap};
+use super::wrap::{Line, Word, cell_words, heading_words, wrap};
 use super::{Page, STEP, wrap as set};
 use crate::{Align, Inlines, Table, WIDTH};
 
@@ -71,13 +71,13 @@ struct Grid {
 
 impl Grid {
     fn of(table: &Table) -> Self {
-        let heads: Vec<Vec<Word>> = table.columns().iter().map(|column| of_heading(&column.head())).collect();
-        let rows: Vec<Vec<Vec<Word>>> = table.rows().iter().map(|row| row.iter().map(of_cell).collect()).collect();
+        let heads: Vec<Vec<Word>> = table.columns().iter().map(|column| heading_words(&column.head())).collect();
+        let rows: Vec<Vec<Vec<Word>>> = table.rows().iter().map(|row| row.iter().map(cell_words).collect()).collect();
         let measure = |(at, column): (usize, &crate::Column)| {
             let cells = || rows.iter().map(|row| &row[at]).chain([&heads[at]]);
             let most = cells().map(|words| line_width(words)).max().unwrap_or(0);
             let word = cells().flatten().map(|word| word.width).max().unwrap_or(0);
-            (most, word.max(column.least.min(most)))
+            (most, word.max(column.min_width.min(most)))
         };
         let measures = table.columns().iter().enumerate().map(measure).collect();
         Self { measures, aligns: table.columns().iter().map(|column| column.align).collect(), heads, rows }

@@ -138,7 +138,7 @@ fn table(words: BoxedStrategy<String>, line: BoxedStrategy<Inlines>) -> impl Str
             heading: greek(&heading).into(),
             unit: greek(&unit),
             keep: Keep::Always,
-            least: 6,
+            min_width: 6,
         });
         let columns_of = prop::collection::vec(column, columns);
         let rows = prop::collection::vec(prop::collection::vec(line.clone(), columns), 0..4);

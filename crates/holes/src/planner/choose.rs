@@ -220,7 +220,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
     }
 
     fn total(&self) -> Total {
-        let own: f64 = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|choice| choice.own.0).sum();
+        let own: f64 =
+            (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|choice| choice.own_time.0).sum();
         let missing = (0..self.chosen.len())
             .filter(|group| self.choice(*group).is_none_or(|it| !it.meets_requirements()))
             .count();
@@ -277,7 +278,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
 
     /// Time of the group with the tool changes that its new tools add.
     fn time(&self, group: usize, index: usize, choice: &Choice) -> Minutes {
-        Minutes(choice.own.0 + self.change * self.new_tools(group, index) as f64)
+        Minutes(choice.own_time.0 + self.change * self.new_tools(group, index) as f64)
     }
 
     /// Whether the tables are preferred and have a route for the group, and this route is not from the tables.

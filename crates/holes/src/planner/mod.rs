@@ -212,7 +212,7 @@ fn draft(
         report(Severity::Note, Note::new("second-setup"));
     }
     let fitting = Fitting::new(hole, &[], part, shop)?;
-    for note in fitting.beyond(&steps, part.blank.thickness) {
+    for note in fitting.cut_beyond_hole(&steps, part.blank.thickness) {
         report(Severity::Error, note);
     }
     Ok(HoleDraft { route: Some(route(choice, options, compared)), steps })

@@ -34,7 +34,7 @@ pub(super) struct Choice {
     /// What the proof says that the route reaches only at best.
     pub at_best: Vec<Note>,
     /// Time of cutting and rapids in all holes of the group, without tool changes.
-    pub own: Minutes,
+    pub own_time: Minutes,
     /// A drill of another group, because of which this route drills in two passes.
     pub borrowed: Option<Micrometres>,
     /// The drill without which this route drills in one pass; with it the rule requires two passes.
@@ -189,14 +189,14 @@ pub(super) fn options(
             list.push(why.note());
         }
     }
-    finder.every_way(kind, &mut options)?;
+    finder.try_all_sources(kind, &mut options)?;
     if options.choices.is_empty() && main.flat {
         // Where no mill can make the floor flat, the hole is planned with the cone of the drill, and the plan says
         // why.
         let why = options.refused.iter().map(|other| &other.why).find(|why| why.is_of_milled_floor()).map(Reason::note);
         finder.level_floor = false;
         let refused = std::mem::take(&mut options.refused);
-        finder.every_way(kind, &mut options)?;
+        finder.try_all_sources(kind, &mut options)?;
         match (why, options.choices.is_empty()) {
             (Some(why), false) => options.impossible.extend([Note::new("floor-not-flat"), why]),
             _ => options.refused = refused,
@@ -209,7 +209,7 @@ pub(super) fn options(
         let why = Reason::DrillsTooShort { diameter: short.diameter, reach: short.reach, needed };
         options.refused.push(no_candidate(RouteSource::Search, "next-transition", why));
     }
-    finder.boring_stands_back(&mut options)?;
+    finder.exclude_by_boring_rule(&mut options)?;
     if let Some((_, because)) = rough_face {
         for choice in &mut options.choices {
             choice.candidate.because.push(because.clone());
@@ -222,7 +222,7 @@ impl Finder<'_, '_> {
     /// Section 1.2 on boring (rule `boring-for-position`). Where the position requires boring, routes of complexes
     /// and of the search without boring are excluded; where it does not, those with boring. Both hold only while
     /// another route can be carried out.
-    fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
+    fn exclude_by_boring_rule(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         let boring = self.boring_required()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
         let stands_back = |choice: &Choice| choice.candidate.source != RouteSource::Tables && bores(choice) != boring;

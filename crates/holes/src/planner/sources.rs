@@ -22,7 +22,7 @@ impl Finder<'_, '_> {
     }
 
     /// Tries all three sources; routes finished on another machine are not compared with the others.
-    pub fn every_way(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
+    pub fn try_all_sources(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         if let Some(candidate) = self.tapped_at_once()? {
             self.try_candidate(&candidate, options)?;
             return Ok(());
@@ -208,7 +208,7 @@ impl Finder<'_, '_> {
             steps,
             misses,
             at_best: Vec::new(),
-            own: Minutes(own),
+            own_time: Minutes(own),
             borrowed,
             instead_of: None,
         }
@@ -229,7 +229,9 @@ impl Finder<'_, '_> {
         if main.thread.is_none() {
             // The proof judges the promise of a table; here the promise is enough.
             let promised = candidate.promise.map(|promise| promise.it);
-            if promised.is_none_or(|it| it > main.diameter.it) && reached.it.is_none_or(|grade| grade > main.diameter.it) {
+            if promised.is_none_or(|it| it > main.diameter.it)
+                && reached.it.is_none_or(|grade| grade > main.diameter.it)
+            {
                 let it = reached.it.map_or_else(|| "-".to_owned(), |it| it.to_string());
                 misses.push(Note::new("misses-grade").with("it", it).with("asked", main.diameter.it));
             }

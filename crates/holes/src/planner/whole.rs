@@ -59,7 +59,7 @@ impl Finder<'_, '_> {
             if step.operation == Operation::CentreDrill {
                 continue;
             }
-            let outfit = self.fitting.outfit(step, None, false)?;
+            let outfit = self.fitting.tool_and_conditions(step, None, false)?;
             minutes += self.time_of(step, outfit.pass_time);
         }
         Ok(Minutes(minutes))
@@ -126,7 +126,7 @@ impl Finder<'_, '_> {
     fn fit_hole(&self, mut steps: Vec<RouteStep>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         let main = &self.task.main;
         for step in &mut steps {
-            step.asks = Some((main.diameter.it, main.roughness));
+            step.required_finish = Some((main.diameter.it, main.roughness));
         }
         let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
         accuracy::write(&mut steps, main, promise, self.position, self.shop)?;
@@ -253,7 +253,7 @@ impl Finder<'_, '_> {
                 let sizes = Sizes { bore_large, ..sizes };
                 let made = diameters::steps(&candidate, bore, &sizes, self.shop).and_then(|mut steps| {
                     for step in &mut steps {
-                        step.asks = Some((bore.diameter.it, bore.roughness));
+                        step.required_finish = Some((bore.diameter.it, bore.roughness));
                     }
                     let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
                     accuracy::write(&mut steps, bore, promise, self.position.following(), self.shop)?;
@@ -307,7 +307,7 @@ pub(super) fn edges(
     let mut steps = Vec::with_capacity(task.edges.len());
     for edge in &task.edges {
         let cut = |operation: Option<Operation>| -> Tried<RouteStep> {
-            let mut step = openings::edge(edge, edge.around, shop)?;
+            let mut step = openings::edge(edge, edge.cylinder_diameter, shop)?;
             step.operation = operation.unwrap_or(step.operation);
             fitting.fit_step(step.clone(), None, false)?;
             Ok(step)

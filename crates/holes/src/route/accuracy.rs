@@ -93,7 +93,7 @@ pub fn write(
     let mut before: Option<(Operation, ItGrade, Roughness)> = None;
     for (index, step) in steps.iter_mut().enumerate() {
         centred |= step.operation == Operation::CentreDrill;
-        guided |= guides(step.operation);
+        guided |= sets_own_axis(step.operation);
         let mut reached = None;
         // In the tables, the second drill of two-pass drilling is an ordinary drilling.
         let operation = if step.operation == Operation::DrillOut && bore.before.is_solid() {
@@ -182,7 +182,7 @@ fn tapped(shop: &Shop<'_>) -> Result<(Roughness, Because), KnowledgeError> {
 }
 
 /// Whether the tool of this operation sets its own axis and does not follow the hole before it.
-pub(super) const fn guides(operation: Operation) -> bool {
+pub(super) const fn sets_own_axis(operation: Operation) -> bool {
     operation.is_boring() || matches!(operation, Operation::Mill)
 }
 

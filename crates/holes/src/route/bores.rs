@@ -86,11 +86,11 @@ pub struct EdgeCut {
     /// How far below the face its widest circle lies.
     pub start: Micrometres,
     /// The cylinder above the edge, through which the cutter enters; absent at the face.
-    pub within: Option<Micrometres>,
+    pub entry_cylinder: Option<Micrometres>,
     /// Whether the drawing requires it; the chamfer of a thread is added by the planner.
     pub required: bool,
     /// The diameter of the cylinder it is cut at, before finishing.
-    pub around: Micrometres,
+    pub cylinder_diameter: Micrometres,
     /// Its widest diameter.
     pub diameter: Micrometres,
     /// Its full angle, thousandths of a degree; 180° for a face.
@@ -104,7 +104,9 @@ impl EdgeCut {
             return face_stock;
         }
         let half = f64::from(self.angle_millideg) / 1000.0 / 2.0;
-        Micrometres::from_mm_rounded((self.diameter - self.around).to_mm() / 2.0 / libm::tan(half.to_radians()))
+        Micrometres::from_mm_rounded(
+            (self.diameter - self.cylinder_diameter).to_mm() / 2.0 / libm::tan(half.to_radians()),
+        )
     }
 }
 
@@ -210,9 +212,9 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             feature: Feature::Countersink,
             face: Face::Entry,
             start: Micrometres::ZERO,
-            within: None,
+            entry_cylinder: None,
             required: true,
-            around: outermost,
+            cylinder_diameter: outermost,
             diameter: sink.diameter,
             angle_millideg: sink.angle_millideg,
         });
@@ -222,9 +224,9 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             feature: Feature::Cone,
             face: Face::Entry,
             start: Micrometres::ZERO,
-            within: None,
+            entry_cylinder: None,
             required: true,
-            around: hole.diameter.nominal,
+            cylinder_diameter: hole.diameter.nominal,
             diameter: cone.diameter,
             angle_millideg: cone.angle_millideg,
         });
@@ -256,9 +258,9 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             feature: Feature::Face,
             face: Face::Entry,
             start: Micrometres::ZERO,
-            within: None,
+            entry_cylinder: None,
             required: true,
-            around: outermost,
+            cylinder_diameter: outermost,
             diameter: face,
             angle_millideg: 2 * RIGHT,
         });
@@ -277,7 +279,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     }
     // A lead-in narrower than its thread has no effect.
     let lead_in = |thread: &Thread, edge: &&EdgeCut| edge.feature == Feature::Chamfer && edge.diameter < thread.size;
-    let around_main = |edge: &&EdgeCut| edge.required && edge.around == hole.diameter.nominal;
+    let around_main = |edge: &&EdgeCut| edge.required && edge.cylinder_diameter == hole.diameter.nominal;
     let doubtful = hole.thread.iter().flat_map(|thread| {
         let narrow = edges.iter().filter(around_main).find(|edge| lead_in(thread, edge));
         narrow.map(|edge| {
@@ -299,9 +301,9 @@ fn chamfer_edge(
         feature: Feature::Chamfer,
         face,
         start: at.map_or(Micrometres::ZERO, |(depth, _)| depth),
-        within: at.map(|(_, diameter)| diameter),
+        entry_cylinder: at.map(|(_, diameter)| diameter),
         required: true,
-        around,
+        cylinder_diameter: around,
         diameter: around + chamfer + chamfer,
         angle_millideg: RIGHT,
     }
@@ -320,7 +322,7 @@ impl Bore {
     ///
     /// # Errors
     /// A.1 lacks its first row.
-    pub fn asks(&self, shop: &Shop<'_>) -> Result<(ItGrade, Roughness), KnowledgeError> {
+    pub fn required_finish(&self, shop: &Shop<'_>) -> Result<(ItGrade, Roughness), KnowledgeError> {
         if self.thread.is_none() {
             return Ok((self.diameter.it, self.roughness));
         }

@@ -44,7 +44,8 @@ fn kind(question: &SchemeQuestion<'_>, openings: Openings) -> Option<(ComplexGro
 /// # Errors
 /// The knowledge base has no answer, or A.4 has no complex for it.
 pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
-    let (grade, nominal, centre) = (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
+    let (grade, nominal, centre) =
+        (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
     let Some((kind, diameter)) = kind(question, openings) else {
         return Err(Refusal::Not(Reason::NoComplexGroup { it: grade, diameter: nominal, centre }));
     };

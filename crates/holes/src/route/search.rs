@@ -208,7 +208,7 @@ impl<'a, 'k> Graph<'a, 'k> {
     fn goal(&mut self) -> Tried<NodeIndex> {
         let target = self.bore.diameter.target();
         let goal = self.states.add_node(SearchState { diameter: target });
-        let (asked_it, asked_roughness) = self.bore.asks(self.shop)?;
+        let (asked_it, asked_roughness) = self.bore.required_finish(self.shop)?;
         for row in self.rule.clone().iter() {
             let Some((grade, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
             if grade > asked_it || roughness > asked_roughness {
@@ -238,8 +238,14 @@ impl<'a, 'k> Graph<'a, 'k> {
             if !self.follows(state, diameter)?.contains(&row.row.index) {
                 continue;
             }
-            let question =
-                BackwardStep { operation, after, previous, bore: self.bore, sizes: self.sizes, shop: self.shop };
+            let question = BackwardStep {
+                operation,
+                leaves: after,
+                previous,
+                bore: self.bore,
+                sizes: self.sizes,
+                shop: self.shop,
+            };
             let steps = if last && operation == Operation::Drill {
                 question.last_drill(None).map(|step| vec![step])
             } else {

@@ -98,7 +98,7 @@ pub fn assemble<'k>(
                 length,
                 links: vec![taper, link, tip],
                 mass_kg,
-                because: vec![Because::row(row.row, note).over(over), stands_out],
+                because: vec![Because::row(row.row, note).with_rejected(over), stands_out],
             }
         }
     }))

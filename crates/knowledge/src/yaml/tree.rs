@@ -306,7 +306,8 @@ mod tests {
                 [format!("a: 1\nb: x{sign}y\n"), format!("a: 1\nb: \"x{sign}y\"\n"), format!("a: 1\nb{sign}: 1\n")]
             {
                 let (_, problems) = parse("t.yaml", &text);
-                let texts: Vec<String> = problems.iter().map(|problem| problem.text(|note| Lang::EN.say(note))).collect();
+                let texts: Vec<String> =
+                    problems.iter().map(|problem| problem.text(|note| Lang::EN.say(note))).collect();
                 assert!(
                     texts[0].starts_with("t.yaml:2:") && texts[0].contains("[control-character]"),
                     "{text:?}: {texts:?}"

@@ -23,10 +23,11 @@ pub fn page(comparison: &Comparison, lang: Lang) -> Document {
         let about = [lang.word("audit-column-about"), lang.word("audit-column-what"), a, b];
         let mut table = Table::new(about.map(Column::text));
         for difference in section {
-            let [a, b] =
-                [&difference.a, &difference.b].map(|stated| stated.as_ref().map_or_else(not_stated, |text| value(difference, text, lang)));
+            let [a, b] = [&difference.a, &difference.b]
+                .map(|stated| stated.as_ref().map_or_else(not_stated, |text| value(difference, text, lang)));
             table.row(
-                [subject(&difference.subject, lang), quantity_text(difference, lang), a, b].map(|cell| Inlines::sentence(&cell)),
+                [subject(&difference.subject, lang), quantity_text(difference, lang), a, b]
+                    .map(|cell| Inlines::sentence(&cell)),
             );
         }
         page.push(table);

@@ -42,8 +42,8 @@ impl<'p> HoleSection<'p> {
     /// The section for a cycle: the first hole that it makes.
     pub(super) fn of(plan: &'p Plan, work: &ToolWork, index: usize, corner: At) -> Option<Self> {
         let cycle = work.cycles.get(index)?;
-        let (hole, number, _) = transitions::of_work(work, &[index]).into_iter().next()?;
-        let (hole, transition) = transitions::of_plan(plan, hole, number)?;
+        let (hole, number, _) = transitions::stops_of_work(work, &[index]).into_iter().next()?;
+        let (hole, transition) = transitions::find_in_plan(plan, hole, number)?;
         let (datum, blank) = (plan.part.datum, plan.part.blank);
         let (top, bottom) = (datum.top.to_mm(), (datum.top - blank.thickness).to_mm());
         let (high, end) = (cycle.out.to_mm(), cycle.end.to_mm());

@@ -211,7 +211,8 @@ impl Dictionary {
 
     /// The unit of the address with the same meaning in a cycle: H of a retract is a feed, like F.
     fn unit_alike(&self, cycle: &str, meanings: &[Meaning]) -> Option<&String> {
-        let alike = |others: &[Meaning]| others.iter().any(|other| meanings.iter().any(|meaning| meaning.uk == other.uk));
+        let alike =
+            |others: &[Meaning]| others.iter().any(|other| meanings.iter().any(|meaning| meaning.uk == other.uk));
         let of_cycle = self.parameters.iter().filter(|((own, _), _)| own == cycle);
         of_cycle.filter(|(_, others)| alike(others)).find_map(|((_, word), _)| self.words.get(word)?.unit.as_ref())
     }

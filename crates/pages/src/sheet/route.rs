@@ -108,7 +108,7 @@ pub(super) fn place(transition: &Transition) -> String {
 fn step(plan: &Plan, hole: &HolePlan, transition: &Transition, lang: Lang) -> Vec<Inlines> {
     vec![
         content(plan, hole, transition, lang).into(),
-        hole.route.as_ref().map_or_else(String::new, |route| of_route(route, lang)).into(),
+        hole.route.as_ref().map_or_else(String::new, |route| route_text(route, lang)).into(),
         place(transition).into(),
         format!("{}{}", transition.tool.designation, mark(&transition.because)).into(),
         achieved(transition.achieved.as_ref(), lang).into(),
@@ -160,7 +160,7 @@ fn achieved(achieved: Option<&Achieved>, lang: Lang) -> String {
     it.into_iter().chain(roughness).collect::<Vec<_>>().join(", ")
 }
 
-fn of_route(route: &Route, lang: Lang) -> String {
+fn route_text(route: &Route, lang: Lang) -> String {
     route_name(route.source, &route.table, &route.scheme, lang)
 }
 
@@ -191,7 +191,7 @@ fn choice(plan: &Plan, hole_plan: &HolePlan, lang: Lang) -> Option<Field> {
         lang,
         "plan-choice",
         required = requirement(hole(plan, &hole_plan.name)?, route.centre_tolerance_mm, lang),
-        route = of_route(route, lang),
+        route = route_text(route, lang),
         time = exactly(route.time_min.0, 2),
         against = against
     );

@@ -100,7 +100,9 @@ impl FindingFacts {
     fn says(&self, what: SharedFactKind) -> Option<SharedFact<'_>> {
         let count = |number: u32| SharedFact::Figure(DeviationFigure::Count(number as usize));
         match what {
-            SharedFactKind::Code => Some(self.function.as_deref().map_or(SharedFact::Who(self.who), SharedFact::Function)),
+            SharedFactKind::Code => {
+                Some(self.function.as_deref().map_or(SharedFact::Who(self.who), SharedFact::Function))
+            }
             SharedFactKind::Line => self.finding.line.map(count),
             SharedFactKind::Figure(name) => {
                 let own = self.figures.get(&name).cloned().map(SharedFact::Figure);

@@ -15,11 +15,17 @@ use super::super::super::context::Context;
 use super::super::super::finding::{AuditFinding, Section};
 use super::super::super::graph::{Graph, Status};
 use super::super::super::quantity::{Id, Quantity as Q, Scope};
-use super::causes::{SETTING, FindingFacts};
+use super::causes::{FindingFacts, SETTING};
 use super::{field, holds};
 
 /// Offset registers whose setting differs from the plan.
-pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, setting: &Setting, seen: &mut Vec<FindingFacts>) {
+pub(super) fn setting(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    plan: &Plan,
+    setting: &Setting,
+    seen: &mut Vec<FindingFacts>,
+) {
     let Some((file, text)) = context.stated.program.as_ref().and_then(|program| program.setting.as_ref()) else {
         return;
     };

@@ -201,7 +201,10 @@ impl Making<'_, '_, '_> {
         let earlier = stated.rows_of_hole(&hole.name).take_while(|(other, _)| *other < at);
         let turn = earlier.filter(|(_, other)| alike(other.operation.value, other.feature, other.step)).count();
         let plan = self.context.plan.holes.iter().find(|plan| plan.name == hole.name)?;
-        plan.transitions.iter().filter(|transition| alike(transition.operation, Some(transition.feature), transition.step)).nth(turn)
+        plan.transitions
+            .iter()
+            .filter(|transition| alike(transition.operation, Some(transition.feature), transition.step))
+            .nth(turn)
     }
 
     /// Travel and approach of a transition that differs from the program's in a diameter or depth.

@@ -34,7 +34,7 @@ impl<'k> Fitting<'_, 'k> {
                 && edge.start == Micrometres::ZERO
                 && matches!(edge.feature, Feature::Chamfer | Feature::Countersink)
                 && edge.angle_millideg == CENTRING_ANGLE
-                && edge.around == around
+                && edge.cylinder_diameter == around
                 && edge.diameter <= self.widest_spot
         });
         let Some(edge) = edge else { return Ok(None) };

@@ -15,7 +15,7 @@ impl BackwardStep<'_, '_> {
     /// final size cannot enter, thinner bars widen the hole first, one step each. Each step has as many equal passes
     /// as the largest allowance requires.
     pub(super) fn rough_bore(self) -> Tried<Vec<RouteStep>> {
-        let Self { after, previous, bore, sizes, shop, .. } = self;
+        let Self { leaves: after, previous, bore, sizes, shop, .. } = self;
         let allowance = allowance(Operation::RoughBore, after, bore.diameter.nominal, previous, shop)?;
         let largest = after - allowance.low;
         let mut from = match previous {

@@ -15,7 +15,7 @@ impl BackwardStep<'_, '_> {
     /// A transition that removes an allowance. The diameter before it is that of the handbook where the range of
     /// section 1.2.1 permits it, otherwise the aim of the range; where a drill makes it, the nearest drill.
     pub(super) fn finishing(self) -> Tried<RouteStep> {
-        let Self { operation, after, previous, bore, sizes, shop } = self;
+        let Self { operation, leaves: after, previous, bore, sizes, shop } = self;
         let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
         let (smallest, largest) = (after - allowance.high, after - allowance.low);
         let handbook_row = handbook::row(bore, shop)?;

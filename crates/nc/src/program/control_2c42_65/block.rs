@@ -39,7 +39,7 @@ pub(super) struct Maker<'a> {
     /// The calls that led to the block.
     pub calls: &'a [Call],
     /// The number of steps so far, including those that the radius correction delays.
-    pub made: usize,
+    pub step_count: usize,
     /// The most steps that may be made.
     pub budget: usize,
 }
@@ -97,11 +97,11 @@ impl Maker<'_> {
         // With P the repeats are those of the call (3.14.2), else those of the block (3.12.2).
         let repeats = if words.get('P').is_some() { 1 } else { words.get('L').map_or(1, WordValue::number) };
         for _ in 0..repeats {
-            let before = self.made;
+            let before = self.step_count;
             self.motion(words);
             self.cycle(words);
             // A pass without motion would be the same 65535 times.
-            if self.broken() || self.made > self.budget || self.made == before {
+            if self.broken() || self.step_count > self.budget || self.step_count == before {
                 break;
             }
         }

@@ -213,7 +213,7 @@ impl Maker<'_> {
         loop {
             done = (done + step).min(whole.abs());
             self.along(axis, levels.one + Micrometres::new(done * inwards), feed.clone(), span);
-            if done >= whole.abs() || self.made > self.budget || self.broken() {
+            if done >= whole.abs() || self.step_count > self.budget || self.broken() {
                 return;
             }
             let back = (done - clearance).max(0);

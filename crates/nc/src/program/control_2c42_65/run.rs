@@ -106,12 +106,12 @@ impl<S: Sink> ProgramRun<'_, S> {
             spans: &mut self.running.spans,
             holes: &mut self.holes,
             calls: &self.running.calls,
-            made: 0,
+            step_count: 0,
             budget: self.running.left,
         };
         maker.finer_than_machine(&words);
         let after = maker.make(&words);
-        let Maker { mut steps, faults, made, .. } = maker;
+        let Maker { mut steps, faults, step_count: made, .. } = maker;
         // 3. Execute: nothing of a block with an error.
         self.running.carry_out(&steps, faults, made);
         steps.clear();

@@ -15,7 +15,7 @@ impl Maker<'_> {
 
     /// Adds a step from a point of the programmed path to the position of the state.
     pub(super) fn push_from(&mut self, motion: Motion, from: Position, span: TextSpan) {
-        self.made += 1;
+        self.step_count += 1;
         let step = MotionStep { motion, at: self.state.corrected(self.state.base), block: self.block };
         let begin = self.steps.len();
         let taken = self.state.compensator.take(step, from, span, &mut self.steps);

@@ -49,11 +49,11 @@ pub(super) struct Cycle {
 pub(super) struct ActiveComment {
     /// What it begins with, in capitals.
     pub begins: String,
-    pub acts: CommentAct,
+    pub act: CommentAct,
     /// Whether it also acts after a semicolon.
     pub after_semicolon: bool,
     /// Whether it acts only if nothing follows it.
-    pub whole: bool,
+    pub nothing_follows: bool,
 }
 
 /// The language of a control.
@@ -144,9 +144,9 @@ impl Control {
         for row in knowledge.rows::<ActiveComments<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
             self.active_comments.push(ActiveComment {
                 begins: row.begins.to_owned(),
-                acts: row.acts,
+                act: row.acts,
                 after_semicolon: row.after_semicolon == Some(true),
-                whole: row.whole == Some(true),
+                nothing_follows: row.whole == Some(true),
             });
         }
         for row in knowledge.rows::<GFunctions<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {

@@ -13,7 +13,7 @@ use super::words::{BlockWords, Value};
 use crate::motion::{Sense, Turning};
 use crate::note::IntoFigure;
 use crate::program::{Fault, TextSpan};
-use crate::tables::controls::lathe_reading::{WordEffect, LatheGroup};
+use crate::tables::controls::lathe_reading::{LatheGroup, WordEffect};
 use crate::units::{MillimetresPerRev, Seconds};
 
 /// A block during its execution.
@@ -120,29 +120,30 @@ impl Maker<'_> {
                 LatheGroup::Length => {
                     if let Some(tool) = &mut self.state.tool {
                         let given = words.take("H").map(|value| value.value as u32);
-                        tool.offset = (function.does == WordEffect::Offset).then(|| given.unwrap_or(tool.number));
+                        tool.offset = (function.effect == WordEffect::Offset).then(|| given.unwrap_or(tool.number));
                     }
                 }
-                LatheGroup::SpeedMode if !self.state.is(LatheGroup::SpeedMode, function.does) => {
+                LatheGroup::SpeedMode if !self.state.is(LatheGroup::SpeedMode, function.effect) => {
                     self.state.speed = None;
                 }
-                LatheGroup::FeedMode if !self.state.is(LatheGroup::FeedMode, function.does) => self.state.feed = None,
+                LatheGroup::FeedMode if !self.state.is(LatheGroup::FeedMode, function.effect) => self.state.feed = None,
                 _ => {}
             }
-            if function.does == WordEffect::Inches {
+            if function.effect == WordEffect::Inches {
                 self.report("lathe-inches", function.span);
             }
-            if matches!(function.does, WordEffect::CompensationLeft | WordEffect::CompensationRight) {
+            if matches!(function.effect, WordEffect::CompensationLeft | WordEffect::CompensationRight) {
                 self.report_with("lathe-compensation", function.span, "word", function.code.clone());
             }
-            self.state.modes.insert(function.group, function.does);
+            self.state.modes.insert(function.group, function.effect);
             self.state.given.insert(function.group);
         }
     }
 
     fn feed_and_speed(&mut self, words: &BlockWords, limit: bool) {
-        let thread = matches!(self.state.modes.get(&LatheGroup::Motion), Some(WordEffect::Thread | WordEffect::ThreadBox))
-            || words.function_for(WordEffect::ThreadCycle).is_some();
+        let thread =
+            matches!(self.state.modes.get(&LatheGroup::Motion), Some(WordEffect::Thread | WordEffect::ThreadBox))
+                || words.function_for(WordEffect::ThreadCycle).is_some();
         let dwell = words.function_for(WordEffect::Dwell).is_some();
         // The lead of a thread is no feed, and Sinumerik gives the time of G4 as F.
         let is_lead = thread && self.is(LatheReader::Fanuc);
@@ -212,12 +213,12 @@ impl Maker<'_> {
 
     fn machine(&mut self, words: &BlockWords) {
         for function in &words.functions {
-            let turning = match function.does {
+            let turning = match function.effect {
                 WordEffect::SpindleClockwise => Turning::Clockwise,
                 WordEffect::SpindleCounterclockwise => Turning::Counterclockwise,
                 WordEffect::SpindleStop => Turning::Stopped,
                 WordEffect::CoolantOn | WordEffect::CoolantOff => {
-                    self.state.coolant = function.does == WordEffect::CoolantOn;
+                    self.state.coolant = function.effect == WordEffect::CoolantOn;
                     self.put_here(LatheAct::Coolant);
                     continue;
                 }
@@ -257,7 +258,7 @@ impl Maker<'_> {
     /// Stop, return and end.
     pub fn after_motion(&mut self, words: &BlockWords) -> After {
         for function in &words.functions {
-            match function.does {
+            match function.effect {
                 WordEffect::Stop => self.put_here(LatheAct::Stop),
                 WordEffect::End => {
                     self.state.turning = Turning::Stopped;
@@ -284,8 +285,10 @@ impl Maker<'_> {
     /// A return to a reference point, a move to a machine position, or the active motion.
     pub fn motion(&mut self, words: &BlockWords) {
         let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
-        let away =
-            words.function_for(WordEffect::Away).or_else(|| words.function_for(WordEffect::MachinePosition)).map(|function| function.span);
+        let away = words
+            .function_for(WordEffect::Away)
+            .or_else(|| words.function_for(WordEffect::MachinePosition))
+            .map(|function| function.span);
         if let Some(span) = away {
             self.away(words, axes, span);
             return;

@@ -6,7 +6,7 @@ use super::LatheReader;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::knowledge::contract::Word;
-use crate::tables::controls::lathe_reading::{WordEffect, Form, LatheFunctions, LatheGroup, LatheReadCycles};
+use crate::tables::controls::lathe_reading::{Form, LatheFunctions, LatheGroup, LatheReadCycles, WordEffect};
 use technolog_note::note;
 
 /// The fields of a cycle: all, and those that must be given.

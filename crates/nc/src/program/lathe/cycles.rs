@@ -7,7 +7,7 @@ use super::motion::{LatheAct, LathePlace, LathePoint};
 use super::roughing::{Between, NoPasses, Passes, hollows, levels};
 use super::words::{BlockWords, Value};
 use crate::program::{Subject, TextSpan};
-use crate::tables::controls::lathe_reading::{WordEffect, Form};
+use crate::tables::controls::lathe_reading::{Form, WordEffect};
 
 /// The name of a cycle.
 const fn name(does: WordEffect) -> &'static str {
@@ -50,7 +50,8 @@ impl Maker<'_> {
             return;
         }
         let lengths = ["X", "Z", "U", "W", "I", "K", "R"];
-        let thread = words.function_for(WordEffect::ThreadCycle).is_some() || words.function_for(WordEffect::Dwell).is_some();
+        let thread =
+            words.function_for(WordEffect::ThreadCycle).is_some() || words.function_for(WordEffect::Dwell).is_some();
         let pointless =
             words.all().iter().find(|it| lengths.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
         if let Some(value) = pointless.filter(|_| !thread) {
@@ -201,7 +202,8 @@ impl Maker<'_> {
         let depth = words.take(if does == WordEffect::RoughAlong { "U" } else { "W" }).cloned();
         let depth = self.above_zero(depth, 0.0, span);
         let retract = self.above_zero(words.take("R").cloned(), 0.0, span);
-        let kept = if does == WordEffect::RoughAlong { &mut self.state.first.along } else { &mut self.state.first.across };
+        let kept =
+            if does == WordEffect::RoughAlong { &mut self.state.first.along } else { &mut self.state.first.across };
         *kept = Some((depth, retract));
     }
 

@@ -14,7 +14,7 @@ use super::state::State;
 use super::text::{self, Argument, Block, Head};
 use super::words::BlockWords;
 use crate::program::{Fault, TextSpan};
-use crate::tables::controls::lathe_reading::{WordEffect, LatheGroup};
+use crate::tables::controls::lathe_reading::{LatheGroup, WordEffect};
 
 /// The most blocks and motions of a run.
 const BUDGET: usize = crate::program::running::BUDGET;
@@ -247,16 +247,18 @@ impl Run<'_> {
         maker.points(&words);
         maker.before_motion(&words);
         let mut next = Next::On;
-        let cycle = words
-            .functions
-            .iter()
-            .find(|it| matches!(it.does, WordEffect::RoughAlong | WordEffect::RoughAcross | WordEffect::Finish | WordEffect::ThreadCycle));
+        let cycle = words.functions.iter().find(|it| {
+            matches!(
+                it.effect,
+                WordEffect::RoughAlong | WordEffect::RoughAcross | WordEffect::Finish | WordEffect::ThreadCycle
+            )
+        });
         if let Some(function) = cycle {
             maker.of_cycle = true;
-            if function.does == WordEffect::ThreadCycle {
+            if function.effect == WordEffect::ThreadCycle {
                 maker.thread_cycle(&words, function.span);
             } else if let Some(after_cycle) =
-                self.contour_cycle(&mut maker, &words, function.does, function.span, index)
+                self.contour_cycle(&mut maker, &words, function.effect, function.span, index)
             {
                 next = after_cycle;
             }
@@ -387,8 +389,9 @@ impl Run<'_> {
                 };
                 let contour = contour.trim_end_matches(".SPF");
                 let marked = contour.split_once(':').and_then(|(from, to)| {
-                    let find =
-                        |name: &str| self.blocks.iter().position(|block| block.head == Some(Head::Mark(name.to_owned())));
+                    let find = |name: &str| {
+                        self.blocks.iter().position(|block| block.head == Some(Head::Mark(name.to_owned())))
+                    };
                     Some(find(from)? + 1..find(to)?)
                 });
                 let range = marked.or_else(|| self.programs.named.get(contour).cloned());
@@ -428,13 +431,13 @@ impl Run<'_> {
             let feed = words.take("F").map(|value| value.value);
             let modes = [LatheGroup::Motion, LatheGroup::Plane, LatheGroup::Distance, LatheGroup::Compensation];
             for function in &words.functions {
-                match function.does {
+                match function.effect {
                     WordEffect::Return => break,
                     WordEffect::Thread | WordEffect::ThreadBox => {
                         inner.report_with("lathe-contour-word", function.span, "word", function.code.clone())
                     }
                     _ if modes.contains(&function.group) => {
-                        inner.state.modes.insert(function.group, function.does);
+                        inner.state.modes.insert(function.group, function.effect);
                     }
                     _ if finite && function.group != LatheGroup::OneShot => {}
                     _ => inner.report_with("lathe-contour-word", function.span, "word", function.code.clone()),

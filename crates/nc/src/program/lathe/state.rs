@@ -6,7 +6,7 @@ use super::control::LatheLanguage;
 use super::expression::Parameters;
 use super::motion::{LatheFeed, LatheModes, LathePlace, LathePoint, LatheSpeed, LatheTool};
 use crate::motion::{Side, Turning};
-use crate::tables::controls::lathe_reading::{WordEffect, LatheGroup};
+use crate::tables::controls::lathe_reading::{LatheGroup, WordEffect};
 use crate::units::{MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
 
 /// The first block of a cycle of Fanuc, kept for the second.

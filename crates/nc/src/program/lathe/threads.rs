@@ -5,7 +5,7 @@ use super::block::{Maker, spot};
 use super::motion::{LatheAct, LathePlace, LathePoint};
 use super::words::{BlockWords, Value};
 use crate::program::TextSpan;
-use crate::tables::controls::lathe_reading::{WordEffect, Form};
+use crate::tables::controls::lathe_reading::{Form, WordEffect};
 use crate::units::MillimetresPerRev;
 
 /// The most passes of a thread.

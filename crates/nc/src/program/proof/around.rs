@@ -46,7 +46,7 @@ impl<'t> Around<'_, 't> {
     fn tasks_at(&self) -> BTreeMap<usize, (usize, usize)> {
         let mut at: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
         for (number, cut) in self.made.cuts.iter().enumerate() {
-            at.entry(cut.stay).and_modify(|(_, last)| *last = number).or_insert((number, number));
+            at.entry(cut.visit).and_modify(|(_, last)| *last = number).or_insert((number, number));
         }
         at
     }
@@ -61,7 +61,7 @@ impl<'t> Around<'_, 't> {
     fn check_stops(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
         let top = self.input.plan.part.datum.top;
-        for (number, stay) in self.made.walk.stays.iter().enumerate() {
+        for (number, stay) in self.made.walk.visits.iter().enumerate() {
             let Some(travel) = stay.travel else { continue };
             if !cuts.contains_key(&number) && !self.at_change(stay) {
                 findings.push(ProgramFinding::new(Code::IdlePoint, Severity::Note, stay.block).with(Name::At, stay.at));
@@ -79,7 +79,7 @@ impl<'t> Around<'_, 't> {
             if up && self.at_change(stay) && travel.turning != Turning::Stopped {
                 findings.push(ProgramFinding::new(Code::TurnsToChange, Severity::Note, stay.block));
             }
-            let from_change = number.checked_sub(1).and_then(|before| self.made.walk.stays.get(before));
+            let from_change = number.checked_sub(1).and_then(|before| self.made.walk.visits.get(before));
             if self.at_change(stay) || from_change.is_some_and(|stay| self.at_change(stay)) {
                 if up {
                     continue;
@@ -120,7 +120,7 @@ impl<'t> Around<'_, 't> {
         let up = self.input.job.change_at.z;
         for (stay, leads, made) in &self.made.above {
             let say = |code| ProgramFinding::new(code, Severity::Note, made.block);
-            if let TipMotion::Dwell(seconds) = made.how {
+            if let TipMotion::Dwell(seconds) = made.motion {
                 findings.push(say(Code::DwellInAir).with(Name::Made, seconds));
                 continue;
             }
@@ -158,9 +158,9 @@ impl<'t> Around<'_, 't> {
     /// Between two cuts at one point the tool rises as high as between points.
     fn between(&self, findings: &mut Vec<ProgramFinding>) {
         for (next, pair) in self.made.cuts.windows(2).enumerate().map(|(at, pair)| (at + 1, pair)) {
-            let Some(task) = self.task(next - 1).filter(|_| pair[0].stay == pair[1].stay) else { continue };
+            let Some(task) = self.task(next - 1).filter(|_| pair[0].visit == pair[1].visit) else { continue };
             let above = self.made.above.iter().filter(|(_, leads, made)| *leads == Some(next) && made.moves());
-            let high = above.map(|(.., made)| made.to[2]).fold(pair[0].rose, Micrometres::max);
+            let high = above.map(|(.., made)| made.to[2]).fold(pair[0].retracted_to, Micrometres::max);
             if high < task.cycle.out - TOLERANCE {
                 findings.push(
                     ProgramFinding::new(Code::TravelLow, Severity::Note, pair[1].block)

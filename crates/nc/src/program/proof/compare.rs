@@ -38,8 +38,9 @@ pub(super) fn all(
         let say = CutAtStop { cut, task };
         if tools.of_section(cut.section) != Some(task.tool.tool) {
             let needed = task.tool.tool;
-            findings
-                .push(say.finding(Code::WrongTool, Severity::Error).with(Name::Tool, cut.tool).with(Name::Needed, needed));
+            findings.push(
+                say.finding(Code::WrongTool, Severity::Error).with(Name::Tool, cut.tool).with(Name::Needed, needed),
+            );
         }
         let point = (task.setup, task.stop.at.x, task.stop.at.y);
         match furthest.get(&point) {
@@ -95,7 +96,7 @@ impl CutAtStop<'_, '_> {
 /// Motions that no tool may make inside the part: across at rapid, or down at rapid.
 fn collisions(cut: &Descent, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let top = input.plan.part.datum.top;
-    let across = cut.moves.iter().find(|made| made.how == TipMotion::Rapid && made.across() && made.below(top));
+    let across = cut.moves.iter().find(|made| made.motion == TipMotion::Rapid && made.across() && made.below(top));
     if let Some(made) = across {
         findings.push(
             ProgramFinding::new(Code::RapidAcross, Severity::Error, made.block)
@@ -114,7 +115,7 @@ fn collisions(cut: &Descent, input: &ProofInput<'_>, findings: &mut Vec<ProgramF
     // No rapid may go deeper than the feed has been.
     let mut deepest: Option<Micrometres> = None;
     for made in cut.moves.iter().filter(|made| made.moves()) {
-        if made.how == TipMotion::Rapid
+        if made.motion == TipMotion::Rapid
             && !made.across()
             && deepest.is_some_and(|deepest| made.to[2] < deepest - TOLERANCE)
         {

@@ -33,7 +33,8 @@ pub(super) fn circles(
     for (index, (level, radius)) in planned.iter().enumerate() {
         let Some(circle) = made.get(index) else {
             let count = planned.len() - index;
-            findings.push(say.finding(Code::CircleMissing, Severity::Error).with(Name::Count, count).with(Name::Z, *level));
+            findings
+                .push(say.finding(Code::CircleMissing, Severity::Error).with(Name::Count, count).with(Name::Z, *level));
             break;
         };
         check_circle(say, circle, *level, *radius, sense, findings);
@@ -45,7 +46,7 @@ pub(super) fn circles(
     let outside = |to: [Micrometres; 3]| {
         geometry::distance([to[0].to_mm(), to[1].to_mm()], centre) > (widest + TOLERANCE).to_mm()
     };
-    let straight = say.cut.moves.iter().filter(|made| matches!(made.how, TipMotion::Feed(_)));
+    let straight = say.cut.moves.iter().filter(|made| matches!(made.motion, TipMotion::Feed(_)));
     for made in straight.clone().filter(|made| made.across() && outside(made.to)) {
         findings.push(
             say.finding(Code::Slot, Severity::Error).with(Name::To, [made.to[0], made.to[1]]).with(Name::Z, made.to[2]),

@@ -254,7 +254,7 @@ impl ObservedCuts {
         let walk = walk::walk(steps, input.start, frames, turned_over, &references);
         let faced = faced(input);
         let (mut cuts, mut above) = (Vec::new(), Vec::new());
-        for (number, stay) in walk.stays.iter().enumerate() {
+        for (number, stay) in walk.visits.iter().enumerate() {
             let Some(frame) = frames.get(stay.setup) else { continue };
             let before = cuts.len();
             let here = |(setup, at, _): &&(usize, [Micrometres; 2], Micrometres)| {

@@ -86,11 +86,11 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], input: &ProofIn
             );
         }
     }
-    let sections = made.walk.stays.iter().map(|stay| stay.section).max().unwrap_or_default();
+    let sections = made.walk.visits.iter().map(|stay| stay.section).max().unwrap_or_default();
     let mut loaded: BTreeMap<u32, u32> = BTreeMap::new();
     let mut changed_at = 0;
     for section in 0..=sections {
-        let Some(stay) = made.walk.stays.iter().find(|stay| stay.section == section) else {
+        let Some(stay) = made.walk.visits.iter().find(|stay| stay.section == section) else {
             tools.sections.push(None);
             continue;
         };
@@ -122,7 +122,7 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], input: &ProofIn
     }
     for (section, plan) in tools.sections.clone().into_iter().enumerate() {
         if section > 0 && plan.is_none() && made.cuts.iter().any(|cut| cut.section == section) {
-            let stay = made.walk.stays.iter().find(|stay| stay.section == section);
+            let stay = made.walk.visits.iter().find(|stay| stay.section == section);
             if let Some(stay) = stay {
                 tools.findings.push(
                     ProgramFinding::new(Code::ToolUnknown, Severity::Error, stay.block).with(Name::Tool, stay.tool),
@@ -148,7 +148,7 @@ fn first_in(place: u32, first: u32, input: &ProofInput<'_>) -> u32 {
 }
 
 fn first(made: &ObservedCuts, tool: u32) -> Option<crate::motion::BlockRef> {
-    made.walk.stays.iter().find(|stay| stay.tool == tool).map(|stay| stay.block)
+    made.walk.visits.iter().find(|stay| stay.tool == tool).map(|stay| stay.block)
 }
 
 /// The step of the tool change that begins a section.

@@ -95,7 +95,9 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
                 to = z(zone.zone.to_z, lang)
             );
             if zone.tool.is_none() {
-                items.extend(zone.fit.refused.iter().map(|refused| refused_tool(&span, &refused.tool, &refused.why, lang)));
+                items.extend(
+                    zone.fit.refused.iter().map(|refused| refused_tool(&span, &refused.tool, &refused.why, lang)),
+                );
             }
             let depth = zone.depth.as_ref();
             if let Some(limit) = depth.and_then(|depth| depth.limit.as_ref()) {

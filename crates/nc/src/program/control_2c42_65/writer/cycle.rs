@@ -6,7 +6,7 @@ use crate::job::{Cycle, CycleKind};
 use crate::motion::Sense;
 use crate::units::{Micrometres, Seconds};
 
-use super::program_writer::{BlockPurpose, BlockGroup, ProgramWriter};
+use super::program_writer::{BlockGroup, BlockPurpose, ProgramWriter};
 use crate::program::block::Block;
 use crate::program::written::Form;
 

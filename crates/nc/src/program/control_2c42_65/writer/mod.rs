@@ -22,7 +22,7 @@ use crate::program::written::{Form, LineRole, WorkRef, WrittenProgram};
 
 use crate::program::block::Block;
 use points::PointRun;
-use program_writer::{BlockPurpose, BlockGroup, ProgramWriter};
+use program_writer::{BlockGroup, BlockPurpose, ProgramWriter};
 
 /// The program of a job.
 pub fn write(job: &Job, form: Form) -> WrittenProgram {
