@@ -91,12 +91,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let text = context.text(&args.program)?;
     let mut planned = args.part.as_deref().map(|part| proof::planned_job(part, knowledge, context)).transpose()?;
     let of_part = planned.as_ref().map(|planned| planned.plan.part.machine.clone());
-    let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
+    let machine = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
+    let machine = control::machine(machine, knowledge, context)?;
+    let id = machine.id();
     if let Some(own) = of_part.as_deref().filter(|own| *own != id) {
         let message = say!(context.lang, "cli-other-machine", asked = id, own = own);
         return Err(Diagnostic::error("other-machine", message, None).help(context.word("cli-leave-machine")).into());
     }
-    let machine = control::machine(id, knowledge, context)?;
     let control = control::chosen(args.control.as_deref(), &machine, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let mut setting = match &args.setting {
@@ -231,7 +232,22 @@ fn page(
 
 /// A line of the trace in the language of the page.
 fn motion(step: &MotionStep, lang: Lang) -> String {
-    trace::line_in(step, &|word| lang.find(&format!("trace-{word}")).unwrap_or(word))
+    figures_of(&trace::line_in(step, &|word| lang.find(&format!("trace-{word}")).unwrap_or(word)), lang)
+}
+
+/// The line of a trace with its numbers, `Ø-1.827`, as written in a language.
+pub(super) fn figures_of(line: &str, lang: Lang) -> String {
+    let word = |word: &str| {
+        let begin = word.find(|sign: char| sign.is_ascii_digit() || sign == '-').unwrap_or(word.len());
+        let (letters, rest) = word.split_at(begin);
+        let of_number = |sign: char| sign.is_ascii_digit() || "-.".contains(sign);
+        let (number, unit) = rest.split_at(rest.find(|sign| !of_number(sign)).unwrap_or(rest.len()));
+        match number.parse::<f64>() {
+            Ok(_) => format!("{letters}{}{unit}", lang.figure(&Figure::number(number.to_owned()))),
+            Err(_) => word.to_owned(),
+        }
+    };
+    line.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// The number of findings by severity.

@@ -12,13 +12,14 @@ use technolog::note::Figure;
 use technolog::program::lathe::{
     LatheLanguage, LatheMotion, LatheRates, LatheTimes, Subprogram, is_serious, read, times, trace,
 };
-use technolog::turning::tooling::Lathe;
+use technolog::turning::workpiece::Turned;
 use technolog::units::Minutes;
 use technolog::words::say;
 
-use super::check::{Args, FaultMessage, diagnostic, findings, total};
+use super::check::{Args, FaultMessage, diagnostic, figures_of, findings, total};
 use super::diagnostics::Texts;
-use super::{CliError, Context, Format, Lang, Outcome, knowledge, problems, proof, turn, turn_operation};
+
+use super::{CliError, Context, Format, Lang, Outcome, control, knowledge, problems, proof, turn, turn_operation};
 
 /// The answer in JSON.
 #[derive(Serialize)]
@@ -39,16 +40,19 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let language = LatheLanguage::read(control, knowledge).map_err(at_fault)?;
-    let lathe = args.machine.as_deref().map(|id| Lathe::find(knowledge, id)).transpose().map_err(at_fault)?;
+    let part = args.part.as_ref().map(|part| turn::read(part, knowledge, context)).transpose()?;
+    let part = part.map(Turned::into_workpiece);
+    // As for a mill, the machine of the part is meant where none is named.
+    let id = args.machine.as_deref().or_else(|| part.as_ref().and_then(|part| part.machine.as_deref()));
+    let lathe = id.map(|id| control::lathe(id, knowledge, context)).transpose()?;
     let rates = lathe.map(|lathe| LatheRates { rapid_z: lathe.rapid_z, rapid_x: None });
     let shown = args.program.display().to_string();
     let text = context.text(&args.program)?;
     let beside = contours(&args.program, &text, context)?;
     let files: Vec<Subprogram<'_>> = beside.iter().map(|(name, text)| Subprogram { name, text }).collect();
     let mut run = read(&text, &language, &files);
-    if let Some(part) = &args.part {
-        let operation =
-            turn_operation::plan(&turn::read(part, knowledge, context)?.into_workpiece(), knowledge, context)?;
+    if let Some(part) = &part {
+        let operation = turn_operation::plan(part, knowledge, context)?;
         let set_up = args.set_up.and_then(|number| u8::try_from(number).ok()).unwrap_or(1);
         run.faults.extend(turned::compare_with_part(&operation, set_up, &text, &run));
     }
@@ -106,7 +110,8 @@ fn page(
     if !motions.is_empty() {
         page.heading(2, lang.word("check-lathe-trace"));
         let word = |word: &'static str| lang.find(&format!("trace-{word}")).unwrap_or(word);
-        page.push(Block::Code(motions.iter().map(|motion| trace::line_in(motion, &word) + "\n").collect()));
+        let line = |motion| figures_of(&trace::line_in(motion, &word), lang) + "\n";
+        page.push(Block::Code(motions.iter().map(line).collect()));
         page.heading(2, lang.word("check-times"));
         let minutes = |minutes: Minutes| Figure::fixed(minutes.0, 2);
         let (feed, dwell) = (minutes(times.feed_min), minutes(times.dwell_min));

@@ -1,8 +1,9 @@
 //! Finds the machine, and the control of a program.
 
 use technolog::knowledge::{Diagnostic, Knowledge};
-use technolog::machine::Machine;
+use technolog::machine::{self, Machine};
 use technolog::program::Language;
+use technolog::turning::tooling::Lathe;
 use technolog::words::say;
 
 use super::{CliError, Context, words};
@@ -31,11 +32,25 @@ fn unknown(message: String, context: &Context) -> CliError {
 /// # Errors
 /// There is none (the error lists the existing ones), or its tables lack something.
 pub fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
-    let known: Vec<&str> = Machine::ids(knowledge).collect();
-    if !known.contains(&id) {
-        let message = say!(context.lang, "cli-no-machine", id = id);
-        let help = say!(context.lang, "cli-known", names = known.join(", "));
-        return Err(Diagnostic::error("unknown-machine", message, None).help(help).into());
-    }
+    let id = known(id, &Machine::ids(knowledge).collect::<Vec<_>>(), context)?;
     Machine::find(knowledge, id).map_err(|error| CliError::of_knowledge(&error, context.lang))
+}
+
+/// The lathe of that id.
+///
+/// # Errors
+/// There is none (the error lists the existing ones), or its record lacks something.
+pub fn lathe<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Lathe<'k>, CliError> {
+    let id = known(id, &Lathe::ids(knowledge), context)?;
+    Lathe::find(knowledge, id).map_err(|error| CliError::of_knowledge(&error, context.lang))
+}
+
+/// The id that a user means: as it is, or as the machine is called, `ГФ2171`.
+fn known<'k>(typed: &str, known: &[&'k str], context: &Context) -> Result<&'k str, CliError> {
+    let id = machine::id_of(typed);
+    known.iter().find(|own| **own == id).copied().ok_or_else(|| {
+        let message = say!(context.lang, "cli-no-machine", id = typed);
+        let help = say!(context.lang, "cli-known", names = known.join(", "));
+        Diagnostic::error("unknown-machine", message, None).help(help).into()
+    })
 }

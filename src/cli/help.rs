@@ -53,6 +53,13 @@ pub fn command(lang: Lang) -> Command {
     })
 }
 
+/// The formats of the command that the arguments name, as its help has them.
+pub fn formats_of(arguments: &[String], command: &Command) -> Option<String> {
+    let named = arguments.iter().find_map(|argument| command.find_subcommand(argument))?;
+    let format = named.get_arguments().find(|arg| arg.get_id() == "format")?;
+    format.get_help().map(ToString::to_string)
+}
+
 /// The formats of a command: the same for all its answers, or by what `--show` names.
 fn formats(command: &str, lang: Lang) -> String {
     let one = |formats: &[Format]| say!(lang, "help-formats", formats = names(formats));

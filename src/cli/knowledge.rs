@@ -77,7 +77,8 @@ fn read(folder: &Path) -> Result<Texts, CliError> {
 /// # Errors
 /// There is no such table; the message names the nearest.
 pub fn table<'k>(knowledge: &'k Knowledge, typed: &str, context: &Context) -> Result<&'k Table, CliError> {
-    let wanted = latin(typed.trim());
+    // The book has А.18б, with a Cyrillic letter at the end too.
+    let wanted = latin(typed.trim()).replace(['б', 'Б'], "b");
     let exact = knowledge.tables().find(|table| table.id == wanted);
     if let Some(table) = exact.or_else(|| knowledge.tables().find(|table| table.id.eq_ignore_ascii_case(&wanted))) {
         return Ok(table);

@@ -200,6 +200,11 @@ impl Context {
         document::write(document, format, screen.width, screen.colour, &words)
     }
 
+    /// The width of a page in terminal columns; none for formats that have all the width they need.
+    pub fn room(&self, format: Format) -> Option<usize> {
+        (format == Format::Text).then(|| output::Screen::of(self.output.as_deref()).width)
+    }
+
     /// Writes the answer to the screen, or to the file of `-o`.
     ///
     /// # Errors

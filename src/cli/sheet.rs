@@ -7,17 +7,13 @@ use technolog::knowledge::{Column, ColumnRole, Row, RowRef, Table, TableKind};
 use technolog::report::unit;
 use technolog::words::say;
 
+use super::Lang;
 use super::record::results;
 use super::shown;
-use super::{Format, Lang};
 
-/// Above the first width, in terminal columns, a table has numbers as heads, like those of the source; above the
-/// second, numbers do not help either. Pages of other formats have all the width they need.
-const NARROW: usize = 80;
-const WIDE: usize = 120;
-
-/// One table: title, source, rows, then everything that does not fit into cells.
-pub fn table_page(table: &Table, lang: Lang, format: Format) -> Document {
+/// One table: title, source, rows, then everything that does not fit into cells. `room` is the width of a text in
+/// terminal columns; pages of other formats have all the width they need.
+pub fn table_page(table: &Table, lang: Lang, room: Option<usize>) -> Document {
     let all: Vec<RowRef<'_>> = table.all_rows().collect();
     let mut page = titled(table, lang);
     let mut source = Inlines::from(lang.place(&table.place).as_str());
@@ -25,7 +21,7 @@ pub fn table_page(table: &Table, lang: Lang, format: Format) -> Document {
         source = source.text("; ").text(standard);
     }
     page.push(Block::Fields(vec![Field::new(lang.word("cli-source"), source)]));
-    let numbered = rows(&mut page, table, &all, lang, format);
+    let numbered = rows(&mut page, table, &all, lang, room);
     columns(&mut page, table, numbered, lang);
     row_remarks(&mut page, &all, lang);
     let gaps = table.uncovered.iter().map(|gap| lang.remark(&gap.reason).into_owned());
@@ -39,12 +35,13 @@ pub fn titled(table: &Table, lang: Lang) -> Document {
     Document::new(lang.tag(), say!(lang, "table-title", table = &table.id, title = shown::title(lang, table)))
 }
 
-/// The rows under the names of the columns or, if those are too wide together, under their numbers. Returns whether
-/// the columns have numbers.
-pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang, format: Format) -> bool {
+/// The rows under the names of the columns. Where these are too wide together for the room, a column has its symbol
+/// for a name, and where symbols are too wide the columns have numbers, like those of the source; if that does not
+/// help either, they keep their names. Returns whether the names are left out.
+pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang, room: Option<usize>) -> bool {
     let first = rows.first().map(|row| row.row().source);
     let one_source = rows.iter().all(|row| Some(row.row().source) == first);
-    let mut heads: Vec<Head> = columns_of(table, lang)
+    let heads: Vec<Head> = columns_of(table, lang)
         .map(|(index, column)| {
             let head = shown::head(lang, column, keep(table, index));
             match column.role {
@@ -64,12 +61,15 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang,
             cells.map(cell).collect()
         })
         .collect();
-    let numbers: Vec<Head> = (1..).zip(&heads).map(|(number, head)| numbered_head(number, head)).collect();
-    let is_wide = format == Format::Text && width(&heads, &cells) > NARROW;
-    let numbered = is_wide && width(&numbers, &cells) <= WIDE;
-    if numbered {
-        heads = numbers;
-    }
+    let sources = rows.iter().map(|row| shown::source(lang, row.row().source).chars().count()).max().unwrap_or(0);
+    let beside = if one_source { 0 } else { sources + 3 };
+    let fits = |heads: &[Head]| room.is_none_or(|room| width(heads, &cells) + beside <= room);
+    let symbols = columns_of(table, lang).zip(&heads).map(|((_, column), head)| symbol_head(column, head));
+    let numbers = (1..).zip(&heads).map(|(number, head)| numbered_head(number, head));
+    let shorter = [symbols.collect::<Vec<Head>>(), numbers.collect()];
+    let short = if fits(&heads) { None } else { shorter.into_iter().find(|heads| fits(heads)) };
+    let is_short = short.is_some();
+    let heads = short.unwrap_or(heads);
     let mut columns = vec![Head::number(lang.word("cli-row-number"), "")];
     columns.extend(heads);
     columns.extend((!one_source).then(|| Head::text(lang.word("cli-row-source")).keep(Keep::Optional)));
@@ -83,7 +83,7 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang,
         grid.notes.push(say!(lang, "cli-all-rows-of-one-source", source = shown::source(lang, source)).into());
     }
     page.push(grid);
-    numbered
+    is_short
 }
 
 /// The columns of a page, with their positions in the table; those in another language are left out.
@@ -104,6 +104,12 @@ fn keep(table: &Table, index: usize) -> Keep {
         (false, false) => Keep::Useful,
         (false, true) => Keep::Optional,
     }
+}
+
+/// The head of a column that has a symbol: `D, мм`.
+fn symbol_head(column: &Column, head: &Head) -> Head {
+    let symbol = column.symbol.as_deref().map(Inlines::from);
+    Head { heading: symbol.unwrap_or_else(|| head.heading.clone()), ..head.clone() }
 }
 
 fn numbered_head(number: usize, head: &Head) -> Head {

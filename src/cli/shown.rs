@@ -9,7 +9,6 @@ use technolog::knowledge::{Column, ColumnRole, ColumnType, RowRef, Source, Table
 use technolog::note::Figure;
 use technolog::plan::Operation;
 use technolog::report::{operation_noun, unit, with_unit};
-use technolog::units::Unit;
 use technolog::words::{LANGUAGES, joined_list, say};
 
 use super::Lang;
@@ -80,13 +79,27 @@ fn figure(lang: Lang, column: &Column, written: &str) -> String {
     match column.ty {
         // Tables of machines and controls have the unit of each figure in a separate column.
         ColumnType::Unit => match written.parse() {
-            Ok(parsed) if parsed != Unit::None => unit(parsed, lang).to_owned(),
-            _ => written.to_owned(),
+            Ok(parsed) => unit(parsed, lang).to_owned(),
+            Err(_) => written.to_owned(),
         },
-        ColumnType::Text => lang.remark(written).into_owned(),
+        ColumnType::Text => match column.name.as_str() {
+            "name" => characteristic(lang, written),
+            // Addresses with a word or two between them.
+            "page" => lang.place(&lang.remark(written)),
+            _ => lang.remark(written).into_owned(),
+        },
         ColumnType::Bool => lang.find(&format!("table-value-{written}")).unwrap_or(written).to_owned(),
         ColumnType::Enum => word(lang, column, written).to_owned(),
         _ => lang.figure(&Figure::number(written.to_owned())),
+    }
+}
+
+/// A characteristic of a machine or a control with its key, which queries ask for; the key alone where its name says
+/// no more.
+fn characteristic(lang: Lang, key: &str) -> String {
+    match lang.find(&format!("characteristic-{key}")) {
+        Some(name) if name != key.replace('-', " ") => say!(lang, "table-characteristic", name = name, key = key),
+        _ => lang.remark(key).into_owned(),
     }
 }
 
@@ -181,12 +194,13 @@ pub fn result(lang: Lang, row: RowRef<'_>) -> String {
         match &row.row().cells[index] {
             Cell::Value(value) if columns.len() == 1 => Some(full(lang, column, value)),
             Cell::Value(value) => {
-                Some(format!("{} {}", label(lang, column).unwrap_or(&column.name), full(lang, column, value)))
+                let name = label(lang, column).unwrap_or(&column.name);
+                Some(say!(lang, "table-result-of", name = name, value = full(lang, column, value)))
             }
             _ => None,
         }
     });
-    shown.collect::<Vec<_>>().join(", ")
+    shown.collect::<Vec<_>>().join("; ")
 }
 
 /// `рядок 3`, `рядки 3, 5–8`: rows by their numbers.

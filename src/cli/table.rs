@@ -37,7 +37,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     match format {
         Format::Json => context.emit_json(&table_json(table, context))?,
         Format::Csv => context.emit_cleaned(&table_csv(table))?,
-        _ => context.emit_document(&sheet::table_page(table, context.lang, format), format)?,
+        _ => context.emit_document(&sheet::table_page(table, context.lang, context.room(format)), format)?,
     }
     Ok(Outcome::Done)
 }

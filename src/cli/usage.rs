@@ -47,7 +47,11 @@ pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang:
             message.push_str(&format!("\n  {}", lang.say(&Note::new(code).with("values", values))));
         }
     };
-    more("usage-possible-values", context_text(ContextKind::ValidValue));
+    // Of the formats that the program knows each command has only some.
+    match help::formats_of(arguments, command).filter(|_| argument.starts_with("--format")) {
+        Some(formats) => more("usage-of-command", formats),
+        None => more("usage-possible-values", context_text(ContextKind::ValidValue)),
+    }
     for kind in [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue] {
         more("usage-similar", context_text(kind));
     }
@@ -136,6 +140,10 @@ mod tests {
             (
                 &["technolog", "turn", "x", "--per-pass", "-"],
                 "помилка: значення `-` не годиться для `--per-pass <MM>`: потрібна довжина від 0 до 100000 мм",
+            ),
+            (
+                &["technolog", "plan", "x", "--format", "pdf"],
+                "помилка: значення `pdf` не годиться для `--format <FORMAT>`\n  Формат відповіді: text, markdown, html, json, yaml, hand",
             ),
             (&["technolog", "turn", "a", "b"], "помилка: невідомий аргумент `b`"),
             (

@@ -96,6 +96,9 @@ impl<'k> Auditor<'k> {
         let mut graph = graph::Graph::new(stated, &self.tolerances);
         rules::add(&context, &mut graph)?;
         super::misprints::correct(&mut graph);
+        for formula in rules::tabulated::far_off(&context, &graph)? {
+            graph.replace(formula);
+        }
         let mut findings = figures::findings(&context, &graph);
         checks::all(&context, &graph, &mut findings)?;
         Ok(Audit::new(stated, findings))

@@ -7,7 +7,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::units::Percent;
 use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Question, TypedAnswer};
-use crate::note::Note;
+use crate::note::{Figure, IntoFigure, Note};
 use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
@@ -17,6 +17,7 @@ use crate::units::{Micrometres, RevsPerMinute};
 
 use super::auditor::Auditor;
 use super::near::{NameMatch, same_table};
+use super::of_dimensions;
 use super::quantity::{Id, Quantity, Scope};
 use super::stated::{Row, Stated};
 
@@ -33,6 +34,8 @@ pub struct Context<'a> {
     pub auditor: &'a Auditor<'a>,
     cutters: Vec<NameMatch<NamedCutter<'a>>>,
     holders: Vec<NameMatch<HolderRow<'a>>>,
+    /// The cutters that the stated dimensions belong to, where they are not those of the designation.
+    of_dimensions: Vec<Option<NamedCutter<'a>>>,
     /// The word that calls each offset register in the program: `G43` or `G44`.
     calls: BTreeMap<u32, &'static str>,
 }
@@ -46,7 +49,8 @@ impl<'a> Context<'a> {
         let shop = Shop::new(&stated.part, stated.method, auditor.knowledge)?;
         let mut cutters = Vec::new();
         let mut holders = Vec::new();
-        for tool in &stated.tools {
+        let mut by_dimensions = Vec::new();
+        for (at, tool) in stated.tools.iter().enumerate() {
             let table = tool.table.as_ref().map(|table| table.value.as_str());
             let named = tool.designation.as_ref().map(|text| text.value.as_str());
             // A stated table decides between equal designations; if it is the table of another, the check of
@@ -57,12 +61,14 @@ impl<'a> Context<'a> {
             if matches!(found, NameMatch::Unknown(_)) {
                 found = auditor.cutters.find(named, |_| true);
             }
+            let named = found.value();
+            by_dimensions.push(named.and_then(|named| of_dimensions::meant(stated, at, named, auditor, &shop)));
             cutters.push(found);
             let named = tool.holder.as_ref().map(|text| text.value.as_str());
             holders.push(auditor.holders.find(named, |_| true));
         }
         let calls = stated.program.as_ref().map(|program| calls(&program.text)).unwrap_or_default();
-        Ok(Self { stated, shop, plan, auditor, cutters, holders, calls })
+        Ok(Self { stated, shop, plan, auditor, cutters, holders, of_dimensions: by_dimensions, calls })
     }
 
     /// The catalog entry near to the designation of a tool.
@@ -72,7 +78,12 @@ impl<'a> Context<'a> {
 
     /// The cutter of a tool, where its designation is known or clearly misprinted.
     pub fn cutter(&self, tool: usize) -> Option<&NamedCutter<'a>> {
-        self.cutter_near(tool).value()
+        self.of_dimensions(tool).or_else(|| self.cutter_near(tool).value())
+    }
+
+    /// The cutter that the stated dimensions of a tool belong to, where its designation names another one.
+    pub fn of_dimensions(&self, tool: usize) -> Option<&NamedCutter<'a>> {
+        self.of_dimensions.get(tool)?.as_ref()
     }
 
     /// The catalog entry near to the designation of a holder.
@@ -170,12 +181,12 @@ impl<'a> Context<'a> {
 
     /// The steps of the machine below and above a spindle speed, 1/min, `-` where there is none; none if the speed is a
     /// step itself.
-    pub fn steps_around(&self, speed: f64) -> Option<(String, String)> {
+    pub fn steps_around(&self, speed: f64) -> Option<(Figure, Figure)> {
         let steps = &self.shop.machine.spindle_steps;
         if steps.iter().any(|step| (step.0 - speed).abs() < 1e-6) {
             return None;
         }
-        let shown = |step: Option<&RevsPerMinute>| step.map_or_else(|| "-".to_owned(), |step| step.0.to_string());
+        let shown = |step: Option<&RevsPerMinute>| step.map_or_else(|| "-".into_figure(), |step| step.0.into_figure());
         let below = steps.iter().rev().find(|step| step.0 < speed);
         let above = steps.iter().find(|step| step.0 > speed);
         Some((shown(below), shown(above)))

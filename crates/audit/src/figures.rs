@@ -57,7 +57,8 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
     finding.subject = context.subject(id.scope);
     finding.quantity = Some(id.quantity);
     finding.stated = Some(figure.text.clone());
-    finding.right = Some(shown(verdict.right));
+    // What is only to be known has nothing to be put right.
+    finding.right = (severity < Severity::Note).then(|| shown(verdict.right));
     let off = (figure.value - verdict.right) / verdict.right * 100.0;
     let off = off.is_finite().then(|| crate::units::round_to(off, 1));
     // For a value from a series or a count a deviation in per cent means nothing.

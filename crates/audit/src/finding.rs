@@ -7,7 +7,6 @@ use serde::{Serialize, Serializer};
 use crate::knowledge::diagnostic::Place;
 use crate::note::{Because, Figure, IntoFigure as _, Note, Severity, Word};
 use crate::plan::{CuttingMethod, Operation};
-use crate::reason::OfOther;
 use technolog_core::lang::Lang;
 
 use super::context::Context;
@@ -143,8 +142,6 @@ pub(super) enum FindingKind {
     Formula(&'static Rule),
     /// A figure is what a rule gives, but from other figures that are slips.
     Follows(&'static Rule),
-    /// A cutter is made for something else.
-    OfOther(OfOther),
     /// An opening of a hole is not that of the drawing.
     Opening,
     /// A transition has another tool than its place in the magazine.

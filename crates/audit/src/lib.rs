@@ -17,6 +17,7 @@
 
 mod against;
 mod auditor;
+mod backed;
 pub mod checks;
 mod context;
 mod figures;
@@ -28,6 +29,7 @@ mod many;
 pub mod marks;
 mod misprints;
 mod near;
+mod of_dimensions;
 mod own;
 pub mod quantity;
 mod read;

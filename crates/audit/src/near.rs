@@ -170,6 +170,11 @@ pub fn plain(name: &str) -> Vec<char> {
     name.chars().filter(|letter| !letter.is_whitespace()).map(alike).flat_map(char::to_uppercase).collect()
 }
 
+/// How far two names are from each other, in signs.
+pub fn away(a: &str, b: &str) -> usize {
+    distance_within(&plain(a), &plain(b), usize::MAX - 1).unwrap_or(usize::MAX)
+}
+
 /// The edit distance of two names (Levenshtein), if at most `most`.
 fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
     if a.len().abs_diff(b.len()) > most {

@@ -51,6 +51,33 @@ impl Axis {
     }
 }
 
+/// The id that a typed name of a machine may mean: `ГФ2171` is called so in the workshop, and `gf2171` in its files.
+pub fn id_of(typed: &str) -> String {
+    let letters = typed.to_lowercase();
+    let letters = letters.chars().filter(|letter| !letter.is_whitespace());
+    letters
+        .map(|letter| match letter {
+            'а' => 'a',
+            'б' => 'b',
+            'в' => 'v',
+            'г' => 'g',
+            'е' => 'e',
+            'и' | 'і' => 'i',
+            'к' => 'k',
+            'л' => 'l',
+            'м' => 'm',
+            'н' => 'n',
+            'о' => 'o',
+            'п' => 'p',
+            'р' => 'r',
+            'с' => 's',
+            'т' => 't',
+            'ф' => 'f',
+            other => other,
+        })
+        .collect()
+}
+
 /// A machine as the planner sees it.
 #[derive(Clone, Debug)]
 pub struct Machine<'k> {
@@ -247,5 +274,25 @@ impl<'k> Machine<'k> {
     pub fn row(&self, quantity: Q) -> Result<RowRef<'k>, KnowledgeError> {
         let row = self.record.row(quantity).ok_or_else(|| KnowledgeError::no_row(self.table, quantity.name()))?;
         Ok(row.row)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::id_of;
+
+    #[test]
+    fn machines_are_named_as_the_workshop_does() {
+        for (typed, id) in [
+            ("gf2171", "gf2171"),
+            ("ГФ2171", "gf2171"),
+            ("ГФ 2171", "gf2171"),
+            ("ИР500ПМФ4", "ir500pmf4"),
+            ("16К20Ф3", "16k20f3"),
+            ("16Б16Т1", "16b16t1"),
+            ("1740РФ3", "1740rf3"),
+        ] {
+            assert_eq!(id_of(typed), id);
+        }
     }
 }

@@ -10,6 +10,9 @@ pub use technolog_note::{Figure, IntoFigure, Note, Word};
 
 use crate::knowledge::{Answer, Column, RowRef, Source, Table};
 
+/// What a plan says of a tool that no catalog has in its size.
+pub const TO_BE_GROUND: &str = "the catalogs have no cutter of this size; it must be ground to order";
+
 /// A finding about the whole part that a row is not confirmed; none where it is.
 pub fn doubtful_row(row: RowRef<'_>) -> Option<Finding> {
     let doubt = Because::row(row, Note::new("unconfirmed")).doubt()?;
@@ -129,16 +132,13 @@ impl Because {
         self
     }
 
-    /// A note that the row is not confirmed, with the reason; none where it is.
+    /// A note that the row is not confirmed, with the reason; none where it is. That its tool must be ground is no doubt
+    /// about the row.
     pub fn doubt(&self) -> Option<Note> {
         let why = self.unconfirmed.as_ref()?;
+        let code = if why == TO_BE_GROUND { "to-be-ground" } else { "unconfirmed" };
         let row = self.row.map_or_else(|| "-".into_figure(), IntoFigure::into_figure);
-        Some(
-            Note::new("unconfirmed")
-                .with("table", &self.table)
-                .with("row", row)
-                .with("why", Figure::Remark(why.clone())),
-        )
+        Some(Note::new(code).with("table", &self.table).with("row", row).with("why", Figure::Remark(why.clone())))
     }
 
     /// Whether the row was inferred or is not fully trusted.

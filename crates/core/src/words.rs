@@ -12,14 +12,34 @@ pub fn operation_verb(name: &str, lang: Lang) -> &str {
     lang.form("operation", name, "verb")
 }
 
-/// The operation of a word, given as an instruction or as a noun, in any letter case.
+/// The operation of a word, given as an instruction or as a noun, in any letter case and order of its words.
 pub fn operation_named(text: &str, lang: Lang) -> Option<Operation> {
-    let text = text.trim().to_lowercase();
-    // The letters of these words have the same length in lower case.
-    let same = |word: &str| word.len() == text.len() && word.to_lowercase() == text;
-    let name =
-        Operation::WORDS.iter().find(|name| same(operation_verb(name, lang)) || same(operation_noun(name, lang)))?;
+    let wanted = sorted_words(text);
+    let name = Operation::WORDS.iter().find(|name| calls(name, lang).any(|call| sorted_words(call) == wanted))?;
     Operation::from_name(name)
+}
+
+/// The operations that a text may mean: `розточити` is one of three.
+pub fn operations_like(text: &str, lang: Lang) -> Vec<&'static str> {
+    let wanted = sorted_words(text);
+    let like = |call: &str| {
+        let own = sorted_words(call);
+        !wanted.is_empty() && wanted.iter().all(|word| own.contains(word))
+    };
+    let names = Operation::NAMES.iter().map(|(name, _)| *name);
+    names.filter(|name| calls(name, lang).any(like)).collect()
+}
+
+/// What an operation is called: the instruction, the noun and other names in use.
+fn calls(name: &'static str, lang: Lang) -> impl Iterator<Item = &'static str> {
+    let also = lang.form("operation", name, "also").split("; ").filter(move |call| *call != name);
+    [operation_verb(name, lang), operation_noun(name, lang)].into_iter().chain(also)
+}
+
+fn sorted_words(text: &str) -> Vec<String> {
+    let mut words: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
+    words.sort_unstable();
+    words
 }
 
 /// The operation as a noun: `центрування`, `centring`.

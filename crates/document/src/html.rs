@@ -9,6 +9,10 @@ const STYLE: &str = include_str!("html/style.css");
 
 /// The longest name, in bytes, that is kept on one line.
 const NAME: usize = 32;
+/// The longest text of a cell, in characters, whose column may become as narrow as its longest word.
+const SHORT: usize = 32;
+/// The same for one that is made as wide as a narrow screen.
+const LONG: usize = 80;
 /// The longest word without a slash, in characters, that is kept beside a number as its unit.
 const UNIT: usize = 3;
 
@@ -86,19 +90,26 @@ fn finding(page: &mut String, finding: &FindingBlock, words: &Words) {
 
 /// A table in a frame that scrolls; the frame can be focused by keyboard.
 fn table(page: &mut String, table: &Table) {
-    let class = |column: usize| match table.columns().get(column).map(|column| column.align) {
-        Some(Align::Right) => " class=\"number\"",
-        _ => "",
+    let longest = |column: usize| table.rows().iter().map(|row| row[column].plain().chars().count()).max();
+    // The last column may be off a narrow screen, where nobody sees why its rows are tall.
+    let last = table.columns().len().saturating_sub(1);
+    let class = |(at, column): (usize, &Column)| match column.align {
+        Align::Right => " class=\"number\"",
+        Align::Left if at < last => "",
+        Align::Left if longest(at) > Some(LONG) => " class=\"longest\"",
+        Align::Left if longest(at) > Some(SHORT) => " class=\"long\"",
+        Align::Left => "",
     };
+    let classes: Vec<&str> = table.columns().iter().enumerate().map(class).collect();
     page.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n");
     if table.has_head() {
-        let heads = table.columns().iter().enumerate();
-        let heads = heads.map(|(at, column)| format!("<th scope=\"col\"{}>{}</th>", class(at), head(column)));
+        let heads = table.columns().iter().zip(&classes);
+        let heads = heads.map(|(column, class)| format!("<th scope=\"col\"{class}>{}</th>", head(column)));
         page.push_str(&format!("<thead><tr>{}</tr></thead>\n", heads.collect::<String>()));
     }
     page.push_str("<tbody>\n");
     for row in table.rows() {
-        let cells = row.iter().enumerate().map(|(at, cell)| format!("<td{}>{}</td>", class(at), line(cell)));
+        let cells = row.iter().zip(&classes).map(|(cell, class)| format!("<td{class}>{}</td>", line(cell)));
         page.push_str(&format!("<tr>{}</tr>\n", cells.collect::<String>()));
     }
     page.push_str("</tbody>\n</table></div>\n");

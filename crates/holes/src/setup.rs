@@ -1,7 +1,7 @@
 //! Clamping: the force that holds the part against the largest torque, and the screw that gives this force.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::{Clamping, HolePlan};
 use crate::shop::Shop;
@@ -117,7 +117,8 @@ fn clamped(
         because: vec![safety, friction, no_thinner, Because::row(shown.row, note)],
     };
     if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
-        let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed).with("hole", name);
+        let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed);
+        let note = note.with("hole", Figure::called(name));
         faults.push(note);
     }
     if strong.is_some() && most.0 < each.0 {

@@ -562,7 +562,7 @@ rows:
     fn every_fault_is_found_where_it_stands() {
         for (from, to, code, at) in [
             ("unit: mm", "unit: kg", "wrong-unit", "kg"),
-            ("diameter: 3.15", "diameter: 3,15", "unknown-key", "15, source"),
+            ("diameter: 3.15", "diameter: 3,15", "bad-value", "3,15"),
             ("diameter: 3.15", "diameter: 3.l5", "bad-value", "3.l5"),
             ("diameter: 20,", "diameter: 21,", "out-of-domain", "21,"),
             ("source: seed", "sorce: seed", "no-source", "name: a"),

@@ -20,6 +20,8 @@ pub enum Figure {
     Note(Box<Note>),
     /// A name from a table, such as that of a column.
     Named(Named),
+    /// A name that the user gave, such as that of a group of holes: in a sentence it could be taken for a word of it.
+    Called(String),
     /// A remark of a table row, in English; languages have translations.
     Remark(String),
     /// Read back from JSON, which does not tell the kind of a figure.
@@ -75,6 +77,11 @@ impl Figure {
         Self::List(name.split(" + ").map(|part| Self::operation(part.to_owned())).collect(), " + ")
     }
 
+    /// A name that the user gave.
+    pub fn called(name: &str) -> Self {
+        Self::Called(name.to_owned())
+    }
+
     /// Names of operations with a comma between them.
     pub fn operations<'o>(ids: impl IntoIterator<Item = &'o str>) -> Self {
         Self::list(ids.into_iter().map(|id| Self::operation(id.to_owned())))
@@ -99,7 +106,7 @@ impl Figure {
                 parts.iter().map(|part| part.text().into_owned()).collect::<Vec<_>>().join(between).into()
             }
             Self::Note(note) => note.to_string().into(),
-            Self::Stored(text) | Self::Remark(text) => Cow::Borrowed(text),
+            Self::Stored(text) | Self::Remark(text) | Self::Called(text) => Cow::Borrowed(text),
         }
     }
 }

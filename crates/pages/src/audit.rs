@@ -35,7 +35,7 @@ pub fn page(audit: &Audit, lang: Lang) -> Document {
         follow = own.follow
     ));
     if let Some(line) = unconfirmed(audit, lang) {
-        page.paragraph(line);
+        page.paragraph(Inlines::sentence(&line));
     }
     if !audit.summary.sections.is_empty() {
         page.push(counts::table(audit, lang));

@@ -20,7 +20,7 @@ impl Doubts {
         let counted = |finding: &&Finding| self == Self::Counted && is_of_row(&finding.note);
         let (counted, listed): (Vec<_>, Vec<_>) = findings.partition(counted);
         let mut rows = BTreeSet::new();
-        for finding in counted {
+        for finding in counted.into_iter().filter(|finding| finding.note.code() == "unconfirmed") {
             let table = finding.note.figure_text("table").unwrap_or_default();
             let written = finding.note.figure_text("row").unwrap_or_default();
             rows.extend(written.split(", ").map(|row| (table.clone(), row.to_owned())));
@@ -33,8 +33,8 @@ impl Doubts {
     }
 }
 
-/// Whether a finding says that a row is not confirmed.
+/// Whether a finding says that a row is not confirmed, or that its tool must be ground, which the list of tools says too.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 pub fn is_of_row(note: &Note) -> bool {
-    note.code() == "unconfirmed"
+    matches!(note.code(), "unconfirmed" | "to-be-ground")
 }

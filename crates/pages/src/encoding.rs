@@ -129,12 +129,7 @@ pub fn sheet_of_text(
 
 /// The name of a control for people.
 fn name(control: &str, lang: Lang) -> &str {
-    match control {
-        "2c42-65" => say!(lang, "encoding-2c42-65"),
-        "linuxcnc" => "LinuxCNC",
-        "fanuc" => "Fanuc",
-        other => other,
-    }
+    lang.term("control", control)
 }
 
 /// The end of a block on paper: LF on the textbook's sheet, `;` in Fanuc's manuals; LinuxCNC writes none.

@@ -30,6 +30,7 @@ pub fn part_page(plan: &Plan, home: Point, not_kept: &[Finding], lang: Lang) -> 
     page.push(Block::Fields(paths.collect()));
     if !plan.visiting.is_empty() {
         page.heading(2, say!(lang, "order-visiting"));
+        page.paragraph(say!(lang, "order-methods"));
         let not_kept = plan.findings.iter().filter(|finding| not_kept.contains(finding)).map(|finding| {
             let hole = finding.hole.as_deref().unwrap_or_default();
             say!(lang, "order-method", hole = hole, why = finding.note.clone()).into()

@@ -3,7 +3,7 @@
 use super::Lang;
 use super::words::say;
 use crate::document::{Block, Column, Document, Inlines, Table};
-use crate::job::{Job, SetUp};
+use crate::job::{Job, Pause, SetUp};
 use crate::plan::{Plan, ToolPlan};
 use crate::program::Setting;
 
@@ -22,7 +22,8 @@ pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
         )
     });
     let clamps = clamps(plan, job, lang);
-    let remarks: String = set_ups.chain(clamps).chain(tools).map(|line| format!("# {line}\n")).collect();
+    let remarks: String =
+        set_ups.chain(clamps).chain(tools).chain(loads(job, lang)).map(|line| format!("# {line}\n")).collect();
     remarks + &setting.to_yaml()
 }
 
@@ -30,25 +31,62 @@ pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
 pub fn page(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "setting-title", part = job.part.as_str()));
     let stands = job.setups.iter().map(|setup| stand(setup, lang));
-    page.push(Block::List(stands.chain(clamps(plan, job, lang)).map(Into::into).collect()));
+    let lines = stands.chain(clamps(plan, job, lang));
+    page.push(Block::List(lines.map(|line| Inlines::sentence(&line).into()).collect()));
+    page.push(tools(setting, plan, job, lang));
+    page.heading(2, say!(lang, "setting-zeros"));
+    page.push(zeros(setting, lang));
+    page.paragraph(Inlines::sentence(say!(lang, "setting-file")));
+    page
+}
+
+/// The tools with their places in the magazine and their registers; below it, which of them are put in by hand.
+fn tools(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Table {
+    let mm = lang.word("unit-mm");
     let mut table = Table::new([
         Column::text("T"),
+        Column::number(say!(lang, "setting-place"), ""),
         Column::text("H"),
         Column::text(say!(lang, "plan-designation")),
-        Column::number("Ø", lang.word("unit-mm")),
-        Column::number(say!(lang, "setting-length"), lang.word("unit-mm")),
+        Column::number("Ø", mm),
+        Column::number(say!(lang, "setting-length"), mm),
+        Column::number(say!(lang, "plan-correction"), mm),
     ]);
     let tools = plan.tools.iter();
     let column = |of: &dyn Fn(&ToolPlan) -> _| super::sheet::column(&tools.clone().map(of).collect::<Vec<_>>(), lang);
-    let figures = column(&|tool| tool.diameter_mm).into_iter().zip(column(&|tool| tool.length_mm));
-    for (tool, (diameter, length)) in plan.tools.iter().zip(figures) {
-        let (place, register) = (format!("T{}", place(tool, job)), format!("H{:02}", tool.corrector));
-        table.row([Inlines::from(place), register.into(), tool.designation.as_str().into(), diameter, length]);
+    let held = |tool: &ToolPlan| setting.correctors.get(&tool.corrector).copied().unwrap_or_default();
+    let figures = column(&|tool| tool.diameter_mm).into_iter().zip(column(&|tool| tool.length_mm)).zip(column(&held));
+    for (tool, ((diameter, length), correction)) in plan.tools.iter().zip(figures) {
+        let (number, register) = (format!("T{}", tool.number), format!("H{:02}", tool.corrector));
+        let place = Inlines::number(place(tool, job).to_string());
+        let designation = tool.designation.as_str().into();
+        table.row([number.into(), place, register.into(), designation, diameter, length, correction]);
     }
-    page.push(table);
-    page.heading(2, say!(lang, "setting-file"));
-    page.push(Block::Code(setting.to_yaml()));
-    page
+    table.notes.push(say!(lang, "setting-places").into());
+    table.notes.extend(loads(job, lang).into_iter().map(Inlines::from));
+    table
+}
+
+/// The zeros of the frames of the part, in the frame of the machine.
+fn zeros(setting: &Setting, lang: Lang) -> Table {
+    let axis = |letter: &str| Column::number(letter, lang.word("unit-mm"));
+    let mut table = Table::new([Column::text(say!(lang, "setting-frame")), axis("X"), axis("Y"), axis("Z")]);
+    for (number, zero) in (54..).zip(&setting.zeros).filter(|(_, zero)| zero.iter().any(Option::is_some)) {
+        let figures =
+            zero.map(|value| value.map_or_else(Inlines::default, |value| super::sheet::mm(value, lang).into()));
+        table.row(std::iter::once(Inlines::from(format!("G{number}"))).chain(figures));
+    }
+    table
+}
+
+/// The tools that the operator puts into a place while the program stops.
+fn loads(job: &Job, lang: Lang) -> Vec<String> {
+    let pauses = job.setups.iter().flat_map(|setup| &setup.works).flat_map(|work| &work.pauses);
+    let load = |pause: &Pause| match pause {
+        Pause::LoadTool { tool, place } => Some(say!(lang, "setting-load", tool = *tool, place = *place)),
+        Pause::TurnOver | Pause::SetBar { .. } => None,
+    };
+    pauses.filter_map(load).collect()
 }
 
 fn stand(setup: &SetUp, lang: Lang) -> String {

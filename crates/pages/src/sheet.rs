@@ -158,7 +158,7 @@ fn clamps(page: &mut Document, clamping: &Clamping, lang: Lang) {
     page.paragraph(say!(
         lang,
         "plan-largest-force",
-        hole = clamping.hole.as_str(),
+        hole = Figure::called(&clamping.hole),
         torque = rounded(clamping.torque_n_m.0, 2),
         distance = rounded(clamping.distance_mm.to_mm(), 1),
         force = rounded(clamping.force_n.0, 0)
@@ -207,7 +207,7 @@ fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
             Severity::Note => (Shown::Note, say!(lang, "plan-note")),
         };
         let text = match &finding.hole {
-            Some(hole) => say!(lang, "plan-of-hole", hole = hole.as_str(), finding = finding.note.clone()),
+            Some(hole) => say!(lang, "plan-of-hole", hole = Figure::called(hole), finding = finding.note.clone()),
             None => lang.say(&finding.note),
         };
         page.push(FindingBlock::new(severity, word, Inlines::sentence(&text)));

@@ -2,7 +2,7 @@
 
 use crate::document::{Block, Document, Inlines, Item};
 use crate::knowledge::Source;
-use crate::note::{Because, Figure, IntoFigure};
+use crate::note::{Because, Figure, IntoFigure, Note, TO_BE_GROUND};
 use crate::plan::{HolePlan, Plan};
 use crate::units::round_to;
 
@@ -13,8 +13,10 @@ use super::{Lang, operation_verb, sheet};
 pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
     let drawn = plan.part.holes.iter().find(|known| known.name == hole.name);
     let size = drawn.map_or(Figure::Text("".into()), |drawn| (&drawn.diameter).into_figure());
-    let mut page =
-        Document::new(lang.tag(), say!(lang, "explain-title", hole = hole.name.as_str(), size = size).trim_end());
+    let mut page = Document::new(
+        lang.tag(),
+        say!(lang, "explain-title", hole = Figure::called(&hole.name), size = size).trim_end(),
+    );
     match &hole.route {
         Some(route) => {
             let (scheme, table) = (Figure::scheme(&route.scheme), route.table.as_str());
@@ -31,19 +33,17 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
         }
     }
     for (index, transition) in hole.transitions.iter().enumerate() {
-        page.heading(
-            2,
-            say!(
-                lang,
-                "explain-transition",
-                number = index + 1,
-                verb = operation_verb(transition.operation.name(), lang),
-                diameter = transition.diameter_mm,
-                tool = transition.tool.number,
-                designation = transition.tool.designation.as_str(),
-                holder = transition.holder.designation.as_str()
-            ),
-        );
+        let key = if transition.elsewhere { "explain-transition-elsewhere" } else { "explain-transition" };
+        let mut made = Note::new(key)
+            .with("number", index + 1)
+            .with("verb", operation_verb(transition.operation.name(), lang))
+            .with("diameter", transition.diameter_mm)
+            .with("designation", transition.tool.designation.as_str())
+            .with("holder", transition.holder.designation.as_str());
+        if !transition.elsewhere {
+            made = made.with("tool", transition.tool.number);
+        }
+        page.heading(2, lang.say(&made));
         page.push(Block::List(reasons(&transition.because, lang)));
         let conditions = &transition.conditions;
         let number = |value, places| Figure::number(round_to(value, places).to_string());
@@ -79,8 +79,10 @@ fn reason_item(reason: &Because, lang: Lang) -> Item {
         place = lang.place(&reason.place)
     );
     let why = reason.reason.iter().map(|why| say!(lang, "explain-reason", why = lang.remark(why).into_owned()));
-    let doubt =
-        reason.unconfirmed.iter().map(|why| say!(lang, "explain-unconfirmed", why = lang.remark(why).into_owned()));
+    let doubt = reason.unconfirmed.iter().map(|why| match why.as_str() {
+        TO_BE_GROUND => say!(lang, "explain-to-be-ground", why = lang.remark(why).into_owned()),
+        _ => say!(lang, "explain-unconfirmed", why = lang.remark(why).into_owned()),
+    });
     let passed = reason.rejected.iter().map(|passed| say!(lang, "explain-not-taken", why = passed.clone()));
     let items = why.chain(doubt).chain(passed).map(|text| sentence(&text)).collect();
     Item { items, ..sentence(&decided) }

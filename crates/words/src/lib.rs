@@ -16,6 +16,7 @@ use std::fmt;
 
 pub use catalogue::Language;
 pub use registered::LANGUAGES;
+use technolog_note::IntoFigure as _;
 pub use technolog_note::{Figure, Note, Word};
 
 /// A language of the answers.
@@ -127,8 +128,19 @@ impl Lang {
             }
             Figure::Note(note) => self.say(note),
             Figure::Stored(text) => text.clone(),
+            Figure::Called(name) => self.called(name),
             Figure::Remark(text) => self.remark(text).into_owned(),
         }
+    }
+
+    /// A name that the user gave, as it stands in a sentence: in quotation marks, unless it is a designation such as
+    /// `B2`, which nobody takes for a word.
+    pub fn called(self, name: &str) -> String {
+        if is_designation_of_part(name) {
+            return name.to_owned();
+        }
+        let figure = Figure::Text(name.to_owned().into());
+        self.message("called", None, &[("name", &figure)]).unwrap_or_else(|| name.to_owned())
     }
 
     /// A remark of a table row: the data from which it was inferred, or why it is not confirmed. English where this
@@ -168,7 +180,7 @@ impl Lang {
             before = rest[..length].chars().next_back().unwrap_or(' ');
             rest = &rest[length..];
         }
-        text
+        if known.is_empty() { text } else { with_dashes(&text) }
     }
 
     fn plain(self, key: &str, form: Option<&str>) -> Option<&'static str> {
@@ -185,6 +197,25 @@ impl Lang {
     }
 }
 
+/// A dash between lines far into a text or between tables, `10273–10277` and `A.11–A.29`, whatever stands before them.
+fn with_dashes(text: &str) -> String {
+    const DIGITS: usize = 5;
+    let of_digits = |part: &str| part.len() == DIGITS && part.bytes().all(|byte| byte.is_ascii_digit());
+    let of_table = |part: &str| part.strip_prefix("A.").is_some_and(|number| number.parse::<u8>().is_ok());
+    let ends = |sign: char| !sign.is_ascii_alphanumeric() && sign != '.';
+    let mut parts = text.split('-').peekable();
+    let mut said = String::with_capacity(text.len());
+    while let Some(part) = parts.next() {
+        said.push_str(part);
+        let Some(next) = parts.peek() else { break };
+        let from = part.rsplit(ends).next().unwrap_or_default();
+        let to = next.split(ends).next().unwrap_or_default();
+        let spans = of_digits(from) && of_digits(to) || of_table(from) && of_table(to.trim_end_matches('.'));
+        said.push(if spans { '–' } else { '-' });
+    }
+    said
+}
+
 /// The textbook prints the Cyrillic letter; on all pages a table has one name, that of the command line.
 fn with_latin_table_names(text: &str) -> Cow<'_, str> {
     if text.contains("А.") { text.replace("А.", "A.").into() } else { text.into() }
@@ -193,12 +224,18 @@ fn with_latin_table_names(text: &str) -> Cow<'_, str> {
 /// The figures of a note; for a stored note, of the kinds that they seem to have.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 fn figures_of(note: &Note) -> Vec<(&str, Cow<'_, Figure>)> {
-    note.figures()
-        .map(|(name, figure)| match figure {
-            Figure::Stored(text) => (name, Cow::Owned(stored(name, text))),
-            figure => (name, Cow::Borrowed(figure)),
-        })
-        .collect()
+    let known = note.figures().map(|(name, figure)| match figure {
+        Figure::Stored(text) => (name, Cow::Owned(stored(name, text))),
+        figure => (name, Cow::Borrowed(figure)),
+    });
+    let mut known: Vec<(&str, Cow<'_, Figure>)> = known.collect();
+    // A sentence about one table has no plural.
+    let tables = known
+        .iter()
+        .find(|(name, _)| ["tables", "order"].contains(name))
+        .map(|(_, tables)| tables.text().split(", ").count());
+    known.extend(tables.map(|count| ("tables-count", Cow::Owned(count.into_figure()))));
+    known
 }
 
 /// A figure of a stored note; only its name shows its kind.
@@ -218,6 +255,7 @@ fn stored(name: &str, text: &str) -> Figure {
         "feature",
         "stages",
     ];
+    const NAMES: [&str; 2] = ["hole", "called"];
     let list = |one: fn(String) -> Figure| {
         let between = if text.contains(" + ") { " + " } else { ", " };
         Figure::List(text.split(between).map(|part| one(part.to_owned())).collect(), between)
@@ -228,6 +266,8 @@ fn stored(name: &str, text: &str) -> Figure {
         Figure::number(text.to_owned())
     } else if let Some((name, number)) = parameter {
         Figure::List(vec![Figure::Text(name.to_owned().into()), Figure::number(number.to_owned())], " ")
+    } else if NAMES.contains(&name) {
+        Figure::Called(text.to_owned())
     } else if OPERATIONS.contains(&name) {
         list(Figure::operation)
     } else if WORDS.contains(&name) {
@@ -240,6 +280,11 @@ fn stored(name: &str, text: &str) -> Figure {
 /// Whether digits are a name, such as that of the scheme `07`.
 fn is_designation(digits: &str) -> bool {
     digits.len() > 1 && digits.starts_with('0') && !digits.contains('.')
+}
+
+/// Whether a name consists of capital letters and digits, such as the letters of holes on drawings.
+fn is_designation_of_part(name: &str) -> bool {
+    name.chars().all(|sign| sign.is_uppercase() || sign.is_ascii_digit())
 }
 
 /// Whether the messages of a file are words of pages and commands, not sentences of notes.

@@ -46,7 +46,7 @@ pub fn answer(question: &LookupQuestion<'_>, format: Format, context: &Context) 
             nearest_values: missed.keys.iter().map(|key| (key.column.name.as_str(), key)).collect(),
         })?,
         _ if rows.is_empty() => context.emit_document(&missed_page(table, &missed, context.lang), format)?,
-        _ => context.emit_document(&found_page(table, &rows, context.lang, format), format)?,
+        _ => context.emit_document(&found_page(table, &rows, context.lang, context.room(format)), format)?,
     }
     Ok(if rows.is_empty() { Outcome::Findings } else { Outcome::Done })
 }
@@ -114,11 +114,11 @@ fn nearest_values<'a>(table: &'a Table, index: usize, wanted: &Value) -> Vec<&'a
     near.iter().filter_map(|text| by_text.get(text).copied()).collect()
 }
 
-fn found_page(table: &Table, rows: &[RowRef<'_>], lang: Lang, format: Format) -> Document {
+fn found_page(table: &Table, rows: &[RowRef<'_>], lang: Lang, room: Option<usize>) -> Document {
     let mut page = sheet::titled(table, lang);
     let results: Vec<String> = rows.iter().map(|&row| shown::result(lang, row)).collect();
     super::result(&mut page, &results.join("; "), lang);
-    let numbered = sheet::rows(&mut page, table, rows, lang, format);
+    let numbered = sheet::rows(&mut page, table, rows, lang, room);
     if numbered {
         sheet::columns(&mut page, table, numbered, lang);
     }

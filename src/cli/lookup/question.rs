@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 
 use technolog::knowledge::diagnostic::nearest;
-use technolog::knowledge::{Column, ColumnRole, Diagnostic, Place, Table, TableKind, Value};
+use technolog::knowledge::table::Cell;
+use technolog::knowledge::{Column, ColumnRole, ColumnType, Diagnostic, Place, RowRef, Table, TableKind, Value};
 use technolog::words::say;
 
 use super::Args;
@@ -122,7 +123,7 @@ impl Reader<'_, '_> {
     fn pair(&mut self, pair: &str, at: At) {
         let lang = self.context.lang;
         let Some((key, text)) = pair.split_once('=') else {
-            let example = self.keys().first().map(|(_, column)| example(column)).unwrap_or_default();
+            let example = self.keys().first().map(|(_, column)| example(column, None)).unwrap_or_default();
             let message = say!(lang, "cli-not-a-pair", text = pair);
             return self.problem("bad-argument", message, at, say!(lang, "cli-write-pair", example = example));
         };
@@ -145,7 +146,8 @@ impl Reader<'_, '_> {
         let column = &self.table.columns[index];
         let expected = |domain: bool| {
             let domain = column.domain_text.as_deref().filter(|_| domain);
-            let domain = domain.map(|domain| format!(", {}", shown::test(lang, column, domain))).unwrap_or_default();
+            let domain = domain.map(|domain| format!(", {}", typed(&shown::test(lang, column, domain))));
+            let domain = domain.unwrap_or_default();
             say!(lang, "cli-expected-is", expected = shown::expected(lang, column) + &domain)
         };
         let value = match column.parse_value(text) {
@@ -201,37 +203,77 @@ impl Reader<'_, '_> {
         self.problem("unknown-key", message, at, help);
     }
 
+    /// The first row that answers with what is given and the defaults of the rest, so that an example made of it is
+    /// answered when it is followed.
+    fn answering(&self) -> Option<RowRef<'_>> {
+        let fits = |row: &RowRef<'_>| {
+            self.table.inputs().all(|(index, column)| {
+                let given = self.given.iter().find(|(own, _)| *own == index).map(|(_, value)| value);
+                let rank = given.or(column.default.as_ref()).and_then(|value| column.rank(value));
+                match (row.row().cells.get(index), rank) {
+                    (Some(Cell::Test(set, _)), Some(rank)) => set.contains(rank),
+                    _ => true,
+                }
+            })
+        };
+        self.table.all_rows().find(fits)
+    }
+
     /// Inputs of a decision table that have no default and were not named.
     fn missing(&mut self) {
         if self.table.kind == TableKind::Catalog {
             return;
         }
         let lang = self.context.lang;
-        let missing: Vec<&Column> = self
+        let missing: Vec<(usize, &Column)> = self
             .table
             .inputs()
             .filter(|(index, column)| {
                 column.default.is_none() && !self.named.contains(index) && !self.misspelt.contains(index)
             })
-            .map(|(_, column)| column)
             .collect();
         if missing.is_empty() {
             return;
         }
-        let keys: Vec<String> =
-            missing.iter().map(|column| format!("`{}` ({})", column.name, shown::expected(lang, column))).collect();
-        let examples: Vec<String> = missing.iter().map(|column| example(column)).collect();
+        let keys: Vec<String> = missing
+            .iter()
+            .map(|(_, column)| format!("`{}` ({})", column.name, shown::expected(lang, column)))
+            .collect();
+        let row = self.answering();
+        let in_row = |index: usize| row.and_then(|row| row.row().cells.get(index));
+        let examples: Vec<String> = missing.iter().map(|(index, column)| example(column, in_row(*index))).collect();
         let message = say!(lang, "cli-missing-keys", table = &self.table.id, keys = keys.join(", "));
         let help = say!(lang, "cli-give-keys", example = examples.join(" "));
         self.problem("missing-key", message, self.line.table, help);
     }
 }
 
-/// An example pair for this column: the upper limit of its domain, otherwise the lower.
-fn example(column: &Column) -> String {
-    let value = match column.allowed().intervals().last() {
+/// Numbers as they are typed, with a decimal point.
+fn typed(shown: &str) -> String {
+    let letters: Vec<char> = shown.chars().collect();
+    let is_digit = |at: Option<usize>| at.and_then(|at| letters.get(at)).is_some_and(char::is_ascii_digit);
+    let point = |(at, letter): (usize, &char)| match letter {
+        ',' if is_digit(at.checked_sub(1)) && is_digit(Some(at + 1)) => '.',
+        other => *other,
+    };
+    letters.iter().enumerate().map(point).collect()
+}
+
+/// An example pair for this column: the upper limit of what the row permits, or else of its domain, otherwise the
+/// lower.
+fn example(column: &Column, of_row: Option<&Cell>) -> String {
+    let permitted = match of_row {
+        Some(Cell::Test(set, _)) => set.intersection(&column.allowed()),
+        _ => column.allowed(),
+    };
+    let value = match permitted.intervals().last() {
         Some(&(low, i64::MAX)) if low > i64::MIN => column.show_rank(low),
-        Some(&(_, high)) if high < i64::MAX => column.show_rank(high),
+        Some(&(_, high)) if high < i64::MAX => {
+            // Below an open bound the nearest whole number is easier to read.
+            let whole = high - high.rem_euclid(1_000_000);
+            let of_number = column.ty == ColumnType::Number && permitted.contains(whole);
+            column.show_rank(if of_number { whole } else { high })
+        }
         _ => "…".to_owned(),
     };
     quoted(&format!("{}={value}", column.name))

@@ -175,6 +175,24 @@ fn a_plan_may_be_written_in_several_ways() {
             assert_eq!(operation_named(called, Lang::UK), Some(*operation), "{called}");
         }
     }
+    for (called, name) in [
+        ("розвертання чорнове", Some("rough-ream")),
+        ("чистове розгортання", Some("finish-ream")),
+        ("Остаточно розвернути", Some("finish-ream")),
+        ("фаска", Some("chamfer")),
+        ("нарізання різьби", Some("tap")),
+        ("розточити начорно", Some("rough-bore")),
+        ("розточити", None),
+        ("розвертання", None),
+    ] {
+        let operation = technolog::report::operation_named(called, Lang::UK);
+        assert_eq!(operation, name.and_then(Operation::from_name), "{called}");
+    }
+    let text = with("operation: drill,", "operation: розточити,");
+    let why = read(&text).unwrap_err().problems;
+    let said: Vec<String> = why.iter().map(|one| one.text(|note| Lang::UK.say(note))).collect();
+    let three = "чорнове розточування, напівчистове розточування, чистове розточування";
+    assert!(said.iter().any(|one| one.contains("розточити") && one.contains(three)), "{said:?}");
 }
 
 #[test]

@@ -543,3 +543,52 @@ fn the_rows_of_the_page_are_rows_of_the_plan() {
         assert!(cited > 10, "{path}: only {cited} rows cited");
     }
 }
+
+/// The figures of a cell as the page prints them: behind the sum, before what is said besides.
+fn printed(cell: &str) -> (f64, i32) {
+    let text = cell.split(';').next().unwrap_or_default().rsplit('=').next().unwrap_or_default().trim();
+    let text = text.replace(',', ".");
+    let places = text.split_once('.').map_or(0, |(_, part)| part.len());
+    (text.parse().unwrap_or_else(|_| panic!("`{cell}`")), i32::try_from(places).unwrap())
+}
+
+/// The tables of item 7 and the times, in prose, are those of the plans.
+#[test]
+fn the_figures_of_the_page_are_those_of_the_plans() {
+    let keys = [
+        ("s,", "feed_mm_per_rev"),
+        ("V,", "computed_speed_m_per_min"),
+        ("n taken", "spindle_rpm"),
+        ("n прийняте", "spindle_rpm"),
+        ("P,", "axial_force_n"),
+        ("N,", "power_kw"),
+    ];
+    let plans = [plan("card"), plan("formula")];
+    for path in ["docs/worked-example.md", "docs/uk/worked-example.md"] {
+        let page = std::fs::read_to_string(root().join(path)).unwrap();
+        let mut compared = 0;
+        for (key, figure_of) in keys {
+            let rows = page.lines().filter(|line| line.starts_with(&format!("| {key}")));
+            for (row, operation) in rows.zip(["centre-drill", "drill", "drill-out"]) {
+                let cells: Vec<&str> = row.trim_matches('|').split('|').collect();
+                for (cell, plan) in cells[3..].iter().zip(&plans) {
+                    let (stated, places) = printed(cell);
+                    let half = 0.51 * 10.0_f64.powi(-places);
+                    close(
+                        stated,
+                        figure(conditions(plan, operation), figure_of),
+                        half,
+                        &format!("{path} {operation} {key}"),
+                    );
+                    compared += 1;
+                }
+            }
+        }
+        assert_eq!(compared, 30, "{path}");
+        let minutes = |key: &str| figure(&plans[1]["time"], key);
+        let sum = format!(" {:.2} + ", minutes("machine_min"));
+        let sums = [sum, format!(" = {:.2} ", minutes("total_min"))];
+        let row = page.lines().rfind(|line| line.starts_with("| time") || line.starts_with("| час")).unwrap();
+        assert!(sums.iter().all(|sum| row.replace(',', ".").contains(sum)), "{path}: {row}");
+    }
+}

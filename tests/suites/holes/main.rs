@@ -24,4 +24,5 @@ mod practice;
 mod proof;
 mod published;
 mod route_laws;
+mod schools;
 mod torque;

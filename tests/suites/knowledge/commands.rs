@@ -167,6 +167,39 @@ fn the_shipped_tables_answer_the_contract() {
     }
 }
 
+/// The example of a question with missing keys answers when it is followed.
+#[test]
+fn an_example_of_missing_keys_is_answered() {
+    for asked in [
+        &["A.8"][..],
+        &["A.8", "it=7"],
+        &["A.9", "state=cast-or-pre-machined"],
+        &["drilling-feed"],
+        &["drilling-feed", "material_group=aluminium-alloy"],
+        &["tool-life"],
+        &["cutting-speed"],
+        &["it-grades", "it=7"],
+    ] {
+        let asked = [&["lookup"], asked].concat();
+        let output = run(&[&asked[..], &["--lang", "en"]].concat());
+        let said = String::from_utf8(output.stderr).unwrap();
+        let example =
+            said.lines().find_map(|line| line.split_once("add, for example, ")).unwrap_or_else(|| panic!("{said}")).1;
+        // The pairs as a shell would take them.
+        let mut pairs: Vec<String> = vec![String::new()];
+        let mut quoted = false;
+        for letter in example.chars() {
+            match letter {
+                '"' => quoted = !quoted,
+                ' ' if !quoted => pairs.push(String::new()),
+                letter => pairs.last_mut().unwrap().push(letter),
+            }
+        }
+        let whole: Vec<&str> = asked.iter().copied().chain(pairs.iter().map(String::as_str)).collect();
+        assert_eq!(run(&whole).status.code(), Some(0), "{whole:?}");
+    }
+}
+
 #[test]
 fn fields_of_a_catalog_are_compared_as_what_they_are() {
     let cases: &[(&str, &[&str], Value)] = &[

@@ -26,25 +26,32 @@ fn of_tables() -> BTreeSet<&'static str> {
 const SPOKEN: &[(&str, &str)] =
     &[("materials", "delivery_state"), ("machine-ir500pmf4", "text"), ("drill-force-formula", "used")];
 
-/// The sentences in cells: texts of two English words or more, in columns that are of no one language. Pages and files,
-/// which have names, are none.
+/// Columns of addresses, values and few words, of which a single one counts.
+const WORDED: &[&str] = &["page", "text"];
+
+/// The sentences in cells: texts of two English words or more, in columns that are of no one language; of pages, and of
+/// what machines and controls have besides figures, those with a word between the names.
 fn cells() -> impl Iterator<Item = &'static str> {
-    let of_table = |table: &'static Table| {
+    let is_english = |word: &str| {
+        let word = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
+        word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'\'')
+    };
+    let of_table = move |table: &'static Table| {
         let sentences = |column: &Column| {
-            let is_named = column.name == "page" || column.name.ends_with("_uk") || column.name.ends_with("_en");
+            let is_named = column.name.ends_with("_uk") || column.name.ends_with("_en");
             column.ty == ColumnType::Text && !is_named
         };
         let columns: Vec<usize> = (0..table.columns.len()).filter(|&at| sentences(&table.columns[at])).collect();
         let cells =
             table.rows.iter().flat_map(move |row| columns.clone().into_iter().map(move |at| (at, &row.cells[at])));
-        cells.filter_map(|(at, cell)| match cell {
-            Cell::Value(value) => Some((SPOKEN.contains(&(&table.id, &table.columns[at].name)), value.as_text()?)),
+        cells.filter_map(move |(at, cell)| match cell {
+            Cell::Value(value) => {
+                let (text, column) = (value.as_text()?, table.columns[at].name.as_str());
+                let worded = WORDED.contains(&column) && text.split_whitespace().any(is_english);
+                Some((worded || SPOKEN.contains(&(table.id.as_str(), column)), text))
+            }
             _ => None,
         })
-    };
-    let is_english = |word: &str| {
-        let word = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
-        word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'\'')
     };
     let is_sentence = move |text: &str| {
         let words: Vec<&str> = text.split_whitespace().collect();

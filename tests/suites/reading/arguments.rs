@@ -25,6 +25,10 @@ fn what_is_not_there_is_told_with_what_is() {
         ),
         ("order points.csv --metric rapid --machine foo", "[unknown-machine]", "there are: gf2171"),
         ("check program.nc --machine foo", "[unknown-machine]", "there are: gf2171"),
+        ("check program.nc --control linuxcnc-lathe --machine gf2171", "[unknown-machine]", "16k20f3"),
+        ("check program.nc --control linuxcnc-lathe --machine 16К21Ф3", "[unknown-machine]", "16k20f3"),
+        ("plan plate.yaml --format pdf", "pdf", "text, markdown, html, json, yaml, hand"),
+        ("lookup A.8 it=7 roughness=Ra2,5", "a decimal part stands after a point, `Ra 2.5`", "Ra 2.5 or Ra 1.25"),
         ("program foo.yaml", "--> foo.yaml:5:10", "gf2171, ir500pmf4"),
         ("order foo.yaml", "--> foo.yaml:5:10", "gf2171, ir500pmf4"),
         ("check program.nc --part foo.yaml", "--> foo.yaml:5:10", "gf2171, ir500pmf4"),
@@ -38,6 +42,39 @@ fn what_is_not_there_is_told_with_what_is() {
         assert_eq!((answer.code, answer.answer.as_str()), (Some(2), ""), "{arguments}: {}", answer.beside);
         assert!(answer.beside.contains(message) && answer.beside.contains(help), "{arguments}: {}", answer.beside);
     }
+}
+
+/// Machines and tables as people call them, with Cyrillic letters.
+#[test]
+fn what_is_called_otherwise_is_found() {
+    let folder = folder("called");
+    let part = fs::read_to_string(root().join("examples/plate.yaml")).unwrap();
+    fs::write(folder.join("plate.yaml"), part.replace("machine: gf2171", "machine: ГФ2171")).unwrap();
+    fs::write(folder.join("points.csv"), "0,0\n1,1\n").unwrap();
+    fs::copy(root().join("examples/turned-sleeve.yaml"), folder.join("sleeve.yaml")).unwrap();
+    let written = ["turn", "sleeve.yaml", "--show", "program", "--control", "linuxcnc", "-o", "sleeve.nc"];
+    assert_eq!(command(&folder, &written, b"").code, Some(0));
+    for arguments in [
+        "plan plate.yaml",
+        "order points.csv --machine ГФ2171",
+        "check sleeve.nc --control linuxcnc-lathe --machine 16К20Ф3",
+        "table А.18б",
+        "table A.18b",
+    ] {
+        let answer = command(&folder, &arguments.split(' ').collect::<Vec<_>>(), b"");
+        assert!(answer.code != Some(2), "{arguments}: {}", answer.beside);
+    }
+    // The lathe of the part moves at its own rapids, as the one that is named.
+    let times = |more: &[&str]| {
+        let check = ["check", "sleeve.nc", "--control", "linuxcnc-lathe", "--format", "json"];
+        let answer = command(&folder, &[&check[..], more].concat(), b"").answer;
+        serde_json::from_str::<serde_json::Value>(&answer).unwrap()["time"].clone()
+    };
+    let own = times(&["--part", "sleeve.yaml"]);
+    assert!(!own["rapid_min"].is_null(), "{own}");
+    let machine = fs::read_to_string(folder.join("sleeve.yaml")).unwrap();
+    let machine = machine.lines().find_map(|line| line.strip_prefix("machine: ")).unwrap().trim().to_owned();
+    assert_eq!(own, times(&["--machine", &machine]));
 }
 
 /// A student checks what `turn` wrote and forgets the control: one message, naming it, instead of a hundred wrong words.

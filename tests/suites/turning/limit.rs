@@ -579,8 +579,11 @@ fn the_answer_is_told_whole() {
     let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::ForToolLife).unwrap();
     let texts: Vec<String> =
         limit.findings().iter().flat_map(|finding| [Lang::UK, Lang::EN].map(|lang| lang.say(&finding.note))).collect();
-    assert_eq!(texts[0], "обмеження «привод подачі» не враховано: у даних верстата 16b16t1 немає рядка `feed-force-z`");
-    assert_eq!(texts[1], "the limit “feed drive” is left out: 16b16t1 has no `feed-force-z`");
+    assert_eq!(
+        texts[0],
+        "обмеження «привод подачі» не враховано: у даних верстата 16Б16Т1 немає величини «сила подачі по Z»"
+    );
+    assert_eq!(texts[1], "the limit “feed drive” is left out: 16B16T1 has no figure “feed force z”");
     let back: LimitingDepth = serde_json::from_str(&serde_json::to_string(&limit).unwrap()).unwrap();
     assert_eq!(back, limit, "the answer comes back from JSON without loss");
     insta::assert_snapshot!("limiting_depth", serde_json::to_string_pretty(&limit).unwrap());

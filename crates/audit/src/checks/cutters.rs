@@ -5,7 +5,6 @@ use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::reason::{OfOther, Unfit};
-use crate::route::diameters::range;
 use crate::tables::holes::HoleDefault;
 use crate::tooling::CutterNeed;
 use crate::tooling::named;
@@ -16,7 +15,6 @@ use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
-use super::super::rules::counts::DIAMETER;
 use super::super::stated::Row;
 use super::reach::Tips;
 
@@ -50,11 +48,10 @@ pub(super) fn check<'a>(
             if why.is_of_reach() {
                 unsuited.follows_from = roots::roots_of(findings, context.field(Id::new(Scope::Row(at), Q::Depth)));
             }
-            if let Unfit::OfOther(other) = why {
-                if !matches!(other, OfOther::Thread { .. }) {
-                    unsuited.follows_from = diameter(context, graph, at, row, hole, findings)?;
-                }
-                unsuited.kind = FindingKind::OfOther(other);
+            if let Unfit::OfOther(other) = why
+                && !matches!(other, OfOther::Thread { .. })
+            {
+                unsuited.follows_from = diameter(context, graph, at, findings);
             }
             findings.push(unsuited);
         } else if let Some(why) = named::other_design_note(cutter, hole.through).filter(|_| row.of_main_cylinder()) {
@@ -64,17 +61,9 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// A cutter of another size than its row. The diameter of the row may be the slip, and the cutter is right for it.
-/// Where the drawing or the neighbouring rows confirm the diameter, the cutter is the slip, and findings of formulas
-/// about the diameter are withdrawn.
-fn diameter(
-    context: &Context<'_>,
-    graph: &Graph<'_>,
-    at: usize,
-    row: &Row,
-    hole: &Hole,
-    findings: &mut Vec<AuditFinding>,
-) -> Result<Vec<String>, KnowledgeError> {
+/// A cutter of another size than its row. The diameter of the row may be the slip, and the cutter is right for it;
+/// where the drawing or the neighbouring rows confirm the diameter, no formula finds it wrong, and the cutter is the slip.
+fn diameter(context: &Context<'_>, graph: &Graph<'_>, at: usize, findings: &[AuditFinding]) -> Vec<String> {
     let id = Id::new(Scope::Row(at), Q::Diameter);
     let field = context.field(id);
     // Another check has already found the diameter wrong, such as that of an opening.
@@ -85,34 +74,9 @@ fn diameter(
             && finding.kind == FindingKind::Opening
     });
     if already_reported {
-        return Ok(vec![field]);
+        return vec![field];
     }
-    let roots = roots::figure_roots(graph, id);
-    if roots == [id] && backed(context, at, row, hole)? {
-        roots::retract(findings, &field, &DIAMETER);
-        return Ok(Vec::new());
-    }
-    Ok(roots.into_iter().map(|root| context.field(root)).collect())
-}
-
-/// Whether something other than the tool confirms the diameter of a row: the drawing, the program's plan of the same
-/// transition, or the stock of the next row.
-fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> Result<bool, KnowledgeError> {
-    let Some(own) = row.figures.get(&Q::Diameter) else { return Ok(false) };
-    let value = Micrometres::from_mm_rounded(own.value);
-    if context.reference(at).is_some_and(|transition| transition.diameter_mm == value) {
-        return Ok(true);
-    }
-    let opens = |row: &Row| row.opens_main_cylinder() && row.operation.value != Operation::Tap;
-    let mut after = context.stated.rows_of_hole(&hole.name).filter(|(other, row)| *other > at && opens(row));
-    let Some((_, next)) = after.next() else {
-        return Ok((hole.diameter.smallest()..=hole.diameter.largest()).contains(&value));
-    };
-    let stated = |quantity| next.figures.get(&quantity).map(|figure| Micrometres::from_mm_rounded(figure.value));
-    let stock = stated(Q::Diameter).map(|after| after - value);
-    let range = range(next.operation.value, Some(row.operation.value), hole.diameter.nominal, &context.shop)?;
-    let found = range.zip(stock).is_some_and(|(range, stock)| (range.low..=range.high).contains(&stock));
-    Ok(found || stated(Q::From) == Some(value))
+    roots::figure_roots(graph, id).into_iter().map(|root| context.field(root)).collect()
 }
 
 /// What the row requires of its cutter. In a plan of the program only the values in the row count, and reach only for

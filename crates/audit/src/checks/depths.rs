@@ -2,7 +2,7 @@
 //! centring as deep as its spot requires, and nothing cuts through a blind hole.
 
 use crate::error::KnowledgeError;
-use crate::note::{self, Note, Severity};
+use crate::note::{self, Figure, Note, Severity};
 use crate::part::{Bottom, Hole};
 use crate::plan::Operation;
 use crate::tooling::named;
@@ -73,7 +73,8 @@ pub(super) fn check<'a>(
         let most = if deeper { hole.depth + room } else { hole.depth };
         let least = if above { hole.depth - room } else { hole.depth };
         if plain && !(least..=most).contains(&stated) {
-            let finding = say(Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", &hole.name));
+            let finding =
+                say(Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", Figure::called(&hole.name)));
             findings.push(with_right_value(finding, figure, hole.depth, Q::Depth));
         }
     }

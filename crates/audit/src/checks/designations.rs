@@ -3,16 +3,13 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::note::{Because, Figure, Note, Severity};
-use crate::reason::OfOther;
 
 use super::super::context::Context;
-use super::super::finding::{AuditFinding, FindingKind, Section};
+use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, NameMatch, likeness, plain, same_table};
 use super::super::quantity::Scope;
-use super::super::rules::tools::{DIMENSION, OVERHANG, dimensions as of_row};
 use super::super::stated::Text;
-use crate::tooling::named::NamedCutter;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -153,43 +150,8 @@ fn standard(
 /// Dimensions that do not belong to the designation but all belong to another one: then the designation is wrong.
 fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<AuditFinding>) {
     let tool = &context.stated.tools[at];
-    let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return };
-    let of_tool = |finding: &AuditFinding| finding.subject.tool == Some(tool.number);
-    let off = findings.iter().filter(|one| one.kind.rule() == Some(&DIMENSION) && of_tool(one)).count();
-    if off == 0 {
-        return;
-    }
-    let fits = |cutter: &NamedCutter<'_>| {
-        of_row(&cutter.row).into_iter().all(|(quantity, length)| {
-            let stated = tool.figures.get(&quantity).map(|figure| figure.value);
-            stated.is_none_or(|value| length.is_some_and(|length| (length.to_mm() - value).abs() < 1e-6))
-        })
-    };
-    // Another tool of the same dimensions may be of another kind: it must also suit the rows of this one.
-    let does = |cutter: &NamedCutter<'_>| {
-        let mut rows = context.stated.rows_of_tool(tool.number);
-        rows.all(|(_, row)| cutter.head.operations.contains(&row.operation.value))
-    };
-    let mut others = context.auditor.cutters.values().filter(|cutter| fits(cutter) && does(cutter));
-    let Some(other) = others.next() else { return };
-    // A single dimension may itself be the slip; the rows of the tool decide which of the two is meant.
-    let of_size =
-        |other: &OfOther| matches!(other, OfOther::Operation { .. } | OfOther::Angle { .. } | OfOther::Size { .. });
-    let unsuited =
-        |one: &AuditFinding| of_tool(one) && matches!(&one.kind, FindingKind::OfOther(other) if of_size(other));
-    if off < 2 && !findings.iter().any(unsuited) {
-        return;
-    }
+    let (Some(name), Some(other)) = (&tool.designation, context.of_dimensions(at)) else { return };
     let field = format!("tools.T{}.designation", tool.number);
-    for finding in findings.iter_mut().filter(|finding| of_tool(finding)) {
-        let of_name = match &finding.kind {
-            FindingKind::OfOther(other) => matches!(other, OfOther::Operation { .. } | OfOther::Size { .. }),
-            kind => kind.rule().is_some_and(|rule| *rule == DIMENSION || *rule == OVERHANG),
-        };
-        if of_name {
-            finding.follows_from = vec![field.clone()];
-        }
-    }
     let note = Note::new("audit-dimensions-of").with("tool", &name.value).with("known", other.designation);
     let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field, note).at(&name.place);
     let because = Because::row(other.row.row, Note::new("named"));

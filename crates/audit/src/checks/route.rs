@@ -33,7 +33,7 @@ pub(super) fn check<'a>(
             // A hole for which the program has no route is unfinished too.
             let known = plan.is_some_and(|plan| !plan.transitions.is_empty());
             let code = if known { "audit-hole-not-made" } else { "audit-hole-not-made-either" };
-            let note = Note::new(code).with("hole", &hole.name).with("count", hole.at.len());
+            let note = Note::new(code).with("count", hole.at.len());
             let field = format!("route.{}", hole.name);
             findings.push(AuditFinding::new(Severity::Error, Section::Route, field, note).about(hole_subject(hole)));
             continue;

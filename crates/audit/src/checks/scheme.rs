@@ -82,7 +82,7 @@ impl Group<'_, '_> {
         let stated = if key == "table" { &row.table } else { &row.scheme };
         let place = stated.as_ref().map_or(&row.place, |text| &text.place);
         let note = note
-            .with("hole", &self.hole.name)
+            .with("way", way(self.route.source))
             .with("scheme", Figure::scheme(&self.route.scheme))
             .with("table", &self.route.table);
         let finding =
@@ -316,4 +316,13 @@ fn drilled_once(list: &[Operation]) -> Vec<Operation> {
         }
     }
     once
+}
+
+/// What a sentence calls a route of that source.
+const fn way(source: RouteSource) -> &'static str {
+    match source {
+        RouteSource::Tables => "table",
+        RouteSource::Complexes => "complex",
+        RouteSource::Search => "search",
+    }
 }

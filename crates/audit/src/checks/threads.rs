@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Figure, Note, Severity};
 use crate::part::{Hole, Thread};
 use crate::plan::Operation;
 use crate::tables::holes::HoleDefault;
@@ -55,7 +55,8 @@ fn taps(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), K
         let Some(tool) = row.tool.as_ref().filter(|_| row.operation.value == Operation::Tap && !row.elsewhere) else {
             continue;
         };
-        let note = Note::new("audit-cannot-tap").with("machine", &context.stated.part.machine);
+        let note = Note::new("audit-cannot-tap")
+            .with("machine", Figure::word_of("machine", context.stated.part.machine.clone()));
         let field = format!("route.{}.tool", row.number);
         let finding = AuditFinding::new(Severity::Error, Section::Route, field, note).at(&tool.place);
         let because = Because::row(machine.row(MachineQuantity::CanTap)?, Note::new("audit-limit"));

@@ -119,6 +119,11 @@ impl<'a> Graph<'a> {
     /// Adds the right value of a misprinted figure, and what was computed from it; everything is then judged again.
     pub(crate) fn correct(&mut self, formula: Formula<'a>, computed: Id) {
         self.misprinted.insert(formula.output, computed);
+        self.replace(formula);
+    }
+
+    /// Replaces the formulas of a figure; everything is then judged again.
+    pub(crate) fn replace(&mut self, formula: Formula<'a>) {
         self.formulas.insert(formula.output, vec![formula]);
         self.right.borrow_mut().clear();
         self.taken.borrow_mut().clear();

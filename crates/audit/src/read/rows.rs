@@ -8,8 +8,8 @@ use crate::knowledge::yaml::{Fields, Node};
 use crate::part::Part;
 use crate::plan::{Feature, Operation};
 use technolog_core::lang::Lang;
-use technolog_core::words::operation_named;
-use technolog_note::note;
+use technolog_core::words::{operation_named, operations_like};
+use technolog_note::{Figure, note};
 
 use super::Reader;
 use crate::audit::near::plain;
@@ -43,7 +43,7 @@ impl Reader<'_> {
             let id =
                 |text: &str| Operation::NAMES.iter().find(|(name, _)| *name == text).map(|(_, operation)| *operation);
             let named = node.text().and_then(|text| id(text).or_else(|| operation_named(text, Lang::UK)));
-            let value = named.or_else(|| self.choice(node, Operation::NAMES))?;
+            let value = named.or_else(|| self.no_operation(node))?;
             Some(StatedValue { value, place: node.place.clone() })
         });
         let hole = self.hole(&mut fields, file::Row::hole, part);
@@ -99,6 +99,23 @@ impl Reader<'_> {
             self.problems.error_help::<()>("unknown-hole", message, &hole.place, help);
         }
         Some(hole)
+    }
+
+    /// The refusal of what is no operation, with those it may mean.
+    fn no_operation(&mut self, node: &Node) -> Option<Operation> {
+        let text = self.problems.text(node)?;
+        if text.is_ascii() {
+            return self.choice(node, Operation::NAMES);
+        }
+        let like = operations_like(text, Lang::UK);
+        let message = note!("planfile-no-operation", name = text);
+        let help = if like.is_empty() {
+            let all = Operation::NAMES.iter().map(|(name, _)| *name);
+            note!("planfile-operations", known = Figure::operations(all))
+        } else {
+            note!("planfile-operations-like", known = Figure::operations(like))
+        };
+        self.problems.error_help("bad-value", message, &node.place, help)
     }
 
     /// `T2`, or `2`; also with the Cyrillic letter, which is typed as often.

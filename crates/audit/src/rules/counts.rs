@@ -1,8 +1,11 @@
 //! Compares counts, diameters and depths of the route with the drawing and with each other.
 
 use crate::error::KnowledgeError;
+use crate::part::Hole;
 use crate::plan::Operation;
+use crate::units::Micrometres;
 
+use super::super::backed::backed;
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -11,7 +14,7 @@ use super::{equal_figures, fixed_figure, formula, largest, marks};
 const COUNT: Rule = Rule { id: "holes-of-group", formula: "z" };
 const COUNT_OF_CONDITIONS: Rule = Rule { id: "holes-of-rows", formula: "z = Σz" };
 pub(crate) const FROM: Rule = Rule { id: "diameter-before", formula: "D0" };
-pub(crate) const DIAMETER: Rule = Rule { id: "diameter-of-tool", formula: "D" };
+const DIAMETER: Rule = Rule { id: "diameter-of-tool", formula: "D" };
 pub(crate) const PASS_DIAMETER: Rule = Rule { id: "diameter-of-row", formula: "D" };
 const ONE_DIAMETER: Rule = Rule { id: "diameter-of-conditions", formula: "D" };
 const MILL_DIAMETER: Rule = Rule { id: "diameter-of-mill", formula: "D" };
@@ -20,6 +23,15 @@ const DEPTH: Rule = Rule { id: "depth-of-hole", formula: "l" };
 pub(super) const RULES: &[Rule] =
     &[COUNT, COUNT_OF_CONDITIONS, FROM, DIAMETER, PASS_DIAMETER, ONE_DIAMETER, MILL_DIAMETER, DEPTH];
 
+/// Whether a row is right in its diameter and its tool is of another one: then the tool is the slip.
+fn is_of_another_tool(context: &Context<'_>, at: usize, tool: usize, hole: &Hole) -> Result<bool, KnowledgeError> {
+    let (row, figures) = (&context.stated.rows[at], &context.stated.tools[tool].figures);
+    let of_catalog = context.cutter(tool).and_then(|cutter| cutter.row.diameter);
+    let of_tool = of_catalog.or_else(|| Some(Micrometres::from_mm_rounded(figures.get(&Q::Diameter)?.value)));
+    let own = row.figures.get(&Q::Diameter).map(|own| Micrometres::from_mm_rounded(own.value));
+    Ok(own.zip(of_tool).is_some_and(|(own, of_tool)| own != of_tool) && backed(context, at, row, hole)?)
+}
+
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     for (at, row) in stated.rows.iter().enumerate() {
@@ -27,7 +39,9 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let Some(hole) = context.hole(row) else { continue };
         graph.add(fixed_figure(&COUNT, Id::new(scope, Q::Count), hole.at.len() as f64, []));
         let axial = matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
-        if let Some(tool) = stated.tool_of(row).filter(|_| axial && !row.elsewhere) {
+        if let Some(tool) = stated.tool_of(row).filter(|_| axial && !row.elsewhere)
+            && !is_of_another_tool(context, at, tool, hole)?
+        {
             graph.add(equal_figures(&DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Tool(tool), Q::Diameter)));
         }
         if !row.opens_main_cylinder() {

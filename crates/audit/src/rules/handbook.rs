@@ -16,7 +16,7 @@ use super::super::context::Context;
 use super::super::figures::{Nature, nature, shown};
 use super::super::graph::{Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{fixed_figure, formula};
+use super::{fixed_figure, formula, tabulated};
 
 /// Whether a rule is one of the handbook's formulas of speed and loads.
 pub(crate) fn is_handbook_rule(rule: &Rule) -> bool {
@@ -50,8 +50,8 @@ fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) 
         return Ok(());
     }
     let Some(cut) = cut(context, at)? else { return Ok(()) };
-    // The row that applies depends on the feed.
-    let feed = stated.figure(id(stated.conditions[at].feed())).map(|figure| MillimetresPerRev(figure.value));
+    // The row that applies depends on the feed, on the right one where the stated one is misprinted.
+    let feed = tabulated::feed(context, at)?.map(MillimetresPerRev);
     let formulas = match feed.filter(|feed| feed.0 > 0.0) {
         Some(feed) => Refusal::split(handbook::formulas(&cut, feed, &context.shop))?.ok().flatten(),
         None => None,
@@ -105,8 +105,8 @@ fn is_by_life(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: M
 /// The speed by the formula for a life, at the stated feed and depth of cut.
 fn by_law(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micrometres, life: f64) -> Option<f64> {
     let figure = |quantity| context.stated.figure(Id::new(Scope::Conditions(at), quantity));
-    let (feed, depth) = (figure(context.stated.conditions[at].feed())?, figure(Q::DepthOfCut)?);
-    Some(formulas.speed.at(diameter.to_mm(), depth.value, feed.value, life) * formulas.speed_factor)
+    let (feed, depth) = (tabulated::feed(context, at).ok()??, figure(Q::DepthOfCut)?);
+    Some(formulas.speed.at(diameter.to_mm(), depth.value, feed, life) * formulas.speed_factor)
 }
 
 /// The cut of the conditions, as far as the formulas need it; none if the cutter is not known.

@@ -7,6 +7,7 @@ mod clamping;
 mod conditions;
 pub(super) mod counts;
 pub(super) mod handbook;
+pub(super) mod tabulated;
 mod times;
 pub(super) mod tools;
 
@@ -30,6 +31,7 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
         tools::RULES,
         conditions::RULES,
         handbook::RULES,
+        tabulated::RULES,
         clamping::RULES,
         times::RULES,
         super::misprints::RULES,

@@ -14,9 +14,9 @@ use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{equal_figures, fixed_figure, formula, largest};
 
-pub(crate) const DIMENSION: Rule = Rule { id: "tool-dimension", formula: "" };
+const DIMENSION: Rule = Rule { id: "tool-dimension", formula: "" };
 const HOLDER: Rule = Rule { id: "holder-dimension", formula: "" };
-pub(crate) const OVERHANG: Rule = Rule { id: "overhang", formula: "lв" };
+const OVERHANG: Rule = Rule { id: "overhang", formula: "lв" };
 const HOLDER_USED: Rule = Rule { id: "one-holder-length", formula: "lопр" };
 const ASSEMBLY: Rule = Rule { id: "assembly-length", formula: "Lк = lв + lопр" };
 const REFERENCE: Rule = Rule { id: "reference-tool", formula: "Lет = max Lк" };
@@ -37,6 +37,11 @@ pub(crate) fn dimensions(row: &CutterRow<'_>) -> [(Q, Option<Micrometres>); 5] {
     ]
 }
 
+/// Whether the cutter of a transition may be ground, or set, to another diameter than that of its catalog.
+pub(crate) const fn may_be_ground(operation: Option<Operation>) -> bool {
+    !matches!(operation, Some(Operation::Drill | Operation::DrillOut | Operation::CentreDrill))
+}
+
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     for (at, tool) in stated.tools.iter().enumerate() {
@@ -48,8 +53,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             for (quantity, length) in dimensions(&cutter.row) {
                 let Some(length) = length else { continue };
                 // A core drill or reamer may be ground, and a bar set, to the size of its row.
-                let set = quantity == Q::Diameter
-                    && !matches!(operation, Some(Operation::Drill | Operation::DrillOut | Operation::CentreDrill));
+                let set = quantity == Q::Diameter && may_be_ground(operation);
                 if set && stated.is_own {
                     continue;
                 }

@@ -2,7 +2,7 @@
 //! beside the holes.
 
 use std::collections::{BTreeMap, BTreeSet};
-use technolog_note::{Note, note};
+use technolog_note::{Figure, IntoFigure, Note, note};
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::Problems;
@@ -49,8 +49,8 @@ pub(super) struct Group {
 }
 
 impl Group {
-    fn label(&self) -> &str {
-        self.name.as_ref().map_or("?", |(name, _)| name)
+    fn label(&self) -> Figure {
+        self.name.as_ref().map_or_else(|| "?".into_figure(), |(name, _)| Figure::called(name))
     }
 
     /// The widest diameter anywhere in the hole.

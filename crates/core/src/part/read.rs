@@ -4,7 +4,7 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, NodeKind, Problems, parse};
-use crate::machine::Machine;
+use crate::machine::{Machine, id_of};
 use crate::material::{self, MaterialState};
 use crate::tables::materials::ClampScrew;
 use crate::units::{Decimal, Micrometres};
@@ -174,10 +174,11 @@ impl Reader<'_> {
     pub(super) fn machine(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.to_owned();
         let known: Vec<&str> = Machine::ids(self.knowledge).collect();
-        if known.contains(&text.as_str()) {
-            return Some(text);
+        let id = id_of(&text);
+        if known.contains(&id.as_str()) {
+            return Some(id);
         }
-        let help = match nearest(&text.to_lowercase(), known.iter().copied()) {
+        let help = match nearest(&id, known.iter().copied()) {
             Some(near) => note!("cli-did-you-mean", name = near),
             None => note!("part-known-machines", known = known.join(", ")),
         };

@@ -51,7 +51,7 @@ impl Reader<'_> {
         let (thread, hole) = (threaded.thread, threaded.hole);
         if let Some(stated) = diameter_node {
             let text = self.problems.text(stated)?;
-            let size = text.trim().trim_start_matches(['Ø', '⌀', '∅', 'Ф', 'ф']).trim_start().parse();
+            let size = super::tolerance::without_sign(text).parse();
             if size != Ok(thread.size) && size != Ok(hole) {
                 let (written, nominal) = (&thread.written, thread.size);
                 let message = note!(

@@ -36,14 +36,20 @@ impl fmt::Display for ToleratedDiameter {
 }
 
 impl technolog_note::IntoFigure for ToleratedDiameter {
-    /// `Ø29.3H13`, its number with the separator of the language.
+    /// `Ø29.3H13` or `Ø8 +0.1/-0.1`, its numbers with the separator of the language.
     fn into_figure(self) -> technolog_note::Figure {
         let shown = self.to_string();
-        let Some(size) = shown.strip_prefix('Ø') else { return shown.into_figure() };
-        let end = size.find(|sign: char| !sign.is_ascii_digit() && sign != '.').unwrap_or(size.len());
-        let (number, zone) = size.split_at(end);
-        let number = technolog_note::Figure::number(number.to_owned());
-        technolog_note::Figure::List(vec!["Ø".into_figure(), number, zone.into_figure()], "")
+        let Some(mut rest) = shown.strip_prefix('Ø') else { return shown.into_figure() };
+        let mut parts = vec!["Ø".into_figure()];
+        while !rest.is_empty() {
+            let of_number = |sign: char| sign.is_ascii_digit() || "+-.".contains(sign);
+            let (part, behind) = rest.split_at(rest.find(|sign| !of_number(sign)).unwrap_or(rest.len()));
+            parts.extend((!part.is_empty()).then(|| technolog_note::Figure::number(part.to_owned())));
+            let (part, behind) = behind.split_at(behind.find(of_number).unwrap_or(behind.len()));
+            parts.extend((!part.is_empty()).then(|| part.into_figure()));
+            rest = behind;
+        }
+        technolog_note::Figure::List(parts, "")
     }
 }
 
@@ -73,13 +79,16 @@ impl ToleratedDiameter {
     /// What is wrong, and what to write.
     pub fn parse(text: &str, knowledge: &Knowledge) -> Result<Self, Note> {
         // Cyrillic Н looks like the Latin letter and is typed as often.
-        let text = text.trim().trim_start_matches(['Ø', '⌀', '∅', 'Ф', 'ф']).trim_start().replace(['Н', 'н'], "H");
+        let text = without_sign(text).replace(['Н', 'н'], "H");
         if let Some(what_to_write) = of_drawing(&text, knowledge)? {
             return Err(what_to_write);
         }
         // Split at the H, so that a letter typed for a digit before it is reported as such.
         let split = text.rfind('H').or_else(|| text.find(char::is_alphabetic)).unwrap_or(text.len());
         let (size, field) = text.split_at(split);
+        if size.trim().is_empty() {
+            return Err(note!("part-no-size", text = text, example = "10H12"));
+        }
         let nominal: Micrometres = size.trim().parse().map_err(|error| {
             // The meant value, where only the comma is wrong.
             let meant = size.trim().replace(',', ".");
@@ -89,6 +98,9 @@ impl ToleratedDiameter {
         if field.is_empty() {
             let grade = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
             return Self::with_grade(nominal, grade, nominal.to_string(), knowledge);
+        }
+        if field.trim() == "H" {
+            return Err(note!("part-no-grade", text = text, field = "H", example = format!("{nominal}H7")));
         }
         let Some(grade) = field.strip_prefix('H').and_then(|grade| grade.parse::<u8>().ok()) else {
             return Err(note!("part-no-tolerance-field-tables-know", field = field, nominal = nominal));
@@ -148,13 +160,21 @@ impl ToleratedDiameter {
         }
         for grade in (6..=14).rev() {
             let Some(it) = ItGrade::new(grade) else { continue };
-            if tolerance_width(it, nominal, knowledge)? <= given {
+            let width = tolerance_width(it, nominal, knowledge)?;
+            // JS of an odd width is rounded down to whole micrometres on each side (ISO 286-1), and remains of its grade.
+            let js = upper == -lower && upper == width.half();
+            if width <= given || js {
                 let written = format!("{nominal} {}/{}", signed(upper), signed(lower));
                 return Ok(Self { nominal, upper, lower, it, written });
             }
         }
         Err(note!("part-tolerance-mm-tighter-than-grade", given = given, nominal = nominal))
     }
+}
+
+/// A size without the sign of a diameter before it, whichever of the alike letters it is typed with.
+pub(super) fn without_sign(text: &str) -> &str {
+    text.trim().trim_start_matches(['Ø', 'ø', '⌀', '∅', 'Φ', 'φ', 'Ф', 'ф']).trim_start()
 }
 
 /// What to write instead of a size as drawings have it but part files do not: a thread, a unit, deviations, a field
@@ -223,4 +243,57 @@ pub fn tolerance_width(grade: ItGrade, size: Micrometres, knowledge: &Knowledge)
     let answer = knowledge.ask(&ItGradesFor { it: grade, diameter: size }).map_err(|error| Note::from(&error))?;
     let row = answer.winner().map_err(|error| Note::from(&error))?;
     row.map(|row| row.tolerance).ok_or_else(|| note!("part-no-at-mm-table-grades", it = grade, size = size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shipped;
+
+    #[test]
+    fn a_size_is_read_as_drawings_write_it() {
+        let knowledge = shipped::knowledge().unwrap();
+        for text in ["8H7", "Ø8H7", "ø8H7", "⌀8H7", "φ 8Н7", "Ф8H7"] {
+            let read = ToleratedDiameter::parse(text, &knowledge).unwrap();
+            assert_eq!(
+                (read.nominal, read.upper, read.it.number()),
+                (Micrometres::new(8_000), Micrometres::new(15), 7),
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn limits_as_a_hint_writes_them_have_the_grade_of_the_field() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (nominal, either, grade) in
+            [(8, 7, 7), (8, 4, 6), (8, 11, 8), (10, 7, 7), (20, 10, 7), (20, 16, 8), (40, 12, 7)]
+        {
+            let (nominal, either) = (Micrometres::from_mm(nominal), Micrometres::new(either));
+            let read = ToleratedDiameter::from_limits(nominal, either, -either, &knowledge).unwrap();
+            assert_eq!(read.it.number(), grade, "{nominal} ±{either}");
+        }
+        // One that is not JS is of the finer grade.
+        let (upper, lower) = (Micrometres::new(14), Micrometres::ZERO);
+        assert_eq!(
+            ToleratedDiameter::from_limits(Micrometres::from_mm(8), upper, lower, &knowledge).unwrap().it.number(),
+            6
+        );
+    }
+
+    #[test]
+    fn what_is_no_size_is_refused_with_the_remedy() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (text, words) in [
+            ("8js7", "{nominal: 8, upper: 0.007, lower: -0.007}"),
+            ("вісім", "`вісім` is not a size"),
+            ("8H", "lacks the grade after `H`, as in `8H7`"),
+            ("H7", "as in `10H7`"),
+            ("8h7", "`h7` is not a tolerance field"),
+        ] {
+            let why = ToleratedDiameter::parse(text, &knowledge).unwrap_err();
+            let said = technolog_words::Lang::EN.say(&why);
+            assert!(said.contains(words), "{text}: {said}");
+        }
+    }
 }

@@ -237,7 +237,10 @@ impl Reason {
                 new("drills-too-short").with("diameter", diameter).with("reach", reach).with("needed", needed)
             }
             Self::RankedLater { first } => new("ranked-later").with("first", first),
-            Self::SameAs { table, scheme } => new("same-as").with("table", table).with("same", Figure::scheme(scheme)),
+            Self::SameAs { table, scheme } => {
+                let table = Figure::word_of("route-table", table.clone());
+                new("same-as").with("table", table).with("same", Figure::scheme(scheme))
+            }
             Self::BoringAsked { position } => new("position-asks-boring").with("position", position),
             Self::BoringNotAsked { position } => new("boring-not-asked").with("position", position),
         }
@@ -255,6 +258,6 @@ const fn sides(below: Option<Micrometres>, above: Option<Micrometres>) -> &'stat
 }
 
 /// The next existing size, as sentences show it.
-fn size(size: Option<Micrometres>) -> String {
-    size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"))
+fn size(size: Option<Micrometres>) -> Figure {
+    size.map_or_else(|| "-".into_figure(), |size| Figure::List(vec!["Ø".into_figure(), size.into_figure()], ""))
 }

@@ -1,7 +1,7 @@
 //! Why a cutter or a holder is not suitable.
 
 use crate::knowledge::units::Decimal;
-use crate::note::{Figure, Note};
+use crate::note::{Figure, IntoFigure, Note};
 use crate::plan::Operation;
 use crate::units::{Micrometres, round_to};
 
@@ -161,7 +161,7 @@ impl NoSize {
                 .with("hole", hole)
                 .with("tables", tables),
             Self::NoConeOfAngle { angle, diameter, angles, tables } => {
-                let angles = angles.iter().map(|angle| degrees(*angle)).collect::<Vec<_>>().join(", ");
+                let angles = Figure::list(angles.iter().map(|angle| degrees(*angle)));
                 new("no-cone-of-angle")
                     .with("angle", degrees(*angle))
                     .with("diameter", diameter)
@@ -174,8 +174,8 @@ impl NoSize {
 }
 
 /// Thousandths of a degree as degrees.
-fn degrees(angle: u32) -> String {
-    Decimal::from_f64_rounded(f64::from(angle) / 1000.0).to_string()
+fn degrees(angle: u32) -> Figure {
+    Figure::number(Decimal::from_f64_rounded(f64::from(angle) / 1000.0).to_string())
 }
 
 impl CutterFault {
@@ -243,7 +243,7 @@ impl OfOther {
             Self::Thread { own, needed } => new("tap-of-other-thread").with("own", own).with("needed", needed),
             Self::Angle { own, needed } => new("tool-of-other-angle").with("own", own).with("needed", needed),
             Self::Size { own, needed } => {
-                let own = own.map_or_else(|| "-".to_owned(), |own| own.to_string());
+                let own = own.map_or_else(|| "-".into_figure(), IntoFigure::into_figure);
                 new("tool-of-other-size").with("own", own).with("needed", needed)
             }
         }

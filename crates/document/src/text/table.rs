@@ -23,6 +23,9 @@ pub(super) fn write(page: &mut Page, table: &Table) {
         }
         None => {
             records(page, table);
+            if !page.words.see_all.is_empty() {
+                page.paragraph(&set::words(&see_all(page, grid.least_width(between, around))), STEP);
+            }
             notes(page, table, Vec::new(), 0);
         }
     }
@@ -33,14 +36,18 @@ fn notes(page: &mut Page, table: &Table, left_out: Vec<Inlines>, all: usize) {
     if !left_out.is_empty() {
         let mut columns = Inlines::joined(left_out, ", ");
         if !page.words.see_all.is_empty() {
-            columns =
-                columns.text("; ").append(Inlines::sentence(&page.words.see_all.replace(WIDTH, &all.to_string())));
+            columns = columns.text("; ").append(see_all(page, all));
         }
         page.field(&page.words.left_out.into(), &columns, STEP);
     }
     for note in &table.notes {
         page.paragraph(&set::words(note), STEP);
     }
+}
+
+/// How to see a table in its columns.
+fn see_all(page: &Page, width: usize) -> Inlines {
+    Inlines::sentence(&page.words.see_all.replace(WIDTH, &width.to_string()))
 }
 
 /// The rows one by one, each as its cells with their headings: it fits any width.

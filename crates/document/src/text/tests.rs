@@ -129,6 +129,8 @@ T: T12
     розсвердлювання,
     зенкування
   Виліт, мм: 165
+  усі показує
+    `--format html`
   Ø - найбільший.
 ";
     for (width, page) in [(80, wide), (61, wrapped), (47, without_one), (20, records)] {

@@ -206,7 +206,8 @@ fn draft(
     }
     if let Some(tap) = steps.iter().find(|fitted| fitted.step.elsewhere && fitted.step.operation == Operation::Tap) {
         let thread = hole.thread_at(tap.step.place.step).map_or("", |thread| thread.written.as_str());
-        report(Severity::Note, Note::new("tap-elsewhere").with("thread", thread).with("machine", &part.machine));
+        let machine = Figure::word_of("machine", part.machine.clone());
+        report(Severity::Note, Note::new("tap-elsewhere").with("thread", thread).with("machine", machine));
     }
     if steps.iter().any(|fitted| fitted.step.place.face == Face::Back) {
         report(Severity::Note, Note::new("second-setup"));

@@ -105,8 +105,10 @@ pub fn edge(edge: &EdgeCut, cylinder_diameter: Micrometres, shop: &Shop<'_>) -> 
         Feature::Chamfer => Operation::Chamfer,
         _ => Operation::Countersink,
     };
-    let mut step =
-        RouteStep { entry_cylinder: edge.entry_cylinder, ..RouteStep::plain(operation, place, edge.diameter, cylinder_diameter) };
+    let mut step = RouteStep {
+        entry_cylinder: edge.entry_cylinder,
+        ..RouteStep::plain(operation, place, edge.diameter, cylinder_diameter)
+    };
     if edge.feature != Feature::Face {
         step.angle_millideg = Some(edge.angle_millideg);
     }

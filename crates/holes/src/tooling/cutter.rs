@@ -9,7 +9,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Table;
 use crate::knowledge::table::ToolHead;
 use crate::knowledge::units::Micrometres;
-use crate::note::{Because, Figure, Note};
+use crate::note::{Because, Figure, Note, TO_BE_GROUND};
 use crate::plan::Operation;
 use crate::reason::{CutterFault, NoSize, Unfit};
 use crate::shop::Shop;
@@ -68,7 +68,7 @@ impl Cutter<'_, '_> {
     pub fn because(&self) -> Because {
         let because = match &self.reason {
             CutterReason::Order { ground: Some(own), size, .. } => Because {
-                unconfirmed: Some("the catalogs have no cutter of this size; it must be ground to order".to_owned()),
+                unconfirmed: Some(TO_BE_GROUND.to_owned()),
                 ..Because::row(self.row.row, Note::new("cutter-ground-down").with("own", own).with("size", size))
             },
             CutterReason::Order { rule, operation, ground: None, .. } => {

@@ -106,7 +106,16 @@ impl FromStr for Roughness {
             _ => return Err(bad()),
         };
         let digits = digits.trim_start_matches(['=', ' ']).trim();
-        let value: Decimal = digits.parse().map_err(|_| bad())?;
+        let value: Decimal = digits.parse().map_err(|_| {
+            let meant = digits.replace(',', ".");
+            match meant.parse::<Decimal>() {
+                Ok(_) if meant != digits => {
+                    let example = format!("{} {meant}", if is_rz { "Rz" } else { "Ra" });
+                    ParseError(note!("unit-roughness-decimal-point", text = text, example = example))
+                }
+                _ => bad(),
+            }
+        })?;
         let nanometres = value.millionths() / 1000;
         if value.millionths() % 1000 != 0 || nanometres <= 0 {
             return Err(bad());

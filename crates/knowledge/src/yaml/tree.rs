@@ -110,6 +110,23 @@ pub(super) fn unseen_sign(sign: char, place: &Place) -> Diagnostic {
     Diagnostic::error("control-character", message, place.clone()).help(note!("yaml-remove-the-sign"))
 }
 
+/// Joins a number to what a decimal comma has cut off it: `{feed: 0,1}` is `0` and a key `1` for the parser. Its reader
+/// then names the comma, instead of judging the half.
+fn joined(last: &mut Node, key: &Key) -> bool {
+    let place = &mut last.place;
+    let NodeKind::Scalar { text, quoted: false } = &mut last.kind else { return false };
+    let next = key.place.line == place.line && key.place.column == place.column + place.width + 1;
+    let digits =
+        text.ends_with(|last: char| last.is_ascii_digit()) && key.text.starts_with(|c: char| c.is_ascii_digit());
+    if !next || !digits {
+        return false;
+    }
+    text.push(',');
+    text.push_str(&key.text);
+    place.width += key.place.width + 1;
+    true
+}
+
 /// An open sequence or mapping.
 enum OpenNode {
     Seq(Vec<Node>, Place),
@@ -235,7 +252,12 @@ impl Builder<'_> {
                             .help(note!("yaml-quote-text-begins-with")),
                     );
                 }
-                Some(key) => entries.push((key, node)),
+                Some(key) => {
+                    let cut = entries.last_mut().filter(|_| node.is_null()).is_some_and(|(_, last)| joined(last, &key));
+                    if !cut {
+                        entries.push((key, node));
+                    }
+                }
             },
         }
     }

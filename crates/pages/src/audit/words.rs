@@ -85,7 +85,7 @@ pub(super) fn subject(subject: &Subject, lang: Lang) -> String {
     let mut parts = Vec::new();
     parts.extend(subject.operation.map(|operation| operation_noun(operation.name(), lang).to_owned()));
     if !subject.holes.is_empty() {
-        parts.push(subject.holes.join(", "));
+        parts.push(subject.holes.iter().map(|hole| lang.called(hole)).collect::<Vec<_>>().join(", "));
     }
     parts.extend(subject.tool.map(|tool| say!(lang, "audit-tool", number = tool)));
     parts.join(" ")

@@ -238,6 +238,6 @@ pub(super) fn from_above(
     }
     let shown: Vec<String> = radii.iter().take(4).map(|radius| mm(*radius, lang)).collect();
     let more = if radii.len() > 4 { "; …" } else { "" };
-    let text = say!(lang, "cycles-radii", radii = format!("{}{more}", shown.join("; ")));
+    let text = say!(lang, "cycles-radii", count = radii.len(), radii = format!("{}{more}", shown.join("; ")));
     canvas.text((middle.0, middle.1 + ABOVE / 2.0 - 6.0), 10.5, Anchor::Middle, &text);
 }

@@ -68,7 +68,7 @@ fn cells(transition: &Transition, lang: Lang) -> Vec<Inlines> {
     vec![
         format!("{}{}", super::route::place(transition), mark(&conditions.because)).into(),
         operation_noun(transition.operation.name(), lang).into(),
-        Inlines::number(mm(transition.diameter_mm, lang)),
+        Inlines::number(diameters(transition, lang)),
         // The path of a mill is its circles, not the travel along the axis.
         optional(conditions.rounds.is_none().then(|| transition.travel_mm.to_mm()), 1),
         cell(conditions.depth_of_cut_mm, 2, lang),
@@ -81,6 +81,12 @@ fn cells(transition: &Transition, lang: Lang) -> Vec<Inlines> {
         optional(conditions.power_kw.map(|power| power.0), 2),
         cell(conditions.machine_time_min.0, 2, lang),
     ]
+}
+
+/// The diameter after the transition; a step drill leaves two, and its conditions are those of the wide one.
+fn diameters(transition: &Transition, lang: Lang) -> String {
+    let narrow = mm(transition.diameter_mm, lang);
+    transition.also_diameter_mm.map_or(narrow.clone(), |wide| format!("{narrow}/{}", mm(wide, lang)))
 }
 
 /// The transitions whose speeds are for coolant; the tables do not say it of every transition.
@@ -106,7 +112,7 @@ fn limits(plan: &Plan, lang: Lang) -> Vec<Item> {
                 let line = say!(
                     lang,
                     "plan-limited",
-                    hole = hole.name.as_str(),
+                    hole = Figure::called(&hole.name),
                     operation = operation(),
                     diameter = transition.diameter_mm,
                     by = Figure::word(conditions.limited_by.name())
@@ -120,7 +126,7 @@ fn limits(plan: &Plan, lang: Lang) -> Vec<Item> {
                 lines.push(say!(
                     lang,
                     "plan-card",
-                    hole = hole.name.as_str(),
+                    hole = Figure::called(&hole.name),
                     operation = operation(),
                     feed = rounded(card.feed_mm_per_rev.0, 3),
                     speed = rounded(card.speed_m_per_min.0, 1),

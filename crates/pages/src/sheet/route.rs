@@ -1,7 +1,7 @@
 //! The route section of the page: transitions in the order of work, the accuracy of each, the order over the holes,
 //! and the rejected candidates.
 
-use crate::document::{Align, Block, Column, Document, Field, Inlines, Item, Table};
+use crate::document::{Align, Block, Column, Document, Field, Inlines, Item, Keep, Table};
 use crate::note::{Figure, IntoFigure, Note};
 use crate::part::{Face, Hole};
 use crate::plan::{Achieved, Alternative, Feature, HolePlan, Operation, Plan, Route, RouteSource, Stop, Transition};
@@ -20,7 +20,7 @@ pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
         let mut table = Table::new([
             Column { align: Align::Right, ..Column::text(lang.word("cli-row-number")) },
             Column::text(say!(lang, "plan-step-head")).min_width(22),
-            Column::text(say!(lang, "plan-scheme")),
+            Column::text(say!(lang, "plan-scheme")).keep(Keep::Optional),
             Column::text("T"),
             Column::text(say!(lang, "plan-cutter")),
             Column::text(say!(lang, "plan-reached")),
@@ -85,6 +85,9 @@ fn hole<'p>(plan: &'p Plan, name: &str) -> Option<&'p Hole> {
 pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     let step = transition.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
     let thread = hole.thread_at(transition.step).filter(|_| transition.operation == Operation::Tap);
+    // A chamfer at the face is on the step that opens there.
+    let opens = matches!(transition.feature, Feature::Chamfer | Feature::Countersink) && transition.face != Face::Back;
+    let step = step.or_else(|| hole.steps.first().filter(|_| opens));
     match (thread, step) {
         (Some(thread), _) => thread.written.clone().into_figure(),
         (None, Some(step)) => (&step.diameter).into_figure(),
@@ -191,15 +194,35 @@ fn choice(plan: &Plan, hole_plan: &HolePlan, lang: Lang) -> Option<Field> {
         lang,
         "plan-choice",
         required = requirement(hole(plan, &hole_plan.name)?, route.centre_tolerance_mm, lang),
-        route = route_text(route, lang),
+        route = chosen(hole_plan, route, lang),
         time = exactly(route.time_min.0, 2),
         against = against
     );
     Some(Field::new(hole_plan.name.as_str(), text))
 }
 
-/// The requirements of the drawing for a group: grade, roughness, centre tolerance.
+/// The name of the route taken; with its transitions where the runner-up has the same name.
+fn chosen(own: &HolePlan, route: &Route, lang: Lang) -> String {
+    let name = route_text(route, lang);
+    let alike = |other: &Alternative| route_name(other.source, &other.table, &other.scheme, lang) == name;
+    if !route.runner_up().is_some_and(alike) {
+        return name;
+    }
+    let operations = Figure::operations(own.transitions.iter().map(|made| made.operation.name()));
+    say!(lang, "plan-route-made", route = name, operations = operations)
+}
+
+/// The requirements of the drawing for a group: grade, roughness, centre tolerance, and what its steps require.
 fn requirement(hole: &Hole, centre: Micrometres, lang: Lang) -> String {
+    let main = of_main(hole, centre, lang);
+    let steps = hole.steps.iter().map(|step| match &step.thread {
+        Some(thread) => thread.written.clone(),
+        None => say!(lang, "plan-required-step", diameter = &step.diameter, roughness = step.roughness),
+    });
+    std::iter::once(main).chain(steps).collect::<Vec<_>>().join("; ")
+}
+
+fn of_main(hole: &Hole, centre: Micrometres, lang: Lang) -> String {
     match &hole.thread {
         Some(thread) => say!(lang, "plan-required-thread", thread = thread.written.as_str(), centre = centre),
         None => say!(lang, "plan-required", it = hole.diameter.it, roughness = hole.roughness, centre = centre),

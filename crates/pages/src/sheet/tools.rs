@@ -18,7 +18,7 @@ pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
         Column::text(say!(lang, "plan-does")),
         Column::text(say!(lang, "plan-holder")),
         Column::number(heading("plan-holder-length", lang), mm).keep(Keep::Optional),
-        Column::number(say!(lang, "plan-overhang"), mm),
+        Column::number(say!(lang, "plan-overhang"), mm).keep(Keep::Useful),
         Column::number(heading("plan-assembly", lang), mm),
     ]);
     let lengths = |of: &dyn Fn(&ToolPlan) -> _| column(&plan.tools.iter().map(of).collect::<Vec<_>>(), lang);

@@ -13,7 +13,7 @@ use super::phrases::note_line;
 /// The tool list and setting sheet of an operation.
 pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "setting-title", part = setting.part.as_str()));
-    page.paragraph(say!(lang, "turn-setting-zero", control = setting.control.as_str()));
+    page.paragraph(say!(lang, "turn-setting-zero", control = lang.term("control", &setting.control)));
     page.push(Block::List(setting.set_ups.iter().map(|stand| stand_item(stand, lang)).collect()));
     page.heading(2, say!(lang, "turn-setting-tools"));
     page.push(table(columns(lang), setting.tools.iter().map(|tool| row(tool, lang)).collect(), lang));

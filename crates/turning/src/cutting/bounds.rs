@@ -126,6 +126,8 @@ impl UnknownBound {
     /// A sentence with the limit, the missing figure, and its owner.
     pub(super) fn noted(&self, note: Note) -> Note {
         let (of, what) = self.why.names();
+        let of = Figure::word_of("machine", of.to_owned());
+        let what = Figure::word_of("characteristic", what.to_owned());
         note.with("bound", Figure::word(self.bound.name())).with("of", of).with("what", what)
     }
 }

@@ -219,11 +219,11 @@ pub fn pace(
                 conditions.because.push(skin);
                 findings.extend(conditions.findings());
                 // The grip of the jaws is a finding of the set-up.
-                let exceeded = conditions.exceeded.iter().filter(|bound| **bound != Bound::Grip);
-                let bounds: Vec<String> = exceeded.map(|bound| bound.name().to_owned()).collect();
-                if !bounds.is_empty() {
+                let exceeded: Vec<_> = conditions.exceeded.iter().filter(|bound| **bound != Bound::Grip).collect();
+                if !exceeded.is_empty() {
+                    let bounds = Figure::list(exceeded.into_iter().map(|bound| Figure::word(bound.name())));
                     let note = Note::new("bounds-exceeded").with("tool", task.tool.designation).with("depth", depth);
-                    findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", bounds.join(", "))));
+                    findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", bounds)));
                 }
                 Some(conditions)
             }
@@ -256,7 +256,8 @@ pub fn pace(
     let named = [("infeed", infeed), ("pick_up_feed", pick_up), ("semi_finishing_feed", semi_finish)];
     let lacking: Vec<&str> = named.iter().filter(|(_, rate)| rate.is_none()).map(|(name, _)| *name).collect();
     if !lacking.is_empty() {
-        let note = Note::new("one-feed-for-all").with("feeds", lacking.join(", "));
+        let feeds = Figure::list(lacking.into_iter().map(|name| Figure::word_of("rate", name)));
+        let note = Note::new("one-feed-for-all").with("feeds", feeds);
         findings.push(Finding::of_part(Severity::Note, note));
     }
     let feeds = Feeds {

@@ -232,7 +232,7 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
     }
     let cut_off = parted.map(|parted| parted.workpiece(workpiece));
     let mut done = Vec::new();
-    for set_up in set_ups {
+    for mut set_up in set_ups {
         let workpiece = cut_off.as_ref().filter(|_| set_up.turned_over).unwrap_or(workpiece);
         if set_up.holds_at.is_none() {
             let note = Note::new("set-up-not-held").with("number", set_up.number);
@@ -256,6 +256,7 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         let mut jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
         let parts = parted.filter(|_| !set_up.turned_over);
         if let Some(parted) = parts {
+            set_up.notes.push(Note::new("setup-parts-off").with("z", Half::ZERO - parted.face()));
             jobs.extend(parted.job(jaws.as_ref(), &bench, &mut findings)?);
         }
         let grip = Grip::of(jaws.as_ref(), &jobs, knowledge)?;

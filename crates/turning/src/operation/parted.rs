@@ -64,16 +64,19 @@ impl Parted {
     /// The part with the blank that is left of the bar.
     pub fn workpiece(self, workpiece: &Workpiece) -> Workpiece {
         let mut parted = workpiece.clone();
-        let cut = |contour: &Contour| {
-            let mut cut = clip::between(contour, Half::ZERO - workpiece.blank.face(), self.face());
-            if let Some(first) = contour.pieces.first().filter(|first| first.is_face()) {
-                cut.pieces.insert(0, *first);
-            }
-            cut
-        };
-        parted.blank.outer = cut(&workpiece.blank.outer);
-        parted.blank.inner = workpiece.blank.inner.as_ref().map(cut);
+        parted.blank.outer = self.cut(&workpiece.blank.outer);
+        parted.blank.inner = workpiece.blank.inner.as_ref().map(|inner| self.cut(inner));
         parted
+    }
+
+    /// A contour of the bar up to the face that parting leaves, with the face of its free end.
+    fn cut(self, contour: &Contour) -> Contour {
+        let from = contour.start().map_or(Half::ZERO, |start| start.z);
+        let mut cut = clip::between(contour, from, self.face());
+        if let Some(first) = contour.pieces.first().filter(|first| first.is_face()) {
+            cut.pieces.insert(0, *first);
+        }
+        cut
     }
 
     fn task(self, workpiece: &Workpiece, jaws: Option<&Jaws>) -> Parting {

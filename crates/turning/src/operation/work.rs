@@ -274,8 +274,16 @@ fn zone_work(
     let mut work =
         ZoneWork { zone: zone.clone(), fit: held, tool: None, depth: None, works: Vec::new(), returns: None };
     let Some(tool) = tool else {
-        let note = Note::new("no-tool-for-zone").with("zone", zone.number).with("side", ground.rough.side.name());
-        let note = note.with("main", zone.needs.main.0).with("secondary", zone.needs.secondary.0);
+        let least = angles.iter().filter_map(|tool| tool.least_bore).min();
+        let narrow = least.zip(zone.passage).filter(|(least, passage)| least > passage);
+        let note = match narrow {
+            Some((least, bore)) => Note::new("no-bar-for-bore").with("least", least).with("bore", bore),
+            None => Note::new("no-tool-for-zone")
+                .with("side", ground.rough.side.name())
+                .with("main", zone.needs.main.0)
+                .with("secondary", zone.needs.secondary.0),
+        };
+        let note = note.with("zone", zone.number);
         findings.push(Finding::of_part(Severity::Error, note));
         return Ok(work);
     };

@@ -168,7 +168,15 @@ fn reason(objective: Objective, each: [Cost; 2], taken: usize) -> Note {
         (Objective::Time { .. }, _) => "pass-quicker",
         (Objective::Passes, _) => "pass-fewer",
     };
-    Note::new(code).with("left", Figure::number(shown(own))).with("otherwise", Figure::number(shown(other)))
+    let unit = match objective {
+        Objective::Path | Objective::PathAndPasses { .. } => "mm",
+        Objective::Time { .. } => "min",
+        Objective::Passes => "passes",
+    };
+    Note::new(code)
+        .with("unit", unit)
+        .with("left", Figure::number(shown(own)))
+        .with("otherwise", Figure::number(shown(other)))
 }
 
 /// A move of the grid as a pass.

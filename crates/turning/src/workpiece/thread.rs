@@ -47,6 +47,9 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadSize, &'st
     };
     let written: String = text.chars().filter(|letter| !letter.is_whitespace()).map(latin).collect();
     let rest = written.strip_prefix('M').ok_or("bad-turned-thread")?;
+    if rest.contains(',') {
+        return Err("turned-thread-comma");
+    }
     let (sizes, field) = rest.split_once('-').map_or((rest, None), |(sizes, field)| (sizes, Some(field)));
     if field.is_some_and(|field| !field.starts_with(|first: char| first.is_ascii_digit())) {
         return Err("bad-turned-thread");
@@ -92,6 +95,7 @@ mod tests {
             ("M", "bad-turned-thread"),
             ("M8x4", "bad-turned-thread"),
             ("M8-g", "bad-turned-thread"),
+            ("M30x2,5-6g", "turned-thread-comma"),
             ("M201", "no-coarse-pitch"),
         ] {
             assert_eq!(read(text, &knowledge).unwrap_err(), code, "{text}");

@@ -29,7 +29,7 @@ named = the row of the catalog
 audit-designation-misprinted = no catalog has { $tool }; probably { $known } without its beginning
 audit-designation-unknown = no catalog has { $tool }; the nearest is { $known }
 audit-designation-alien = no catalog has { $tool }
-audit-dimensions-of = the dimensions are not those of { $tool } but of { $known }
+audit-dimensions-of = the dimensions stated are not those of { $tool } but of { $known }: the designation is the slip
 audit-tool-table = { $tool } stands in { $known }, not in { $table }
 audit-standard-misprinted = the standard { $standard } is misprinted: the catalog of this designation is of { $known }
 audit-standard-other = { $standard } is not the standard of this designation: its catalog is of { $known }
@@ -40,16 +40,32 @@ tool-of-other-operation = { $tool } is not for { $operation } but for { $transit
 tool-of-other-size = { $tool } is Ø{ $own }, but the transition needs Ø{ $needed }
 holder-of-other-shank = { $holder } does not hold { $tool }: its shank is { $shank }
 # The route.
-audit-hole-not-made = no transition makes the group { $hole } ({ $count } holes)
-audit-hole-not-made-either = no transition makes the group { $hole } ({ $count } holes); the program finds no route for it either
+audit-hole-not-made = no transition makes the group ({ $count } holes)
+audit-hole-not-made-either = no transition makes the group ({ $count } holes); the program finds no route for it either
 audit-order = { $operation } stands after row { $row } ({ $instead }), but by section 1.1.2 it comes before
 audit-not-opened = the transition leaves Ø{ $diameter }, but the hole is Ø{ $before } already
 audit-last-diameter = the last transition leaves Ø{ $diameter }, but the drawing requires { $hole }
-audit-scheme-unknown = { $hole }: the tables give no scheme { $stated }; the best is { $scheme } ({ $table })
-audit-scheme-table = { $hole }: the scheme is not of table { $stated }; it stands in { $table } ({ $scheme })
-audit-route-dominated = { $hole }: the route is possible but ranks { $rank }, longer by { $slower } min; better is { $scheme } ({ $table }): { $better }
-audit-route-refused = { $hole }: the route "{ $transitions }" is not possible; the best is { $scheme } ({ $table })
-audit-route-unknown = { $hole }: the tables give no route "{ $transitions }"; the best is { $scheme } ({ $table })
+audit-scheme-unknown = the tables give no scheme { $stated }; the best is { $way ->
+        [search] of the search: { $scheme }
+        [complex] complex { $scheme } ({ $table })
+       *[table] scheme { $scheme } ({ $table })
+    }
+audit-scheme-table = the scheme is not of table { $stated }; it stands in { $table } ({ $scheme })
+audit-route-dominated = the route is possible but ranks { $rank }, longer by { $slower } min; better is { $way ->
+        [search] of the search: { $scheme }
+        [complex] complex { $scheme } ({ $table })
+       *[table] scheme { $scheme } ({ $table })
+    }: { $better }
+audit-route-refused = the route "{ $transitions }" is not possible; the best is { $way ->
+        [search] of the search: { $scheme }
+        [complex] complex { $scheme } ({ $table })
+       *[table] scheme { $scheme } ({ $table })
+    }
+audit-route-unknown = the tables give no route "{ $transitions }"; the best is { $way ->
+        [search] of the search: { $scheme }
+        [complex] complex { $scheme } ({ $table })
+       *[table] scheme { $scheme } ({ $table })
+    }
 audit-tool-changes = { $changes } tool changes ({ $order }) where { $needed } are enough: { $time } min too much
 # Clamping, lengths, magazine.
 audit-no-screw = the table has no screw { $screw }: { $known }

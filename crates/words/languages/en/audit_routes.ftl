@@ -6,7 +6,7 @@ audit-one-drill = Ø{ $diameter } with one drill: section 1.2.1 requires two, th
 # Openings.
 audit-opening-not-made = no transition makes the { $feature } Ø{ $diameter } of the drawing
 audit-opening-not-centred = no transition makes the { $feature } Ø{ $diameter }, and the centring spot Ø{ $spot } is narrower
-audit-opening-unasked = the drawing of this hole has nothing of the kind: { $operation }
+audit-opening-unasked = the transition “{ $operation }” is not needed: the drawing of this hole asks for nothing of the kind
 audit-opening-diameter = by the drawing: { $feature }
 audit-opening-depth = by the drawing: { $feature }
 # Depths.

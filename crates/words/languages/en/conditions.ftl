@@ -1,7 +1,7 @@
 # Conditions.
 feed = feed: upper end { $upper } mm/rev × { $multiple }
 feed-choice = where the feed comes from
-feed-before-finishing = feed × { $factor }: a reamer follows
+feed-before-finishing = feed × { $factor }: a reamer or a tap follows
 depth-feed-factor = feed × { $factor } for the depth
 depth-speed-factor = speed × { $factor } for the depth
 material-speed-factor = speed × { $factor } for the material

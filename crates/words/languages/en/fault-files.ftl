@@ -59,6 +59,7 @@ unit-tolerance-grade-whole-number-from = `{ $text }` is not a tolerance grade: a
 unit-write-bare-number-millimetres = `{ $text }`: write the bare number of millimetres, `{ $number }`
 unit-finer-than-micrometre-at-most = `{ $text }` is finer than a micrometre: at most three decimal places
 unit-length-beyond = `{ $text }` is beyond { $most } mm
+unit-roughness-decimal-point = `{ $text }`: a decimal part stands after a point, `{ $example }`
 unit-roughness-write-ra-rz-micrometres = `{ $text }` is not a roughness: write `Ra 2.5` or `Rz 20`, in micrometres
 unit-rz-known-at-only-give = `{ $text }`: Rz is known at 80, 40, 20, 10, 6.3 and 3.2 only; give the limit as Ra
 unit-unit-known = `{ $text }` is not a unit; known: { $known }

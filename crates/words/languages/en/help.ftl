@@ -88,6 +88,7 @@ usage-command = <COMMAND>
 # Behind the help of an argument.
 help-default = [default: { $value }]
 help-values = [possible values: { $values }]
+usage-of-command = { $values }
 usage-possible-values = possible values: { $values }
 usage-similar = tip: there is a similar one: { $values }
 usage-more = For more: `--help`.

@@ -53,9 +53,13 @@ travel = approach { $approach } mm, overrun { $overrun } mm
 unconfirmed-counted = figures rest on { $count ->
     [one] one row
    *[other] { $count } rows
-} that nothing confirms, of { $tables }: `--all-problems` lists { $count ->
+} that nothing confirms, of { $tables-count ->
+    [1] table
+   *[other] tables
+} { $tables }: `--all-problems` lists { $count ->
     [one] it
    *[other] them
 }
+to-be-ground = { $table }, row { $row }: { $why }
 unconfirmed = unconfirmed: { $table }, row { $row }: { $why }
 names-look-alike = { $count } groups are named { $name }: their letters look the same, but some are Latin and some Cyrillic; write all names in one alphabet

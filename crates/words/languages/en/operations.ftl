@@ -1,4 +1,4 @@
-# Operations: the noun; `.verb` is the instruction, as a route card says it.
+# Operations: the noun; `.verb` is the instruction, as a route card says it, `.also` what else people call it.
 operation-centre-drill = centring
     .verb = Centre
 operation-drill = drilling
@@ -9,10 +9,13 @@ operation-core-drill = core drilling
     .verb = Core-drill
 operation-rough-bore = rough boring
     .verb = Rough-bore
+    .also = bore roughly
 operation-semi-finish-bore = semi-finish boring
     .verb = Semi-finish-bore
+    .also = bore half finished
 operation-finish-bore = finish boring
     .verb = Finish-bore
+    .also = bore finally
 operation-mill = milling
     .verb = Mill
 operation-counterbore = counterboring
@@ -21,12 +24,16 @@ operation-countersink = countersinking
     .verb = Countersink
 operation-chamfer = chamfering
     .verb = Chamfer
+    .also = a chamfer
 operation-rough-ream = rough reaming
     .verb = Rough-ream
+    .also = ream first
 operation-finish-ream = finish reaming
     .verb = Finish-ream
+    .also = ream finally
 operation-tap = tapping
     .verb = Tap
+    .also = cut the thread
 operation-turning = turning
     .verb = Turn
 operation-grooving = grooving

@@ -10,7 +10,10 @@ audit-summary = { $error ->
 audit-unconfirmed = { $count ->
         [one] { $count } finding rests
        *[other] { $count } findings rest
-    } on rows that nothing confirms, of { $tables }: each such row is marked “unconfirmed” below, and `technolog table NAME` says why
+    } on rows that nothing confirms, of { $tables-count ->
+        [1] table
+       *[other] tables
+    } { $tables }: each such row is marked “unconfirmed” below, and `technolog table NAME` says why
 # Sections.
 audit-section-route = Route
 audit-section-tools = Cutters

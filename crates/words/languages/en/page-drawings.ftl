@@ -38,4 +38,7 @@ cycles-before = before: Ø{ $diameter }
 cycles-top = top { $z }
 cycles-full-diameter = full Ø to { $z }
 cycles-bottom = bottom { $z }
-cycles-radii = radii of the mill's centre { $radii } mm
+cycles-radii = { $count ->
+        [1] radius
+       *[other] radii
+    } of the mill's centre { $radii } mm

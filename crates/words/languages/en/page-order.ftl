@@ -8,6 +8,7 @@ order-nearest = By the textbook's rule
 order-saved = Saved
 order-bound = Lower bound
 order-visiting = Visiting method by 1.3.1 (the plan visits in parallel)
+order-methods = In parallel: a tool goes to all holes of the group before it is changed; in sequence: a hole is finished with all tools before the next one. K_T by section 1.3.1 is the time in parallel over that in sequence: above 1 the sequence is quicker.
 order-method = { $hole }: { $why }
 order-times-of-methods = in parallel { $parallel } min, in sequence { $sequential } min, on this machine in sequence { $here } min
 order-mixture-quicker = { $tools ->

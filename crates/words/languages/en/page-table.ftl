@@ -30,6 +30,8 @@ table-test-over = over { $low } to { $high }
 table-test-below = { $low } to below { $high }
 table-test-between = over { $low }, below { $high }
 # Values of the textbook's tables.
+table-result-of = { $name } = { $value }
+table-characteristic = { $name } ({ $key })
 table-value-true = yes
 table-value-false = no
 table-value-solid = solid

@@ -123,6 +123,7 @@ turn-jobs = Jobs, tool by tool
 turn-job = Work
 turn-job-nose = r
 turn-job-of = set-up { $number }
+turn-job-feed = f
 turn-job-time = Set-up { $number }: cutting { $cutting } min, rapids { $rapids } min, { $count ->
         [one] tool change
        *[other] tool changes

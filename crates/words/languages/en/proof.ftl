@@ -3,7 +3,10 @@ not-made = { $hole }: { $operation } (T{ $tool }) is not made at { $count ->
         [one] one point
        *[other] { $count } points
     }: { $points }
-    .help = add these points
+    .help = { $count ->
+        [1] add this point
+       *[other] add these points
+    }
 cut-again = extra cut: at { $at } T{ $tool } goes to Z{ $z } again, and that is made already
     .help = remove the repetition
 cut-not-planned = extra cut: at { $at } T{ $tool } goes to Z{ $z }, and that hole has no such transition

@@ -86,9 +86,18 @@ chamfer-in-countersink = a chamfer of { $chamfer } mm and a countersink at the s
 promised = the scheme table promises grade { $it }; by A.1 this chain gives { $own }
 no-drill-so-large = a drill Ø{ $diameter } > Ø{ $limit }, the largest the machine takes
 no-mill-enters = no end mill enters the hole Ø{ $hole } with { $clearance } mm of room; the smallest is Ø10
-no-tap = no tap { $thread } in the tables { $tables }
-no-cone-of-angle = no countersink of { $angle }° (to Ø{ $diameter }); { $tables } has { $angles }°
-no-cone-so-wide = no countersink of { $angle }° to Ø{ $diameter } for a hole Ø{ $hole }: the widest of { $tables } is Ø{ $widest }
+no-tap = no tap { $thread } in the { $tables-count ->
+        [1] table
+       *[other] tables
+    } { $tables }
+no-cone-of-angle = no countersink of { $angle }° (to Ø{ $diameter }); the { $tables-count ->
+        [1] table
+       *[other] tables
+    } { $tables } give { $angles }°
+no-cone-so-wide = no countersink of { $angle }° to Ø{ $diameter } for a hole Ø{ $hole }: the widest of the { $tables-count ->
+        [1] table
+       *[other] tables
+    } { $tables } is Ø{ $widest }
 overhang-tap = a tap stands out { $free } mm
 thread-outside-chuck = thread { $thread } is outside the chuck's { $low }–{ $high }
 magazine-reloaded = { $tools } tools for { $places } places: { $count ->

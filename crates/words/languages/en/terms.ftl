@@ -133,3 +133,21 @@ word-relief-grooving = tool for corner reliefs
 word-face-grooving = face grooving tool
 word-threading = threading tool
 word-surface-without-name = a surface without a name
+# Types of machines and names of controls, by their ids.
+machine-gf2171 = GF2171
+machine-ir500pmf4 = IR500PMF4
+machine-16a20f3 = 16A20F3
+machine-16b16t1 = 16B16T1
+machine-16k20f3 = 16K20F3
+machine-16m30f3 = 16M30F3-141
+machine-1740rf3 = 1740RF3
+control-2c42-65 = 2C42-65
+control-linuxcnc = LinuxCNC
+control-fanuc = Fanuc
+control-sinumerik = Sinumerik
+# The feeds of a turned part's file.
+rate-infeed = `infeed`
+rate-pick_up_feed = `pick_up_feed`
+rate-semi_finishing_feed = `semi_finishing_feed`
+# Where a route stands.
+route-table-next-transition = the search

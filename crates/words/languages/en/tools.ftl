@@ -1,5 +1,8 @@
 # Tools.
-tool-tables = { $operation }: the cutter is looked for in the tables { $order }
+tool-tables = { $operation }: the cutter is looked for in the { $tables-count ->
+        [1] table
+       *[other] tables
+    } { $order }
 cutter = the first cutter that fits
 centre-drill-for-all = the smallest centring drill for all groups of holes: Ø{ $needed }
 centre-drill-for-all-over = the smallest centring drill for all groups of holes: over Ø{ $needed }
@@ -12,7 +15,10 @@ overhang-taper = a tool with the machine's own taper
 does-not-reach = { $tool } ({ $table }): reach { $reach } mm, and { $needed } mm are needed
 drill-too-large = { $tool } ({ $table }): Ø{ $diameter } is more than Ø{ $limit }, the machine's largest drill
 bar-does-not-enter = { $tool } ({ $table }): the bar Ø{ $bar } does not enter the hole Ø{ $hole }
-no-cutter-of-size = { $operation }: the tables { $tables } have no Ø{ $diameter }{ $sides ->
+no-cutter-of-size = { $operation }: in the { $tables-count ->
+        [1] table
+       *[other] tables
+    } { $tables } there is no Ø{ $diameter }{ $sides ->
         [below] ; the largest below it is { $below }
         [above] ; the smallest above it is { $above }
         [none] {""}

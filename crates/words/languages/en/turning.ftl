@@ -32,10 +32,17 @@ rich-has-no-time = time cannot be the objective with rich moves
 pass-shorter = { $left } mm to go, { $otherwise } mm with the other direction
 pass-quicker = { $left } min to go, { $otherwise } min with the other direction
 pass-fewer = { $left } passes to go, { $otherwise } with the other direction
-pass-as-good = both directions are as good, { $left } to go
+pass-as-good = both directions are as good, { $unit ->
+        [min] { $left } min
+        [passes] { $left } passes
+       *[mm] { $left } mm
+    } to go
 pass-of-variant = the variant says so
 pass-of-step = the direction of step { $step }
-pass-of-search = from the search over rich moves, { $left } to go
+pass-of-search = from the search over rich moves, { $unit ->
+        [passes] { $left } passes
+       *[mm] { $left } mm
+    } to go
 # Which variant, and what to know.
 take-lengthwise = between centres the fewest passes run along the axis
 take-searched = in a chuck passes along and across the axis may be combined

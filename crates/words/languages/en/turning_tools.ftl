@@ -1,8 +1,8 @@
 # What is not known, and what does not fit.
 lathe-lacks = the record of the lathe { $lathe } has no `{ $quantity }`
 turning-tool-lacks = the row of the tool { $tool } has no `{ $quantity }`
-bound-not-reckoned = the limit “{ $bound }” is left out: { $of } has no `{ $what }`
-limit-not-known = the limiting depth of cut is not known: { $of } has no `{ $what }` ({ $bound })
+bound-not-reckoned = the limit “{ $bound }” is left out: { $of } has no figure “{ $what }”
+limit-not-known = the limiting depth of cut is not known: { $of } has no figure “{ $what }” ({ $bound })
 angle-beyond-table = an angle of { $angle } degrees is outside the table { $table }
 lathe-too-small = lathe { $lathe }: { $is } mm is more than its `{ $quantity }`, { $most } mm
 shank-too-high = lathe { $lathe }: the shank of { $tool } is { $is } mm high, and its holder takes { $most } mm

@@ -14,6 +14,7 @@ setup-first = from the free end
 setup-only = one set-up makes all of it
 setup-falls-away = from Z { $z }, Ø{ $diameter } the contour falls towards the chuck more steeply than φ1 = { $secondary }° and never rises again
 setup-lends = Ø{ $diameter } from Z { $z } is turned in this set-up and not in the first one, which would leave the jaws too little
+setup-parts-off = in the end the part is parted off behind Z { $z }
 setup-bore-widens = the bore widens towards the far face
 setup-far-face = there is stock on the far face
 hold-centres = the part is held between centres

@@ -29,7 +29,7 @@ named = рядок каталогу
 audit-designation-misprinted = позначення { $tool } у каталогах немає; можливо, це { $known } без початку
 audit-designation-unknown = позначення { $tool } у каталогах немає; найближче { $known }
 audit-designation-alien = позначення { $tool } у каталогах немає
-audit-dimensions-of = розміри не { $tool }, а { $known }
+audit-dimensions-of = написані розміри має не { $tool }, а { $known }: помилка в позначенні
 audit-tool-table = { $tool } стоїть у { $known }, а не в { $table }
 audit-standard-misprinted = стандарт { $standard } написано з помилкою: за каталогом це { $known }
 audit-standard-other = стандарт { $standard } не цього позначення: його каталог за { $known }
@@ -40,16 +40,32 @@ tool-of-other-operation = { $tool } не для переходу «{ $operation 
 tool-of-other-size = { $tool }: Ø{ $own }, а перехід вимагає Ø{ $needed }
 holder-of-other-shank = { $holder } не тримає { $tool }: його хвостовик – { $shank }
 # The route.
-audit-hole-not-made = групу { $hole } (отворів { $count }) не обробляє жоден перехід
-audit-hole-not-made-either = групу { $hole } (отворів { $count }) не обробляє жоден перехід; маршруту для неї програма теж не знайшла
+audit-hole-not-made = групу (отворів – { $count }) не обробляє жоден перехід
+audit-hole-not-made-either = групу (отворів – { $count }) не обробляє жоден перехід; маршруту для неї програма теж не знайшла
 audit-order = { $operation } стоїть після переходу { $row } ({ $instead }), а за 1.1.2 має бути до нього
 audit-not-opened = перехід лишає Ø{ $diameter }, а перед ним уже Ø{ $before }
 audit-last-diameter = останній перехід лишає Ø{ $diameter }, а креслення вимагає { $hole }
-audit-scheme-unknown = { $hole }: таблиці не дають схеми { $stated }; найкраща { $scheme } ({ $table })
-audit-scheme-table = { $hole }: схеми немає в таблиці { $stated }; вона в { $table } ({ $scheme })
-audit-route-dominated = { $hole }: маршрут можливий, але { $rank }-й за порядком, довший на { $slower } хв; кращий { $scheme } ({ $table }): { $better }
-audit-route-refused = { $hole }: маршрут «{ $transitions }» не здійсненний; найкращий { $scheme } ({ $table })
-audit-route-unknown = { $hole }: маршруту «{ $transitions }» таблиці не дають; найкращий { $scheme } ({ $table })
+audit-scheme-unknown = таблиці не дають схеми { $stated }; найкращий маршрут – { $way ->
+        [search] пошук: { $scheme }
+        [complex] комплекс { $scheme } ({ $table })
+       *[table] схема { $scheme } ({ $table })
+    }
+audit-scheme-table = схеми немає в таблиці { $stated }; вона в { $table } ({ $scheme })
+audit-route-dominated = маршрут можливий, але { $rank }-й за порядком, довший на { $slower } хв; кращий – { $way ->
+        [search] пошук: { $scheme }
+        [complex] комплекс { $scheme } ({ $table })
+       *[table] схема { $scheme } ({ $table })
+    }: { $better }
+audit-route-refused = маршрут «{ $transitions }» не здійсненний; найкращий – { $way ->
+        [search] пошук: { $scheme }
+        [complex] комплекс { $scheme } ({ $table })
+       *[table] схема { $scheme } ({ $table })
+    }
+audit-route-unknown = маршруту «{ $transitions }» таблиці не дають; найкращий – { $way ->
+        [search] пошук: { $scheme }
+        [complex] комплекс { $scheme } ({ $table })
+       *[table] схема { $scheme } ({ $table })
+    }
 audit-tool-changes = замін інструмента – { $changes } ({ $order }), а вистачило б { $needed }: зайві { $time } хв
 # Clamping, lengths, magazine.
 audit-no-screw = гвинта { $screw } у таблиці немає: { $known }

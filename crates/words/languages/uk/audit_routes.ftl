@@ -4,9 +4,9 @@ audit-scheme-uncentred = { $printed } дає схему { $stated }, але за
 audit-route-by-scheme = переходи { $printed } для схеми { $stated } слово в слово; `technolog plan` робить { $scheme } ({ $table }) так: { $better }
 audit-one-drill = Ø{ $diameter } одним свердлом: за 1.2.1 свердлять двома, перше 0,5–0,6 діаметра
 # Openings.
-audit-opening-not-made = { $feature } Ø{ $diameter } креслення не робить жоден перехід
-audit-opening-not-centred = { $feature } Ø{ $diameter } не робить жоден перехід, а центрувальне заглиблення Ø{ $spot } вужче
-audit-opening-unasked = на кресленні цього отвору такого немає: { $operation }
+audit-opening-not-made = на кресленні є { $feature } Ø{ $diameter }, а жоден перехід цього не робить
+audit-opening-not-centred = на кресленні є { $feature } Ø{ $diameter }, а жоден перехід цього не робить; центрувальне заглиблення Ø{ $spot } вужче
+audit-opening-unasked = перехід «{ $operation }» зайвий: креслення цього в отворі не вимагає
 audit-opening-diameter = за кресленням: { $feature }
 audit-opening-depth = за кресленням: { $feature }
 # Depths.

@@ -94,7 +94,18 @@ cli-name-control = назвіть його: --control, є { $known }
 check-of-lathe = це програма токарного верстата, а { $control } – пристрій ЧПК фрезерного
 check-name-lathe = назвіть пристрій ЧПК токарного верстата: { $controls }
 cli-no-machine = верстата `{ $id }` в каталозі немає
-cli-by-rule = { $what } (правило: { $section })
+cli-by-rule = { $what } (правило: { $section ->
+        [text] як пишуть програму
+        [words] слова
+        [blocks] кадр
+        [motions] переміщення
+        [cycles] цикли
+        [calls] підпрограми
+        [spindle] шпиндель
+        [machine] верстат
+        [start] стан на початку
+       *[other] { $section }
+    })
 cli-run-lint = це вада таблиці; її показує `technolog lint`
 cli-printed-otherwise = { $column }: надруковано «{ $printed }»: { $reason }
 cli-all-rows-of-one-source = Походження всіх рядків: { $source }

@@ -1,7 +1,7 @@
 # Conditions.
 feed = подача: верхня межа { $upper } мм/об × { $multiple }
 feed-choice = звідки взято подачу
-feed-before-finishing = подача × { $factor }: далі розвертання
+feed-before-finishing = подача × { $factor }: далі розвертання чи різь
 depth-feed-factor = подача × { $factor } за глибиною
 depth-speed-factor = швидкість × { $factor } за глибиною
 material-speed-factor = швидкість × { $factor } за матеріалом

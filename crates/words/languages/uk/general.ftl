@@ -6,6 +6,7 @@ and-more-alike = {""} (подібних іще { $more })
 no-such-language = мови `{ $language }` немає; є { $known }
 # What the writers of pages say themselves.
 document-left-out = не вмістилися графи
-document-see-all = ширше вікно, `COLUMNS=<width>` або `-o FILE.html` покажуть усе
+document-see-all = ширше вікно, `COLUMNS=<width>` або `-o FILE.html` покажуть таблицю цілою
 document-figure = рисунок
 verbatim = { $text }
+called = «{ $name }»

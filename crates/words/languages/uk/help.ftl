@@ -88,6 +88,7 @@ usage-command = <КОМАНДА>
 # Behind the help of an argument.
 help-default = [типово: { $value }]
 help-values = [можливі значення: { $values }]
+usage-of-command = { $values }
 usage-possible-values = можливі значення: { $values }
 usage-similar = підказка: можливо, { $values }
 usage-more = Докладніше: `--help`.

@@ -51,12 +51,15 @@ spot-by-chamfer = центрувальне заглиблення Ø{ $spot } у
 travel = недобіг { $approach } мм, перебіг { $overrun } мм
 # Of any row.
 unconfirmed-counted = числа спираються на { $count ->
-    [1] { $count } непідтверджений рядок таблиці
-    [one] { $count } непідтверджений рядок таблиць
-    [few] { $count } непідтверджені рядки таблиць
-    [many] { $count } непідтверджених рядків таблиць
-   *[other] { $count } непідтвердженого рядка таблиць
+    [one] { $count } непідтверджений рядок
+    [few] { $count } непідтверджені рядки
+    [many] { $count } непідтверджених рядків
+   *[other] { $count } непідтвердженого рядка
+} { $tables-count ->
+    [1] таблиці
+   *[other] таблиць
 } { $tables }: перелік із причинами дає `--all-problems`
+to-be-ground = { $table }, рядок { $row }: { $why }
 unconfirmed = не підтверджено: { $table }, рядок { $row }: { $why }
 names-look-alike = { $count } { $count ->
         [one] групу

@@ -1,4 +1,4 @@
-# Operations: the noun; `.verb` is the instruction, as a route card says it.
+# Operations: the noun; `.verb` is the instruction, as a route card says it, `.also` what else people call it.
 operation-centre-drill = центрування
     .verb = Центрувати
 operation-drill = свердління
@@ -9,10 +9,13 @@ operation-core-drill = зенкерування
     .verb = Зенкерувати
 operation-rough-bore = чорнове розточування
     .verb = Розточити начорно
+    .also = попереднє розточування; розточити попередньо; розточити чорново
 operation-semi-finish-bore = напівчистове розточування
     .verb = Розточити напівначисто
+    .also = розточити напівчистово
 operation-finish-bore = чистове розточування
     .verb = Розточити начисто
+    .also = остаточне розточування; розточити остаточно; розточити чистово
 operation-mill = фрезерування
     .verb = Фрезерувати
 operation-counterbore = цекування
@@ -21,12 +24,16 @@ operation-countersink = зенкування
     .verb = Зенкувати
 operation-chamfer = зняття фаски
     .verb = Зняти фаску
+    .also = фаска; знімання фаски
 operation-rough-ream = чорнове розвертання
     .verb = Розвернути попередньо
+    .also = попереднє розвертання; чорнове розгортання; попереднє розгортання; розвернути начорно; розгорнути начорно; розгорнути попередньо
 operation-finish-ream = чистове розвертання
     .verb = Розвернути остаточно
+    .also = остаточне розвертання; чистове розгортання; остаточне розгортання; розвернути начисто; розгорнути начисто; розгорнути остаточно
 operation-tap = нарізання різі
     .verb = Нарізати різь
+    .also = нарізання різьби; нарізати різьбу; різенарізання
 operation-turning = точіння
     .verb = Точити
 operation-grooving = прорізання

@@ -6,7 +6,10 @@ audit-unconfirmed = { $count ->
         [few] { $count } записи спираються
         [many] { $count } записів спираються
        *[other] { $count } запису спирається
-    } на непідтверджені рядки таблиць { $tables }: кожен такий рядок нижче позначено «не підтверджено», а чому – каже `technolog table NAME`
+    } на непідтверджені рядки { $tables-count ->
+        [1] таблиці
+       *[other] таблиць
+    } { $tables }: кожен такий рядок нижче позначено «не підтверджено», а чому – каже `technolog table NAME`
 # Sections.
 audit-section-route = Маршрут
 audit-section-tools = Різальний інструмент

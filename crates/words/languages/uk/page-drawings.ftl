@@ -32,4 +32,7 @@ cycles-before = до: Ø{ $diameter }
 cycles-top = верх { $z }
 cycles-full-diameter = повний Ø до { $z }
 cycles-bottom = низ { $z }
-cycles-radii = радіуси центра фрези { $radii } мм
+cycles-radii = { $count ->
+        [1] радіус
+       *[other] радіуси
+    } центра фрези { $radii } мм

@@ -30,6 +30,8 @@ table-test-over = понад { $low } до { $high }
 table-test-below = від { $low } до { $high } (не включно)
 table-test-between = понад { $low }, менше { $high }
 # Values of the textbook's tables.
+table-result-of = { $name } = { $value }
+table-characteristic = { $name } ({ $key })
 table-value-true = так
 table-value-false = ні
 table-value-solid = суцільний метал

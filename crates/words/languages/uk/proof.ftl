@@ -4,7 +4,10 @@ not-made = { $hole }: { $operation } (T{ $tool }) не виконано в { $co
         [few] { $count } точках
        *[many] { $count } точках
     }: { $points }
-    .help = додайте ці точки
+    .help = { $count ->
+        [1] додайте цю точку
+       *[other] додайте ці точки
+    }
 cut-again = зайве: в { $at } T{ $tool } ще раз іде до Z{ $z }, а це вже зроблено
     .help = приберіть повтор
 cut-not-planned = зайве: в { $at } T{ $tool } іде до Z{ $z }, а в цьому отворі такого переходу немає

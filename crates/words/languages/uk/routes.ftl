@@ -86,12 +86,21 @@ chamfer-in-countersink = фаска { $chamfer } мм і зенківка на �
 promised = таблиця схем обіцяє квалітет { $it }; за A.1 цей ланцюг дає { $own }
 no-drill-so-large = свердло Ø{ $diameter } > Ø{ $limit }, найбільшого для верстата
 no-mill-enters = жодна кінцева фреза не входить в отвір Ø{ $hole } із зазором { $clearance } мм; найменша Ø10
-no-tap = немає мітчика { $thread } у таблицях { $tables }
-no-cone-of-angle = немає конічної зенківки { $angle }° (до Ø{ $diameter }); у { $tables } є { $angles }°
-no-cone-so-wide = немає зенківки { $angle }° до Ø{ $diameter } для отвору Ø{ $hole }: найбільша в { $tables } Ø{ $widest }
+no-tap = немає мітчика { $thread } у { $tables-count ->
+        [1] таблиці
+       *[other] таблицях
+    } { $tables }
+no-cone-of-angle = немає конічної зенківки { $angle }° (до Ø{ $diameter }); у { $tables-count ->
+        [1] таблиці
+       *[other] таблицях
+    } { $tables } є { $angles }°
+no-cone-so-wide = немає зенківки { $angle }° до Ø{ $diameter } для отвору Ø{ $hole }: найбільша в { $tables-count ->
+        [1] таблиці
+       *[other] таблицях
+    } { $tables } – Ø{ $widest }
 overhang-tap = виліт мітчика { $free } мм
 thread-outside-chuck = різь { $thread } поза патроном { $low }–{ $high }
-magazine-reloaded = інструментів { $tools } на місць { $places }: { $count ->
+magazine-reloaded = інструментів – { $tools }, а місць у магазині – { $places }: { $count ->
         [1] T{ $last }
        *[other] з T{ $first } по T{ $last }
     } ставлять вручну, коли попередні відпрацювали (завантажень магазину: { $loads })

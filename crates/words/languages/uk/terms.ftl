@@ -23,7 +23,7 @@ word-face-grinding = шліфування
 word-error = помилка
 word-wrong = хибно
 word-doubtful = сумнівно
-word-note = до відома
+word-note = зауваження
 word-verticals = цикли вертикалей
 word-levels = цикли рівнів
 word-horizontals-a = цикли горизонталей, форма а
@@ -133,3 +133,21 @@ word-relief-grooving = кутовий канавковий різець
 word-face-grooving = торцевий канавковий різець
 word-threading = різевий різець
 word-surface-without-name = поверхня без назви
+# Types of machines and names of controls, by their ids.
+machine-gf2171 = ГФ2171
+machine-ir500pmf4 = ИР500ПМФ4
+machine-16a20f3 = 16А20Ф3
+machine-16b16t1 = 16Б16Т1
+machine-16k20f3 = 16К20Ф3
+machine-16m30f3 = 16М30Ф3-141
+machine-1740rf3 = 1740РФ3
+control-2c42-65 = 2С42-65
+control-linuxcnc = LinuxCNC
+control-fanuc = Fanuc
+control-sinumerik = Sinumerik
+# The feeds of a turned part's file.
+rate-infeed = врізання (`infeed`)
+rate-pick_up_feed = підбору (`pick_up_feed`)
+rate-semi_finishing_feed = напівчистової (`semi_finishing_feed`)
+# Where a route stands.
+route-table-next-transition = пошук

@@ -1,5 +1,8 @@
 # Tools.
-tool-tables = { $operation }: інструмент шукано в таблицях { $order }
+tool-tables = { $operation }: інструмент шукано в { $tables-count ->
+        [1] таблиці
+       *[other] таблицях
+    } { $order }
 cutter = перший інструмент, що підходить
 centre-drill-for-all = найменше свердло для зацентрування всіх груп отворів: Ø{ $needed }
 centre-drill-for-all-over = найменше свердло для зацентрування всіх груп отворів: більше за Ø{ $needed }
@@ -12,7 +15,10 @@ overhang-taper = інструмент із хвостовиком верстат
 does-not-reach = { $tool } ({ $table }): робоча довжина { $reach } мм, а потрібно { $needed } мм
 drill-too-large = { $tool } ({ $table }): Ø{ $diameter } більше за Ø{ $limit }, найбільше свердло верстата
 bar-does-not-enter = { $tool } ({ $table }): борштанга Ø{ $bar } не входить в отвір Ø{ $hole }
-no-cutter-of-size = { $operation }: у таблицях { $tables } немає Ø{ $diameter }{ $sides ->
+no-cutter-of-size = { $operation }: у { $tables-count ->
+        [1] таблиці
+       *[other] таблицях
+    } { $tables } немає Ø{ $diameter }{ $sides ->
         [below] ; найбільший із менших – { $below }
         [above] ; найменший із більших – { $above }
         [none] {""}

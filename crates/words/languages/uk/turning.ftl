@@ -32,10 +32,17 @@ rich-has-no-time = з розширеними ходами час не шукає
 pass-shorter = далі { $left } мм, з ходом іншого напряму { $otherwise } мм
 pass-quicker = далі { $left } хв, з ходом іншого напряму { $otherwise } хв
 pass-fewer = далі ходів { $left }, з ходом іншого напряму { $otherwise }
-pass-as-good = обидва напрями однаково добрі, далі { $left }
+pass-as-good = обидва напрями однаково добрі, далі { $unit ->
+        [min] { $left } хв
+        [passes] ходів { $left }
+       *[mm] { $left } мм
+    }
 pass-of-variant = так каже варіант
 pass-of-step = напрям ступеня { $step }
-pass-of-search = з пошуку розширених ходів, далі { $left }
+pass-of-search = з пошуку розширених ходів, далі { $unit ->
+        [passes] ходів { $left }
+       *[mm] { $left } мм
+    }
 # Which variant, and what to know.
 take-lengthwise = у центрах найменше ходів дає переміщення вздовж осі
 take-searched = у патроні ходи вздовж і поперек осі можна поєднувати

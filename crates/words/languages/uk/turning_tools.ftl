@@ -1,8 +1,8 @@
 # What is not known, and what does not fit.
 lathe-lacks = каталог верстата { $lathe } не має `{ $quantity }`
 turning-tool-lacks = рядок різця { $tool } не має `{ $quantity }`
-bound-not-reckoned = обмеження «{ $bound }» не враховано: у даних верстата { $of } немає рядка `{ $what }`
-limit-not-known = граничну глибину різання не знайти: { $of } не має `{ $what }` ({ $bound })
+bound-not-reckoned = обмеження «{ $bound }» не враховано: у даних верстата { $of } немає величини «{ $what }»
+limit-not-known = граничну глибину різання не знайти: { $of } не має величини «{ $what }» ({ $bound })
 angle-beyond-table = кут { $angle }° поза таблицею { $table }
 lathe-too-small = верстат { $lathe }: { $is } мм більше за його `{ $quantity }`, { $most } мм
 shank-too-high = верстат { $lathe }: державка різця { $tool } заввишки { $is } мм, а вміщається { $most } мм

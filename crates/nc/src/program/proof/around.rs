@@ -255,9 +255,8 @@ impl<'t> Around<'_, 't> {
                 Event::Radius => findings.push(ProgramFinding::new(Code::RadiusCorrection, Severity::Doubtful, *block)),
                 Event::Change { at, turned, coolant, corrected } => {
                     if *at != change {
-                        let at = format!("X{} Y{} Z{}", at.x, at.y, at.z);
                         findings.push(
-                            ProgramFinding::new(Code::ChangesElsewhere, Severity::Wrong, *block).with(Name::At, at),
+                            ProgramFinding::new(Code::ChangesElsewhere, Severity::Wrong, *block).with(Name::At, *at),
                         );
                     }
                     if *corrected {
@@ -273,9 +272,8 @@ impl<'t> Around<'_, 't> {
                 Event::End { at, turns, coolant } => {
                     ended = true;
                     if *at != change {
-                        let at = format!("X{} Y{} Z{}", at.x, at.y, at.z);
                         findings
-                            .push(ProgramFinding::new(Code::EndsElsewhere, Severity::Note, *block).with(Name::At, at));
+                            .push(ProgramFinding::new(Code::EndsElsewhere, Severity::Note, *block).with(Name::At, *at));
                     }
                     if *turns {
                         findings.push(ProgramFinding::new(Code::TurnsAtEnd, Severity::Doubtful, *block));

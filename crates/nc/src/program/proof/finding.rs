@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::motion::BlockRef;
+use crate::motion::{BlockRef, Position};
 use crate::note::{self, IntoFigure, Note, Severity};
 use crate::plan::Operation;
 use crate::units::Micrometres;
@@ -160,6 +160,8 @@ pub enum DeviationFigure {
     Length(Micrometres),
     /// A point of the drawing.
     Point([Micrometres; 2]),
+    /// A place of the tool in the frame of the machine.
+    Place(Position),
     /// Points of the drawing.
     Points(Vec<[Micrometres; 2]>),
     /// A number with its own unit: a feed, a speed, a time.
@@ -176,7 +178,11 @@ impl IntoFigure for DeviationFigure {
     fn into_figure(self) -> note::Figure {
         match self {
             Self::Length(length) => length.into_figure(),
-            Self::Point(at) => shown(at).into_figure(),
+            Self::Point(at) => shown(at),
+            Self::Place(at) => {
+                let z = note::Figure::List(vec![" Z".into_figure(), at.z.into_figure()], "");
+                note::Figure::List(vec![shown([at.x, at.y]), z], "")
+            }
             Self::Points(points) => note::Figure::list(points.into_iter().map(in_brackets)),
             Self::Number(number) => number.into_figure(),
             Self::Count(count) => count.into_figure(),
@@ -207,6 +213,7 @@ macro_rules! figures {
 figures! {
     Micrometres, length => Self::Length(length);
     [Micrometres; 2], at => Self::Point(at);
+    Position, at => Self::Place(at);
     Vec<[Micrometres; 2]>, points => Self::Points(points);
     f64, number => Self::Number(number);
     usize, count => Self::Count(count);

@@ -38,7 +38,7 @@ use crate::error::KnowledgeError;
 use crate::job::{Cycle, CycleKind, Job, SetUp, Stop, ToolWork};
 use crate::knowledge::Knowledge;
 use crate::motion::{BlockRef, MotionStep, Position};
-use crate::note::{Note, Severity};
+use crate::note::{Figure, IntoFigure, Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::{Operation, Plan, Transition};
 use crate::tables::controls::Convention;
@@ -329,7 +329,8 @@ fn folded(findings: Vec<ProgramFinding>) -> Vec<ProgramFinding> {
     findings
 }
 
-/// A point as sentences show it.
-fn shown(at: [Micrometres; 2]) -> String {
-    format!("X{} Y{}", at[0], at[1])
+/// A point as sentences show it: `X10 Y-5.5`.
+fn shown(at: [Micrometres; 2]) -> Figure {
+    let [x, y] = at.map(IntoFigure::into_figure);
+    Figure::List(vec!["X".into_figure(), x, " Y".into_figure(), y], "")
 }

@@ -1,6 +1,6 @@
 //! The jobs of an operation, tool by tool: the page that an operator reads first.
 
-use crate::document::{Block, Column, Document, Item};
+use crate::document::{Block, Column, Document, Inlines, Item, Keep};
 use crate::units::{Micrometres, MillimetresPerRev, Minutes};
 use technolog_turning::jobs::{Body, Job, Pace, Work};
 use technolog_turning::length::Half;
@@ -8,6 +8,7 @@ use technolog_turning::operation::programs::{place, stations};
 use technolog_turning::operation::times::Times;
 use technolog_turning::operation::{Operation, SetUpWork};
 use technolog_turning::program::Speed;
+use technolog_turning::zones::Hold;
 use technolog_words::say;
 
 use super::super::super::sheet::MARK;
@@ -35,7 +36,7 @@ pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], 
         page.blocks.push(Block::List(items.collect()));
     }
     if !times.is_empty() {
-        page.paragraph(say!(lang, "turn-job-time-without"));
+        page.paragraph(Inlines::sentence(say!(lang, "turn-job-time-without")));
     }
 }
 
@@ -49,10 +50,10 @@ fn columns(lang: Lang) -> [Column; 9] {
     [
         Column::text("T"),
         Column::text(say!(lang, "turn-job")),
-        Column::text(say!(lang, "turn-side")),
+        Column::text(say!(lang, "turn-side")).keep(Keep::Useful),
         Column::text(say!(lang, "turn-tool")),
-        Column::number(say!(lang, "turn-job-nose"), lang.word("unit-mm")),
-        Column::number("f", lang.word("unit-mm-rev")),
+        Column::number(say!(lang, "turn-job-nose"), lang.word("unit-mm")).keep(Keep::Optional),
+        Column::number(say!(lang, "turn-job-feed"), lang.word("unit-mm-rev")),
         Column::number("V", lang.word("unit-m-min")),
         Column::number("n", lang.word("unit-1-min")),
         Column::number(say!(lang, "turn-time"), lang.word("unit-min")),
@@ -101,6 +102,10 @@ fn diameter(job: &Job, set_up: &SetUpWork) -> Option<Micrometres> {
     match (job.work, &job.tool.body, &job.thread) {
         (Work::Drill, Body::Drill { diameter_mm, .. }, _) => Some(*diameter_mm),
         (Work::Thread, _, Some(thread)) => Some(thread.crest_radius_mm.max(thread.root_radius_mm).diameter()),
+        (Work::PartOff, ..) => match set_up.set_up.holds_at {
+            Some(Hold::Blank { diameter_mm, .. }) => Some(diameter_mm),
+            _ => None,
+        },
         (Work::Groove, ..) => {
             let sides = [&set_up.set_up.outer, &set_up.set_up.inner];
             let surfaces = sides.into_iter().flatten().flat_map(|side| &side.profile.surfaces);

@@ -9,7 +9,7 @@ pub mod staircase;
 
 use serde::Serialize;
 
-use crate::note::Note;
+use crate::note::{Figure, Note};
 
 use super::cost::Objective;
 use super::grid::Grid;
@@ -49,7 +49,8 @@ pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Op
         lines: (lines.radii.len(), lines.zs.len()),
     };
     let passes = best.map(|sequence| {
-        let unit = |left: u64| match objective {
+        let unit = if matches!(objective, Objective::Passes) { "passes" } else { "mm" };
+        let shown = |left: u64| match objective {
             Objective::Passes => left.to_string(),
             _ => crate::turning::length::Half::new(i64::try_from(left).unwrap_or(i64::MAX)).to_string(),
         };
@@ -57,7 +58,7 @@ pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Op
         let mut stairs = lines.bar();
         let mut passes = Vec::new();
         for cut in sequence.cuts {
-            let reason = Note::new("pass-of-search").with("left", unit(left));
+            let reason = Note::new("pass-of-search").with("unit", unit).with("left", Figure::number(shown(left)));
             passes.push(lines.pass(&stairs, cut, reason));
             left = left.saturating_sub(cut.cost(objective));
             lines.cut(&mut stairs, cut);
