@@ -84,11 +84,12 @@ const ALL: &[Growth] = &[
 ];
 
 fn main() {
-    let asked: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let chosen: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("growth");
     fs::create_dir_all(&folder).unwrap();
     println!("{:<16} {:>44} {:>36} {:>9}", "input", "sizes", "seconds", "exponent");
-    for growth in ALL.iter().filter(|one| asked.is_empty() || asked.iter().any(|name| one.name.contains(name.as_str())))
+    for growth in
+        ALL.iter().filter(|one| chosen.is_empty() || chosen.iter().any(|name| one.name.contains(name.as_str())))
     {
         let seconds = growth.sizes.map(|size| {
             let file = folder.join(format!("{}-{size}.{}", growth.name, growth.ending));

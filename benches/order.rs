@@ -32,9 +32,9 @@ fn main() {
     let rapid = Metric::Rapid(Rapid { rate: MillimetresPerMinute(7000.0), acceleration: None });
     println!("pattern      metric  points  effort  length mm   nearest mm   bound mm  over bound  time s  (bound s)");
     // Cargo tells a bench `--bench`; `-- mixed` measures the patterns of that name alone.
-    let asked = arguments.iter().skip(1).find(|argument| !argument.starts_with('-'));
+    let chosen = arguments.iter().skip(1).find(|argument| !argument.starts_with('-'));
     for (name, points) in patterns::all() {
-        if asked.is_some_and(|asked| !name.contains(asked.as_str())) {
+        if chosen.is_some_and(|chosen| !name.contains(chosen.as_str())) {
             continue;
         }
         for (word, metric) in [("euclid", Metric::Euclid), ("rapid", rapid)] {

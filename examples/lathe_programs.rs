@@ -64,30 +64,30 @@ fn setting(dice: &mut Dice) -> Setting {
 
 fn random_way(dice: &mut Dice) -> Toolpath {
     let point = |dice: &mut Dice| Point::new(dice.length(-1.0, 60.0), dice.length(-5.0, 120.0));
-    let mut way = Toolpath::at(point(dice));
+    let mut toolpath = Toolpath::at(point(dice));
     let feeds = [Purpose::Cut, Purpose::Infeed, Purpose::PickUp, Purpose::SemiFinish, Purpose::Finish, Purpose::Return];
     for _ in 0..3 + dice.below(20) {
         let mut to = point(dice);
         // Half of the moves go along one axis.
         match dice.below(4) {
-            0 => to.z = way.end().z,
-            1 => to.radius = way.end().radius,
+            0 => to.z = toolpath.end().z,
+            1 => to.radius = toolpath.end().radius,
             _ => {}
         }
         let purpose = feeds[dice.below(6) as usize];
         match dice.below(3) {
-            0 => way.go(to, Purpose::Rapid),
-            1 => way.go(to, purpose),
+            0 => toolpath.go(to, Purpose::Rapid),
+            1 => toolpath.go(to, purpose),
             _ => {
-                let half = way.end().to(to).length() / 2.0;
+                let half = toolpath.end().to(to).length() / 2.0;
                 let share = if dice.below(4) == 0 { 1.0 } else { dice.between(1.0, 3.0) };
                 let radius = Half::new((half * share * 2000.0).ceil() as i64);
                 let turn = if dice.below(2) == 0 { Turn::Left } else { Turn::Right };
-                way.follow(Piece::arc(way.end(), to, radius, turn), purpose);
+                toolpath.follow(Piece::arc(toolpath.end(), to, radius, turn), purpose);
             }
         }
     }
-    way
+    toolpath
 }
 
 /// The next piece of a contour: along, up, a slope, or a part of a quarter circle; with `down` also downwards.
@@ -159,22 +159,22 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let knowledge = Knowledge::from_sources(shipped::SOURCES).map_err(|_| "the shipped tables cannot be read")?;
     let control = Control::read("linuxcnc", &knowledge)?;
     for _ in 0..count {
-        let (way, told) = (random_way(&mut dice), setting(&mut dice));
-        let program = plain(&control, &way, &told).map_err(|refused| format!("{refused:?}"))?;
-        let moves: Vec<Value> = way
+        let (toolpath, setting) = (random_way(&mut dice), setting(&mut dice));
+        let program = plain(&control, &toolpath, &setting).map_err(|refused| format!("{refused:?}"))?;
+        let moves: Vec<Value> = toolpath
             .pieces()
             .map(|(piece, purpose)| {
                 let mut piece = told_piece(piece);
-                piece["feed"] = json!(told.feeds.of(purpose).map(|feed| feed.0));
+                piece["feed"] = json!(setting.feeds.of(purpose).map(|feed| feed.0));
                 piece
             })
             .collect();
-        let from = [way.from.radius.to_mm(), way.from.z.to_mm()];
+        let from = [toolpath.from.radius.to_mm(), toolpath.from.z.to_mm()];
         println!("{}", json!({"kind": "plain", "from": from, "moves": moves, "program": program}));
     }
     for _ in 0..count {
-        let ((contour, corner, roughing), told) = (random_task(&mut dice), setting(&mut dice));
-        let written = cycle(&control, &contour, corner, roughing, &told);
+        let ((contour, corner, roughing), setting) = (random_task(&mut dice), setting(&mut dice));
+        let written = cycle(&control, &contour, corner, roughing, &setting);
         let pieces: Vec<Value> = contour.pieces.iter().map(|piece| told_piece(*piece)).collect();
         let mut line = json!({
             "kind": "cycle",
@@ -183,7 +183,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             "corner": [corner.radius.to_mm(), corner.z.to_mm()],
             "clearance": roughing.clearance.to_mm(),
             "depth": roughing.depth.to_mm(),
-            "feed": told.feeds.cut.0,
+            "feed": setting.feeds.cut.0,
             "pieces": pieces,
         });
         match written {

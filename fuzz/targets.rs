@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 
 use technolog::audit::marks::read_scheme;
 use technolog::audit::{Auditor, Unreadable, read_plan, rules};
-use technolog::cases::{Around, read_cases};
+use technolog::cases::{ReadContext, read_cases};
 use technolog::document::{self, Document, Format};
 use technolog::knowledge::input::{text_of, unseen};
 use technolog::knowledge::{Diagnostic, Knowledge, Place, SourceFile};
@@ -74,14 +74,14 @@ pub fn run(target: &str, bytes: &[u8]) {
     let (_, own) = TARGETS.iter().find(|(name, _)| *name == target).expect("the table has every target");
     let bytes = &bytes[..bytes.len().min(MOST_INPUT)];
     if let Err(problem) = text_of("bytes", bytes.to_vec()) {
-        told(&[problem], &String::from_utf8_lossy(bytes));
+        check_texts(&[problem], &String::from_utf8_lossy(bytes));
     }
     own(&String::from_utf8_lossy(bytes));
 }
 
 fn part(text: &str) {
     if let Err(problems) = read_part("part.yaml", text, &KNOWLEDGE) {
-        told(&problems, text);
+        check_texts(&problems, text);
     }
 }
 
@@ -95,7 +95,7 @@ fn plan(text: &str) {
     const PLATE: &str = include_str!("../examples/plate.yaml");
     let files = |name: &str| if name.ends_with("plate.yaml") { Ok(PLATE.to_owned()) } else { Err("none".to_owned()) };
     match read_plan("plan.yaml", text, &KNOWLEDGE, &files) {
-        Err(Unreadable { problems, .. }) => told(&problems, &(text.to_owned() + PLATE)),
+        Err(Unreadable { problems, .. }) => check_texts(&problems, &(text.to_owned() + PLATE)),
         Ok(stated) if stated.rows.len() > MOST_ROWS || !is_small(&stated.part) => {}
         Ok(stated) => {
             let Ok(found) = AUDITOR.audit(&stated) else { return };
@@ -107,7 +107,7 @@ fn plan(text: &str) {
 fn marks(text: &str) {
     let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(CODES.iter().map(String::as_str)).collect();
     if let Err(problems) = read_scheme("marks.yaml", text, &known) {
-        told(&problems, text);
+        check_texts(&problems, text);
     }
 }
 
@@ -115,7 +115,7 @@ fn setting(text: &str) {
     for control in Language::NAMES {
         let language = Language::read(control, &KNOWLEDGE).expect("the control has its tables");
         if let Err(problems) = language.setting("setting.yaml", text) {
-            told(&problems, text);
+            check_texts(&problems, text);
         }
     }
 }
@@ -130,13 +130,13 @@ fn list(text: &str) {
 fn tables(text: &str) {
     for path in ["catalogs/table.yaml", "catalogs/vocabularies/words.yaml", "rules/table.test.yaml"] {
         let (knowledge, problems) = Knowledge::read_sources(&[SourceFile { path, text }]);
-        told(&problems, text);
+        check_texts(&problems, text);
         assert!(knowledge.to_bytes().is_ok(), "what is read can be compiled");
     }
 }
 
 fn cases(text: &str) {
-    let around = Around { knowledge: &KNOWLEDGE, codes: &CODES, files: &|_| Err("none".to_owned()) };
+    let around = ReadContext { knowledge: &KNOWLEDGE, codes: &CODES, files: &|_| Err("none".to_owned()) };
     mistakes(&read_cases("cases.test.yaml", text, around).mistakes, text);
 }
 
@@ -164,7 +164,7 @@ fn whole(text: &str) {
     let part = match read_part("part.yaml", text, &KNOWLEDGE) {
         Ok(part) if is_small(&part) => part,
         Ok(_) => return,
-        Err(problems) => return told(&problems, text),
+        Err(problems) => return check_texts(&problems, text),
     };
     let plan = planner::plan(&part, CuttingMethod::Formula, &KNOWLEDGE).expect("the shipped tables answer");
     LANGS.iter().for_each(|lang| shown(&report::sheet::page(&plan, &KNOWLEDGE, report::Doubts::EachRow, *lang)));
@@ -186,7 +186,7 @@ fn mistakes(mistakes: &[Mistake], text: &str) {
     counted(mistakes.len(), text);
 }
 
-fn told(problems: &[Diagnostic], text: &str) {
+fn check_texts(problems: &[Diagnostic], text: &str) {
     inside(problems.iter().map(|problem| problem.place.as_ref()), text);
     in_words(problems.iter().flat_map(|problem| [Some(&problem.message), problem.help.as_ref()]).flatten(), text);
     counted(problems.len(), text);
@@ -208,9 +208,9 @@ fn inside<'p>(places: impl Iterator<Item = Option<&'p Place>>, text: &str) {
 /// Sentences have words in both languages, and no name of a figure stands where the figure should.
 fn in_words<'n>(notes: impl Iterator<Item = &'n Note>, text: &str) {
     for (note, lang) in notes.take(MOST_SAID).flat_map(|note| LANGS.map(|lang| (note, lang))) {
-        let said = lang.say(note);
-        assert!(!said.is_empty(), "{note} has no words");
-        assert!(!said.contains("{$") && !said.contains("{ $") || text.contains('$'), "{said}");
+        let sentence = lang.say(note);
+        assert!(!sentence.is_empty(), "{note} has no words");
+        assert!(!sentence.contains("{$") && !sentence.contains("{ $") || text.contains('$'), "{sentence}");
     }
 }
 

@@ -21,7 +21,7 @@ use technolog::units::Minutes;
 use technolog::words::say;
 
 use super::diagnostics::Texts;
-use super::usage::whole;
+use super::usage::whole_number;
 use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind, knowledge, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
@@ -37,7 +37,7 @@ pub struct Args {
     setting: Option<PathBuf>,
     #[arg(long, value_name = "PART.yaml")]
     pub(super) part: Option<PathBuf>,
-    #[arg(long, value_name = "N", requires = "part", value_parser = whole::<1, 9>)]
+    #[arg(long, value_name = "N", requires = "part", value_parser = whole_number::<1, 9>)]
     pub(super) set_up: Option<u32>,
 }
 
@@ -89,8 +89,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
     let text = context.text(&args.program)?;
-    let mut held = args.part.as_deref().map(|part| proof::held(part, knowledge, context)).transpose()?;
-    let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
+    let mut planned = args.part.as_deref().map(|part| proof::planned_job(part, knowledge, context)).transpose()?;
+    let of_part = planned.as_ref().map(|planned| planned.plan.part.machine.clone());
     let machine = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
     let machine = control::machine(machine, knowledge, context)?;
     let id = machine.id();
@@ -98,7 +98,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         let message = say!(context.lang, "cli-other-machine", asked = id, own = own);
         return Err(Diagnostic::error("other-machine", message, None).help(context.word("cli-leave-machine")).into());
     }
-    let control = control::meant(args.control.as_deref(), &machine, context)?;
+    let control = control::chosen(args.control.as_deref(), &machine, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let mut setting = match &args.setting {
         None => Setting::default(),
@@ -110,8 +110,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?
         }
     };
-    if let Some(held) = &mut held {
-        held.set(&mut setting);
+    if let Some(planned) = &mut planned {
+        planned.set(&mut setting);
     }
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
     let faults = language.check(&text, &machine, &setting, &mut sink);
@@ -122,8 +122,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
     // Nothing is known of a program that is not run: that it makes no hole follows from its mistakes.
     let is_run = is_run(&faults, &steps);
-    let proof = held.as_ref().filter(|_| is_run).map(|held| held.prove(&steps, &setting));
-    let serious = held.as_ref().map(PlannedJob::serious).unwrap_or_default();
+    let proof = planned.as_ref().filter(|_| is_run).map(|planned| planned.prove(&steps, &setting));
+    let serious = planned.as_ref().map(PlannedJob::serious).unwrap_or_default();
     match format {
         Format::Json => {
             let findings = findings(&faults, context);
@@ -139,34 +139,35 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?;
         }
         Format::Svg => {
-            let frame = held.as_ref().map(proof::frame);
+            let frame = planned.as_ref().map(proof::frame);
             context.emit_cleaned(&report::backplot::backplot(&steps, frame.as_ref(), context.lang))?;
         }
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
             // Only shown faults get words: a program may have a fault in every word.
-            let (told, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
-            let mut problems: Vec<Diagnostic> = told.iter().map(|fault| diagnostic(fault, &file, context)).collect();
-            problems.extend(proof::of_part(&serious, context));
+            let (reported, more) = context.amount.select(faults.iter().collect(), |fault| fault.severity);
+            let mut problems: Vec<Diagnostic> =
+                reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            problems.extend(proof::part_diagnostics(&serious, context));
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let mut made = None;
-            if let (Some(held), Some(proof)) = (&held, &proof) {
+            if let (Some(planned), Some(proof)) = (&planned, &proof) {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
-                made = Some(proof::table(held, proof, context.lang));
+                made = Some(proof::table(planned, proof, context.lang));
             }
-            if held.is_some() && !is_run {
+            if planned.is_some() && !is_run {
                 let message = context.word("check-not-compared");
                 let severity = Severity::Note;
                 let help = Some(context.word("check-mend-first").into());
                 problems.push(Diagnostic { severity, help, ..Diagnostic::error("not-compared", message, None) });
             }
             let hidden = faults.iter().map(|fault| proof::shown(fault.severity));
-            let own = problems.get(told.len()..).unwrap_or_default().iter().map(|problem| problem.severity);
+            let own = problems.get(reported.len()..).unwrap_or_default().iter().map(|problem| problem.severity);
             let all: Vec<Severity> = hidden.chain(own).collect();
             let counts = [Severity::Error, Severity::Warning, Severity::Note]
                 .map(|severity| all.iter().filter(|one| **one == severity).count());
-            let told = (counts, problems::blocks(problems, more, &texts, format, context));
-            let page = page(&shown, told, made, &steps, clock.times(), context.lang);
+            let reported = (counts, problems::blocks(problems, more, &texts, format, context));
+            let page = page(&shown, reported, made, &steps, clock.times(), context.lang);
             context.emit_document(&problems::untitled(page, format), format)?;
         }
     }
@@ -188,11 +189,11 @@ fn refuse_lathe(text: &str, control: &str, context: &Context) -> Result<(), CliE
 
 /// Faults with their words.
 pub(super) fn findings<'a>(faults: &'a [Fault], context: &Context) -> Vec<FaultMessage<'a>> {
-    let told = |fault: &'a Fault| {
+    let with_words = |fault: &'a Fault| {
         let (message, help) = (context.lang.say(&fault.note), context.lang.remedy(&fault.note));
         FaultMessage { message, help, fault }
     };
-    faults.iter().map(told).collect()
+    faults.iter().map(with_words).collect()
 }
 
 /// The answer for people: mistakes with their lines, the result for the part, the trace, the times.
@@ -253,8 +254,8 @@ pub(super) fn figures_of(line: &str, lang: Lang) -> String {
 pub(super) fn total(counts: [usize; 3], lang: Lang) -> String {
     let codes = ["check-errors", "check-warnings", "check-notes"];
     let some = codes.into_iter().zip(counts).filter(|(_, count)| *count > 0);
-    let told: Vec<String> = some.map(|(code, count)| lang.say(&Note::new(code).with("count", count))).collect();
-    if told.is_empty() { say!(lang, "cli-findings-counted", count = 0) } else { told.join(", ") }
+    let counted: Vec<String> = some.map(|(code, count)| lang.say(&Note::new(code).with("count", count))).collect();
+    if counted.is_empty() { say!(lang, "cli-findings-counted", count = 0) } else { counted.join(", ") }
 }
 
 /// A mistake of a program with its place.

@@ -54,7 +54,7 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
     if let Some(part) = &part {
         let operation = turn_operation::plan(part, knowledge, context)?;
         let set_up = args.set_up.and_then(|number| u8::try_from(number).ok()).unwrap_or(1);
-        run.faults.extend(turned::held(&operation, set_up, &text, &run));
+        run.faults.extend(turned::compare_with_part(&operation, set_up, &text, &run));
     }
     let time = times(&run.motions, rates);
     match format {
@@ -64,8 +64,8 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
         }
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
-            let (told, more) = context.amount.of(run.faults.iter().collect(), |fault| fault.severity);
-            let problems: Vec<Diagnostic> = told.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            let (reported, more) = context.amount.select(run.faults.iter().collect(), |fault| fault.severity);
+            let problems: Vec<Diagnostic> = reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let all: Vec<Severity> = run.faults.iter().map(|fault| proof::shown(fault.severity)).collect();
             let counts = [Severity::Error, Severity::Warning, Severity::Note]

@@ -12,7 +12,7 @@ use super::{CliError, Context, words};
 ///
 /// # Errors
 /// None is given, and the record names none, or one whose language is not known.
-pub fn meant<'a>(given: Option<&'a str>, machine: &Machine<'a>, context: &Context) -> Result<&'a str, CliError> {
+pub fn chosen<'a>(given: Option<&'a str>, machine: &Machine<'a>, context: &Context) -> Result<&'a str, CliError> {
     let Some(control) = given.or(machine.control) else {
         return Err(unknown(words::no_control(context.lang, machine.id()), context));
     };

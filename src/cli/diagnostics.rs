@@ -43,7 +43,7 @@ impl Amount {
     }
 
     /// The shown ones, in order, and the number of others. Among equally severe ones the first are shown.
-    pub fn of<T, G: Ord>(self, all: Vec<T>, grave: impl Fn(&T) -> G) -> (Vec<T>, usize) {
+    pub fn select<T, G: Ord>(self, all: Vec<T>, grave: impl Fn(&T) -> G) -> (Vec<T>, usize) {
         if self == Self::All || all.len() <= MOST_SHOWN {
             return (all, 0);
         }
@@ -92,7 +92,7 @@ impl Texts {
 
 /// The shown problems, as in [`render_all`], and the number of others.
 pub fn render(problems: Vec<Diagnostic>, texts: &Texts, amount: Amount, lang: Lang) -> String {
-    let (shown, more) = amount.of(problems, |problem| problem.severity);
+    let (shown, more) = amount.select(problems, |problem| problem.severity);
     render_all(&shown, texts, lang) + &below(more, lang)
 }
 
@@ -114,21 +114,27 @@ pub fn render_within(width: usize, problems: &[Diagnostic], texts: &Texts, lang:
             lines.entry(file).or_insert_with(|| Lines::of(&text.content));
         }
     }
-    let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, &lines, width, lang)).collect();
+    let shown: Vec<String> = problems.iter().map(|problem| problem_text(problem, texts, &lines, width, lang)).collect();
     shown.join("\n")
 }
 
 /// A problem: fault, place, the line itself with a mark under the place, and the remedy.
-fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, width: usize, lang: Lang) -> String {
+fn problem_text(
+    problem: &Diagnostic,
+    texts: &Texts,
+    lines: &BTreeMap<&str, Lines<'_>>,
+    width: usize,
+    lang: Lang,
+) -> String {
     let level = lang.word(match problem.severity {
         Severity::Error => "cli-error",
         Severity::Warning => "cli-warning",
         Severity::Note => "cli-note",
     });
-    let said = |note: &Note| cleaned(&lang.say(note)).chars().take(LONGEST).collect::<String>();
-    let help = problem.help.as_ref().map(|help| format!("{}: {}", lang.word("cli-help"), said(help)));
+    let words = |note: &Note| cleaned(&lang.say(note)).chars().take(LONGEST).collect::<String>();
+    let help = problem.help.as_ref().map(|help| format!("{}: {}", lang.word("cli-help"), words(help)));
     let code = if problem.code.is_empty() { String::new() } else { format!("[{}]", problem.code) };
-    let title = folded(&format!("{level}{code}: {}", said(&problem.message)), 2, width);
+    let title = folded(&format!("{level}{code}: {}", words(&problem.message)), 2, width);
     let Some(place) = &problem.place else {
         // Below a line of a file the help belongs to its frame; otherwise it is a line of its own.
         let help = help.map(|help| folded(&help, 2, width));
@@ -174,7 +180,7 @@ fn marked(stretch: &Stretch<'_>) -> [String; 2] {
     let shown = |text: &str| cleaned(&text.replace('\t', "    "));
     let dots = |cut: bool| if cut { "..." } else { "" };
     let before = format!("{}{}", dots(stretch.cut_before), shown(stretch.before));
-    let meant = shown(stretch.meant);
+    let meant = shown(stretch.marked);
     let mark = " ".repeat(before.width()) + &"^".repeat(meant.width().max(1));
     [format!("{before}{meant}{}{}", shown(stretch.behind), dots(stretch.cut_behind)), mark]
 }

@@ -69,7 +69,7 @@ impl Format {
 }
 
 /// What a command can show, by its name on the command line, each with its formats.
-pub fn of_each<S: ValueEnum>(
+pub fn formats_of_each<S: ValueEnum>(
     shown: &[S],
     formats: impl Fn(&S) -> &'static [Format],
 ) -> Vec<(String, &'static [Format])> {
@@ -91,7 +91,7 @@ const OTHERS: &[&str] = &[
 ];
 
 /// The extension of a file, if it belongs to a format that no command has.
-pub fn of_others(file: &Path) -> Option<String> {
+pub fn foreign_extension(file: &Path) -> Option<String> {
     Some(ending(file)).filter(|ending| OTHERS.contains(&ending.as_str()))
 }
 

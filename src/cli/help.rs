@@ -25,7 +25,7 @@ pub fn language(default: Lang) -> Lang {
 }
 
 /// The same, from the arguments and the environment alone.
-pub fn asked() -> Lang {
+pub fn requested_language() -> Lang {
     language(Lang::of_environment(std::env::var("LANG").ok().as_deref()))
 }
 
@@ -71,8 +71,8 @@ fn formats(command: &str, lang: Lang) -> String {
                 None => alike.push((vec![show], formats)),
             }
         }
-        let told = alike.iter().map(|(shows, formats)| format!("{} – {}", shows.join(", "), names(formats)));
-        say!(lang, "help-formats-by-show", formats = told.collect::<Vec<_>>().join("; "))
+        let lines = alike.iter().map(|(shows, formats)| format!("{} – {}", shows.join(", "), names(formats)));
+        say!(lang, "help-formats-by-show", formats = lines.collect::<Vec<_>>().join("; "))
     };
     match command {
         "plan" => one(plan::FORMATS),

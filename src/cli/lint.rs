@@ -66,14 +66,15 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 fn documentation(knowledge: &Knowledge, format: Format, context: &Context) -> Result<Outcome, CliError> {
     let listed = tables::documentation(knowledge);
     if format == Format::Json {
-        let rows = listed.iter().map(|of| json!({"table": of.table, "columns": of.columns, "rows": of.rows}));
+        let rows =
+            listed.iter().map(|parts| json!({"table": parts.table, "columns": parts.columns, "rows": parts.rows}));
         context.emit_json(&rows.collect::<Vec<_>>())?;
     } else {
         let mut page = Document::new(context.lang.tag(), context.word("lint-documentation"));
         let heads = ["cli-table", "cli-columns", "cli-row-count"].map(|head| Column::text(context.word(head)));
         let mut table = Table::new(heads);
-        for of in &listed {
-            table.row([of.table.to_owned(), of.columns.join(", "), of.rows.join(", ")]);
+        for parts in &listed {
+            table.row([parts.table.to_owned(), parts.columns.join(", "), parts.rows.join(", ")]);
         }
         page.push(table);
         context.emit_document(&page, format)?;

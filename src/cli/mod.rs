@@ -81,7 +81,7 @@ struct Global {
 
 /// A language by its tag; the error lists the existing ones.
 fn language_named(tag: &str) -> Result<Lang, String> {
-    tag.parse().map_err(|fault: technolog::note::Note| help::asked().say(&fault))
+    tag.parse().map_err(|fault: technolog::note::Note| help::requested_language().say(&fault))
 }
 
 /// The commands.
@@ -143,7 +143,7 @@ impl Context {
     /// The command does not have it, or name and extension contradict each other.
     pub fn format(&self, command: &str, known: &[Format]) -> Result<Format, CliError> {
         let meant = self.output.as_deref().map(Format::of_ending).unwrap_or_default();
-        if let Some(ending) = self.output.as_deref().and_then(format::of_others) {
+        if let Some(ending) = self.output.as_deref().and_then(format::foreign_extension) {
             let message = say!(self.lang, "cli-alien-ending", command = command, ending = ending.as_str());
             // A hand-written plan has the extension of any YAML.
             let known = known.iter().filter(|format| **format != Format::Hand || !known.contains(&Format::Yaml));
@@ -162,14 +162,14 @@ impl Context {
             (None, [usual, ..]) => {
                 meant.iter().find(|format| known.contains(format)).copied().map_or_else(|| lacks(*usual), Ok)
             }
-            (Some(asked), _) if !known.contains(&asked) => lacks(asked),
-            (Some(asked), [usual, ..]) if !meant.contains(&asked) => {
+            (Some(requested), _) if !known.contains(&requested) => lacks(requested),
+            (Some(requested), [usual, ..]) if !meant.contains(&requested) => {
                 let file = self.output.as_deref().unwrap_or(Path::new("-")).display();
-                let message = words::format_contradiction(self.lang, file, usual.name(), asked.name());
+                let message = words::format_contradiction(self.lang, file, usual.name(), requested.name());
                 let help = words::format_contradiction_help(self.lang);
                 Err(Diagnostic::error("format-contradiction", message, None).help(help).into())
             }
-            (Some(asked), _) => Ok(asked),
+            (Some(requested), _) => Ok(requested),
         }
     }
 

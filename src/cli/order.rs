@@ -24,7 +24,7 @@ use technolog::units::{Micrometres, Minutes};
 
 use super::control::machine;
 use super::diagnostics::Texts;
-use super::usage::whole;
+use super::usage::whole_number;
 use super::{CliError, Context, Format, Outcome, kind, knowledge, plan, words};
 
 // The order of tools and the path over the holes, with its length, time and a lower bound; also of a list of points
@@ -36,9 +36,9 @@ pub struct Args {
     metric: Option<MetricName>,
     #[arg(long)]
     closed: bool,
-    #[arg(long, value_name = "N", value_parser = whole::<0, 100_000>, conflicts_with_all = ["tries", "time"])]
+    #[arg(long, value_name = "N", value_parser = whole_number::<0, 100_000>, conflicts_with_all = ["tries", "time"])]
     effort: Option<u32>,
-    #[arg(long, value_name = "N", value_parser = whole::<0, { u32::MAX }>, conflicts_with = "time")]
+    #[arg(long, value_name = "N", value_parser = whole_number::<0, { u32::MAX }>, conflicts_with = "time")]
     tries: Option<u32>,
     #[arg(long, value_name = "TIME", value_parser = duration)]
     time: Option<Duration>,
@@ -137,8 +137,9 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
             context.emit_cleaned(&order_drawing::drawing(&panels, Some(&plan.part)))?;
         }
         _ => {
-            let not_kept: Vec<Finding> = plan.visiting.iter().filter_map(|own| not_kept(own, &machine)).collect();
-            context.emit_document(&report::order::of_part(&plan, home, &not_kept, context.lang), format)?;
+            let not_kept: Vec<Finding> =
+                plan.visiting.iter().filter_map(|visiting| not_kept(visiting, &machine)).collect();
+            context.emit_document(&report::order::part_page(&plan, home, &not_kept, context.lang), format)?;
         }
     }
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
@@ -167,7 +168,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     };
     // With an acceleration the cost is a time; its length is that of the slower axis.
     let timed = matches!(metric, Metric::Rapid(rapid) if rapid.acceleration.is_some());
-    let way = |order: &[usize], cost: i64| match metric {
+    let length = |order: &[usize], cost: i64| match metric {
         Metric::Rapid(rapid) if timed => {
             let even = Metric::Rapid(technolog::machine::Rapid { acceleration: None, ..rapid });
             let space = if args.closed { Space::closed(&points, even) } else { Space::open(&points, even) };
@@ -181,9 +182,9 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
         closed: args.closed,
         tries: found.tries,
         order: found.order.iter().map(|&point| names[point]).collect(),
-        length_mm: way(&found.order, found.cost),
+        length_mm: length(&found.order, found.cost),
         time_min: metric.minutes(found.cost).map(|time| time.rounded(4)),
-        nearest_length_mm: way(&book.order, book.cost),
+        nearest_length_mm: length(&book.order, book.cost),
         nearest_time_min: metric.minutes(book.cost).map(|time| time.rounded(4)),
         // Rounded down, so that it stays a bound.
         bound_min: bound
@@ -200,7 +201,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
             let panel = Panel { title, path, from_change: false, closed: args.closed };
             context.emit_cleaned(&order_drawing::drawing(&[panel], None))?;
         }
-        _ => context.emit_document(&report::order::of_list(&tour, context.lang), format)?,
+        _ => context.emit_document(&report::order::list_page(&tour, context.lang), format)?,
     }
     Ok(Outcome::Done)
 }

@@ -95,11 +95,11 @@ impl Screen {
     /// The terminal, otherwise a file or a pipe; `COLUMNS` gives the width of either.
     pub fn of(file: Option<&Path>) -> Self {
         let terminal = io::stdout().is_terminal() && file.is_none();
-        let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse::<usize>().ok());
+        let stated = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse::<usize>().ok());
         let seen = || terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
-        let width = said.or_else(|| if terminal { seen() } else { None }).unwrap_or(USUAL_WIDTH);
+        let width = stated.or_else(|| if terminal { seen() } else { None }).unwrap_or(USUAL_WIDTH);
         let colour = terminal && std::env::var_os("NO_COLOR").is_none();
-        Self { width: width.max(NARROWEST), colour, narrow: terminal || said.is_some() }
+        Self { width: width.max(NARROWEST), colour, narrow: terminal || stated.is_some() }
     }
 }
 
@@ -140,7 +140,7 @@ fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
         OpenOptions::new().write(true).open(&path)?;
     }
     remove_stale(&path);
-    let (mut file, temporary) = beside(&path)?;
+    let (mut file, temporary) = temporary_file(&path)?;
     let written = file.write_all(answer).and_then(|()| match &old {
         Some(old) => file.set_permissions(kept(old.permissions())),
         None => Ok(()),
@@ -189,7 +189,7 @@ fn is_number_of_run(text: &str) -> bool {
 }
 
 /// A new file in the same folder, so that the rename stays on one disk.
-fn beside(path: &Path) -> io::Result<(File, PathBuf)> {
+fn temporary_file(path: &Path) -> io::Result<(File, PathBuf)> {
     let Some(name) = path.file_name() else {
         return Err(ErrorKind::InvalidFilename.into());
     };

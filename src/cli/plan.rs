@@ -60,8 +60,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         "tables" => planner::plan_by_tables,
         _ => planner::plan,
     };
-    let plan =
-        ManuallyDrop::new(made(&args.part, knowledge, context, |part| planned(part, args.method.method(), knowledge))?);
+    let plan = ManuallyDrop::new(plan_file(&args.part, knowledge, context, |part| {
+        planned(part, args.method.method(), knowledge)
+    })?);
     match format {
         Format::Json => context.emit_json(&*plan)?,
         Format::Yaml => context.emit_yaml(&*plan)?,
@@ -92,16 +93,16 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
     let knowledge = knowledge::load(context)?;
     let plan = make(&args.part, args.method.method(), knowledge, context)?;
     let names: Vec<&str> = plan.holes.iter().map(|hole| hole.name.as_str()).collect();
-    let Some(asked) = args.hole.as_deref() else {
+    let Some(wanted) = args.hole.as_deref() else {
         // Which groups there are says the part, not the command line.
         let message = say!(context.lang, "cli-hole-missing");
         let help = say!(context.lang, "cli-known", names = names.join(", "));
         return Err(Diagnostic::error("hole-missing", message, None).help(help).into());
     };
-    let Some(hole) = plan.holes.iter().find(|hole| hole.name == asked) else {
-        let message = words::no_hole(context.lang, args.part.display(), asked);
-        let alike = names.iter().find(|name| latin(name) == latin(asked));
-        let help = match (alike, nearest(asked, names.iter().copied())) {
+    let Some(hole) = plan.holes.iter().find(|hole| hole.name == wanted) else {
+        let message = words::no_hole(context.lang, args.part.display(), wanted);
+        let alike = names.iter().find(|name| latin(name) == latin(wanted));
+        let help = match (alike, nearest(wanted, names.iter().copied())) {
             (Some(alike), _) => say!(context.lang, "cli-other-alphabet", name = *alike),
             (None, Some(near)) => words::did_you_mean(context.lang, near),
             (None, None) => words::known(context.lang, names.join(", ")),
@@ -120,10 +121,10 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
 /// # Errors
 /// The part file cannot be used; all its mistakes are reported at once.
 pub fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: &Context) -> Result<Plan, CliError> {
-    made(path, knowledge, context, |part| planner::plan(part, method, knowledge))
+    plan_file(path, knowledge, context, |part| planner::plan(part, method, knowledge))
 }
 
-fn made(
+fn plan_file(
     path: &Path,
     knowledge: &Knowledge,
     context: &Context,

@@ -38,7 +38,7 @@ pub fn untitled(page: Document, format: Format) -> Document {
 /// that were left out before.
 pub fn blocks(problems: Vec<Diagnostic>, more: usize, texts: &Texts, format: Format, context: &Context) -> Vec<Block> {
     let lang = context.lang;
-    let (shown, hidden_now) = context.amount.of(problems, |problem| problem.severity);
+    let (shown, hidden_now) = context.amount.select(problems, |problem| problem.severity);
     let more = more + hidden_now;
     match format {
         Format::Text if shown.is_empty() => Vec::new(),

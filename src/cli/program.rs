@@ -56,7 +56,7 @@ impl Show {
 
 /// What can be shown, each with its formats.
 pub fn shown() -> Vec<(String, &'static [Format])> {
-    format::of_each(Show::value_variants(), |show| show.formats())
+    format::formats_of_each(Show::value_variants(), |show| show.formats())
 }
 
 /// The answer in JSON.
@@ -91,11 +91,11 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
-    let held = PlannedJob::of(plan, knowledge).map_err(at_fault)?;
-    let (plan, job) = (&held.plan, &held.job);
+    let planned = PlannedJob::of(plan, knowledge).map_err(at_fault)?;
+    let (plan, job) = (&planned.plan, &planned.job);
     let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
-    let control = control::meant(args.control.as_deref(), &shop.machine, context)?;
+    let control = control::chosen(args.control.as_deref(), &shop.machine, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let written = language.write(job, form);
     let setting = Setting::of_job(job);
@@ -104,10 +104,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let faults = language.check(&text, &shop.machine, &setting, &mut sink);
     let (steps, clock) = sink;
     let findings: Vec<&Finding> = serious(plan, job);
-    let proof = held.prove(&steps, &setting);
+    let proof = planned.prove(&steps, &setting);
     if job.setups.is_empty() && format != Format::Json {
         // No hole can be made: there is nothing to write, and half a program is worse than none.
-        let problems = proof::of_part(&findings, context);
+        let problems = proof::part_diagnostics(&findings, context);
         output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
         return Ok(Outcome::Findings);
     }
@@ -117,7 +117,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         (Show::Encoding, Format::Csv) => context.emit_cleaned(&sheet()?.csv())?,
         (Show::Encoding, _) => context.emit_document(&sheet()?.page(), format)?,
         (Show::Backplot, _) => {
-            context.emit_cleaned(&report::backplot::backplot(&steps, Some(&proof::frame(&held)), context.lang))?;
+            context.emit_cleaned(&report::backplot::backplot(&steps, Some(&proof::frame(&planned)), context.lang))?;
         }
         (Show::Cycles, _) => context.emit_cleaned(&report::cycles::page(job, plan, context.lang))?,
         (_, Format::Json) => context.emit_json(&Answer {
@@ -129,7 +129,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             job,
             trace: &steps,
             time: clock.times(),
-            findings: findings.iter().map(|finding| told(finding, context)).collect(),
+            findings: findings.iter().map(|finding| with_message(finding, context)).collect(),
             faults: &faults,
             proof: proof::answer(&proof, context),
         })?,
@@ -158,22 +158,22 @@ fn serious<'a>(plan: &'a Plan, job: &'a Job) -> Vec<&'a Finding> {
     plan.findings.iter().filter(of_plan).chain(&job.findings).collect()
 }
 
-fn told<'a>(finding: &'a Finding, context: &Context) -> FindingMessage<'a> {
+fn with_message<'a>(finding: &'a Finding, context: &Context) -> FindingMessage<'a> {
     FindingMessage { message: context.lang.say(&finding.note), finding }
 }
 
 /// Reports faults beside the program: of the part, of the machine, of its blocks.
 fn complain(findings: &[&Finding], faults: &[Fault], proof: &Proof, text: String, context: &Context) {
     const NAME: &str = "program.nc";
-    let mut problems = proof::of_part(findings, context);
+    let mut problems = proof::part_diagnostics(findings, context);
     let file = std::sync::Arc::from(NAME);
-    let (shown, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
+    let (shown, more) = context.amount.select(faults.iter().collect(), |fault| fault.severity);
     problems.extend(shown.iter().map(|fault| check::diagnostic(fault, &file, context)));
     problems.extend(proof::diagnostics(proof, &text, &file, context));
     if problems.is_empty() {
         return;
     }
     let texts = Texts::default().with(NAME, NAME.to_owned(), Cow::Owned(text));
-    let (shown, more_now) = context.amount.of(problems, |problem| problem.severity);
+    let (shown, more_now) = context.amount.select(problems, |problem| problem.severity);
     output::complain(&(render_all(&shown, &texts, context.lang) + &below(more + more_now, context.lang)));
 }

@@ -36,18 +36,18 @@ struct ProofMessage<'a> {
 ///
 /// # Errors
 /// The part cannot be used, or the knowledge has no answer.
-pub fn held(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<PlannedJob, CliError> {
+pub fn planned_job(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<PlannedJob, CliError> {
     let plan = plan::make(path, CuttingMethod::default(), knowledge, context)?;
     PlannedJob::of(plan, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
 /// The part below the motions of a program.
-pub fn frame(held: &PlannedJob) -> Frame<'_> {
-    Frame::of(&held.job, &held.plan.part)
+pub fn frame(planned: &PlannedJob) -> Frame<'_> {
+    Frame::of(&planned.job, &planned.plan.part)
 }
 
 /// For each transition, the number of points made and required.
-pub fn table(held: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
+pub fn table(planned: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
     let [hole, transition, tool, made] =
         ["cli-hole", "cli-transition", "cli-tool", "cli-made"].map(|key| lang.word(key));
     let heads = [hole, transition, tool].map(Column::text).into_iter().chain([Column::number(made, "")]);
@@ -59,7 +59,7 @@ pub fn table(held: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
     for stop in &proof.missing {
         counts.entry((&stop.hole, stop.transition)).or_default()[1] += 1;
     }
-    for hole in &held.plan.holes {
+    for hole in &planned.plan.holes {
         for (number, transition) in hole.transitions.iter().enumerate() {
             let [made, missing] = counts.get(&(hole.name.as_str(), number)).copied().unwrap_or_default();
             // Work on another machine is in no job.
@@ -86,20 +86,20 @@ pub const fn shown(severity: note::Severity) -> Severity {
 }
 
 /// Findings about the part as diagnostics, without a place in the program.
-pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic> {
-    let told = |finding: &&note::Finding| {
+pub fn part_diagnostics(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic> {
+    let diagnostic = |finding: &&note::Finding| {
         let sentence = context.lang.say(&finding.note);
         let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
         let severity = shown(finding.severity);
         // A finding of the plan has no code of a program: none is shown.
         Diagnostic { severity, code: "", message: message.into(), place: None, help: None }
     };
-    findings.iter().map(told).collect()
+    findings.iter().map(diagnostic).collect()
 }
 
 /// The proof with its texts.
 pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
-    let said = |finding: &'a ProgramFinding| ProofMessage {
+    let with_words = |finding: &'a ProgramFinding| ProofMessage {
         message: context.lang.say(&finding.note),
         help: context.lang.remedy(&finding.note),
         finding,
@@ -108,7 +108,7 @@ pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
         visits: &proof.visits,
         missing: &proof.missing,
         superfluous: &proof.superfluous,
-        findings: proof.findings.iter().map(said).collect(),
+        findings: proof.findings.iter().map(with_words).collect(),
     }
 }
 

@@ -105,7 +105,7 @@ impl Serialize for Inputs<'_> {
 
 /// The data of a row besides its cells.
 #[derive(Debug, Serialize)]
-pub struct About<'t> {
+pub struct RowData<'t> {
     source: String,
     place: &'t str,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -120,7 +120,7 @@ pub struct About<'t> {
     priority: Option<i64>,
 }
 
-impl<'t> About<'t> {
+impl<'t> RowData<'t> {
     /// Of that row.
     pub fn of(row: RowRef<'t>) -> Self {
         let content = row.row();
@@ -155,17 +155,17 @@ impl Serialize for Corrections<'_> {
 
 /// A whole row: every cell, and the data besides them.
 #[derive(Debug, Serialize)]
-pub struct Whole<'t> {
+pub struct WholeRow<'t> {
     #[serde(flatten)]
     cells: Cells<'t>,
     #[serde(flatten)]
-    about: About<'t>,
+    about: RowData<'t>,
 }
 
-impl<'t> Whole<'t> {
+impl<'t> WholeRow<'t> {
     /// Of that row.
     pub fn of(row: RowRef<'t>) -> Self {
-        Self { cells: Cells::of(row, (0..row.table.columns.len()).collect()), about: About::of(row) }
+        Self { cells: Cells::of(row, (0..row.table.columns.len()).collect()), about: RowData::of(row) }
     }
 }
 

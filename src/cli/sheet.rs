@@ -13,7 +13,7 @@ use super::shown;
 
 /// One table: title, source, rows, then everything that does not fit into cells. `room` is the width of a text in
 /// terminal columns; pages of other formats have all the width they need.
-pub fn whole(table: &Table, lang: Lang, room: Option<usize>) -> Document {
+pub fn table_page(table: &Table, lang: Lang, room: Option<usize>) -> Document {
     let all: Vec<RowRef<'_>> = table.all_rows().collect();
     let mut page = titled(table, lang);
     let mut source = Inlines::from(lang.place(&table.place).as_str());
@@ -23,7 +23,7 @@ pub fn whole(table: &Table, lang: Lang, room: Option<usize>) -> Document {
     page.push(Block::Fields(vec![Field::new(lang.word("cli-source"), source)]));
     let numbered = rows(&mut page, table, &all, lang, room);
     columns(&mut page, table, numbered, lang);
-    said(&mut page, &all, lang);
+    row_remarks(&mut page, &all, lang);
     let gaps = table.uncovered.iter().map(|gap| lang.remark(&gap.reason).into_owned());
     section(&mut page, lang.word("cli-gaps"), gaps);
     section(&mut page, lang.word("cli-notes"), table.notes.iter().map(|note| lang.remark(note).into_owned()));
@@ -45,7 +45,7 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang,
         .map(|(index, column)| {
             let head = shown::head(lang, column, keep(table, index));
             match column.role {
-                ColumnRole::Output => Head { heading: Inlines::from("→ ").then(head.heading.clone()), ..head },
+                ColumnRole::Output => Head { heading: Inlines::from("→ ").append(head.heading.clone()), ..head },
                 _ => head,
             }
         })
@@ -139,7 +139,7 @@ pub fn columns(page: &mut Document, table: &Table, numbered: bool, lang: Lang) {
     let text = |head: &str| Head::text(lang.word(head));
     let number = Head::number(lang.word("cli-row-number"), "");
     let heads =
-        vec![number, text("table-key"), text("table-what"), text("table-symbol"), text("table-expected").least(24)];
+        vec![number, text("table-key"), text("table-what"), text("table-symbol"), text("table-expected").min_width(24)];
     let row = |(number, (_, column)): (usize, (usize, &Column))| {
         let number = if numbered { number.to_string() } else { String::new() };
         let key = Inlines::default().code(&column.name);
@@ -173,16 +173,16 @@ fn symbol(column: &Column, lang: Lang) -> String {
 /// The permitted values of a column, as written in a query.
 fn about(column: &Column, lang: Lang) -> Vec<String> {
     let mut about = Vec::new();
-    let said = |key: &str| lang.word(key).to_owned();
+    let word = |key: &str| lang.word(key).to_owned();
     match column.role {
         ColumnRole::Field => {}
-        ColumnRole::Input => about.push(said("cli-input")),
-        ColumnRole::Output => about.push(said("cli-output")),
+        ColumnRole::Input => about.push(word("cli-input")),
+        ColumnRole::Output => about.push(word("cli-output")),
     }
     about.push(shown::expected(lang, column));
     about.extend(column.domain_text.as_deref().map(|domain| shown::test(lang, column, domain)));
-    about.extend(column.list.then(|| said("cli-list")));
-    about.extend(column.optional.then(|| said("cli-optional")));
+    about.extend(column.list.then(|| word("cli-list")));
+    about.extend(column.optional.then(|| word("cli-optional")));
     let default = column.default.as_ref().map(|value| super::record::bare(column, value));
     about.extend(default.map(|value| say!(lang, "cli-default-is", value = value)));
     let refers = column.refers.as_ref();
@@ -192,13 +192,14 @@ fn about(column: &Column, lang: Lang) -> Vec<String> {
 
 /// The data of rows besides their cells: corrections, doubts, reasons, places, notes. Rows with the same text are
 /// joined.
-pub fn said(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
+pub fn row_remarks(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     let corrections = |row: &Row| -> Vec<String> {
-        let said = row.corrections.iter().map(|it| {
-            let (column, printed, reason) = (&it.column, &it.printed, lang.remark(&it.reason).into_owned());
+        let texts = row.corrections.iter().map(|correction| {
+            let (column, printed, reason) =
+                (&correction.column, &correction.printed, lang.remark(&correction.reason).into_owned());
             say!(lang, "cli-printed-otherwise", column = column, printed = printed, reason = reason)
         });
-        said.collect()
+        texts.collect()
     };
     let one =
         |text: &Option<String>| -> Vec<String> { text.iter().map(|text| lang.remark(text).into_owned()).collect() };
@@ -209,19 +210,19 @@ pub fn said(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     by_rows(page, rows, "cli-row-notes", lang, &|row| one(&row.note));
 }
 
-fn by_rows(page: &mut Document, rows: &[RowRef<'_>], head: &str, lang: Lang, said: &dyn Fn(&Row) -> Vec<String>) {
+fn by_rows(page: &mut Document, rows: &[RowRef<'_>], head: &str, lang: Lang, texts_of: &dyn Fn(&Row) -> Vec<String>) {
     let mut rows_of: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for row in rows {
-        for sentence in said(row.row()) {
+        for sentence in texts_of(row.row()) {
             rows_of.entry(sentence).or_default().push(row.number());
         }
     }
-    let mut said: Vec<(Vec<usize>, String)> = rows_of.into_iter().map(|(sentence, rows)| (rows, sentence)).collect();
-    said.sort();
-    let line = |(rows, said): (Vec<usize>, String)| {
-        say!(lang, "table-of-rows", rows = shown::rows_named(lang, &rows), said = said)
+    let mut lines: Vec<(Vec<usize>, String)> = rows_of.into_iter().map(|(sentence, rows)| (rows, sentence)).collect();
+    lines.sort();
+    let line = |(rows, text): (Vec<usize>, String)| {
+        say!(lang, "table-of-rows", rows = shown::rows_named(lang, &rows), said = text)
     };
-    section(page, lang.word(head), said.into_iter().map(line));
+    section(page, lang.word(head), lines.into_iter().map(line));
 }
 
 /// A heading with its lines; nothing if there are no lines.

@@ -9,20 +9,20 @@ use technolog::knowledge::{Column, ColumnRole, ColumnType, RowRef, Source, Table
 use technolog::note::Figure;
 use technolog::plan::Operation;
 use technolog::report::{operation_noun, unit, with_unit};
-use technolog::words::{LANGUAGES, listed, say};
+use technolog::words::{LANGUAGES, joined_list, say};
 
 use super::Lang;
 use super::record::{bare, results};
 
 /// The title of a table.
 pub fn title(lang: Lang, table: &Table) -> &str {
-    table.title.of(lang.tag())
+    table.title.text(lang.tag())
 }
 
 /// The name of a column, if it has one besides its key.
 pub fn label(lang: Lang, column: &Column) -> Option<&str> {
     let usual = || lang.find(&format!("table-column-{}", column.name));
-    column.label.as_ref().map(|label| label.of(lang.tag())).or_else(usual)
+    column.label.as_ref().map(|label| label.text(lang.tag())).or_else(usual)
 }
 
 /// The column of a page: its name with symbol and unit, figures to the right.
@@ -41,7 +41,7 @@ pub fn head(lang: Lang, column: &Column, keep: Keep) -> Head {
         && column.ty != ColumnType::Roughness;
     let head = if is_figure { Head::number(name, unit) } else { Head { unit: unit.to_owned(), ..Head::text(name) } };
     // Tables have many columns of short cells.
-    head.keep(keep).least(6)
+    head.keep(keep).min_width(6)
 }
 
 /// With a capital first letter, as in heads.
@@ -67,7 +67,9 @@ pub fn cell(lang: Lang, column: &Column, cell: &Cell) -> String {
 /// A value without its unit.
 pub fn value(lang: Lang, column: &Column, value: &Value) -> String {
     match value {
-        Value::List(items) => listed(&items.iter().map(|item| self::value(lang, column, item)).collect::<Vec<_>>()),
+        Value::List(items) => {
+            joined_list(&items.iter().map(|item| self::value(lang, column, item)).collect::<Vec<_>>())
+        }
         other => figure(lang, column, &bare(column, other)),
     }
 }
@@ -77,7 +79,7 @@ fn figure(lang: Lang, column: &Column, written: &str) -> String {
     match column.ty {
         // Tables of machines and controls have the unit of each figure in a separate column.
         ColumnType::Unit => match written.parse() {
-            Ok(own) => unit(own, lang).to_owned(),
+            Ok(parsed) => unit(parsed, lang).to_owned(),
             Err(_) => written.to_owned(),
         },
         ColumnType::Text => match column.name.as_str() {
@@ -133,8 +135,8 @@ pub fn test(lang: Lang, column: &Column, written: &str) -> String {
     if written == "-" {
         return "–".to_owned();
     }
-    let each = |tests: &str, said: &dyn Fn(String) -> String, between: &str| {
-        let tests: Vec<String> = tests.split('|').map(|one| said(test(lang, column, one))).collect();
+    let each = |tests: &str, phrase: &dyn Fn(String) -> String, between: &str| {
+        let tests: Vec<String> = tests.split('|').map(|one| phrase(test(lang, column, one))).collect();
         tests.join(&format!(" {} ", lang.word(between)))
     };
     if let Some(inner) = written.strip_prefix("not(").and_then(|rest| rest.strip_suffix(')')) {
@@ -254,7 +256,7 @@ fn one_of(lang: Lang, column: &Column) -> String {
         name if name.replace(' ', "-") == *id => id.clone(),
         name => format!("{id} ({name})"),
     };
-    say!(lang, "cli-one-of", values = listed(&column.values.iter().map(value).collect::<Vec<_>>()))
+    say!(lang, "cli-one-of", values = joined_list(&column.values.iter().map(value).collect::<Vec<_>>()))
 }
 
 #[cfg(test)]

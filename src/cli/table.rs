@@ -37,7 +37,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     match format {
         Format::Json => context.emit_json(&table_json(table, context))?,
         Format::Csv => context.emit_cleaned(&table_csv(table))?,
-        _ => context.emit_document(&sheet::whole(table, context.lang, context.room(format)), format)?,
+        _ => context.emit_document(&sheet::table_page(table, context.lang, context.room(format)), format)?,
     }
     Ok(Outcome::Done)
 }
@@ -52,10 +52,10 @@ const fn kind(table: &Table) -> &'static str {
 fn list_page(tables: &[&Table], lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), lang.word("table-list"));
     let mut list = Grid::new([
-        Head::text(lang.word("cli-table")).least(24),
+        Head::text(lang.word("cli-table")).min_width(24),
         Head::number(lang.word("cli-row-count"), "").keep(Keep::Optional),
-        Head::text(lang.word("cli-kind")).least(7).keep(Keep::Optional),
-        Head::text(lang.word("cli-title")).least(30),
+        Head::text(lang.word("cli-kind")).min_width(7).keep(Keep::Optional),
+        Head::text(lang.word("cli-title")).min_width(30),
     ]);
     for table in tables {
         let kind = match table.kind {
@@ -148,7 +148,7 @@ struct TableJson<'t> {
     result: &'t [String],
     key: &'t [String],
     columns: Vec<ColumnJson<'t>>,
-    rows: Vec<record::Whole<'t>>,
+    rows: Vec<record::WholeRow<'t>>,
     notes: &'t [String],
 }
 
@@ -163,7 +163,7 @@ fn table_json<'t>(table: &'t Table, context: &Context) -> TableJson<'t> {
         result: &table.result,
         key: &table.key,
         columns: table.columns.iter().map(|column| column_json(column, context)).collect(),
-        rows: table.all_rows().map(record::Whole::of).collect(),
+        rows: table.all_rows().map(record::WholeRow::of).collect(),
         notes: &table.notes,
     }
 }

@@ -25,7 +25,7 @@ use technolog::words::say;
 
 use super::diagnostics::Texts;
 use super::turn_operation::{self, Control, Wanted};
-use super::usage::whole;
+use super::usage::whole_number;
 use super::{CliError, Context, Format, Outcome, format, help, kind, knowledge};
 
 // The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
@@ -43,11 +43,11 @@ pub struct Args {
     show: Show,
     #[arg(long, value_enum, hide_possible_values = true, default_value = "linuxcnc")]
     control: Control,
-    #[arg(long, value_name = "N", default_value = "1", value_parser = whole::<1, 1_000>)]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = whole_number::<1, 1_000>)]
     number: u32,
     #[arg(long, value_enum, hide_possible_values = true)]
     variant: Option<VariantName>,
-    #[arg(long, value_name = "RPM", value_parser = whole::<1, 20_000>)]
+    #[arg(long, value_name = "RPM", value_parser = whole_number::<1, 20_000>)]
     spindle: Option<u32>,
 }
 
@@ -90,7 +90,7 @@ impl Show {
 
 /// What can be shown, each with its formats.
 pub fn shown() -> Vec<(String, &'static [Format])> {
-    format::of_each(Show::value_variants(), |show| show.formats().1)
+    format::formats_of_each(Show::value_variants(), |show| show.formats().1)
 }
 
 /// Objectives by their names.
@@ -273,7 +273,7 @@ impl<'a> Answer<'a> {
 fn per_pass(text: &str) -> Result<Micrometres, String> {
     const MOST: i64 = 100_000;
     let length = text.parse().ok().filter(|length| (Micrometres::ZERO..=Micrometres::from_mm(MOST)).contains(length));
-    length.ok_or_else(|| say!(help::asked(), "usage-length", most = MOST))
+    length.ok_or_else(|| say!(help::requested_language(), "usage-length", most = MOST))
 }
 
 fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective, CliError> {

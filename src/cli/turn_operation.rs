@@ -139,7 +139,7 @@ pub fn program(
                 let others = others.map(|number| format!("--number {number}")).collect::<Vec<_>>().join(", ");
                 let (number, set_up) = (wanted.number, written.set_up);
                 let of = all.len();
-                let said = say!(
+                let text = say!(
                     context.lang,
                     "turn-one-of-programs",
                     number = number,
@@ -147,14 +147,14 @@ pub fn program(
                     set_up = set_up,
                     others = others
                 );
-                super::output::complain(&format!("{said}\n"));
+                super::output::complain(&format!("{text}\n"));
             }
             // Nobody sees the page at the machine.
             let mut set_ups = operation.set_ups.iter().map(|one| &one.set_up);
             let is_held = set_ups.any(|one| one.number == written.set_up && one.holds_at.is_some());
             if !is_held {
-                let said = say!(context.lang, "set-up-not-held", number = written.set_up);
-                super::output::complain(&format!("{said}\n"));
+                let warning = say!(context.lang, "set-up-not-held", number = written.set_up);
+                super::output::complain(&format!("{warning}\n"));
             }
             Ok(if operation.has_errors() || !is_held { Outcome::Findings } else { Outcome::Done })
         }
@@ -214,8 +214,8 @@ fn set(
 
 fn not_written(written: &OperationProgram, note: Note, context: &Context) -> CliError {
     let set_up = say!(context.lang, "turn-job-of", number = written.set_up);
-    let said = say!(context.lang, "turn-tool-not-written", tool = set_up, why = &note);
-    let problem = Diagnostic::error("not-written", said, None);
+    let text = say!(context.lang, "turn-tool-not-written", tool = set_up, why = &note);
+    let problem = Diagnostic::error("not-written", text, None);
     match context.lang.remedy(&note) {
         Some(remedy) => problem.help(remedy).into(),
         None => problem.into(),

@@ -12,14 +12,14 @@ use super::words::Lang;
 /// The fault of the arguments and its remedy; none where clap's own text is shown: help, version, and kinds of faults
 /// that this command line cannot have.
 pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang: Lang) -> Option<String> {
-    let of = |kind| error.get(kind).map(text).unwrap_or_default();
-    let (argument, value) = (of(ContextKind::InvalidArg), of(ContextKind::InvalidValue));
+    let context_text = |kind| error.get(kind).map(text).unwrap_or_default();
+    let (argument, value) = (context_text(ContextKind::InvalidArg), context_text(ContextKind::InvalidValue));
     let about = |code: &'static str| Note::new(code).with("argument", &argument).with("value", &value);
     let note = match error.kind() {
         ErrorKind::MissingRequiredArgument => about("usage-missing"),
         ErrorKind::UnknownArgument => about("usage-unknown"),
         ErrorKind::InvalidSubcommand => {
-            Note::new("usage-no-command").with("command", of(ContextKind::InvalidSubcommand))
+            Note::new("usage-no-command").with("command", context_text(ContextKind::InvalidSubcommand))
         }
         ErrorKind::MissingSubcommand => Note::new("usage-command-missing"),
         ErrorKind::InvalidValue if value.is_empty() => about("usage-value-missing"),
@@ -28,7 +28,7 @@ pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang:
             None => about("usage-bad-value"),
         },
         ErrorKind::ArgumentConflict => {
-            let other = of(ContextKind::PriorArg);
+            let other = context_text(ContextKind::PriorArg);
             if other == argument || other.is_empty() {
                 about("usage-twice")
             } else {
@@ -41,25 +41,25 @@ pub fn message(error: &Error, command: &mut Command, arguments: &[String], lang:
         ErrorKind::InvalidUtf8 => Note::new("usage-not-utf8"),
         _ => return None,
     };
-    let mut said = format!("{}: {}", lang.word("cli-error"), lang.say(&note));
+    let mut message = format!("{}: {}", lang.word("cli-error"), lang.say(&note));
     let mut more = |code: &'static str, values: String| {
         if !values.is_empty() {
-            said.push_str(&format!("\n  {}", lang.say(&Note::new(code).with("values", values))));
+            message.push_str(&format!("\n  {}", lang.say(&Note::new(code).with("values", values))));
         }
     };
     // Of the formats that the program knows each command has only some.
     match help::formats_of(arguments, command).filter(|_| argument.starts_with("--format")) {
         Some(formats) => more("usage-of-command", formats),
-        None => more("usage-possible-values", of(ContextKind::ValidValue)),
+        None => more("usage-possible-values", context_text(ContextKind::ValidValue)),
     }
     for kind in [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue] {
-        more("usage-similar", of(kind));
+        more("usage-similar", context_text(kind));
     }
-    let usage = of(ContextKind::Usage);
+    let usage = context_text(ContextKind::Usage);
     let usage = if usage.is_empty() { usage_of(command, arguments) } else { usage };
     let usage = usage.trim().trim_start_matches("Usage:").trim();
     let usage = worded(usage, lang);
-    Some(format!("{said}\n\n{}: {usage}\n\n{}\n", lang.word("help-usage"), lang.word("usage-more")))
+    Some(format!("{message}\n\n{}: {usage}\n\n{}\n", lang.word("help-usage"), lang.word("usage-more")))
 }
 
 /// The usage of the command in the arguments, if they name one.
@@ -74,9 +74,9 @@ fn usage_of(command: &mut Command, arguments: &[String]) -> String {
 ///
 /// # Errors
 /// It is none, or outside the limits.
-pub fn whole<const LEAST: u32, const MOST: u32>(text: &str) -> Result<u32, String> {
+pub fn whole_number<const LEAST: u32, const MOST: u32>(text: &str) -> Result<u32, String> {
     let number = text.parse().ok().filter(|number| (LEAST..=MOST).contains(number));
-    number.ok_or_else(|| say!(help::asked(), "usage-whole-number", least = LEAST, most = MOST))
+    number.ok_or_else(|| say!(help::requested_language(), "usage-whole-number", least = LEAST, most = MOST))
 }
 
 /// The usage line with its two words in the language.
@@ -101,7 +101,7 @@ fn text(value: &ContextValue) -> String {
 mod tests {
     use super::*;
 
-    fn said(arguments: &[&str]) -> String {
+    fn message_of(arguments: &[&str]) -> String {
         let mut command = help::command(Lang::UK);
         let error = command.clone().try_get_matches_from(arguments).unwrap_err();
         let arguments: Vec<String> = arguments.iter().map(|&argument| argument.to_owned()).collect();
@@ -151,17 +151,17 @@ mod tests {
                 "помилка: аргумент `--lang <LANG>` вказано більше одного разу",
             ),
         ] {
-            let said = said(arguments);
-            assert!(said.starts_with(expected), "{arguments:?}: {said}");
-            assert!(said.contains("\nВикористання: technolog") && !said.contains("error"), "{said}");
-            assert!(!said.contains("OPTIONS") && !said.contains("COMMAND"), "{said}");
+            let text = message_of(arguments);
+            assert!(text.starts_with(expected), "{arguments:?}: {text}");
+            assert!(text.contains("\nВикористання: technolog") && !text.contains("error"), "{text}");
+            assert!(!text.contains("OPTIONS") && !text.contains("COMMAND"), "{text}");
         }
     }
 
     #[test]
     fn the_usage_is_that_of_the_command() {
-        let said = said(&["technolog", "order", "x", "--effort", "many"]);
-        assert!(said.contains("\nВикористання: technolog order [ПАРАМЕТРИ] <FILE>\n"), "{said}");
+        let text = message_of(&["technolog", "order", "x", "--effort", "many"]);
+        assert!(text.contains("\nВикористання: technolog order [ПАРАМЕТРИ] <FILE>\n"), "{text}");
     }
 
     #[test]

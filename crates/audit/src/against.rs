@@ -44,7 +44,8 @@ pub struct Difference {
     /// The subject; tools by their place in the first plan, or in the second where only that has them.
     pub subject: Subject,
     /// The key of the figure, or `row`, `order`, `designation`, … for other things.
-    pub what: String,
+    #[serde(rename = "what")]
+    pub key: String,
     /// The quantity of the figure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quantity: Option<Quantity>,
@@ -63,7 +64,8 @@ pub struct Difference {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cost {
     /// `machine`, `rapid`, `tool_change`, `total` in min; `changes` and `places` in numbers.
-    pub what: &'static str,
+    #[serde(rename = "what")]
+    pub kind: &'static str,
     /// In the first plan.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub a: Option<f64>,
@@ -86,14 +88,14 @@ impl Auditor<'_> {
         found.clamping();
         found.figures(Section::Times, &Subject::default(), &a.times, &b.times);
         let mut differences = found.differences;
-        differences.sort_by_key(|one| one.section);
+        differences.sort_by_key(|difference| difference.section);
         let costs = costs(&self.expenses(a)?, &self.expenses(b)?);
         Ok(Comparison { a: a.file.clone(), b: b.file.clone(), differences, costs })
     }
 
     /// The costs of a plan, as stated or else computed from its own figures.
     fn expenses(&self, stated: &Stated) -> Result<Vec<(&'static str, Option<f64>)>, KnowledgeError> {
-        let ours = self.ours(stated)?;
+        let ours = self.own_plan(stated)?;
         let context = Context::new(stated, &ours, self)?;
         let mut graph = Graph::new(stated, self.tolerances());
         rules::add(&context, &mut graph)?;
@@ -112,8 +114,8 @@ impl Auditor<'_> {
 fn costs(a: &[(&'static str, Option<f64>)], b: &[(&'static str, Option<f64>)]) -> Vec<Cost> {
     let both = a.iter().zip(b).filter(|(a, b)| a.1.is_some() || b.1.is_some());
     let rounded = |value: f64| crate::units::round_to(value, 4);
-    both.map(|((what, a), (_, b))| Cost {
-        what,
+    both.map(|((kind, a), (_, b))| Cost {
+        kind,
         a: a.map(rounded),
         b: b.map(rounded),
         more: a.zip(*b).map(|(a, b)| rounded(b - a)),
@@ -154,13 +156,13 @@ impl PlanComparison<'_> {
             };
             let of_a = order(a, pairs.iter().map(|(at, _)| *at).collect());
             let of_b = order(b, pairs.iter().map(|(_, at)| *at).collect());
-            self.say(Section::Route, &Subject::default(), "order", Some(of_a), Some(of_b));
+            self.push_difference(Section::Route, &Subject::default(), "order", Some(of_a), Some(of_b));
         }
         for (_, row) in a.rows.iter().enumerate().filter(|(at, _)| !pairs.iter().any(|(own, _)| own == at)) {
-            self.say(Section::Route, &of_row(row), "row", Some(row.number.to_string()), None);
+            self.push_difference(Section::Route, &of_row(row), "row", Some(row.number.to_string()), None);
         }
         for (_, row) in b.rows.iter().enumerate().filter(|(at, _)| !pairs.iter().any(|(_, own)| own == at)) {
-            self.say(Section::Route, &of_row(row), "row", None, Some(row.number.to_string()));
+            self.push_difference(Section::Route, &of_row(row), "row", None, Some(row.number.to_string()));
         }
         // The same tool serves several rows, and so do the same conditions.
         let (mut tools, mut conditions) = (BTreeSet::new(), BTreeSet::new());
@@ -172,7 +174,7 @@ impl PlanComparison<'_> {
             self.figures(Section::Route, &subject, &one.figures, &two.figures);
             let number = |row: &Row| row.tool.as_ref().map(|tool| format!("T{}", tool.value));
             if number(one) != number(two) {
-                self.say(Section::Route, &subject, "tool", number(one), number(two));
+                self.push_difference(Section::Route, &subject, "tool", number(one), number(two));
             }
             if let (Some(one), Some(two)) = (a.tool_of(one), b.tool_of(two))
                 && tools.insert((one, two))
@@ -202,7 +204,7 @@ impl PlanComparison<'_> {
     fn conditions(&mut self, subject: &Subject, (a, b): (Option<usize>, Option<usize>)) {
         let none = Figures::new();
         let (a, b) = (a.and_then(|at| self.a.conditions.get(at)), b.and_then(|at| self.b.conditions.get(at)));
-        let [one, two] = [a, b].map(|own| own.map_or(&none, |own| &own.figures));
+        let [one, two] = [a, b].map(|own| own.map_or(&none, |conditions| &conditions.figures));
         self.figures(Section::Conditions, subject, one, two);
         // Factors of conditions that only one plan has are not listed: their results are.
         let (Some(a), Some(b)) = (a, b) else { return };
@@ -223,7 +225,7 @@ impl PlanComparison<'_> {
         let (a, b) = (self.a.clamping.as_ref(), self.b.clamping.as_ref());
         let subject = Subject::default();
         let none = Figures::new();
-        let [one, two] = [a, b].map(|own| own.map_or(&none, |own| &own.figures));
+        let [one, two] = [a, b].map(|own| own.map_or(&none, |clamping| &clamping.figures));
         self.figures(Section::Clamping, &subject, one, two);
         let names: [(&str, NameOf); 3] =
             [("screw", |own| &own.screw), ("designation", |own| &own.designation), ("standard", |own| &own.standard)];
@@ -258,7 +260,7 @@ impl PlanComparison<'_> {
             let text = |figure: Option<&StatedFigure>| figure.map(|figure| figure.text.clone());
             let key = quantity.key();
             let what = name.map_or_else(|| key.to_owned(), |name| format!("{key}.{name}"));
-            self.say(section, subject, &what, text(a), text(b));
+            self.push_difference(section, subject, &what, text(a), text(b));
             if let Some(last) = self.differences.last_mut() {
                 last.quantity = Some(quantity);
                 last.factor = name.map(|name| self.a.factor(name));
@@ -270,13 +272,20 @@ impl PlanComparison<'_> {
         let [one, two] = [a, b].map(|text| text.as_ref().map(|text| text.value.clone()));
         // The same name with another dash or space is the same.
         if one.as_deref().map(plain) != two.as_deref().map(plain) {
-            self.say(section, subject, what, one, two);
+            self.push_difference(section, subject, what, one, two);
         }
     }
 
-    fn say(&mut self, section: Section, subject: &Subject, what: &str, a: Option<String>, b: Option<String>) {
+    fn push_difference(
+        &mut self,
+        section: Section,
+        subject: &Subject,
+        what: &str,
+        a: Option<String>,
+        b: Option<String>,
+    ) {
         let (subject, what) = (subject.clone(), what.to_owned());
-        self.differences.push(Difference { section, subject, what, quantity: None, factor: None, a, b });
+        self.differences.push(Difference { section, subject, key: what, quantity: None, factor: None, a, b });
     }
 }
 

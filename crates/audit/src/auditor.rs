@@ -63,12 +63,12 @@ impl<'k> Auditor<'k> {
     /// # Errors
     /// The knowledge base has no answer. A fault of the plan is a finding.
     pub fn audit(&self, stated: &Stated) -> Result<Audit, KnowledgeError> {
-        let ours = self.ours(stated)?;
+        let ours = self.own_plan(stated)?;
         self.audit_beside(stated, &ours)
     }
 
     /// The program's own plan of the same part by the same method.
-    pub(super) fn ours(&self, stated: &Stated) -> Result<Arc<Plan>, KnowledgeError> {
+    pub(super) fn own_plan(&self, stated: &Stated) -> Result<Arc<Plan>, KnowledgeError> {
         let plan = || planner::plan(&stated.part, stated.method, self.knowledge).map(Arc::new);
         // A part that cannot be serialised cannot be compared with another, so it is planned separately.
         match serde_json::to_string(&(&stated.part, stated.method)) {

@@ -61,7 +61,7 @@ impl<'a> Context<'a> {
             if matches!(found, NameMatch::Unknown(_)) {
                 found = auditor.cutters.find(named, |_| true);
             }
-            let named = found.meant();
+            let named = found.value();
             by_dimensions.push(named.and_then(|named| of_dimensions::meant(stated, at, named, auditor, &shop)));
             cutters.push(found);
             let named = tool.holder.as_ref().map(|text| text.value.as_str());
@@ -78,7 +78,7 @@ impl<'a> Context<'a> {
 
     /// The cutter of a tool, where its designation is known or clearly misprinted.
     pub fn cutter(&self, tool: usize) -> Option<&NamedCutter<'a>> {
-        self.of_dimensions(tool).or_else(|| self.cutter_near(tool).meant())
+        self.of_dimensions(tool).or_else(|| self.cutter_near(tool).value())
     }
 
     /// The cutter that the stated dimensions of a tool belong to, where its designation names another one.
@@ -93,11 +93,11 @@ impl<'a> Context<'a> {
 
     /// The holder of a tool.
     pub fn holder(&self, tool: usize) -> Option<&HolderRow<'a>> {
-        self.holder_near(tool).meant()
+        self.holder_near(tool).value()
     }
 
     /// Whether a cutter has the taper of the machine, so that it needs no holder.
-    pub fn whole(&self, tool: usize) -> bool {
+    pub fn has_machine_taper(&self, tool: usize) -> bool {
         self.cutter(tool).is_some_and(|cutter| cutter.head.shank == Shank::Taper)
     }
 
@@ -110,9 +110,9 @@ impl<'a> Context<'a> {
     /// The same transition in the program's plan: of the same hole, operation and place, and of the stated diameter,
     /// if any.
     pub fn reference(&self, row: usize) -> Option<&'a Transition> {
-        let diameter = self.stated.rows.get(row)?.figures.get(&Quantity::Diameter).filter(|_| !self.stated.own);
+        let diameter = self.stated.rows.get(row)?.figures.get(&Quantity::Diameter).filter(|_| !self.stated.is_own);
         let alike =
-            |found: &&Transition| diameter.is_none_or(|own| (own.value - found.diameter_mm.to_mm()).abs() < 1e-6);
+            |found: &&Transition| diameter.is_none_or(|figure| (figure.value - found.diameter_mm.to_mm()).abs() < 1e-6);
         self.same_transition(row).filter(alike)
     }
 
@@ -121,7 +121,7 @@ impl<'a> Context<'a> {
         let own = self.stated.rows.get(row)?;
         let name = &own.hole.as_ref()?.value;
         let hole = self.plan.holes.iter().find(|hole| hole.name == *name)?;
-        if self.stated.own {
+        if self.stated.is_own {
             let turn = self.stated.rows_of_hole(name).position(|(at, _)| at == row)?;
             return hole.transitions.get(turn).filter(|other| other.operation == own.operation.value);
         }

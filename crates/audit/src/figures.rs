@@ -169,13 +169,13 @@ pub(super) fn shown(value: f64) -> String {
 }
 
 /// A stated figure's own text beside the right value.
-pub(super) fn beside(
+pub(super) fn with_right_value(
     finding: AuditFinding,
     figure: &StatedFigure,
     right: impl ToString,
     quantity: Quantity,
 ) -> AuditFinding {
-    let mut finding = finding.at(&figure.place).beside(&figure.text, right);
+    let mut finding = finding.at(&figure.place).with_values(&figure.text, right);
     finding.quantity = Some(quantity);
     finding
 }

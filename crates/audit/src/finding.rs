@@ -110,8 +110,8 @@ pub struct Change {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct MissingKeys {
     /// Which part: the number of a row, of conditions, or of a tool as `T3`; empty: the section as a whole.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub of: String,
+    #[serde(rename = "of", skip_serializing_if = "String::is_empty")]
+    pub part: String,
     /// The subject of that part.
     pub subject: Subject,
     /// The keys it lacks, as a plan file has them.
@@ -295,7 +295,7 @@ impl AuditFinding {
 
     /// With what is stated and what it should be.
     #[must_use]
-    pub fn beside(mut self, stated: impl ToString, right: impl ToString) -> Self {
+    pub fn with_values(mut self, stated: impl ToString, right: impl ToString) -> Self {
         self.stated = Some(stated.to_string());
         self.right = Some(right.to_string());
         self
@@ -332,7 +332,8 @@ impl Audit {
     /// The finding to look at first: the most severe one that follows from no other; among equals the first of the
     /// report.
     pub fn first_root(&self) -> Option<&AuditFinding> {
-        let roots = self.findings.iter().filter(|one| one.severity < Severity::Note && one.follows_from.is_empty());
+        let roots =
+            self.findings.iter().filter(|finding| finding.severity < Severity::Note && finding.follows_from.is_empty());
         roots.min_by_key(|one| one.severity)
     }
 
@@ -350,7 +351,8 @@ impl Context<'_> {
             Scope::Constant => key.to_owned(),
             Scope::Row(at) => format!("route.{}.{key}", self.stated.rows.get(at).map_or(0, |row| row.number)),
             Scope::Conditions(at) => {
-                let factors = self.stated.conditions.get(at).and_then(|own| own.factors.get(&id.quantity));
+                let factors =
+                    self.stated.conditions.get(at).and_then(|conditions| conditions.factors.get(&id.quantity));
                 match factors.and_then(|factors| factors.get(id.index)) {
                     Some(factor) => format!("conditions.{}.{key}.{}", at + 1, factor.name.value),
                     None => format!("conditions.{}.{key}", at + 1),
@@ -373,7 +375,9 @@ impl Context<'_> {
     pub(super) fn subject(&self, scope: Scope) -> Subject {
         let rows = match scope {
             Scope::Row(at) => vec![at],
-            Scope::Conditions(at) => self.stated.conditions.get(at).map(|own| own.rows.clone()).unwrap_or_default(),
+            Scope::Conditions(at) => {
+                self.stated.conditions.get(at).map(|conditions| conditions.rows.clone()).unwrap_or_default()
+            }
             _ => Vec::new(),
         };
         let tool = match scope {
@@ -420,7 +424,7 @@ impl Stated {
     /// The name of a factor: of the card it is one of the table of corrections, else it is the author's own.
     pub(super) fn factor(&self, name: &str) -> Figure {
         match self.method {
-            CuttingMethod::Card => Figure::Word(Word { of: "factor", id: name.to_owned().into() }),
+            CuttingMethod::Card => Figure::Word(Word { vocabulary: "factor", id: name.to_owned().into() }),
             CuttingMethod::Formula => name.into_figure(),
         }
     }

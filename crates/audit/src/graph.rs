@@ -138,7 +138,7 @@ impl<'a> Graph<'a> {
     }
 
     /// Adds table values for figures without a formula; they require nothing.
-    pub fn know(&mut self, tables: BTreeMap<Id, f64>) {
+    pub fn add_table_values(&mut self, tables: BTreeMap<Id, f64>) {
         self.tables = tables;
     }
 
@@ -188,7 +188,7 @@ impl<'a> Graph<'a> {
                     let value = (formula.compute)(&inputs).filter(|value| value.is_finite())?;
                     // A plan of the program is printed from unrounded figures: the printed value is nearer to them
                     // than a value computed from other printed ones.
-                    let figure = self.stated.figure(id).filter(|_| self.stated.own);
+                    let figure = self.stated.figure(id).filter(|_| self.stated.is_own);
                     let nearer = figure.filter(|own| self.fits(id, own, value, self.slack(formula, &inputs)));
                     Some(nearer.map_or(value, |own| own.value))
                 }
@@ -219,7 +219,7 @@ impl<'a> Graph<'a> {
 
     /// Whether a stated figure is what it should be, within its tolerance.
     fn fits(&self, id: Id, stated: &StatedFigure, value: f64, slack: f64) -> bool {
-        (stated.value - value).abs() <= self.tolerances.of(id.quantity, stated, value) + slack
+        (stated.value - value).abs() <= self.tolerances.allowed_difference(id.quantity, stated, value) + slack
     }
 
     /// Whether a figure, stated or computed from stated ones, differs from its right value.
@@ -292,8 +292,8 @@ impl<'a> Graph<'a> {
         for (at, input) in formula.inputs.iter().enumerate() {
             let Some(figure) = self.stated.figure(*input) else { continue };
             // A formula gives an unrounded figure; only a plan of the program is printed from unrounded figures.
-            let whole = !self.stated.own && self.formula(*input).is_some();
-            if !self.tolerances.rounded(input.quantity) || whole {
+            let from_formula = !self.stated.is_own && self.formula(*input).is_some();
+            if !self.tolerances.rounded(input.quantity) || from_formula {
                 continue;
             }
             moved[at] += figure.last_place / 2.0;

@@ -57,7 +57,8 @@ pub struct Marks {
     /// Points achieved.
     pub points: f64,
     /// Maximum of points.
-    pub of: f64,
+    #[serde(rename = "of")]
+    pub maximum: f64,
     /// Whether the plan passes, where the scheme gives a limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub passed: Option<bool>,
@@ -101,7 +102,7 @@ pub enum DeductedBy {
 }
 
 impl BySeverity {
-    const fn of(self, severity: Severity) -> Option<f64> {
+    const fn points(self, severity: Severity) -> Option<f64> {
         match severity {
             Severity::Error => self.error,
             Severity::Wrong => self.wrong,
@@ -119,11 +120,11 @@ impl MarkingScheme {
         let mut spent: Vec<(Section, f64)> = Vec::new();
         let mut deductions = Vec::new();
         for finding in &audit.findings {
-            let (asked, by) = self.charge(finding);
+            let (deduction, by) = self.charge(finding);
             let own = self.sections.iter().find(|(section, _)| *section == finding.section).map(|(_, own)| own);
             let before = spent.iter().find(|(section, _)| *section == finding.section).map_or(0.0, |(_, spent)| *spent);
             let room = own.and_then(|own| own.at_most).map_or(f64::INFINITY, |most| most - before);
-            let taken = asked.min(room).min(left).max(0.0);
+            let taken = deduction.min(room).min(left).max(0.0);
             left -= taken;
             spent.retain(|(section, _)| *section != finding.section);
             spent.push((finding.section, before + taken));
@@ -134,12 +135,12 @@ impl MarkingScheme {
                 severity: finding.severity,
                 points: rounded(taken),
                 by,
-                capped: taken < asked,
+                capped: taken < deduction,
             });
         }
         let points = rounded(left);
         let passed = self.pass.map(|pass| points >= pass);
-        Marks { scheme: self.name.clone(), points, of: self.points, passed, deductions }
+        Marks { scheme: self.name.clone(), points, maximum: self.points, passed, deductions }
     }
 
     fn charge(&self, finding: &AuditFinding) -> (f64, DeductedBy) {
@@ -150,10 +151,10 @@ impl MarkingScheme {
             return (*points, DeductedBy::Rule);
         }
         let own = self.sections.iter().find(|(section, _)| *section == finding.section);
-        if let Some(points) = own.and_then(|(_, own)| own.deduct.of(finding.severity)) {
+        if let Some(points) = own.and_then(|(_, own)| own.deduct.points(finding.severity)) {
             return (points, DeductedBy::Section);
         }
-        (self.deduct.of(finding.severity).unwrap_or(0.0), DeductedBy::Severity)
+        (self.deduct.points(finding.severity).unwrap_or(0.0), DeductedBy::Severity)
     }
 }
 

@@ -63,7 +63,7 @@ pub(super) fn correct(graph: &mut Graph<'_>) {
 fn misprinted(graph: &Graph<'_>, computed: Id) -> Option<Suspect> {
     let suspects: Vec<Suspect> =
         graph.stated_inputs(computed).into_iter().filter_map(|id| suspect(graph, id, computed)).collect();
-    let most = suspects.iter().map(|one| one.mends).max()?;
+    let most = suspects.iter().map(|suspect| suspect.mends).max()?;
     let own = graph.computed_if(computed, None)?;
     // How many figures would fit if the slip were its own, and whether its consequences contradict that.
     let users = graph.stated_users(computed).into_iter();

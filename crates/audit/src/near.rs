@@ -17,7 +17,7 @@ pub enum NameMatch<T> {
 
 impl<T> NameMatch<T> {
     /// The value that was found or clearly meant.
-    pub fn meant(&self) -> Option<&T> {
+    pub fn value(&self) -> Option<&T> {
         match self {
             Self::Found(found) | Self::Meant(found, _) => Some(found),
             Self::Unstated | Self::Unknown(_) => None,
@@ -181,12 +181,12 @@ fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
         return None;
     }
     let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, one) in a.iter().enumerate() {
+    for (i, sign) in a.iter().enumerate() {
         let mut corner = i;
         row[0] = i + 1;
         let mut least = row[0];
         for (j, other) in b.iter().enumerate() {
-            let changed = corner + usize::from(one != other);
+            let changed = corner + usize::from(sign != other);
             corner = row[j + 1];
             row[j + 1] = changed.min(row[j] + 1).min(corner + 1);
             least = least.min(row[j + 1]);

@@ -28,10 +28,10 @@ pub(super) fn meant<'a>(
     let tool = stated.tools.get(at)?;
     let name = &tool.designation.as_ref()?.value;
     let rows: Vec<&Row> = stated.rows_of_tool(tool.number).map(|(_, row)| row).collect();
-    let ground = stated.own && may_be_ground(rows.first().map(|row| row.operation.value));
+    let ground = stated.is_own && may_be_ground(rows.first().map(|row| row.operation.value));
     let off = dimensions(&named.row).into_iter().filter(|(quantity, length)| {
         let Some((figure, length)) = tool.figures.get(quantity).zip(*length) else { return false };
-        let tolerance = auditor.tolerances().of(*quantity, figure, length.to_mm());
+        let tolerance = auditor.tolerances().allowed_difference(*quantity, figure, length.to_mm());
         !(ground && *quantity == Q::Diameter) && (figure.value - length.to_mm()).abs() > tolerance
     });
     // A single dimension may itself be the slip; the rows of the tool decide which of the two is meant.

@@ -113,7 +113,7 @@ pub(super) fn read(
     let Ok(tolerances) = tolerances else {
         return problems.error("knowledge", note!("planfile-table-audit-tolerance-cannot-used"), &root.place);
     };
-    let mut reader = Own { problems, tolerances };
+    let mut reader = OwnPlanReader { problems, tolerances };
     let (mut rows, mut conditions) = (Vec::new(), Vec::new());
     for hole in items(root.get("holes")) {
         let name = text_of(hole, "name");
@@ -147,7 +147,7 @@ pub(super) fn read(
         file: file.to_owned(),
         part: head.part,
         method: head.cutting,
-        own: true,
+        is_own: true,
         tree: Some(root.clone()),
         rows,
         tools,
@@ -172,12 +172,12 @@ fn endless(node: &Node) -> Option<(&Node, &str)> {
     }
 }
 
-struct Own<'a> {
+struct OwnPlanReader<'a> {
     problems: &'a mut Problems,
     tolerances: Tolerances,
 }
 
-impl Own<'_> {
+impl OwnPlanReader<'_> {
     fn figure(&mut self, node: &Node, quantity: Quantity) -> Option<StatedFigure> {
         let text = node.text()?;
         if node.is_null() {
@@ -248,7 +248,10 @@ impl Own<'_> {
         Conditions {
             place: node.place.clone(),
             rows: vec![row],
-            held: node.get("limited_by").and_then(Node::text).is_some_and(|limit| limit != Limit::CuttingSpeed.name()),
+            is_limited: node
+                .get("limited_by")
+                .and_then(Node::text)
+                .is_some_and(|limit| limit != Limit::CuttingSpeed.name()),
             rounds: node.get("rounds").is_some_and(|rounds| !rounds.is_null()),
             factors: BTreeMap::new(),
             figures,

@@ -11,13 +11,13 @@ use super::graph::{Graph, Rule, Status};
 use super::quantity::Id;
 
 /// Whether a finding is a slip or follows from one; a note is neither.
-fn grave(finding: &AuditFinding) -> bool {
+fn is_fault(finding: &AuditFinding) -> bool {
     finding.severity < Severity::Note
 }
 
 /// The slips that a finding about a stated figure follows from: the figure itself if it is a slip, otherwise its
 /// roots.
-pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
+pub(super) fn figure_roots(graph: &Graph<'_>, id: Id) -> Vec<Id> {
     match graph.verdict(id).map(|verdict| verdict.status.clone()) {
         Some(Status::Root(Severity::Error | Severity::Wrong, _)) => vec![id],
         Some(Status::Follows(roots)) => roots.into_iter().collect(),
@@ -27,13 +27,15 @@ pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
 
 /// The field, if a finding already reports a slip of it.
 pub(super) fn roots_of(findings: &[AuditFinding], field: String) -> Vec<String> {
-    let slip = |one: &AuditFinding| one.field == field && grave(one) && one.follows_from.is_empty();
+    let slip = |finding: &AuditFinding| finding.field == field && is_fault(finding) && finding.follows_from.is_empty();
     if findings.iter().any(slip) { vec![field] } else { Vec::new() }
 }
 
 /// Removes the verdict on a figure that proved right, and the findings that followed only from it.
 pub(super) fn retract(findings: &mut Vec<AuditFinding>, field: &str, rule: &Rule) {
-    let slip = |one: &AuditFinding| one.field == field && one.kind.rule() == Some(rule) && one.follows_from.is_empty();
+    let slip = |finding: &AuditFinding| {
+        finding.field == field && finding.kind.rule() == Some(rule) && finding.follows_from.is_empty()
+    };
     if !findings.iter().any(slip) {
         return;
     }
@@ -48,7 +50,7 @@ pub(super) fn retract(findings: &mut Vec<AuditFinding>, field: &str, rule: &Rule
 
 /// Traces every finding back to the slips that follow from nothing, and lists its consequences there.
 pub(super) fn settle(findings: &mut [AuditFinding]) {
-    let settled: Vec<BTreeSet<String>> = findings.iter().map(|one| roots(one, findings)).collect();
+    let settled: Vec<BTreeSet<String>> = findings.iter().map(|finding| roots(finding, findings)).collect();
     for (one, roots) in findings.iter_mut().zip(settled) {
         let known: BTreeSet<String> = one.follows_from.iter().cloned().collect();
         if roots.is_empty() || roots == known {
@@ -60,7 +62,7 @@ pub(super) fn settle(findings: &mut [AuditFinding]) {
         }
     }
     for at in 0..findings.len() {
-        let Some(root) = findings.get(at).filter(|one| grave(one) && !one.follows_from.is_empty()) else { continue };
+        let Some(root) = findings.get(at).filter(|one| is_fault(one) && !one.follows_from.is_empty()) else { continue };
         let (Some(quantity), Some(stated), Some(right)) = (root.quantity, &root.stated, &root.right) else { continue };
         let change = Change { field: root.field.clone(), quantity, stated: stated.clone(), right: right.clone() };
         let fields = root.follows_from.clone();
@@ -70,7 +72,7 @@ pub(super) fn settle(findings: &mut [AuditFinding]) {
         }
         for field in fields {
             let mut slips = findings.iter_mut().filter(|one| one.field == field && one.follows_from.is_empty());
-            if let Some(slip) = slips.find(|one| grave(one))
+            if let Some(slip) = slips.find(|one| is_fault(one))
                 && !slip.changes.iter().any(|known| known.field == change.field)
             {
                 slip.changes.push(change.clone());
@@ -80,14 +82,14 @@ pub(super) fn settle(findings: &mut [AuditFinding]) {
 }
 
 /// The fields of a finding's roots: of the findings it follows from, those that follow from nothing.
-fn roots(one: &AuditFinding, all: &[AuditFinding]) -> BTreeSet<String> {
+fn roots(finding: &AuditFinding, all: &[AuditFinding]) -> BTreeSet<String> {
     let (mut found, mut seen) = (BTreeSet::new(), BTreeSet::new());
-    let mut open = one.follows_from.clone();
+    let mut open = finding.follows_from.clone();
     while let Some(field) = open.pop() {
         if !seen.insert(field.clone()) {
             continue;
         }
-        let at = || all.iter().filter(|other| other.field == field && grave(other));
+        let at = || all.iter().filter(|other| other.field == field && is_fault(other));
         // A field without a finding of a formula is one that a check names.
         if at().next().is_none() || at().any(|other| other.follows_from.is_empty()) {
             found.insert(field);
@@ -130,8 +132,8 @@ mod tests {
     #[test]
     fn a_slip_is_taken_back_with_what_followed_from_it_alone() {
         let mut findings = vec![finding("a", &[]), finding("b", &["a"]), finding("c", &["a", "d"]), finding("d", &[])];
-        for one in &mut findings {
-            one.kind = FindingKind::Formula(&RULE);
+        for finding in &mut findings {
+            finding.kind = FindingKind::Formula(&RULE);
         }
         retract(&mut findings, "a", &RULE);
         let left: Vec<&str> = findings.iter().map(|one| one.field.as_str()).collect();

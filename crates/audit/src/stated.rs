@@ -52,7 +52,7 @@ pub struct Stated {
     pub method: CuttingMethod,
     /// Whether `technolog plan` wrote it: then its figures are rounded as that command rounds, and its route is
     /// listed hole by hole.
-    pub own: bool,
+    pub is_own: bool,
     /// The file of a plan of the program, as a tree with places.
     pub tree: Option<Node>,
     /// The route, in the order of work.
@@ -167,7 +167,7 @@ pub struct Conditions {
     /// The rows they are for, by their places in the route.
     pub rows: Vec<usize>,
     /// Whether the plan says that something other than the cutting speed limited them.
-    pub held: bool,
+    pub is_limited: bool,
     /// Whether a mill moves in circles: the simple formulas do not apply.
     pub rounds: bool,
     /// The factors of feed, speed, force and power.

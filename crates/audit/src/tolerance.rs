@@ -26,13 +26,13 @@ struct Tolerance {
     rounded: bool,
     severity: Severity,
     range: Range,
-    whole: bool,
+    whole_number: bool,
 }
 
 impl Tolerance {
     fn of(row: &Row<'_>) -> Self {
-        let &Row { half_places, own_places, rounded, severity, range, whole, .. } = row;
-        Self { half_places, relative: row.relative.0 / 100.0, own_places, rounded, severity, range, whole }
+        let &Row { half_places, own_places, rounded, severity, range, whole: whole_number, .. } = row;
+        Self { half_places, relative: row.relative.0 / 100.0, own_places, rounded, severity, range, whole_number }
     }
 }
 
@@ -52,39 +52,39 @@ impl Tolerances {
     }
 
     /// How far a stated figure may be from a value, in the unit of its quantity.
-    pub fn of(&self, quantity: Quantity, stated: &StatedFigure, value: f64) -> f64 {
-        let Some(own) = self.0.get(&quantity) else { return 0.0 };
+    pub fn allowed_difference(&self, quantity: Quantity, stated: &StatedFigure, value: f64) -> f64 {
+        let Some(tolerance) = self.0.get(&quantity) else { return 0.0 };
         // Binary fractions are not exact: a millionth of the value is no deviation.
-        own.half_places * stated.last_place / 2.0 + own.relative * value.abs() + 1e-9 * value.abs().max(1.0)
+        tolerance.half_places * stated.last_place / 2.0 + tolerance.relative * value.abs() + 1e-9 * value.abs().max(1.0)
     }
 
     /// How far a figure of a quantity may be from a value, as a share of it.
     pub fn share(&self, quantity: Quantity) -> f64 {
-        self.0.get(&quantity).map_or(0.0, |own| own.relative)
+        self.0.get(&quantity).map_or(0.0, |tolerance| tolerance.relative)
     }
 
     /// Whether a printed figure of this quantity may stand for a longer one.
     pub fn rounded(&self, quantity: Quantity) -> bool {
-        self.0.get(&quantity).is_some_and(|own| own.rounded)
+        self.0.get(&quantity).is_some_and(|tolerance| tolerance.rounded)
     }
 
     /// The decimal places to which `technolog plan` rounds it.
     pub fn own_places(&self, quantity: Quantity) -> i64 {
-        self.0.get(&quantity).map_or(0, |own| own.own_places)
+        self.0.get(&quantity).map_or(0, |tolerance| tolerance.own_places)
     }
 
     /// The possible range of its figures.
     pub fn range(&self, quantity: Quantity) -> Range {
-        self.0.get(&quantity).map_or(Range::Any, |own| own.range)
+        self.0.get(&quantity).map_or(Range::Any, |tolerance| tolerance.range)
     }
 
     /// Whether it is a whole number.
-    pub fn whole(&self, quantity: Quantity) -> bool {
-        self.0.get(&quantity).is_some_and(|own| own.whole)
+    pub fn is_whole_number(&self, quantity: Quantity) -> bool {
+        self.0.get(&quantity).is_some_and(|tolerance| tolerance.whole_number)
     }
 
     /// How grave a deviation is.
     pub fn severity(&self, quantity: Quantity) -> Severity {
-        self.0.get(&quantity).map_or(Severity::Wrong, |own| own.severity)
+        self.0.get(&quantity).map_or(Severity::Wrong, |tolerance| tolerance.severity)
     }
 }

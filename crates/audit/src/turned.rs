@@ -28,12 +28,12 @@ const FAR: f64 = 1000.0;
 
 /// Compares a program of a set-up with the part, after the jobs of earlier set-ups. Returns the findings of the proof
 /// with their lines, or why there is no comparison.
-pub fn held(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
+pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
     let Compared { work, proven, tools } = match compared(operation, set_up, text, run) {
         Ok(compared) => compared,
         Err(why) => return vec![*why],
     };
-    let taken: Vec<&Called> = tools.iter().filter(|tool| !tool.is_named).collect();
+    let taken: Vec<&CalledTool> = tools.iter().filter(|tool| !tool.is_named).collect();
     let mut faults: Vec<Fault> = taken.iter().map(|tool| tool.taken(work)).collect();
     let end = run.motions.last().map_or(1, |motion| motion.line);
     let proof = match &proven.proof {
@@ -108,7 +108,7 @@ fn stem(name: &str) -> &str {
 struct Compared<'o> {
     work: &'o SetUpWork,
     proven: Proven,
-    tools: Vec<Called>,
+    tools: Vec<CalledTool>,
 }
 
 /// The proof of a program with the tools that it calls, or why there is none.
@@ -140,7 +140,7 @@ fn fault(code: &'static str, severity: Severity, note: Note, line: u32) -> Fault
 
 /// A tool that a program calls.
 #[derive(Clone, Copy, Debug)]
-struct Called {
+struct CalledTool {
     /// Its number in the program.
     number: u32,
     /// The first line that calls it.
@@ -151,7 +151,7 @@ struct Called {
     is_named: bool,
 }
 
-impl Called {
+impl CalledTool {
     fn taken(self, work: &SetUpWork) -> Fault {
         let tool = work.jobs.get(self.job).map_or("", |job| &job.tool.designation);
         let note = Note::new("turned-tool-taken").with("number", self.number).with("tool", tool.to_owned());
@@ -160,10 +160,10 @@ impl Called {
 }
 
 /// The tools that a program calls and that the set-up has.
-fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) -> Vec<Called> {
+fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) -> Vec<CalledTool> {
     let lines: Vec<String> = text.lines().map(plain).collect();
     let stations = stations(operation);
-    let mut tools: Vec<Called> = Vec::new();
+    let mut tools: Vec<CalledTool> = Vec::new();
     for motion in &run.motions {
         let (Some(tool), line) = (motion.modes.tool, motion.line) else { continue };
         if tools.iter().any(|known| known.number == tool.number) {
@@ -183,7 +183,7 @@ fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) ->
         let named = (0..work.jobs.len()).filter(names).max_by_key(length);
         let placed = || work.jobs.iter().position(|job| place(&stations, job) == Some(tool.number));
         if let Some(job) = named.or_else(placed) {
-            tools.push(Called { number: tool.number, line, job, is_named: named.is_some() });
+            tools.push(CalledTool { number: tool.number, line, job, is_named: named.is_some() });
         }
     }
     tools
@@ -233,9 +233,9 @@ impl NotHeld {
 ///
 /// # Errors
 /// Something in the program is not known well enough.
-fn motions(all: &[LatheMotion], tools: &[Called]) -> Result<Vec<Motion>, NotHeld> {
+fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<Vec<Motion>, NotHeld> {
     let mut motions = Vec::new();
-    for one in all.iter().filter(|one| one.act.moves()) {
+    for one in all.iter().filter(|motion| motion.act.moves()) {
         let line = one.line;
         let cuts = one.act.cuts();
         let known = one.from.point().zip(one.to.point());

@@ -17,31 +17,31 @@ type At = (usize, usize);
 pub fn by_hand(plan: &Plan, part: &str) -> String {
     let rows = rows(plan);
     let mut text = String::new();
-    put(&mut text, &format!("plan: {}", scalar(&plan.part.part)));
-    put(&mut text, &format!("part: {}", scalar(part)));
+    push_line(&mut text, &format!("plan: {}", scalar(&plan.part.part)));
+    push_line(&mut text, &format!("part: {}", scalar(part)));
     if plan.cutting != CuttingMethod::default() {
-        put(&mut text, &format!("cutting: {}", plan.cutting.name()));
+        push_line(&mut text, &format!("cutting: {}", plan.cutting.name()));
     }
     list(&mut text, "route", rows.iter().enumerate().map(|(at, row)| self::row(plan, at, *row)));
     if !plan.tools.is_empty() {
-        put(&mut text, "tools:");
+        push_line(&mut text, "tools:");
         plan.tools.iter().for_each(|tool| self::tool(&mut text, tool));
     }
     list(&mut text, "conditions", all_conditions(plan, &rows));
     text.push_str(&clamping(plan));
     let time = plan.time;
     let mut times = Flow::default();
-    times.put("machine", time.machine_min.0);
+    times.push_field("machine", time.machine_min.0);
     let more = [("feed_out", time.feed_out_min), ("dwell", time.dwell_min)];
     for (key, time) in more.into_iter().filter(|(_, time)| time.0 > 0.0) {
-        times.put(key, time.0);
+        times.push_field(key, time.0);
     }
-    times.put("rapid", time.rapid_min.0).put("tool_change", time.tool_change_min.0);
+    times.push_field("rapid", time.rapid_min.0).push_field("tool_change", time.tool_change_min.0);
     if time.hand_min.0 > 0.0 {
-        times.put("hand", time.hand_min.0);
+        times.push_field("hand", time.hand_min.0);
     }
-    times.put("total", time.total_min.0);
-    put(&mut text, &format!("times: {}", times.done()));
+    times.push_field("total", time.total_min.0);
+    push_line(&mut text, &format!("times: {}", times.done()));
     text
 }
 
@@ -68,37 +68,39 @@ fn transition(plan: &Plan, (hole, one): At) -> Option<&Transition> {
 fn row(plan: &Plan, at: usize, own: At) -> String {
     let mut flow = Flow::default();
     let (Some(hole), Some(transition)) = (plan.holes.get(own.0), transition(plan, own)) else { return flow.done() };
-    flow.put("row", at + 1).put("operation", transition.operation.name()).put("hole", scalar(&hole.name));
-    flow.put("count", hole.count);
+    flow.push_field("row", at + 1)
+        .push_field("operation", transition.operation.name())
+        .push_field("hole", scalar(&hole.name));
+    flow.push_field("count", hole.count);
     if transition.feature != crate::plan::Feature::Bore {
-        flow.put("feature", transition.feature.name());
+        flow.push_field("feature", transition.feature.name());
     }
     flow.maybe("step", transition.step);
     if transition.face == Face::Back {
-        flow.put("setup", 2);
+        flow.push_field("setup", 2);
     }
     if transition.operation != Operation::CentreDrill && transition.operation != Operation::Tap {
-        flow.put("from", transition.from_diameter_mm);
+        flow.push_field("from", transition.from_diameter_mm);
     }
-    flow.put("diameter", transition.diameter_mm).maybe("also", transition.also_diameter_mm);
-    flow.put("depth", transition.depth_mm);
+    flow.push_field("diameter", transition.diameter_mm).maybe("also", transition.also_diameter_mm);
+    flow.push_field("depth", transition.depth_mm);
     if transition.passes > 1 {
-        flow.put("passes", transition.passes);
+        flow.push_field("passes", transition.passes);
     }
     if transition.elsewhere {
-        flow.put("elsewhere", true);
+        flow.push_field("elsewhere", true);
     } else {
-        flow.put("tool", format!("T{}", transition.tool.number));
+        flow.push_field("tool", format!("T{}", transition.tool.number));
     }
     if let Some(route) = hole.route.as_ref().filter(|route| own.1 == 0 && !route.scheme.is_empty()) {
-        flow.put("scheme", scalar(&route.scheme)).put("table", scalar(&route.table));
+        flow.push_field("scheme", scalar(&route.scheme)).push_field("table", scalar(&route.table));
     }
     flow.done()
 }
 
 fn tool(text: &mut String, tool: &ToolPlan) {
-    put(text, &format!("  T{}:", tool.number));
-    let mut line = |key: &str, value: &dyn Display| put(text, &format!("    {key}: {value}"));
+    push_line(text, &format!("  T{}:", tool.number));
+    let mut line = |key: &str, value: &dyn Display| push_line(text, &format!("    {key}: {value}"));
     line("designation", &scalar(&tool.designation));
     line("table", &scalar(&tool.table));
     line("diameter", &tool.diameter_mm);
@@ -119,19 +121,19 @@ fn tool(text: &mut String, tool: &ToolPlan) {
 /// Conditions, each once with all the rows it is for.
 fn all_conditions(plan: &Plan, rows: &[At]) -> Vec<String> {
     let mut order: Vec<String> = Vec::new();
-    let mut of: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    let mut rows_by_text: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for (at, row) in rows.iter().enumerate() {
         let Some(transition) = transition(plan, *row).filter(|transition| !transition.elsewhere) else { continue };
         // The same tool at the same conditions is written once.
         let key = format!("T{} {}", transition.tool.number, conditions(transition));
-        let known = of.entry(key.clone()).or_default();
+        let known = rows_by_text.entry(key.clone()).or_default();
         if known.is_empty() {
             order.push(key);
         }
         known.push(at + 1);
     }
     let with_rows = |key: &String| {
-        let rows: Vec<String> = of.get(key)?.iter().map(usize::to_string).collect();
+        let rows: Vec<String> = rows_by_text.get(key)?.iter().map(usize::to_string).collect();
         let (_, figures) = key.split_once(' ')?;
         Some(format!("{{for: [{}], {figures}}}", rows.join(", ")))
     };
@@ -139,26 +141,27 @@ fn all_conditions(plan: &Plan, rows: &[At]) -> Vec<String> {
 }
 
 fn conditions(transition: &Transition) -> String {
-    let own: &Conditions = &transition.conditions;
+    let conditions: &Conditions = &transition.conditions;
     let mut flow = Flow::default();
-    flow.put("depth_of_cut", own.depth_of_cut_mm).put("feed", own.feed_mm_per_rev.0);
-    flow.put("speed", own.computed_speed_m_per_min.0);
-    if own.rounds.is_none() && !matches!(transition.operation, Operation::Mill) {
+    flow.push_field("depth_of_cut", conditions.depth_of_cut_mm).push_field("feed", conditions.feed_mm_per_rev.0);
+    flow.push_field("speed", conditions.computed_speed_m_per_min.0);
+    if conditions.rounds.is_none() && !matches!(transition.operation, Operation::Mill) {
         let diameter = transition.also_diameter_mm.unwrap_or(transition.diameter_mm);
-        flow.put("rpm_computed", round_to(rpm_at(own.computed_speed_m_per_min, diameter).0, 1));
+        flow.push_field("rpm_computed", round_to(rpm_at(conditions.computed_speed_m_per_min, diameter).0, 1));
     }
-    flow.put("rpm", own.spindle_rpm.0);
-    if own.limited_by != Limit::CuttingSpeed {
-        flow.put("limited_by", own.limited_by.name());
+    flow.push_field("rpm", conditions.spindle_rpm.0);
+    if conditions.limited_by != Limit::CuttingSpeed {
+        flow.push_field("limited_by", conditions.limited_by.name());
     }
-    flow.put("speed_taken", own.speed_m_per_min.0).put("minute_feed", own.feed_mm_per_min.0);
-    flow.maybe("force", own.axial_force_n.map(|force| force.0));
-    flow.maybe("torque", own.torque_n_m.map(|torque| torque.0));
-    flow.maybe("power", own.power_kw.map(|power| power.0));
-    flow.put("travel", transition.travel_mm).put("time", own.machine_time_min.0);
+    flow.push_field("speed_taken", conditions.speed_m_per_min.0)
+        .push_field("minute_feed", conditions.feed_mm_per_min.0);
+    flow.maybe("force", conditions.axial_force_n.map(|force| force.0));
+    flow.maybe("torque", conditions.torque_n_m.map(|torque| torque.0));
+    flow.maybe("power", conditions.power_kw.map(|power| power.0));
+    flow.push_field("travel", transition.travel_mm).push_field("time", conditions.machine_time_min.0);
     // With another limit, the life is that of a lower load, not the one for which speeds are given.
-    if own.limited_by == Limit::CuttingSpeed {
-        flow.put("tool_life", own.tool_life_min.0);
+    if conditions.limited_by == Limit::CuttingSpeed {
+        flow.push_field("tool_life", conditions.tool_life_min.0);
     }
     flow.0.join(", ")
 }
@@ -166,11 +169,11 @@ fn conditions(transition: &Transition) -> String {
 fn clamping(plan: &Plan) -> String {
     let Some(clamping) = &plan.clamping else { return String::new() };
     let mut flow = Flow::default();
-    flow.put("hole", scalar(&clamping.hole)).put("torque", clamping.torque_n_m.0);
-    flow.put("distance", clamping.distance_mm).put("force", clamping.force_n.0);
+    flow.push_field("hole", scalar(&clamping.hole)).push_field("torque", clamping.torque_n_m.0);
+    flow.push_field("distance", clamping.distance_mm).push_field("force", clamping.force_n.0);
     let at: Vec<String> = clamping.clamps.iter().map(|point| format!("[{}, {}]", point.x, point.y)).collect();
-    flow.put("clamps", clamping.clamps.len()).put("at", format!("[{}]", at.join(", ")));
-    flow.put("force_per_clamp", clamping.force_per_clamp_n.0).put("screw", scalar(&clamping.screw));
+    flow.push_field("clamps", clamping.clamps.len()).push_field("at", format!("[{}]", at.join(", ")));
+    flow.push_field("force_per_clamp", clamping.force_per_clamp_n.0).push_field("screw", scalar(&clamping.screw));
     format!("clamping: {}\n", flow.done())
 }
 
@@ -179,14 +182,14 @@ fn clamping(plan: &Plan) -> String {
 struct Flow(Vec<String>);
 
 impl Flow {
-    fn put(&mut self, key: &str, value: impl Display) -> &mut Self {
+    fn push_field(&mut self, key: &str, value: impl Display) -> &mut Self {
         self.0.push(format!("{key}: {value}"));
         self
     }
 
     fn maybe(&mut self, key: &str, value: Option<impl Display>) -> &mut Self {
         if let Some(value) = value {
-            self.put(key, value);
+            self.push_field(key, value);
         }
         self
     }
@@ -196,7 +199,7 @@ impl Flow {
     }
 }
 
-fn put(text: &mut String, line: &str) {
+fn push_line(text: &mut String, line: &str) {
     text.push_str(line);
     text.push('\n');
 }
@@ -204,7 +207,7 @@ fn put(text: &mut String, line: &str) {
 fn list(text: &mut String, key: &str, items: impl IntoIterator<Item = String>) {
     let mut items = items.into_iter().peekable();
     if items.peek().is_some() {
-        put(text, &format!("{key}:"));
+        push_line(text, &format!("{key}:"));
     }
     for item in items {
         let _ = writeln!(text, "  - {item}");

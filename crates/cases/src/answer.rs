@@ -28,7 +28,7 @@ use super::{Asker, planned, table};
 pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, KnowledgeError> {
     let knowledge = asker.knowledge;
     Ok(match question {
-        Question::Table(asked) => table::json(&asked.rows(knowledge.table(&asked.table)?)),
+        Question::Table(table) => table::json(&table.rows(knowledge.table(&table.table)?)),
         Question::Part { part, method } => {
             let plan = planner::plan(part, *method, knowledge)?;
             planned::json(&plan, &planner::plan_by(part, *method, Preference::Tables, knowledge)?)
@@ -65,15 +65,15 @@ fn sequences(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resu
 /// The result of `technolog check` for a program.
 fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeError> {
     let mut setting = program.setting.clone();
-    let held = match &program.part {
+    let planned = match &program.part {
         None => None,
         Some(part) => {
-            let mut held = PlannedJob::of(planner::plan(part, CuttingMethod::default(), knowledge)?, knowledge)?;
-            held.set(&mut setting);
-            Some(held)
+            let mut planned = PlannedJob::of(planner::plan(part, CuttingMethod::default(), knowledge)?, knowledge)?;
+            planned.set(&mut setting);
+            Some(planned)
         }
     };
-    let of_part = held.as_ref().map(|held| held.plan.part.machine.as_str());
+    let of_part = planned.as_ref().map(|planned| planned.plan.part.machine.as_str());
     let id = program.machine.as_deref().or(of_part).unwrap_or("gf2171");
     let machine = Machine::find(knowledge, id)?;
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
@@ -86,10 +86,10 @@ fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeE
         "trace": value(&trace),
         "time": value(&clock.times()),
     });
-    if let (Some(held), Some(answer)) = (&held, answer.as_object_mut()) {
-        answer.insert("part".to_owned(), value(&held.serious()));
+    if let (Some(planned), Some(answer)) = (&planned, answer.as_object_mut()) {
+        answer.insert("part".to_owned(), value(&planned.serious()));
         if is_run(&faults, &trace) {
-            answer.insert("proof".to_owned(), value(&held.prove(&trace, &setting)));
+            answer.insert("proof".to_owned(), value(&planned.prove(&trace, &setting)));
         }
     }
     Ok(answer)

@@ -18,7 +18,7 @@ pub struct UnknownWord {
     /// The word.
     pub word: String,
     /// The word that was perhaps meant.
-    pub near: Option<String>,
+    pub likely: Option<String>,
 }
 
 /// The fields by which a finding may be named, in any order.
@@ -29,19 +29,20 @@ const OF_FINDING: [&str; 5] = ["severity", "rule", "code", "field", "hole"];
 /// # Errors
 /// No object of this kind has such a name.
 pub fn is_called(object: &Object, text: &str) -> Result<bool, UnknownWord> {
-    let has = |key: &str, text: &str| object.get(key).and_then(Value::as_str).is_some_and(|own| same(own, text));
+    let has =
+        |key: &str, text: &str| object.get(key).and_then(Value::as_str).is_some_and(|own| same_letters(own, text));
     if is_transition(object) {
         return Ok(Pattern::read(text)?.fits(object));
     }
     if object.contains_key("designation") {
-        let whole = |(designation, table): (&str, &str)| same(&format!("{designation} {table}"), text);
+        let is_designation = |(designation, table): (&str, &str)| same_letters(&format!("{designation} {table}"), text);
         let both = texts(object, "designation").zip(texts(object, "table"));
-        return Ok(has("designation", text) || both.is_some_and(whole));
+        return Ok(has("designation", text) || both.is_some_and(is_designation));
     }
     if object.contains_key("code") {
         // Its full name may contain a field with spaces.
-        let whole = name(object).is_some_and(|name| same(&name, text));
-        return Ok(whole || text.split_whitespace().all(|word| OF_FINDING.iter().any(|key| has(key, word))));
+        let is_name = name(object).is_some_and(|name| same_letters(&name, text));
+        return Ok(is_name || text.split_whitespace().all(|word| OF_FINDING.iter().any(|key| has(key, word))));
     }
     Ok(NAMES.iter().any(|key| has(key, text)))
 }
@@ -55,7 +56,7 @@ fn is_transition(object: &Object) -> bool {
 pub const NAMES: [&str; 5] = ["name", "number", "surface", "side", "motion"];
 
 /// Whether two texts are the same up to letters that look alike in both alphabets.
-pub fn same(one: &str, other: &str) -> bool {
+pub fn same_letters(one: &str, other: &str) -> bool {
     one == other || latin(one) == latin(other)
 }
 
@@ -87,7 +88,7 @@ impl<'t> Pattern<'t> {
         let known = || Operation::NAMES.iter().map(|(name, _)| *name);
         if let Some(word) = operations.iter().find(|word| Operation::from_name(word).is_none()) {
             let near = nearest(word, known()).map(str::to_owned);
-            return Err(UnknownWord { word: (*word).to_owned(), near });
+            return Err(UnknownWord { word: (*word).to_owned(), likely: near });
         }
         let mut own = Self {
             operations,
@@ -99,12 +100,12 @@ impl<'t> Pattern<'t> {
             elsewhere: false,
         };
         for word in words {
-            let of = |prefix: &str| word.strip_prefix(prefix).and_then(number_of);
+            let number_after = |prefix: &str| word.strip_prefix(prefix).and_then(number_of);
             if let Some(diameter) = number_of(word) {
                 own.diameter = Some(diameter);
-            } else if let Some(step) = of("step:") {
+            } else if let Some(step) = number_after("step:") {
                 own.step = Some(step);
-            } else if let Some(also) = of("also:") {
+            } else if let Some(also) = number_after("also:") {
                 own.also = Some(also);
             } else if let Some((name, _)) = Feature::NAMES.iter().find(|(name, _)| *name == word) {
                 own.feature = name;
@@ -115,7 +116,7 @@ impl<'t> Pattern<'t> {
                     _ => {
                         let features = Feature::NAMES.iter().map(|(name, _)| *name);
                         let near = nearest(word, features.chain(["back", "elsewhere"])).map(str::to_owned);
-                        return Err(UnknownWord { word: word.to_owned(), near });
+                        return Err(UnknownWord { word: word.to_owned(), likely: near });
                     }
                 }
             }
@@ -161,8 +162,8 @@ pub fn brief(value: &Value) -> String {
         Value::Array(items) => format!("[{}]", items.iter().map(brief).collect::<Vec<_>>().join(", ")),
         Value::Object(object) => name(object).unwrap_or_else(|| {
             let pair = |(key, value): (&String, &Value)| format!("{key}: {}", brief(value));
-            let told = object.iter().filter(|(key, _)| !key.starts_with("because"));
-            format!("{{{}}}", told.map(pair).collect::<Vec<_>>().join(", "))
+            let fields = object.iter().filter(|(key, _)| !key.starts_with("because"));
+            format!("{{{}}}", fields.map(pair).collect::<Vec<_>>().join(", "))
         }),
         other => written::value(other),
     }

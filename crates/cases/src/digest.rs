@@ -15,12 +15,12 @@ pub fn digest(question: &Question, answer: &Value) -> Value {
         Question::Part { .. } => plan(answer),
         Question::Turned { .. } => turned(answer),
         Question::Program(_) => {
-            let mut told = picked(answer, &["time.total_min"]);
-            told.insert("findings".to_owned(), findings(answer));
+            let mut digest = picked(answer, &["time.total_min"]);
+            digest.insert("findings".to_owned(), findings(answer));
             if let Some(proof) = answer.get("proof") {
-                told.insert("proof.findings".to_owned(), findings(proof));
+                digest.insert("proof.findings".to_owned(), findings(proof));
             }
-            Value::Object(told)
+            Value::Object(digest)
         }
         Question::Audit(_) => json!({"findings": findings(answer)}),
     }
@@ -34,8 +34,8 @@ pub fn bare(value: &Value) -> Value {
             if let Some(name) = name(object) {
                 return name.into();
             }
-            let told = object.iter().filter(|(key, inner)| !key.starts_with("because") && !inner.is_null());
-            Value::Object(told.map(|(key, inner)| (key.clone(), bare(inner))).collect())
+            let fields = object.iter().filter(|(key, inner)| !key.starts_with("because") && !inner.is_null());
+            Value::Object(fields.map(|(key, inner)| (key.clone(), bare(inner))).collect())
         }
         other => other.clone(),
     }
@@ -50,15 +50,15 @@ fn table(answer: &Value) -> Value {
         },
         Value::Object(row) => {
             let own = ["row", "source", "place", "reason", "unconfirmed"];
-            let told = row.iter().filter(|(key, value)| !own.contains(&key.as_str()) && !value.is_null());
-            Value::Object(told.map(|(key, value)| (key.clone(), value.clone())).collect())
+            let fields = row.iter().filter(|(key, value)| !own.contains(&key.as_str()) && !value.is_null());
+            Value::Object(fields.map(|(key, value)| (key.clone(), value.clone())).collect())
         }
         other => other.clone(),
     }
 }
 
 fn plan(answer: &Value) -> Value {
-    let mut told = Map::new();
+    let mut digest = Map::new();
     let mut holes = Map::new();
     for hole in list(answer, "holes") {
         let mut own = Map::new();
@@ -70,41 +70,41 @@ fn plan(answer: &Value) -> Value {
     }
     // The keys of a single group may be at the top.
     match (holes.len(), holes.values().next()) {
-        (1, Some(Value::Object(only))) => told.extend(only.clone()),
+        (1, Some(Value::Object(only))) => digest.extend(only.clone()),
         _ => {
-            told.insert("holes".to_owned(), Value::Object(holes));
+            digest.insert("holes".to_owned(), Value::Object(holes));
         }
     }
-    told.extend(picked(answer, &["clamping.screw", "time.total_min"]));
-    told.insert("findings".to_owned(), findings(answer));
-    Value::Object(told)
+    digest.extend(picked(answer, &["clamping.screw", "time.total_min"]));
+    digest.insert("findings".to_owned(), findings(answer));
+    Value::Object(digest)
 }
 
 fn transition(step: &Value) -> Value {
-    let mut told = picked(step, &["operation", "feature", "step", "diameter_mm", "also_diameter_mm"]);
-    told.retain(|key, value| key != "feature" || value != "bore");
+    let mut digest = picked(step, &["operation", "feature", "step", "diameter_mm", "also_diameter_mm"]);
+    digest.retain(|key, value| key != "feature" || value != "bore");
     if step.get("face").is_some_and(|face| face != "entry") {
-        told.insert("face".to_owned(), step["face"].clone());
+        digest.insert("face".to_owned(), step["face"].clone());
     }
     if step.get("elsewhere") == Some(&Value::Bool(true)) {
-        told.insert("elsewhere".to_owned(), Value::Bool(true));
+        digest.insert("elsewhere".to_owned(), Value::Bool(true));
     } else {
-        told.extend(picked(step, &["tool.designation", "conditions.feed_mm_per_rev", "conditions.spindle_rpm"]));
+        digest.extend(picked(step, &["tool.designation", "conditions.feed_mm_per_rev", "conditions.spindle_rpm"]));
     }
-    Value::Object(told)
+    Value::Object(digest)
 }
 
 fn turned(answer: &Value) -> Value {
-    let mut told = picked(answer, &["recommended.variant"]);
+    let mut digest = picked(answer, &["recommended.variant"]);
     let variants = list(answer, "variants").iter().filter_map(|variant| {
         Some((variant.get("name")?.as_str()?.to_owned(), Value::Object(picked(variant, &["cutting_path_mm"]))))
     });
     let variants: Map<String, Value> = variants.collect();
     if !variants.is_empty() {
-        told.insert("variants".to_owned(), Value::Object(variants));
+        digest.insert("variants".to_owned(), Value::Object(variants));
     }
-    told.insert("findings".to_owned(), findings(answer));
-    Value::Object(told)
+    digest.insert("findings".to_owned(), findings(answer));
+    Value::Object(digest)
 }
 
 /// The largest number of findings that are listed one by one.
@@ -122,16 +122,16 @@ fn findings(answer: &Value) -> Value {
     if names.len() == all.len() && names.len() <= FEW {
         return names.into();
     }
-    let mut told = Map::new();
-    told.insert("contains".to_owned(), names.into());
-    told.extend(free(all).map(|severity| ("none_from".to_owned(), severity.into())));
-    Value::Object(told)
+    let mut digest = Map::new();
+    digest.insert("contains".to_owned(), names.into());
+    digest.extend(free(all).map(|severity| ("none_from".to_owned(), severity.into())));
+    Value::Object(digest)
 }
 
 /// The least severity such that no finding has it or a higher one.
 fn free(findings: &[Value]) -> Option<&'static str> {
     let mut lightest_first = Severity::NAMES.iter().rev();
-    lightest_first.find(|(_, severity)| !findings.iter().any(|one| is_from(one, *severity))).map(|(name, _)| *name)
+    lightest_first.find(|(_, severity)| !findings.iter().any(|value| is_from(value, *severity))).map(|(name, _)| *name)
 }
 
 fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {

@@ -35,7 +35,7 @@ pub const WORDS: &[&str] = &[
 #[derive(Clone, Debug)]
 pub struct Expected {
     /// The expectation itself.
-    pub what: What,
+    pub kind: ExpectedKind,
     /// Where it stands.
     pub place: Place,
     /// As written.
@@ -44,7 +44,7 @@ pub struct Expected {
 
 /// The kinds of expectations.
 #[derive(Clone, Debug)]
-pub enum What {
+pub enum ExpectedKind {
     /// Nothing yet: an empty value.
     Open,
     /// There must be no value.
@@ -76,7 +76,7 @@ pub enum What {
     /// This whole list.
     List(Vec<Item>),
     /// Some items of a list; `contains` also applies to a text.
-    Some(Box<Part>),
+    Some(Box<ListRequirements>),
     /// These keys of an object, or these items of a list by their names.
     Map(Vec<(Key, Expected)>),
 }
@@ -92,7 +92,7 @@ pub struct Item {
 
 /// Requirements for some items of a list.
 #[derive(Clone, Debug, Default)]
-pub struct Part {
+pub struct ListRequirements {
     /// It begins with these.
     pub starts: Option<Vec<Item>>,
     /// It ends with these.
@@ -100,7 +100,7 @@ pub struct Part {
     /// It contains each of these, in any place.
     pub contains: Vec<Expected>,
     /// It has none of these.
-    pub lacks: Vec<Expected>,
+    pub excluded: Vec<Expected>,
     /// The number of its items.
     pub how_many: Option<Expected>,
     /// Each item.
@@ -111,35 +111,37 @@ pub struct Part {
 
 impl Expected {
     /// An expectation of another kind at the same place.
-    fn at(from: &Node, what: What) -> Self {
-        Self { what, place: from.place.clone(), written: node(from) }
+    fn at(from: &Node, kind: ExpectedKind) -> Self {
+        Self { kind, place: from.place.clone(), written: node(from) }
     }
 
     /// The expectation under a key, where it is a mapping.
     pub fn get(&self, key: &str) -> Option<&Self> {
-        match &self.what {
-            What::Map(entries) => entries.iter().find(|(known, _)| known.text == key).map(|(_, expected)| expected),
+        match &self.kind {
+            ExpectedKind::Map(entries) => {
+                entries.iter().find(|(known, _)| known.text == key).map(|(_, expected)| expected)
+            }
             _ => None,
         }
     }
 }
 
-impl Part {
+impl ListRequirements {
     /// All requirements for items.
     pub fn all(&self) -> Vec<&Expected> {
         let items = self.starts.iter().chain(&self.ends).flatten().map(|item| &item.expected);
-        items.chain(&self.contains).chain(&self.lacks).chain(&self.how_many).chain(&self.every).collect()
+        items.chain(&self.contains).chain(&self.excluded).chain(&self.how_many).chain(&self.every).collect()
     }
 }
 
 /// Reads an expectation; faults are reported, and then nothing is returned.
 pub fn read(from: &Node, problems: &mut Problems) -> Option<Expected> {
     let what = match &from.kind {
-        NodeKind::Scalar { .. } if from.is_null() => What::Open,
-        NodeKind::Scalar { text, quoted: false } if text == "absent" => What::Absent,
-        NodeKind::Scalar { text, quoted: false } if text == "present" => What::Present,
-        NodeKind::Scalar { text, .. } => What::Is(text.clone()),
-        NodeKind::Seq(nodes) => What::List(items(nodes, problems)?),
+        NodeKind::Scalar { .. } if from.is_null() => ExpectedKind::Open,
+        NodeKind::Scalar { text, quoted: false } if text == "absent" => ExpectedKind::Absent,
+        NodeKind::Scalar { text, quoted: false } if text == "present" => ExpectedKind::Present,
+        NodeKind::Scalar { text, .. } => ExpectedKind::Is(text.clone()),
+        NodeKind::Seq(nodes) => ExpectedKind::List(items(nodes, problems)?),
         NodeKind::Map(entries) => {
             let ends = entries.iter().all(|(key, node)| ["from", "to"].contains(&key.text.as_str()) && is_value(node));
             let own = |key: &str| !["from", "to"].contains(&key) && WORDS.contains(&key);
@@ -148,7 +150,7 @@ pub fn read(from: &Node, problems: &mut Problems) -> Option<Expected> {
             } else if entries.iter().any(|(key, _)| own(&key.text)) {
                 matcher(from, problems)?
             } else {
-                What::Map(keys(from, problems)?)
+                ExpectedKind::Map(keys(from, problems)?)
             }
         }
     };
@@ -174,12 +176,12 @@ fn items(nodes: &[Node], problems: &mut Problems) -> Option<Vec<Item>> {
             return Some(Item { expected: read(inner, problems)?, optional: true });
         }
         let mut expected = read(node, problems)?;
-        let short = match &expected.what {
-            What::Is(text) => text.strip_suffix(" *").map(str::to_owned),
+        let short = match &expected.kind {
+            ExpectedKind::Is(text) => text.strip_suffix(" *").map(str::to_owned),
             _ => None,
         };
         let optional = short.is_some();
-        expected.what = short.map_or(expected.what, What::Is);
+        expected.kind = short.map_or(expected.kind, ExpectedKind::Is);
         Some(Item { expected, optional })
     };
     nodes.iter().map(|node| read_item(node, problems)).collect::<Vec<_>>().into_iter().collect()
@@ -206,7 +208,7 @@ fn spelt_out(key: &Key, node: &Node) -> (Key, Node) {
     }
 }
 
-fn range(from: &Node, problems: &mut Problems) -> Option<What> {
+fn range(from: &Node, problems: &mut Problems) -> Option<ExpectedKind> {
     let mut fields = problems.open_map(from)?;
     let mut end = |key: &str, problems: &mut Problems| match fields.take(key) {
         Some(node) => number(node, problems).map(Some),
@@ -220,55 +222,55 @@ fn range(from: &Node, problems: &mut Problems) -> Option<What> {
         let message = note!("case-no-number-from", low = low, high = high);
         return problems.error_help("bad-value", message, &from.place, note!("case-write-smaller-one-first"));
     }
-    Some(What::Range { from: least, to: greatest, keys: keys(from, problems)? })
+    Some(ExpectedKind::Range { from: least, to: greatest, keys: keys(from, problems)? })
 }
 
-fn matcher(from: &Node, problems: &mut Problems) -> Option<What> {
+fn matcher(from: &Node, problems: &mut Problems) -> Option<ExpectedKind> {
     let mut fields = problems.open_map(from)?;
     if let Some(is) = fields.take("is") {
         let within = fields.take("within");
         fields.finish(&["is", "within"], problems);
-        let Some(within) = within else { return Some(read(is, problems)?.what) };
+        let Some(within) = within else { return Some(read(is, problems)?.kind) };
         let (value, by) = (number(is, problems), tolerance(within, problems));
-        return value.zip(by).map(|(is, by)| What::Near { is, by: by.of(is) });
+        return value.zip(by).map(|(is, by)| ExpectedKind::Near { is, by: by.allowed_difference(is) });
     }
     if let Some(several) = fields.take("one_of") {
         fields.finish(&["one_of"], problems);
-        return Some(What::OneOf(all(problems.list(several)?, problems)?));
+        return Some(ExpectedKind::OneOf(all(problems.list(several)?, problems)?));
     }
     if let Some(other) = fields.take("not") {
         fields.finish(&["not"], problems);
-        return Some(What::Not(Box::new(read(other, problems)?)));
+        return Some(ExpectedKind::Not(Box::new(read(other, problems)?)));
     }
     if fields.take("within").is_some() {
         return problems.error_help("missing-key", note!("case-within-what"), &from.place, note!("case-write-within"));
     }
     let part = part(&mut fields, problems);
     fields.finish(&["starts", "ends", "contains", "lacks", "how_many", "every", "none_from"], problems);
-    Some(What::Some(Box::new(part?)))
+    Some(ExpectedKind::Some(Box::new(part?)))
 }
 
-fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<Part> {
+fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<ListRequirements> {
     // A single one needs no brackets.
-    fn several(node: &Node) -> &[Node] {
+    fn as_list(node: &Node) -> &[Node] {
         match &node.kind {
             NodeKind::Seq(nodes) => nodes,
             _ => std::slice::from_ref(node),
         }
     }
-    let mut part = Part::default();
+    let mut part = ListRequirements::default();
     let mut whole = true;
     if let Some(node) = fields.take("starts") {
-        part.starts = items(several(node), problems);
+        part.starts = items(as_list(node), problems);
         whole &= part.starts.is_some();
     }
     if let Some(node) = fields.take("ends") {
-        part.ends = items(several(node), problems);
+        part.ends = items(as_list(node), problems);
         whole &= part.ends.is_some();
     }
-    for (key, list) in [("contains", &mut part.contains), ("lacks", &mut part.lacks)] {
+    for (key, list) in [("contains", &mut part.contains), ("lacks", &mut part.excluded)] {
         if let Some(node) = fields.take(key) {
-            let found = all(several(node), problems);
+            let found = all(as_list(node), problems);
             whole &= found.is_some();
             *list = found.unwrap_or_default();
         }
@@ -320,7 +322,7 @@ enum Tolerance {
 }
 
 impl Tolerance {
-    fn of(&self, is: f64) -> f64 {
+    fn allowed_difference(&self, is: f64) -> f64 {
         match self {
             Self::By(by) => *by,
             Self::Share(share) => is.abs() * share,

@@ -16,7 +16,7 @@ pub fn schema() -> Schema {
 }
 
 /// Declares a mapping that may ask a question: one of `table`, `part` or `hole`, `turn`, `program`, `audit`.
-macro_rules! asking {
+macro_rules! question_forms {
     ($(#[$meta:meta])* $name:ident { $($(#[$remark:meta])* $field:ident: $kind:ty),* $(,)? }) => {
         forms! {
             $(#[$meta])*
@@ -53,7 +53,7 @@ macro_rules! asking {
     };
 }
 
-asking! {
+question_forms! {
     /// Cases for `technolog test` (docs/cases.md). What stands beside `tests` holds for each of them, as far as a case does not
     /// say otherwise.
     CasesFile {
@@ -67,7 +67,7 @@ asking! {
     }
 }
 
-asking! {
+question_forms! {
     /// A case: one question, and what is expected of the answer.
     CaseForm {
         /// Its name; without one it is called by its question.

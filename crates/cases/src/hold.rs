@@ -10,7 +10,7 @@ use crate::knowledge::yaml::Key;
 use crate::note::Severity;
 
 use super::called::{self, NAMES, UnknownWord};
-use super::expected::{Expected, Item, Part, What, number_of};
+use super::expected::{Expected, ExpectedKind, Item, ListRequirements, number_of};
 use super::reasons::{Why, reasons};
 
 /// The relative difference of two floating numbers that count as equal: less than any tolerance an author writes.
@@ -26,21 +26,21 @@ pub struct Failure {
     /// The expectation as written.
     pub expected: String,
     /// The actual value.
-    pub came: Came,
+    pub actual: ActualValue,
     /// The reasons in the answer.
-    pub why: Vec<Why>,
+    pub reasons: Vec<Why>,
 }
 
 impl Failure {
     /// Whether nothing is expected yet.
     pub const fn is_open(&self) -> bool {
-        matches!(self.came, Came::Open(_))
+        matches!(self.actual, ActualValue::Open(_))
     }
 }
 
 /// What was found instead of the expected value.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Came {
+pub enum ActualValue {
     /// This value.
     Value(Value),
     /// No value.
@@ -119,13 +119,13 @@ struct Holder<'v, 'k> {
 }
 
 impl<'v> Holder<'v, '_> {
-    fn fail(&mut self, expected: &Expected, came: Came) {
+    fn fail(&mut self, expected: &Expected, actual: ActualValue) {
         self.failures.push(Failure {
             place: expected.place.clone(),
             path: self.path.join("."),
             expected: expected.written.clone(),
-            came,
-            why: reasons(&self.trail, &self.path, expected),
+            actual,
+            reasons: reasons(&self.trail, &self.path, expected),
         });
     }
 
@@ -151,9 +151,10 @@ impl<'v> Holder<'v, '_> {
     fn fits(&mut self, expected: &Expected, value: &'v Value) -> bool {
         let failures = self.probe(expected, value);
         let fits = failures.is_empty();
-        let slip = |failure: &Failure| matches!(failure.came, Came::NoSuchWord { .. } | Came::NoSuch { .. });
+        let slip =
+            |failure: &Failure| matches!(failure.actual, ActualValue::NoSuchWord { .. } | ActualValue::NoSuch { .. });
         if let Some(slip) = failures.into_iter().find(slip)
-            && !self.failures.iter().any(|known| known.place == slip.place && known.came == slip.came)
+            && !self.failures.iter().any(|known| known.place == slip.place && known.actual == slip.actual)
         {
             self.failures.push(slip);
         }
@@ -162,36 +163,36 @@ impl<'v> Holder<'v, '_> {
 
     fn hold(&mut self, expected: &Expected, value: Option<&'v Value>) {
         let value = value.filter(|value| !value.is_null());
-        let came = || value.map_or(Came::Nothing, |value| Came::Value(value.clone()));
-        match (&expected.what, value) {
-            (What::Open, value) => self.fail(expected, Came::Open(value.cloned())),
-            (What::Absent, None) | (What::Present, Some(_)) | (What::Not(_), None) => {}
-            (What::Absent | What::Present, _) | (_, None) => self.fail(expected, came()),
-            (What::Not(other), Some(value)) => {
+        let came = || value.map_or(ActualValue::Nothing, |value| ActualValue::Value(value.clone()));
+        match (&expected.kind, value) {
+            (ExpectedKind::Open, value) => self.fail(expected, ActualValue::Open(value.cloned())),
+            (ExpectedKind::Absent, None) | (ExpectedKind::Present, Some(_)) | (ExpectedKind::Not(_), None) => {}
+            (ExpectedKind::Absent | ExpectedKind::Present, _) | (_, None) => self.fail(expected, came()),
+            (ExpectedKind::Not(other), Some(value)) => {
                 if self.fits(other, value) {
                     self.fail(expected, came());
                 }
             }
-            (What::OneOf(several), Some(value)) => {
+            (ExpectedKind::OneOf(several), Some(value)) => {
                 // Each one is tried, so that a mistake in any of them is reported.
-                let fitting = several.iter().filter(|one| self.fits(one, value)).count();
+                let fitting = several.iter().filter(|item| self.fits(item, value)).count();
                 if fitting == 0 {
                     self.fail(expected, came());
                 }
             }
-            (What::Is(text), Some(value)) => match is(text, value) {
+            (ExpectedKind::Is(text), Some(value)) => match is(text, value) {
                 Ok(true) => {}
                 Ok(false) => self.fail(expected, came()),
-                Err(UnknownWord { word, near }) => self.fail(expected, Came::NoSuchWord { word, near }),
+                Err(UnknownWord { word, likely: near }) => self.fail(expected, ActualValue::NoSuchWord { word, near }),
             },
-            (What::Near { is, by }, Some(value)) => {
+            (ExpectedKind::Near { is, by }, Some(value)) => {
                 let near = |number: f64| (number - is).abs() <= by + HAIR * number.abs().max(is.abs());
                 if !number(value).is_some_and(near) {
                     self.fail(expected, came());
                 }
             }
-            (What::Range { keys, .. }, Some(Value::Object(object))) => self.object(keys, object, value),
-            (What::Range { from, to, .. }, Some(value)) => {
+            (ExpectedKind::Range { keys, .. }, Some(Value::Object(object))) => self.object(keys, object, value),
+            (ExpectedKind::Range { from, to, .. }, Some(value)) => {
                 let inside = |number: f64| {
                     let hair = HAIR * number.abs();
                     from.is_none_or(|from| number >= from - hair) && to.is_none_or(|to| number <= to + hair)
@@ -200,12 +201,18 @@ impl<'v> Holder<'v, '_> {
                     self.fail(expected, came());
                 }
             }
-            (What::List(items), Some(around @ Value::Array(values))) => self.list(expected, items, values, around),
-            (What::Some(part), Some(around @ Value::Array(values))) => self.part(expected, part, values, around),
-            (What::Some(part), Some(value @ Value::String(text))) => self.of_text(expected, part, text, value),
-            (What::Map(keys), Some(Value::Object(object))) => self.object(keys, object, value),
-            (What::Map(names), Some(around @ Value::Array(values))) => self.named(names, values, around),
-            (What::List(_) | What::Some(_) | What::Map(_), Some(_)) => self.fail(expected, came()),
+            (ExpectedKind::List(items), Some(around @ Value::Array(values))) => {
+                self.list(expected, items, values, around)
+            }
+            (ExpectedKind::Some(part), Some(around @ Value::Array(values))) => {
+                self.part(expected, part, values, around)
+            }
+            (ExpectedKind::Some(part), Some(value @ Value::String(text))) => self.of_text(expected, part, text, value),
+            (ExpectedKind::Map(keys), Some(Value::Object(object))) => self.object(keys, object, value),
+            (ExpectedKind::Map(names), Some(around @ Value::Array(values))) => self.named(names, values, around),
+            (ExpectedKind::List(_) | ExpectedKind::Some(_) | ExpectedKind::Map(_), Some(_)) => {
+                self.fail(expected, came())
+            }
         }
     }
 
@@ -227,7 +234,7 @@ impl<'v> Holder<'v, '_> {
         let near = nearest(&key.text, known.iter().map(String::as_str)).map(str::to_owned);
         let at_key = Expected { place: key.place.clone(), ..expected.clone() };
         self.path.push(key.text.clone());
-        self.fail(&at_key, Came::NoSuch { key: key.text.clone(), near, known });
+        self.fail(&at_key, ActualValue::NoSuch { key: key.text.clone(), near, known });
         self.path.pop();
     }
 
@@ -241,7 +248,7 @@ impl<'v> Holder<'v, '_> {
                 }
                 None => name.text.parse().ok().and_then(|number: usize| values.get(number.checked_sub(1)?)),
             };
-            if value.is_some() || matches!(expected.what, What::Absent) {
+            if value.is_some() || matches!(expected.kind, ExpectedKind::Absent) {
                 self.inside(&name.text, around, expected, value);
                 continue;
             }
@@ -259,7 +266,7 @@ impl<'v> Holder<'v, '_> {
                 self.inside(&(number + 1).to_string(), around, &item.expected, Some(value));
             }
         } else if !self.begins(items, values, true) {
-            self.fail(expected, Came::Value(around.clone()));
+            self.fail(expected, ActualValue::Value(around.clone()));
         }
     }
 
@@ -275,40 +282,40 @@ impl<'v> Holder<'v, '_> {
         first.optional && self.begins(rest, values, whole)
     }
 
-    fn part(&mut self, expected: &Expected, part: &Part, values: &'v [Value], around: &'v Value) {
+    fn part(&mut self, expected: &Expected, part: &ListRequirements, values: &'v [Value], around: &'v Value) {
         if let Some(items) = &part.starts
             && !self.begins(items, values, false)
         {
-            self.fail(expected, Came::Value(around.clone()));
+            self.fail(expected, ActualValue::Value(around.clone()));
         }
         if let Some(items) = &part.ends
             && !(0..=values.len()).any(|from| self.begins(items, &values[from..], true))
         {
-            self.fail(expected, Came::Value(around.clone()));
+            self.fail(expected, ActualValue::Value(around.clone()));
         }
-        for one in &part.contains {
-            let fitting = values.iter().filter(|value| self.fits(one, value)).count();
+        for item in &part.contains {
+            let fitting = values.iter().filter(|value| self.fits(item, value)).count();
             if fitting == 0 {
-                self.lacking(one, values, around);
+                self.lacking(item, values, around);
             }
         }
-        for one in &part.lacks {
+        for one in &part.excluded {
             for value in values {
                 if self.fits(one, value) {
-                    self.fail(one, Came::Unwanted(value.clone()));
+                    self.fail(one, ActualValue::Unwanted(value.clone()));
                 }
             }
         }
         if let Some(count) = &part.how_many {
             let found = Value::from(values.len());
             if !how_many(count, values.len()) {
-                self.fail(count, Came::Value(found));
+                self.fail(count, ActualValue::Value(found));
             }
         }
         if let Some(every) = &part.every {
             // Nothing is said about no items.
             if values.is_empty() {
-                self.fail(every, Came::Value(around.clone()));
+                self.fail(every, ActualValue::Value(around.clone()));
             }
             for (number, value) in values.iter().enumerate() {
                 self.inside(&(number + 1).to_string(), around, every, Some(value));
@@ -316,17 +323,17 @@ impl<'v> Holder<'v, '_> {
         }
         if let Some((severity, place)) = &part.none_from {
             let written = format!("none_from: {}", severity.name());
-            let said = Expected { place: place.clone(), written, what: What::Absent };
+            let absent = Expected { place: place.clone(), written, kind: ExpectedKind::Absent };
             for value in values.iter().filter(|value| is_from(value, *severity)) {
-                self.fail(&said, Came::Unwanted(value.clone()));
+                self.fail(&absent, ActualValue::Unwanted(value.clone()));
             }
         }
     }
 
     /// An item is missing in a list: the differences of the only item that nearly fits, otherwise that there is none.
     fn lacking(&mut self, expected: &Expected, values: &'v [Value], around: &'v Value) {
-        let keys = match &expected.what {
-            What::Map(keys) => keys.len(),
+        let keys = match &expected.kind {
+            ExpectedKind::Map(keys) => keys.len(),
             _ => 0,
         };
         let wrong = values.iter().enumerate().map(|(number, value)| (self.probe(expected, value).len(), number, value));
@@ -336,22 +343,22 @@ impl<'v> Holder<'v, '_> {
             [(wrong, number, value), rest @ ..] if rest.first().is_none_or(|(next, ..)| next > wrong) => {
                 self.inside(&(number + 1).to_string(), around, expected, Some(value));
             }
-            _ => self.fail(expected, Came::Without(around.clone())),
+            _ => self.fail(expected, ActualValue::Without(around.clone())),
         }
     }
 
     /// `contains` and `lacks` of a text.
-    fn of_text(&mut self, expected: &Expected, part: &Part, text: &str, value: &'v Value) {
-        let has = |one: &Expected| matches!(&one.what, What::Is(inner) if text.contains(inner.as_str()));
+    fn of_text(&mut self, expected: &Expected, part: &ListRequirements, text: &str, value: &'v Value) {
+        let has = |item: &Expected| matches!(&item.kind, ExpectedKind::Is(inner) if text.contains(inner.as_str()));
         let of_list = part.starts.is_some() || part.ends.is_some() || part.how_many.is_some() || part.every.is_some();
         if of_list || part.none_from.is_some() {
-            self.fail(expected, Came::Value(value.clone()));
+            self.fail(expected, ActualValue::Value(value.clone()));
         }
         for one in part.contains.iter().filter(|one| !has(one)) {
-            self.fail(one, Came::Value(value.clone()));
+            self.fail(one, ActualValue::Value(value.clone()));
         }
-        for one in part.lacks.iter().filter(|one| has(one) || !matches!(one.what, What::Is(_))) {
-            self.fail(one, Came::Value(value.clone()));
+        for one in part.excluded.iter().filter(|one| has(one) || !matches!(one.kind, ExpectedKind::Is(_))) {
+            self.fail(one, ActualValue::Value(value.clone()));
         }
     }
 }
@@ -370,8 +377,8 @@ pub fn is_from(finding: &Value, severity: Severity) -> bool {
 
 fn is(text: &str, value: &Value) -> Result<bool, UnknownWord> {
     Ok(match value {
-        Value::String(own) => called::same(own, text),
-        Value::Number(own) => own.as_f64().is_some_and(|own| number_of(text) == Some(own)),
+        Value::String(own) => called::same_letters(own, text),
+        Value::Number(number) => number.as_f64().is_some_and(|own| number_of(text) == Some(own)),
         Value::Bool(own) => text == own.to_string(),
         Value::Object(object) => called::is_called(object, text)?,
         Value::Null | Value::Array(_) => false,

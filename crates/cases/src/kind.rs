@@ -96,8 +96,8 @@ const LINES: usize = 40;
 /// Whether it is a program of a control: most of its lines begin with an address and a number.
 fn is_program(text: &str) -> bool {
     let text = text.trim_start_matches('\u{feff}');
-    let told = |line: &&str| !line.is_empty() && !line.starts_with(['(', ';', '#']);
-    let lines: Vec<&str> = text.lines().map(str::trim).filter(told).take(LINES).collect();
+    let is_content = |line: &&str| !line.is_empty() && !line.starts_with(['(', ';', '#']);
+    let lines: Vec<&str> = text.lines().map(str::trim).filter(is_content).take(LINES).collect();
     let of_program = lines.iter().filter(|line| line.starts_with('%') || begins_with_word(line)).count();
     of_program > 0 && of_program * 10 >= lines.len() * 8
 }
@@ -135,8 +135,8 @@ mod tests {
             ("", FileKind::Part, None),
             ("N1 X80,5\nG1\n", FileKind::Program, None),
         ] {
-            let told = other_kind("f", text, wanted);
-            assert_eq!(told.map(|(kind, _)| kind), kind, "{text}");
+            let message = other_kind("f", text, wanted);
+            assert_eq!(message.map(|(kind, _)| kind), kind, "{text}");
         }
     }
 }

@@ -14,7 +14,6 @@
 //! not mention findings, none of severity `error` or `wrong` is accepted.
 
 mod answer;
-mod asked;
 mod called;
 mod digest;
 pub mod expected;
@@ -26,6 +25,7 @@ mod merge;
 mod planned;
 mod question;
 mod read;
+mod read_question;
 pub mod reasons;
 mod table;
 pub mod write;
@@ -52,9 +52,9 @@ use crate::turning::shaft::Mistake;
 pub use called::{brief, name as called};
 pub use expected::Expected;
 pub use file::schema;
-pub use hold::{Came, Failure};
+pub use hold::{ActualValue, Failure};
 pub use kind::{FileKind, other_kind};
-pub use read::{Around, read_cases};
+pub use read::{ReadContext, read_cases};
 pub use reasons::Why;
 
 use question::Question;
@@ -141,8 +141,8 @@ impl Case {
                 place: self.place.clone(),
                 path: String::new(),
                 expected: String::new(),
-                came: Came::Open(Some(digest::digest(&self.question, answer))),
-                why: Vec::new(),
+                actual: ActualValue::Open(Some(digest::digest(&self.question, answer))),
+                reasons: Vec::new(),
             }],
         }
     }

@@ -57,8 +57,9 @@ mod tests {
         let NodeKind::Seq(tests) = &tests.kind else { panic!("no list") };
         let mut problems = Problems::default();
         let read = cases(tests, &head, &mut problems).len();
-        let told = |one: &crate::knowledge::Diagnostic| format!("{} {}", one.place.as_ref().unwrap(), one.code);
-        (read, problems.0.iter().map(told).collect())
+        let shown =
+            |problem: &crate::knowledge::Diagnostic| format!("{} {}", problem.place.as_ref().unwrap(), problem.code);
+        (read, problems.0.iter().map(shown).collect())
     }
 
     #[test]

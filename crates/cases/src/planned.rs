@@ -12,12 +12,12 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::knowledge::diagnostic::nearest;
-use crate::knowledge::input::seen;
+use crate::knowledge::input::show_invisible;
 use crate::knowledge::yaml::{Key, Problems};
 use crate::plan::{AlternativeStep, HolePlan, Plan, RouteSource, Transition};
 
 use super::called::Pattern;
-use super::expected::{Expected, What};
+use super::expected::{Expected, ExpectedKind};
 
 /// The short keys of a group of holes.
 #[derive(Serialize, JsonSchema)]
@@ -48,10 +48,10 @@ impl Short {
             elsewhere: step.elsewhere,
         };
         let here = |step: &&Transition| step.operation.is_of_scheme(step.elsewhere);
-        let of_tables = by_tables.route.as_ref().filter(|route| route.way == RouteSource::Tables);
+        let of_tables = by_tables.route.as_ref().filter(|route| route.source == RouteSource::Tables);
         let taken = |scheme: &str| {
             let own = hole.route.as_ref();
-            own.is_some_and(|route| route.way == RouteSource::Tables && route.scheme == scheme)
+            own.is_some_and(|route| route.source == RouteSource::Tables && route.scheme == scheme)
         };
         let by_tables = of_tables.map(|route| ByTables {
             scheme: route.scheme.clone(),
@@ -112,21 +112,21 @@ struct KeyCheck<'s, 'p> {
 impl<'s> KeyCheck<'s, '_> {
     fn fit(&mut self, expected: &Expected, schemas: &[&'s Value]) {
         let forms = self.forms(schemas);
-        match &expected.what {
-            What::Open | What::Absent | What::Present | What::Near { .. } => {}
-            What::Is(text) => self.called(expected, text, &forms),
-            What::Range { keys, .. } => {
+        match &expected.kind {
+            ExpectedKind::Open | ExpectedKind::Absent | ExpectedKind::Present | ExpectedKind::Near { .. } => {}
+            ExpectedKind::Is(text) => self.called(expected, text, &forms),
+            ExpectedKind::Range { keys, .. } => {
                 if is_object(&forms) {
                     self.keys(keys, &forms);
                 }
             }
-            What::OneOf(several) => several.iter().for_each(|one| self.fit(one, &forms)),
-            What::Not(one) => self.fit(one, &forms),
-            What::List(items) => {
+            ExpectedKind::OneOf(several) => several.iter().for_each(|one| self.fit(one, &forms)),
+            ExpectedKind::Not(one) => self.fit(one, &forms),
+            ExpectedKind::List(items) => {
                 let inner = inner(&forms);
                 items.iter().for_each(|item| self.fit(&item.expected, &inner));
             }
-            What::Some(part) => {
+            ExpectedKind::Some(part) => {
                 let inner = inner(&forms);
                 for one in part.all() {
                     // The number of items is no item.
@@ -135,9 +135,9 @@ impl<'s> KeyCheck<'s, '_> {
                     }
                 }
             }
-            What::Map(keys) if is_object(&forms) => self.keys(keys, &forms),
+            ExpectedKind::Map(keys) if is_object(&forms) => self.keys(keys, &forms),
             // Items by their names.
-            What::Map(names) => {
+            ExpectedKind::Map(names) => {
                 let inner = inner(&forms);
                 names.iter().for_each(|(_, one)| self.fit(one, &inner));
             }
@@ -149,7 +149,7 @@ impl<'s> KeyCheck<'s, '_> {
         let mut forms = Vec::new();
         let mut open: Vec<&Value> = schemas.to_vec();
         while let Some(schema) = open.pop() {
-            if let Some(name) = schema.get("$ref").and_then(Value::as_str).and_then(|way| way.rsplit('/').next()) {
+            if let Some(name) = schema.get("$ref").and_then(Value::as_str).and_then(|path| path.rsplit('/').next()) {
                 open.extend(SCHEMA.get("$defs").and_then(|all| all.get(name)));
                 if name == "HolePlan" {
                     open.extend(&self.holes);
@@ -183,7 +183,7 @@ impl<'s> KeyCheck<'s, '_> {
                     Some(near) => note!("cli-did-you-mean", name = near),
                     None => note!("case-known-here", names = known().collect::<Vec<_>>().join(", ")),
                 };
-                let message = note!("yaml-unknown-key", key = seen(&key.text));
+                let message = note!("yaml-unknown-key", key = show_invisible(&key.text));
                 self.problems.error_help::<()>("unknown-key", message, &key.place, help);
             } else {
                 self.fit(expected, &free);
@@ -196,7 +196,7 @@ impl<'s> KeyCheck<'s, '_> {
         let is_transition = |form: &&Value| form.pointer("/properties/operation").is_some();
         if let (true, Err(slip)) = (forms.iter().any(is_transition), Pattern::read(text)) {
             let message = note!("case-no-word-transition", word = slip.word);
-            let help = match slip.near {
+            let help = match slip.likely {
                 Some(near) => note!("cli-did-you-mean", name = near),
                 None => note!("case-write-operation-then-what-known"),
             };

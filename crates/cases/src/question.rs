@@ -13,7 +13,7 @@ use crate::turning::passes::cost::Objective;
 use crate::turning::workpiece::Turned;
 
 use super::expected::Expected;
-use super::hold::{Answer, Came, Failure, hold, is_from};
+use super::hold::{ActualValue, Answer, Failure, hold, is_from};
 use super::reasons::Why;
 use super::table;
 
@@ -75,28 +75,28 @@ impl Question {
     /// have none that is wrong.
     pub fn hold(&self, expected: &Expected, answer: &Value, case: &Place, knowledge: &Knowledge) -> Vec<Failure> {
         if let (Self::Table(question), Ok(found)) = (self, knowledge.table(self.table())) {
-            let mut said = expected.clone();
-            let about = table::about(&mut said, answer, found);
-            let mut failures = hold(&said, Answer { value: about, vouched: true });
+            let mut expected_rows = expected.clone();
+            let about = table::about(&mut expected_rows, answer, found);
+            let mut failures = hold(&expected_rows, Answer { value: about, vouched: true });
             let why = if failures.is_empty() { Vec::new() } else { question.why(found, expected) };
-            failures.iter_mut().for_each(|failure| failure.why.clone_from(&why));
+            failures.iter_mut().for_each(|failure| failure.reasons.clone_from(&why));
             return failures;
         }
         let vouched = matches!(self, Self::Part { .. });
         let mut failures = hold(expected, Answer { value: answer, vouched });
-        for way in self.findings() {
-            let said = way.iter().try_fold(expected, |expected, key| expected.get(key)).is_some();
-            let list = way.iter().try_fold(answer, |answer, key| answer.get(key)).and_then(Value::as_array);
-            if said {
+        for keys in self.findings() {
+            let is_stated = keys.iter().try_fold(expected, |expected, key| expected.get(key)).is_some();
+            let list = keys.iter().try_fold(answer, |answer, key| answer.get(key)).and_then(Value::as_array);
+            if is_stated {
                 continue;
             }
             let wrong = list.into_iter().flatten().filter(|finding| is_from(finding, Severity::Wrong));
             failures.extend(wrong.map(|finding| Failure {
                 place: case.clone(),
-                path: way.join("."),
+                path: keys.join("."),
                 expected: "none_from: wrong".to_owned(),
-                came: Came::Unwanted(finding.clone()),
-                why: Vec::<Why>::new(),
+                actual: ActualValue::Unwanted(finding.clone()),
+                reasons: Vec::<Why>::new(),
             }));
         }
         failures

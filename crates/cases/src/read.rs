@@ -12,7 +12,7 @@ use crate::note::{Note, Severity};
 use crate::turning::shaft::Mistake;
 use technolog_note::note;
 
-use super::expected::{self, Expected, What};
+use super::expected::{self, Expected, ExpectedKind};
 use super::file::{CaseForm, CasesFile};
 use super::question::Question;
 use super::written::node as written;
@@ -20,7 +20,7 @@ use super::{Case, CaseFile, limits, merge, planned, table};
 
 /// The context for reading a file of cases.
 #[derive(Clone, Copy)]
-pub struct Around<'a> {
+pub struct ReadContext<'a> {
     /// The tables that are asked.
     pub knowledge: &'a Knowledge,
     /// Every code that a finding can have.
@@ -29,7 +29,7 @@ pub struct Around<'a> {
     pub files: Files<'a>,
 }
 
-impl std::fmt::Debug for Around<'_> {
+impl std::fmt::Debug for ReadContext<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Around").finish_non_exhaustive()
     }
@@ -39,11 +39,12 @@ impl std::fmt::Debug for Around<'_> {
 const COMMON: [KeyOf<CaseForm>; 4] = [CaseForm::name, CaseForm::source, CaseForm::because, CaseForm::expect];
 
 /// Reads a file of cases. Usable cases are returned beside the mistakes.
-pub fn read_cases(file: &str, text: &str, around: Around<'_>) -> CaseFile {
+pub fn read_cases(file: &str, text: &str, around: ReadContext<'_>) -> CaseFile {
     let (root, diagnostics) = parse(file, text);
-    let mut reader = Reader { around, problems: Problems(diagnostics), meant: Vec::new(), texts: Vec::new(), file };
+    let mut reader =
+        Reader { context: around, problems: Problems(diagnostics), mistakes: Vec::new(), texts: Vec::new(), file };
     let cases = root.map(|root| reader.file(&root)).unwrap_or_default();
-    let Reader { problems, meant, texts, .. } = reader;
+    let Reader { problems, mistakes: meant, texts, .. } = reader;
     // The head is read for each case.
     let mut known = BTreeSet::new();
     let all = problems.0.into_iter().map(Mistake::Form).chain(meant);
@@ -58,7 +59,7 @@ type IntoFigure = (Note, Option<Note>);
 /// The identity of a mistake; for a mistake in the form, with its words.
 fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<IntoFigure>) {
     let words = match mistake {
-        Mistake::Form(own) => Some((own.message.clone(), own.help.clone())),
+        Mistake::Form(problem) => Some((problem.message.clone(), problem.help.clone())),
         Mistake::Meaning(..) => None,
     };
     (mistake.place().cloned(), mistake.code(), words)
@@ -66,10 +67,10 @@ fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<IntoFigur
 
 /// Reads one file.
 pub(super) struct Reader<'a> {
-    pub(super) around: Around<'a>,
+    pub(super) context: ReadContext<'a>,
     pub(super) problems: Problems,
     /// Mistakes of turned parts, which have their own words.
-    pub(super) meant: Vec<Mistake>,
+    pub(super) mistakes: Vec<Mistake>,
     pub(super) texts: Vec<NamedText>,
     pub(super) file: &'a str,
 }
@@ -95,8 +96,8 @@ impl Reader<'_> {
     fn case(&mut self, number: usize, own: &Node, head: &Node) -> Option<Case> {
         let mistakes = self.mistakes();
         let _ = self.problems.open_map(own)?;
-        let whole = merge::over(own, head);
-        let mut fields = self.problems.map(&whole)?;
+        let merged = merge::over(own, head);
+        let mut fields = self.problems.map(&merged)?;
         let name = fields.take(CaseForm::name).and_then(|node| self.problems.name(node)).map(str::to_owned);
         let mut text = |key| fields.take(key).and_then(|node| self.problems.lines(node)).map(str::to_owned);
         let (source, because) = (text(CaseForm::source), text(CaseForm::because));
@@ -115,7 +116,7 @@ impl Reader<'_> {
                 match &question {
                     Some(question) => self.fit(&mut expected, question),
                     // The faults of both are reported at once.
-                    None if whole.get(CaseForm::hole.name()).is_some() => {
+                    None if merged.get(CaseForm::hole.name()).is_some() => {
                         planned::fit(&expected, 1, &mut self.problems)
                     }
                     None => {}
@@ -131,14 +132,14 @@ impl Reader<'_> {
     }
 
     fn mistakes(&self) -> usize {
-        self.problems.0.len() + self.meant.len()
+        self.problems.0.len() + self.mistakes.len()
     }
 
     /// Checks an expectation against the possible answers.
     fn fit(&mut self, expected: &mut Expected, question: &Question) {
         match question {
             Question::Table(question) => {
-                if let Ok(table) = self.around.knowledge.table(&question.table) {
+                if let Ok(table) = self.context.knowledge.table(&question.table) {
                     table::fit(expected, table, &mut self.problems);
                 }
             }
@@ -156,19 +157,19 @@ impl Reader<'_> {
 
     /// A misspelt code would never be found among findings that must be absent.
     fn codes(&mut self, findings: &Expected) {
-        let What::Some(part) = &findings.what else { return };
-        let said = part.lacks.iter().map(|one| one.get("code").unwrap_or(one));
-        let texts = said.filter_map(|one| match &one.what {
-            What::Is(text) => Some((one, text)),
+        let ExpectedKind::Some(part) = &findings.kind else { return };
+        let codes = part.excluded.iter().map(|item| item.get("code").unwrap_or(item));
+        let texts = codes.filter_map(|one| match &one.kind {
+            ExpectedKind::Is(text) => Some((one, text)),
             _ => None,
         });
         for (one, text) in texts {
             let is_code = |word: &&str| word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'-');
             for word in text.split_whitespace().filter(is_code) {
                 let rule = || rules::all().any(|rule| rule.id == word);
-                if Severity::from_word(word).is_none() && !self.around.codes.iter().any(|code| code == word) && !rule()
+                if Severity::from_word(word).is_none() && !self.context.codes.iter().any(|code| code == word) && !rule()
                 {
-                    let near = nearest(word, self.around.codes.iter().map(String::as_str));
+                    let near = nearest(word, self.context.codes.iter().map(String::as_str));
                     let help = near.map_or_else(
                         || note!("case-write-severity-code-findings-format"),
                         |near| note!("cli-did-you-mean", name = near),
@@ -187,11 +188,12 @@ fn title(own: &Node) -> String {
         let text = written(node);
         text.strip_prefix('{').and_then(|text| text.strip_suffix('}')).map_or(text.clone(), str::to_owned)
     };
-    let told = [CaseForm::given, CaseForm::hole, CaseForm::part, CaseForm::turn, CaseForm::program, CaseForm::audit];
-    let told = told.into_iter().find_map(|key| own.get(key.name())).map(keys);
-    match (own.get(CaseForm::table.name()).and_then(Node::text), told) {
+    let question_keys =
+        [CaseForm::given, CaseForm::hole, CaseForm::part, CaseForm::turn, CaseForm::program, CaseForm::audit];
+    let question = question_keys.into_iter().find_map(|key| own.get(key.name())).map(keys);
+    match (own.get(CaseForm::table.name()).and_then(Node::text), question) {
         (Some(table), Some(given)) => format!("{table}: {given}"),
         (Some(table), None) => table.to_owned(),
-        (None, told) => told.unwrap_or_default(),
+        (None, question) => question.unwrap_or_default(),
     }
 }

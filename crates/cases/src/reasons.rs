@@ -4,8 +4,8 @@ use serde_json::Value;
 
 use crate::note::{Because, Finding, Note};
 
-use super::called::same;
-use super::expected::{Expected, What};
+use super::called::same_letters;
+use super::expected::{Expected, ExpectedKind};
 
 /// A reason, as data.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +51,7 @@ pub fn reasons(trail: &[&Value], path: &[String], expected: &Expected) -> Vec<Wh
             return findings(trail.first().copied(), object.get("name"));
         };
         let mut reasons = Vec::new();
-        if let ("scheme", What::Is(scheme)) = (key.as_str(), &expected.what) {
+        if let ("scheme", ExpectedKind::Is(scheme)) = (key.as_str(), &expected.kind) {
             reasons.extend(not_taken(route, scheme));
         }
         reasons.extend(because(route.get("because")));
@@ -60,10 +60,10 @@ pub fn reasons(trail: &[&Value], path: &[String], expected: &Expected) -> Vec<Wh
     Vec::new()
 }
 
-fn because(said: Option<&Value>) -> Vec<Why> {
-    let said = said.and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
-    let read = said.iter().filter_map(|one| serde_json::from_value::<Because>(one.clone()).ok());
-    read.map(|one| Why::Because(Box::new(one))).collect()
+fn because(reasons: Option<&Value>) -> Vec<Why> {
+    let reasons = reasons.and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
+    let read = reasons.iter().filter_map(|value| serde_json::from_value::<Because>(value.clone()).ok());
+    read.map(|reason| Why::Because(Box::new(reason))).collect()
 }
 
 fn findings(answer: Option<&Value>, hole: Option<&Value>) -> Vec<Why> {
@@ -74,7 +74,7 @@ fn findings(answer: Option<&Value>, hole: Option<&Value>) -> Vec<Why> {
 
 fn not_taken(route: &Value, scheme: &str) -> Option<Why> {
     let others = route.get("alternatives").and_then(Value::as_array)?;
-    let own = |other: &&Value| other.get("scheme").and_then(Value::as_str).is_some_and(|own| same(own, scheme));
+    let own = |other: &&Value| other.get("scheme").and_then(Value::as_str).is_some_and(|own| same_letters(own, scheme));
     let why = others.iter().find(own)?.get("why")?;
     Some(Why::NotTaken { scheme: scheme.to_owned(), why: serde_json::from_value(why.clone()).ok()? })
 }

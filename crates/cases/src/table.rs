@@ -3,7 +3,7 @@
 use serde_json::{Map, Value as Json};
 use technolog_note::note;
 
-use crate::knowledge::alike::{has, latin};
+use crate::knowledge::alike::{latin, matches};
 use crate::knowledge::diagnostic::{Place, nearest};
 use crate::knowledge::table::Cell;
 use crate::knowledge::yaml::{Node, NodeKind, Problems};
@@ -11,7 +11,7 @@ use crate::knowledge::{Answer, Column, Input, Knowledge, QueryError, RowRef, Tab
 use crate::note::{Because, Note};
 use crate::units::Unit;
 
-use super::expected::{Expected, Item, What};
+use super::expected::{Expected, ExpectedKind, Item};
 use super::hold;
 use super::reasons::Why;
 
@@ -52,9 +52,9 @@ impl Question {
         if !whole {
             return None;
         }
-        let own = Self { table: found.id.clone(), given: columns };
+        let question = Self { table: found.id.clone(), given: columns };
         if found.kind == TableKind::Decision
-            && let Err(error) = own.decide(found)
+            && let Err(error) = question.decide(found)
         {
             let place = given.map_or(&table.place, |given| &given.place);
             return problems.error_help(
@@ -64,7 +64,7 @@ impl Question {
                 note!("case-technolog-table-shows-columns"),
             );
         }
-        Some(own)
+        Some(question)
     }
 
     fn decide<'t>(&self, table: &'t Table) -> Result<Answer<'t>, QueryError> {
@@ -83,7 +83,7 @@ impl Question {
                 let fits = |row: &RowRef<'_>| {
                     self.given.iter().all(|(index, value)| {
                         let column = table.columns.get(*index).zip(row.row().cells.get(*index));
-                        column.is_some_and(|(column, cell)| has(column, cell, value))
+                        column.is_some_and(|(column, cell)| matches(column, cell, value))
                     })
                 };
                 table.all_rows().filter(fits).collect()
@@ -145,17 +145,17 @@ pub fn json(rows: &[RowRef<'_>]) -> Json {
 /// that collects rows, the first). `none` means that no row answers.
 pub fn about<'v>(expected: &mut Expected, rows: &'v Json, table: &Table) -> &'v Json {
     let all = rows.as_array().map(Vec::as_slice).unwrap_or_default();
-    match (&expected.what, all) {
-        (What::Is(word), _) if word == "none" => {
-            expected.what = What::List(Vec::new());
+    match (&expected.kind, all) {
+        (ExpectedKind::Is(word), _) if word == "none" => {
+            expected.kind = ExpectedKind::List(Vec::new());
             rows
         }
-        (What::Map(_), [row]) => row,
-        (What::Map(_), [first, ..]) if table.kind == TableKind::Decision => first,
-        (What::Map(_), _) => {
+        (ExpectedKind::Map(_), [row]) => row,
+        (ExpectedKind::Map(_), [first, ..]) if table.kind == TableKind::Decision => first,
+        (ExpectedKind::Map(_), _) => {
             // Not one row: the whole list is the actual value.
             let item = Item { expected: expected.clone(), optional: false };
-            expected.what = What::List(vec![item]);
+            expected.kind = ExpectedKind::List(vec![item]);
             rows
         }
         _ => rows,
@@ -165,7 +165,7 @@ pub fn about<'v>(expected: &mut Expected, rows: &'v Json, table: &Table) -> &'v 
 /// A row as an object: its outputs by column name, with its number and its source.
 fn row_json(row: RowRef<'_>) -> Json {
     let mut object = Map::new();
-    for (index, column) in said(row.table) {
+    for (index, column) in answer_columns(row.table) {
         if let Some(cell) = row.row().cells.get(index) {
             object.insert(column.name.clone(), cell_json(column, cell));
         }
@@ -185,7 +185,7 @@ fn row_json(row: RowRef<'_>) -> Json {
 }
 
 /// The columns of a row's answer.
-fn said(table: &Table) -> Vec<(usize, &Column)> {
+fn answer_columns(table: &Table) -> Vec<(usize, &Column)> {
     match table.kind {
         TableKind::Decision => table.outputs().collect(),
         TableKind::Catalog => table.columns.iter().enumerate().collect(),
@@ -210,17 +210,19 @@ fn value_json(column: &Column, value: &Value) -> Json {
 
 /// Compares the keys of an expectation with the columns of the table; a single value of a list column is a list of one.
 pub fn fit(expected: &mut Expected, table: &Table, problems: &mut Problems) {
-    match &mut expected.what {
-        What::List(items) => items.iter_mut().for_each(|item| fit(&mut item.expected, table, problems)),
-        What::Map(keys) => {
+    match &mut expected.kind {
+        ExpectedKind::List(items) => items.iter_mut().for_each(|item| fit(&mut item.expected, table, problems)),
+        ExpectedKind::Map(keys) => {
             for (key, inner) in keys {
-                let column = said(table).into_iter().map(|(_, column)| column).find(|column| column.name == key.text);
-                if let (Some(Column { list: true, .. }), What::Is(_)) = (column, &inner.what) {
+                let column =
+                    answer_columns(table).into_iter().map(|(_, column)| column).find(|column| column.name == key.text);
+                if let (Some(Column { list: true, .. }), ExpectedKind::Is(_)) = (column, &inner.kind) {
                     let item = Item { expected: inner.clone(), optional: false };
-                    inner.what = What::List(vec![item]);
+                    inner.kind = ExpectedKind::List(vec![item]);
                 }
                 if column.is_none() && !OF_ROWS.contains(&key.text.as_str()) {
-                    let names = || said(table).into_iter().map(|(_, column)| column.name.as_str()).chain(OF_ROWS);
+                    let names =
+                        || answer_columns(table).into_iter().map(|(_, column)| column.name.as_str()).chain(OF_ROWS);
                     let help = match nearest(&key.text, names()) {
                         Some(near) => note!("cli-did-you-mean", name = near),
                         None => note!("case-known-here", names = names().collect::<Vec<_>>().join(", ")),

@@ -7,8 +7,8 @@ use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::{Diagnostic, Place};
 use crate::knowledge::yaml::{Key, Node, NodeKind, parse};
 
-use super::hold::Came;
-use super::{Around, Asker, Case, CaseFile, Failure, digest, read_cases, written};
+use super::hold::ActualValue;
+use super::{Asker, Case, CaseFile, Failure, ReadContext, digest, read_cases, written};
 
 /// The most that a line of written YAML holds.
 const WIDTH: usize = 110;
@@ -33,7 +33,7 @@ pub fn fill(
     text: &str,
     file: &CaseFile,
     failures: &[Vec<Failure>],
-    around: Around<'_>,
+    around: ReadContext<'_>,
     asker: &Asker<'_>,
 ) -> Result<Filled, KnowledgeError> {
     let mut filled = Filled::default();
@@ -56,7 +56,7 @@ pub fn fill(
         let again = read_cases(&file.file, &new, around);
         let mut wrong = Vec::new();
         for (case, failures) in file.cases.iter().zip(failures) {
-            if !stands(case, failures, &again, numbers.contains(&case.number), asker)? {
+            if !is_right(case, failures, &again, numbers.contains(&case.number), asker)? {
                 wrong.push(case);
             }
         }
@@ -76,7 +76,7 @@ pub fn fill(
 }
 
 /// Whether a case is right in the new text: a filled one fails only where it did before; any other is unchanged.
-fn stands(
+fn is_right(
     case: &Case,
     failures: &[Failure],
     again: &CaseFile,
@@ -113,11 +113,11 @@ struct Writer<'t> {
 impl Writer<'_> {
     /// The edits for a case; none if one of its open places cannot be found.
     fn edits(&self, own: &Node, case: &Case, failures: &[Failure]) -> Option<Vec<Edit>> {
-        if let (None, [Failure { came: Came::Open(Some(digest)), .. }]) = (&case.expected, failures) {
-            return Some(vec![self.whole(own, digest)]);
+        if let (None, [Failure { actual: ActualValue::Open(Some(digest)), .. }]) = (&case.expected, failures) {
+            return Some(vec![self.whole_expectation(own, digest)]);
         }
-        let open = failures.iter().filter_map(|failure| match &failure.came {
-            Came::Open(came) => Some((&failure.place, came.as_ref().map(digest::bare).unwrap_or_default())),
+        let open = failures.iter().filter_map(|failure| match &failure.actual {
+            ActualValue::Open(came) => Some((&failure.place, came.as_ref().map(digest::bare).unwrap_or_default())),
             _ => None,
         });
         open.map(|(place, came)| self.empty(place, &written::value(&came))).collect()
@@ -136,23 +136,23 @@ impl Writer<'_> {
         self.byte(place.line, place.column)
     }
 
-    fn rest(&self, at: usize) -> &str {
+    fn text_from(&self, at: usize) -> &str {
         self.text.get(at..).unwrap_or_default()
     }
 
     /// The whole expectation of a case.
-    fn whole(&self, case: &Node, value: &Value) -> Edit {
-        let flow = self.rest(self.at(&case.place)).starts_with('{');
+    fn whole_expectation(&self, case: &Node, value: &Value) -> Edit {
+        let flow = self.text_from(self.at(&case.place)).starts_with('{');
         let indent = case.place.column as usize - 1;
-        let told = |flow: bool| if flow { format!(" {}", written::value(value)) } else { block(value, indent + 2) };
+        let text = |flow: bool| if flow { format!(" {}", written::value(value)) } else { block(value, indent + 2) };
         let NodeKind::Map(entries) = &case.kind else { return Edit { at: 0, removed: 0, put: String::new() } };
         let find = |name: &str| entries.iter().find(|(key, _)| key.text == name);
         if let Some((key, node)) = find("expect") {
-            if let Some(edit) = self.explicit(&node.place, told(flow).trim_start()) {
+            if let Some(edit) = self.explicit(&node.place, text(flow).trim_start()) {
                 return edit;
             }
-            let end = self.at(&key.place) + key_length(self.rest(self.at(&key.place)), key);
-            return self.behind_colon(end, told(flow));
+            let end = self.at(&key.place) + key_length(self.text_from(self.at(&key.place)), key);
+            return self.behind_colon(end, text(flow));
         }
         // Before the keys of its origin, otherwise at the end.
         let first = entries.iter().find(|(key, _)| ["source", "because"].contains(&key.text.as_str()));
@@ -161,15 +161,15 @@ impl Writer<'_> {
             return Edit {
                 at: self.at(&key.place),
                 removed: 0,
-                put: self.lined(format!("expect:{}{then}", told(flow))),
+                put: self.lined(format!("expect:{}{then}", text(flow))),
             };
         }
         if flow {
-            let at = self.at(&case.place) + last_of_flow(self.rest(self.at(&case.place))).unwrap_or_default();
+            let at = self.at(&case.place) + last_of_flow(self.text_from(self.at(&case.place))).unwrap_or_default();
             let comma = if self.text.get(..at).is_some_and(|head| head.ends_with(',')) { " " } else { ", " };
-            return Edit { at, removed: 0, put: self.lined(format!("{comma}expect:{}", told(true))) };
+            return Edit { at, removed: 0, put: self.lined(format!("{comma}expect:{}", text(true))) };
         }
-        let put = format!("\n{}expect:{}", " ".repeat(indent), told(false));
+        let put = format!("\n{}expect:{}", " ".repeat(indent), text(false));
         Edit { at: self.end_of_block(case.place.line as usize, indent), removed: 0, put: self.lined(put) }
     }
 
@@ -177,7 +177,7 @@ impl Writer<'_> {
     fn empty(&self, place: &Place, value: &str) -> Option<Edit> {
         let at = self.at(place);
         self.explicit(place, value).or_else(|| {
-            let is_key = self.rest(at).trim_start_matches(' ').starts_with(':');
+            let is_key = self.text_from(at).trim_start_matches(' ').starts_with(':');
             is_key.then(|| self.behind_colon(at, format!(" {value}")))
         })
     }
@@ -185,14 +185,14 @@ impl Writer<'_> {
     /// A `~` or `null` at that place.
     fn explicit(&self, place: &Place, value: &str) -> Option<Edit> {
         let at = self.at(place);
-        let word = ["~", "null"].into_iter().find(|word| self.rest(at).starts_with(word))?;
+        let word = ["~", "null"].into_iter().find(|word| self.text_from(at).starts_with(word))?;
         Some(Edit { at, removed: word.len(), put: self.lined(value.to_owned()) })
     }
 
     fn behind_colon(&self, at: usize, value: String) -> Edit {
-        let colon = self.rest(at).find(|letter: char| letter != ' ').map_or(at, |spaces| at + spaces);
-        let mut at = if self.rest(colon).starts_with(':') { colon + 1 } else { colon };
-        let line = self.rest(at).lines().next().unwrap_or_default();
+        let colon = self.text_from(at).find(|letter: char| letter != ' ').map_or(at, |spaces| at + spaces);
+        let mut at = if self.text_from(colon).starts_with(':') { colon + 1 } else { colon };
+        let line = self.text_from(at).lines().next().unwrap_or_default();
         if value.starts_with('\n') && line.trim_start().starts_with('#') {
             // A comment stays beside its key.
             at += line.len();

@@ -51,12 +51,12 @@ pub fn ascii(text: &str) -> String {
             None => latin.push('?'),
         }
     }
-    if acts(&latin) { format!("- {}", latin.trim_start()) } else { latin }
+    if is_active_comment(&latin) { format!("- {}", latin.trim_start()) } else { latin }
 }
 
 /// Whether LinuxCNC would execute the comment: it begins as those of table `iso-active-comments`, with which a test
 /// compares this list.
-fn acts(remark: &str) -> bool {
+fn is_active_comment(remark: &str) -> bool {
     const BEGINNINGS: [&str; 13] = [
         "msg,",
         "debug,",

@@ -165,14 +165,14 @@ impl Rapid {
     /// Time of a rapid along one axis, min: `d/v`; with an acceleration `a` at both ends `d/v + v/a` for a travel of
     /// at least `v²/a`, `2·√(d/a)` for a shorter one (a trapezium and a triangle of speed over time). Textbook 1.3.1
     /// adds the same for acceleration, as εр.т.
-    pub fn time(self, way: Micrometres) -> Minutes {
-        let (way, rate) = (way.abs().to_mm(), self.rate.0 / 60.0);
+    pub fn time(self, distance: Micrometres) -> Minutes {
+        let (distance, rate) = (distance.abs().to_mm(), self.rate.0 / 60.0);
         let seconds = match self.acceleration.map(|acceleration| acceleration.0) {
-            Some(acceleration) if acceleration > 0.0 && way < rate * rate / acceleration => {
-                2.0 * (way / acceleration).sqrt()
+            Some(acceleration) if acceleration > 0.0 && distance < rate * rate / acceleration => {
+                2.0 * (distance / acceleration).sqrt()
             }
-            Some(acceleration) if acceleration > 0.0 => way / rate + rate / acceleration,
-            _ => way / rate,
+            Some(acceleration) if acceleration > 0.0 => distance / rate + rate / acceleration,
+            _ => distance / rate,
         };
         Minutes(seconds / 60.0)
     }

@@ -103,10 +103,11 @@ impl<'k> Material<'k> {
     /// The knowledge has no such table.
     pub fn in_state(self, state: MaterialState, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let ratio = knowledge.find(|row: &HardnessStrength<'_>| row.material_group == self.group)?.map(|row| row.ratio);
-        let exact = |of: f64| Decimal::from_f64_rounded(of);
-        let figure = |of: f64| exact(crate::units::round_to(of, 0));
-        let follows =
-            |of: Option<f64>, by: &dyn Fn(f64, f64) -> f64| of.zip(ratio).map(|(of, ratio)| figure(by(of, ratio)));
+        let exact = |value: f64| Decimal::from_f64_rounded(value);
+        let figure = |value: f64| exact(crate::units::round_to(value, 0));
+        let follows = |value: Option<f64>, by: &dyn Fn(f64, f64) -> f64| {
+            value.zip(ratio).map(|(of, ratio)| figure(by(of, ratio)))
+        };
         let hardness =
             state.hardness.map(exact).or_else(|| follows(state.strength, &|strength, ratio| strength / ratio));
         let strength =

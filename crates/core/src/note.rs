@@ -106,8 +106,8 @@ impl Because {
             .map(|(column, rows)| Note::new("rows-rejected").with("column", column.named()).with("rows", runs(&rows)))
             .collect();
         match answer.winner() {
-            Some(row) => Self::row(row, note).over(rejected),
-            None => Self::table(answer.table(), note).over(rejected),
+            Some(row) => Self::row(row, note).with_rejected(rejected),
+            None => Self::table(answer.table(), note).with_rejected(rejected),
         }
     }
 
@@ -127,7 +127,7 @@ impl Because {
 
     /// Adds rejected candidates.
     #[must_use]
-    pub fn over(mut self, rejected: Vec<Note>) -> Self {
+    pub fn with_rejected(mut self, rejected: Vec<Note>) -> Self {
         self.rejected = rejected;
         self
     }

@@ -4,8 +4,8 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// The results in the order of the inputs. After each one `told` is called with the number of finished inputs.
-pub fn map<T: Sync, R: Send>(things: &[T], work: impl Fn(&T) -> R + Sync, told: impl Fn(usize) + Sync) -> Vec<R> {
+/// The results in the order of the inputs. After each one `report` is called with the number of finished inputs.
+pub fn map<T: Sync, R: Send>(things: &[T], work: impl Fn(&T) -> R + Sync, report: impl Fn(usize) + Sync) -> Vec<R> {
     let cores = thread::available_parallelism().map_or(1, NonZero::get).min(things.len());
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let take = || {
@@ -15,7 +15,7 @@ pub fn map<T: Sync, R: Send>(things: &[T], work: impl Fn(&T) -> R + Sync, told: 
             let at = next.fetch_add(1, Ordering::Relaxed);
             let Some(thing) = things.get(at) else { return own };
             own.push((at, work(thing)));
-            told(done.fetch_add(1, Ordering::Relaxed) + 1);
+            report(done.fetch_add(1, Ordering::Relaxed) + 1);
         }
     };
     let mut results: Vec<(usize, R)> = thread::scope(|scope| {

@@ -101,7 +101,7 @@ impl<'k> PracticeSpeed<'k> {
         let of = |coating| Self::carbide(CarbideWork::Turn, coating, pass, group, knowledge);
         let (uncoated, coated) = (of(Coating::Uncoated)?, of(Coating::Coated)?);
         let turned = match (uncoated, coated) {
-            (Some(one), Some(other)) if other.high.0 > one.high.0 => Some(Self { high: other.high, ..one }),
+            (Some(speed), Some(other)) if other.high.0 > speed.high.0 => Some(Self { high: other.high, ..speed }),
             (uncoated, coated) => uncoated.or(coated),
         };
         if inner { Self::share(SharedWork::Bore, turned, knowledge) } else { Ok(turned) }
@@ -144,11 +144,11 @@ impl<'k> PracticeSpeed<'k> {
     /// For operations without rows of their own: a share of drilling or turning.
     fn share(
         operation: SharedWork,
-        of: Option<Self>,
+        speed: Option<Self>,
         knowledge: &'k Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
         let Some(row) = knowledge.ask(&SpeedShareFor { operation })?.winner()? else { return Ok(None) };
-        Ok(of.map(|of| of.times(row.share_low, row.share, row.share_high)))
+        Ok(speed.map(|of| of.times(row.share_low, row.share, row.share_high)))
     }
 }
 
@@ -163,6 +163,6 @@ pub fn practice_group<'k>(
     let question = PracticeGroupFor { material: material.id, hardness: Brinell(material.hardness) };
     match knowledge.ask(&question) {
         Err(KnowledgeError::Query(QueryError::OutOfDomain { .. } | QueryError::IllTyped { .. })) => Ok(None),
-        asked => Ok(asked?.winner()?),
+        answer => Ok(answer?.winner()?),
     }
 }

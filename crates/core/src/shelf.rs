@@ -44,7 +44,7 @@ impl<'k, R: TableRow<'k>> Rows<R> {
         Self(OnceLock::new())
     }
 
-    fn of(&self, table: impl FnOnce() -> Result<&'k Table, TableError>) -> Result<&[R], TableError> {
+    fn get_or_read(&self, table: impl FnOnce() -> Result<&'k Table, TableError>) -> Result<&[R], TableError> {
         match self.0.get() {
             Some(rows) => Ok(rows),
             None => {
@@ -61,7 +61,7 @@ impl<'k> CutterTable<'k> {
     /// # Errors
     /// A row breaks its contract; this does not happen to checked tables.
     pub fn rows(&self) -> Result<&[CutterRow<'k>], TableError> {
-        self.rows.of(|| Ok(self.table))
+        self.rows.get_or_read(|| Ok(self.table))
     }
 }
 
@@ -95,7 +95,7 @@ impl<'k> Shelf<'k> {
     /// There is no such table, or it is none of cutters.
     pub fn cutters_of(&self, id: &str) -> Result<&CutterTable<'k>, KnowledgeError> {
         let found = self.cutters.iter().find(|cutters| cutters.table.id == id);
-        found.ok_or_else(|| KnowledgeError::lacks(id, note!("part-there-no-such-table-cutters")))
+        found.ok_or_else(|| KnowledgeError::missing(id, note!("part-there-no-such-table-cutters")))
     }
 
     /// Every cutter that makes a transition, whatever its size.
@@ -116,8 +116,8 @@ impl<'k> Shelf<'k> {
     /// There is no such table, or it is none of holders.
     pub fn holders_of(&self, id: &str) -> Result<&[HolderRow<'k>], KnowledgeError> {
         let found = self.holders.iter().find(|(known, _)| *known == id);
-        let (_, rows) = found.ok_or_else(|| KnowledgeError::lacks(id, note!("part-there-no-such-table-holders")))?;
-        Ok(rows.of(|| self.knowledge.table(id))?)
+        let (_, rows) = found.ok_or_else(|| KnowledgeError::missing(id, note!("part-there-no-such-table-holders")))?;
+        Ok(rows.get_or_read(|| self.knowledge.table(id))?)
     }
 
     /// The constants of clamping.
@@ -125,7 +125,7 @@ impl<'k> Shelf<'k> {
     /// # Errors
     /// There is no such table.
     pub fn clamping(&self) -> Result<&[Clamping<'k>], TableError> {
-        self.clamping.of(|| self.knowledge.table_of::<Clamping<'k>>())
+        self.clamping.get_or_read(|| self.knowledge.table_of::<Clamping<'k>>())
     }
 
     /// The Morse tapers.
@@ -133,7 +133,7 @@ impl<'k> Shelf<'k> {
     /// # Errors
     /// There is no such table.
     pub fn morse_tapers(&self) -> Result<&[MorseTaper<'k>], TableError> {
-        self.morse.of(|| self.knowledge.table_of::<MorseTaper<'k>>())
+        self.morse.get_or_read(|| self.knowledge.table_of::<MorseTaper<'k>>())
     }
 
     /// The conventions on holes.
@@ -141,7 +141,7 @@ impl<'k> Shelf<'k> {
     /// # Errors
     /// There is no such table.
     pub fn conventions(&self) -> Result<&[HoleConvention<'k>], TableError> {
-        self.conventions.of(|| self.knowledge.table_of::<HoleConvention<'k>>())
+        self.conventions.get_or_read(|| self.knowledge.table_of::<HoleConvention<'k>>())
     }
 
     /// The schemes of A.7.
@@ -149,6 +149,6 @@ impl<'k> Shelf<'k> {
     /// # Errors
     /// There is no such table.
     pub fn schemes(&self) -> Result<&[Scheme<'k>], TableError> {
-        self.schemes.of(|| self.knowledge.table_of::<Scheme<'k>>())
+        self.schemes.get_or_read(|| self.knowledge.table_of::<Scheme<'k>>())
     }
 }

@@ -71,10 +71,10 @@ impl<'k> Shop<'k> {
     /// # Errors
     /// The rule does not say it.
     pub fn coolant(&self, operation: Operation) -> Result<(bool, Because), KnowledgeError> {
-        let asked = self.knowledge.ask(&CoolantFor { operation, material_group: self.material.group })?;
-        let cooled = asked.need(operation.name())?.coolant;
+        let answer = self.knowledge.ask(&CoolantFor { operation, material_group: self.material.group })?;
+        let cooled = answer.need(operation.name())?.coolant;
         let note = Note::new(if cooled { "cooled" } else { "dry" });
-        Ok((cooled, Because::answer(&asked.answer, note.with("operation", Figure::operation(operation.name())))))
+        Ok((cooled, Because::answer(&answer.answer, note.with("operation", Figure::operation(operation.name())))))
     }
 
     /// The shop with a machine without limits of load and tool: for work on another machine, whose limits are not

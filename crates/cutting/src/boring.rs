@@ -30,7 +30,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     let mut speed = row.cv / (libm::pow(life.0, row.m) * libm::pow(t, row.x) * libm::pow(feed.0, row.y)) * internal;
     let life_exponent = row.m;
     let mut corrections = vec![factors::surface(cut.surface, shop)?];
-    if figures.own() {
+    if figures.is_own_group() {
         corrections.push(factors::material_speed(Process::Turning, cut.tool_material, shop)?);
     }
     for (factor, reason) in corrections {
@@ -44,7 +44,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
         let row = &figures.row;
         let mut force = 10.0 * row.cp * libm::pow(t, row.x);
-        if figures.own() {
+        if figures.is_own_group() {
             let (factor, reason) = factors::material_force(Process::Turning, cut.tool_material, shop)?;
             force *= factor;
             because.push(reason);
@@ -83,8 +83,8 @@ fn feed(cut: &Cut, shop: &Shop<'_>) -> Tried<(MillimetresPerRev, Because), Uncut
         return Ok(by_stage);
     }
     let nose = nose.to_string();
-    let asked = finish.ask(&BoringFinishFeedFor { roughness: column, nose_radius: &nose })?;
-    let row = asked.winner()?.ok_or_else(|| figures::missing(&finish.id, shop))?;
+    let answer = finish.ask(&BoringFinishFeedFor { roughness: column, nose_radius: &nose })?;
+    let row = answer.winner()?.ok_or_else(|| figures::missing(&finish.id, shop))?;
     let feed = row.feed.0.min(stage.feed.0);
     let because = Because::row(row.row, Note::new("boring-finish-feed").with("feed", feed));
     Ok((MillimetresPerRev(feed), because))

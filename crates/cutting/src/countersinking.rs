@@ -18,7 +18,7 @@ use super::{Cut, DraftConditions, drilling, feed, figures};
 /// - t = (D - d)/2, mm: for a cone that of its full depth, where the load is largest.
 pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let (instead, reason) = figures::stand_in_operation(cut.operation, shop)?;
-    let mut feed = feed::tabulated(cut, shop)?.or(taken);
+    let mut feed = feed::tabulated(cut, shop)?.with_feed(taken);
     feed.because.push(reason);
     drilling::by_tables(&Cut { operation: instead, ..*cut }, feed, shop)
 }

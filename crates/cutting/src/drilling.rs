@@ -30,7 +30,7 @@ pub(super) fn table_operation(operation: Operation) -> Coefficients {
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - D, t in mm, s in mm/rev, T in min.
 pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
-    by_tables(cut, feed::tabulated(cut, shop)?.or(in_table(cut, taken, shop)?), shop)
+    by_tables(cut, feed::tabulated(cut, shop)?.with_feed(in_table(cut, taken, shop)?), shop)
 }
 
 /// A feed as in the tables: the cards raise theirs by a material factor afterwards.
@@ -145,12 +145,12 @@ fn base(cut: &Cut, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base, Uncu
     if let Ok((torque, thrust, figures)) = Refusal::split(laws::loads(operation, cut.tool_material, shop))? {
         let of_feed = |law: LoadLaw| PowerLaw::of_feed(law.without_feed(d, t), law.y);
         loads = Loads { torque: Some(of_feed(torque)), thrust: Some(of_feed(thrust)) };
-        own_loads = figures.own();
+        own_loads = figures.is_own_group();
         because.extend(figures.because(Note::new("load-coefficients")));
     }
     Ok(Base {
         speed: law.at(d, t, feed.0, tool_life.0),
-        own_speed: speed.own(),
+        own_speed: speed.is_own_group(),
         tool_life,
         life_exponent: m,
         coolant: speed.row.coolant,

@@ -184,9 +184,9 @@ fn by_depth<'k>(
     let (factor, row) = match found {
         Some(found) => found,
         None => {
-            let asked = shop.knowledge().ask(&DepthBeyondFor { of_table: table, depth_ratio })?;
+            let answer = shop.knowledge().ask(&DepthBeyondFor { of_table: table, depth_ratio })?;
             let too_deep = || Refusal::Not(Uncut::TooDeep { table: table.to_owned(), ratio: depth_ratio });
-            let beyond = asked.winner()?.ok_or_else(too_deep)?;
+            let beyond = answer.winner()?.ok_or_else(too_deep)?;
             (beyond.factor, beyond.row)
         }
     };
@@ -210,7 +210,7 @@ pub(crate) fn tool_life<'k>(
         Err(refusal @ Refusal::Not(_)) => figures::ask(beyond, shop).map_err(|_| refusal)?.map(|row| row.life),
         found => found?.map(|row| row.life),
     };
-    Ok((found.row, found.because(lasts(found.row))))
+    Ok((found.row, found.because(tool_life_text(found.row))))
 }
 
 /// The tool life of single-point tools, by `boring-parameters`.
@@ -220,7 +220,7 @@ pub(crate) fn tool_life<'k>(
 pub fn single_point_life(knowledge: &Knowledge) -> Result<(Minutes, Because), KnowledgeError> {
     let row = boring_constant(BoringConstant::ToolLife, knowledge)?;
     let life = row.time.ok_or_else(|| KnowledgeError::no_row(row.row.table, "the tool life"))?;
-    Ok((life, Because::row(row.row, lasts(life))))
+    Ok((life, Because::row(row.row, tool_life_text(life))))
 }
 
 /// The factor on the turning speed inside a bore, by `boring-parameters`.
@@ -238,7 +238,7 @@ fn boring_constant(name: BoringConstant, knowledge: &Knowledge) -> Result<Boring
 }
 
 /// A tool life in words.
-pub(crate) fn lasts(life: Minutes) -> Note {
+pub(crate) fn tool_life_text(life: Minutes) -> Note {
     Note::new("tool-life").with("minutes", life.0)
 }
 
@@ -256,8 +256,8 @@ pub fn surface_of(skin: bool, shop: &Shop<'_>) -> Result<Surface, KnowledgeError
 /// # Errors
 /// The table has no such surface, or the knowledge base has no answer.
 pub fn surface<'k>(surface: Surface, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
-    let asked = shop.knowledge().ask(&SkinFactorFor { surface })?;
-    let row = asked.winner()?.ok_or_else(|| missing(SkinFactorFor::TABLE, shop))?;
+    let answer = shop.knowledge().ask(&SkinFactorFor { surface })?;
+    let row = answer.winner()?.ok_or_else(|| missing(SkinFactorFor::TABLE, shop))?;
     Ok((row.factor, Because::row(row.row, shown("surface-factor", row.factor))))
 }
 

@@ -28,7 +28,7 @@ pub(super) struct Feed {
 
 impl Feed {
     /// The same with the feed `taken`, if given, in place of the tabulated one.
-    pub fn or(self, taken: Option<MillimetresPerRev>) -> Self {
+    pub fn with_feed(self, taken: Option<MillimetresPerRev>) -> Self {
         Self { feed: taken.unwrap_or(self.feed), ..self }
     }
 }

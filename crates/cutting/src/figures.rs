@@ -52,7 +52,7 @@ pub struct Figures<'k, R> {
 
 impl<'k, R> Figures<'k, R> {
     /// Whether the row belongs to the material's own group, so that the material's factor applies to it.
-    pub fn own(&self) -> bool {
+    pub fn is_own_group(&self) -> bool {
         self.own_group
     }
 
@@ -112,8 +112,8 @@ pub(crate) fn stand_in_tool_material<'k>(
     tool_material: ToolMaterial,
     shop: &impl Asking<'k>,
 ) -> Result<Option<(ToolMaterial, Because)>, KnowledgeError> {
-    let asked = shop.knowledge().ask(&StandInToolMaterialFor { of_table, tool_material })?;
-    let Some(rule) = asked.winner()? else { return Ok(None) };
+    let answer = shop.knowledge().ask(&StandInToolMaterialFor { of_table, tool_material })?;
+    let Some(rule) = answer.winner()? else { return Ok(None) };
     let note = Note::new("stand-in-tool-material").with("table", of_table).with("tool", tool_material.name());
     Ok(Some((rule.instead, Because::row(rule.row, note.with("other", rule.instead.name())))))
 }
@@ -128,8 +128,8 @@ pub(crate) fn stand_in<'k>(
     if !table.inputs().any(|(_, column)| column.values.iter().any(|value| value == of_table)) {
         return Ok(None);
     }
-    let asked = knowledge.ask(&StandInMaterialFor { of_table, material_group: material.group })?;
-    let Some(rule) = asked.winner()? else { return Ok(None) };
+    let answer = knowledge.ask(&StandInMaterialFor { of_table, material_group: material.group })?;
+    let Some(rule) = answer.winner()? else { return Ok(None) };
     let note = Note::new("stand-in").with("table", of_table).with("group", rule.group);
     Ok(Some((rule.group, Because::row(rule.row, note.with("material", material.designation())))))
 }
@@ -155,8 +155,8 @@ pub fn within_reach<'k, Q: Question>(
     question: &Q,
     knowledge: &'k Knowledge,
 ) -> Result<Option<(Q::Row<'k>, RowRef<'k>)>, KnowledgeError> {
-    let Some(asked) = knowledge.ask_within(question)? else { return Ok(None) };
-    match asked.answer.winner() {
+    let Some(answer) = knowledge.ask_within(question)? else { return Ok(None) };
+    match answer.answer.winner() {
         Some(row) => Ok(Some((Q::Row::read(row)?, row))),
         None => Ok(None),
     }

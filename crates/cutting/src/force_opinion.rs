@@ -21,15 +21,15 @@ use super::{Cut, DraftConditions, PowerLaw};
 /// `specific-cutting-force`, `force-opinion`). Nothing for a grade without a group of VDI 3323.
 ///
 /// They are compared at the feed of the tables, `tabulated`, so that a feed reduced later does not change the decision.
-pub(super) fn hold_torque(
+pub(super) fn compare_torque(
     draft: &mut DraftConditions,
     tabulated: Option<MillimetresPerRev>,
     cut: &Cut,
     shop: &Shop<'_>,
 ) -> Result<(), KnowledgeError> {
     let Some(own) = draft.loads.torque else { return Ok(()) };
-    let asked = shop.knowledge.ask(&ForceOpinionFor { operation: cut.operation })?;
-    let Some(rule) = asked.winner()? else { return Ok(()) };
+    let answer = shop.knowledge.ask(&ForceOpinionFor { operation: cut.operation })?;
+    let Some(rule) = answer.winner()? else { return Ok(()) };
     let Some(group) = practice_group(&shop.material, shop.knowledge)? else { return Ok(()) };
     let Some(force) = shop.knowledge.ask(&SpecificCuttingForceFor { vdi: group.vdi })?.winner()? else {
         return Ok(());

@@ -61,9 +61,9 @@ pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) 
     let note = Note::new("speed-coefficients").with("cv", speed.cv).with("q", speed.q).with("x", speed.x);
     let mut speed_because = figures.because(note.with("y", speed.y).with("m", speed.m));
     let corrections = match reams {
-        true if figures.own() => vec![factors::material_speed(Process::Drilling, cut.tool_material, shop)?],
+        true if figures.is_own_group() => vec![factors::material_speed(Process::Drilling, cut.tool_material, shop)?],
         true => Vec::new(),
-        false => drilling::speed_corrections(cut, figures.own(), shop)?.0,
+        false => drilling::speed_corrections(cut, figures.is_own_group(), shop)?.0,
     };
     let speed_factor = corrections.iter().map(|(factor, _)| factor).product();
     speed_because.extend(corrections.into_iter().map(|(_, reason)| reason));
@@ -72,7 +72,7 @@ pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) 
     if !reams && let Ok((torque, thrust, figures)) = Refusal::split(laws::loads(operation, cut.tool_material, shop))? {
         loads = Some((torque, thrust));
         loads_because = figures.because(Note::new("load-coefficients"));
-        if figures.own() {
+        if figures.is_own_group() {
             let (factor, reason) = factors::material_force(Process::Drilling, cut.tool_material, shop)?;
             load_factor = factor;
             loads_because.push(reason);

@@ -40,7 +40,7 @@ pub use crate::tables::cutting::Surface;
 pub use card::CardDoubt;
 pub use limits::spindle_step;
 
-use practice::Held;
+use practice::PracticeComparison;
 use settle::Settled;
 
 /// A cut.
@@ -191,22 +191,22 @@ pub fn conditions(cut: &Cut, shop: &Shop<'_>) -> Tried<Conditions> {
 /// As for [`conditions`].
 pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDoubt>)> {
     let operation = cut.operation;
-    let Settled { draft, formula_speed, practice, held } =
+    let Settled { draft, formula_speed, practice, limited } =
         settle::settle(cut, shop).map_err(|refusal| refusal.map(|why| Reason::NoConditions { operation, why }))?;
-    let speed = speed_at(held.rpm, draft.motion.turned);
-    let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
+    let speed = speed_at(limited.rpm, draft.motion.turned);
+    let feed_rate = MillimetresPerMinute(limited.feed.0 * limited.rpm.0);
     // The power is computed from the printed torque, so that a check by hand gives the same.
-    let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)).rounded(3));
-    let power = torque.map(|torque| power_of(torque, held.rpm));
+    let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(limited.feed, speed)).rounded(3));
+    let power = torque.map(|torque| power_of(torque, limited.rpm));
     // The life belongs to the speed of the formula, also where practice is slower; where practice is faster, to the
     // speed of practice.
-    let lives_at = if practice == Held::Faster { draft.speed } else { formula_speed };
+    let lives_at = if practice == PracticeComparison::Faster { draft.speed } else { formula_speed };
     let tool_life = Minutes(draft.tool_life.0 * libm::pow(lives_at.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
-    because.extend(held.because);
+    because.extend(limited.because);
     // As for the speed; where its figures do not say, by the rule.
     let coolant = match draft.coolant {
-        Some(said) => said,
+        Some(needed) => needed,
         None => {
             let (cooled, reason) = shop.coolant(operation)?;
             because.push(reason);
@@ -215,17 +215,17 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
     };
     let mut found = Conditions {
         depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
-        feed_mm_per_rev: held.feed.rounded(3),
+        feed_mm_per_rev: limited.feed.rounded(3),
         speed_m_per_min: speed.rounded(2),
-        spindle_rpm: held.rpm,
+        spindle_rpm: limited.rpm,
         // The feed rate of a tap is pitch times speed to the last digit; otherwise the thread is torn.
         feed_mm_per_min: feed_rate.rounded(if draft.motion.synchronous { 3 } else { 1 }),
-        axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed, speed)).rounded(0)),
+        axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(limited.feed, speed)).rounded(0)),
         torque_n_m: torque,
         power_kw: power.map(|power| power.rounded(4)),
         machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
-        limited_by: match held.limited_by {
-            Limit::CuttingSpeed if practice != Held::No => Limit::PracticeSpeed,
+        limited_by: match limited.limited_by {
+            Limit::CuttingSpeed if practice != PracticeComparison::FormulaKept => Limit::PracticeSpeed,
             limit => limit,
         },
         tool_life_min: tool_life.rounded(0),

@@ -53,7 +53,7 @@ impl<'k> Margin<'k> {
 }
 
 /// The feed that the loads permit, if it is less than the required one.
-pub(super) struct Borne {
+pub(super) struct ReducedFeed {
     pub feed: MillimetresPerRev,
     /// The limit.
     pub limit: Limit,
@@ -64,13 +64,13 @@ pub(super) struct Borne {
 const SLACK: f64 = 1e-9;
 
 /// Reduces a feed to the limits of drill strength, thrust and torque at a spindle step; none if it is within them.
-pub(super) fn borne(
+pub(super) fn reduced_feed(
     draft: &DraftConditions,
-    asked: MillimetresPerRev,
+    feed: MillimetresPerRev,
     cut: &Cut,
     rpm: RevsPerMinute,
     shop: &Shop<'_>,
-) -> Tried<Option<Borne>, Uncut> {
+) -> Tried<Option<ReducedFeed>, Uncut> {
     let (machine, loads) = (&shop.machine, draft.loads);
     let speed = speed_at(rpm, draft.motion.turned);
     let (thrust, torque) = (Margin::of(Load::Thrust, shop)?, Margin::of(Load::Torque, shop)?);
@@ -91,14 +91,14 @@ pub(super) fn borne(
             margin: Some(torque),
         }),
     ];
-    Ok(within(&bounds, asked, speed))
+    Ok(within(&bounds, feed, speed))
 }
 
 /// The feed within all limits, if the required one is not.
-fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresPerMinute) -> Option<Borne> {
-    let mut borne: Option<Borne> = None;
+fn within(bounds: &[Option<Bound<'_>>], required: MillimetresPerRev, speed: MetresPerMinute) -> Option<ReducedFeed> {
+    let mut borne: Option<ReducedFeed> = None;
     for bound in bounds.iter().flatten() {
-        let before = borne.as_ref().map_or(asked, |borne| borne.feed);
+        let before = borne.as_ref().map_or(required, |borne| borne.feed);
         if let Some(law) = bound.law
             && law.at(before, speed) > bound.limit * (1.0 + SLACK)
         {
@@ -111,7 +111,7 @@ fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresP
             let mut because = borne.map_or_else(Vec::new, |borne| borne.because);
             because.push(Because::row(bound.row, note));
             because.extend(bound.margin.map(Margin::reason));
-            borne = Some(Borne { feed, limit: bound.kind, because });
+            borne = Some(ReducedFeed { feed, limit: bound.kind, because });
         }
     }
     borne
@@ -124,7 +124,7 @@ pub(super) fn step_of(draft: &DraftConditions, shop: &Shop<'_>) -> Result<RevsPe
 
 /// Chooses the spindle step and keeps the feed within the loads, the power and the feed range; `limited` names the
 /// load that has already reduced the feed.
-pub(super) fn hold(
+pub(super) fn limit_to_machine(
     draft: &DraftConditions,
     limited: Option<Limit>,
     cut: &Cut,
@@ -170,9 +170,10 @@ fn at_step(
         row: machine.row(MachineQuantity::SpindlePower)?,
         margin: Some(margin),
     };
-    for held in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
+    for reduced_feed in
+        [reduced_feed(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
-        if let Some(borne) = held.filter(|borne| borne.feed.0 < feed.0) {
+        if let Some(borne) = reduced_feed.filter(|borne| borne.feed.0 < feed.0) {
             feed = borne.feed;
             (limited_by, reduced) = (borne.limit, true);
             because.extend(borne.because);
@@ -277,12 +278,12 @@ impl<'k> SpindleStepChoice<'k> {
         match (below, above) {
             (Some(below), Some(above)) => {
                 let excess = (above.0 / wanted.0 - 1.0) * 100.0;
-                let asked = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
-                let rpm = match asked.need("this excess")?.take {
+                let answer = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
+                let rpm = match answer.need("this excess")?.take {
                     Neighbour::Above => above,
                     Neighbour::Below => below,
                 };
-                let between = Some(Between { below, above, excess, answer: asked.answer });
+                let between = Some(Between { below, above, excess, answer: answer.answer });
                 Ok(Self { rpm, limit: Limit::CuttingSpeed, between })
             }
             (Some(rpm), None) => Ok(Self { rpm, limit: Limit::SpindleSpeedMax, between: None }),

@@ -63,7 +63,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
             * libm::pow(z, row.p));
     let life_exponent = row.m;
     let mut corrections = vec![factors::surface(cut.surface, shop)?];
-    if figures.own() {
+    if figures.is_own_group() {
         corrections.push(factors::material_speed(Process::Milling, tool_material, shop)?);
     }
     for (factor, reason) in corrections {
@@ -80,7 +80,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         let turns = super::rpm_at(MetresPerMinute(1.0), mill.diameter);
         let mut force = 10.0 * row.cp * libm::pow(t, row.x) * libm::pow(b, row.u) * z
             / (libm::pow(d, row.q) * libm::pow(turns.0, row.w));
-        if figures.own() {
+        if figures.is_own_group() {
             let (factor, reason) = factors::material_force(Process::Milling, tool_material, shop)?;
             force *= factor;
             because.push(reason);
@@ -163,8 +163,8 @@ fn feed_per_tooth(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, 
     let mut feed = figures.row.feed_per_tooth.0;
     let mut because = figures.because(Note::new("feed-per-tooth").with("feed", feed));
     if let Some(roughness) = cut.roughness {
-        let asked = shop.knowledge.ask(&MillingFinishFeedFor { roughness })?;
-        let row = asked.winner()?.ok_or_else(|| missing(MillingFinishFeedFor::TABLE, shop))?;
+        let answer = shop.knowledge.ask(&MillingFinishFeedFor { roughness })?;
+        let row = answer.winner()?.ok_or_else(|| missing(MillingFinishFeedFor::TABLE, shop))?;
         feed *= row.factor;
         let note = Note::new("milling-finish-feed").with("factor", row.factor).with("roughness", roughness);
         because.push(Because::row(row.row, note));
@@ -176,11 +176,11 @@ fn feed_per_tooth(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, 
 fn tool_life(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Tried<(Minutes, Vec<Because>), Uncut> {
     let (tool_material, diameter) = (cut.tool_material, mill.diameter);
     if let Some(row) = shop.knowledge.ask(&MillingToolLifeFor { mill: MILL, diameter })?.winner()? {
-        return Ok((row.life, vec![Because::row(row.row, factors::lasts(row.life))]));
+        return Ok((row.life, vec![Because::row(row.row, factors::tool_life_text(row.life))]));
     }
     let operation = Coefficients::Mill;
     let question = |material_group| ToolLifeBeyondFor { operation, material_group, tool_material, diameter };
     let figures = figures::ask(question, shop)?;
     let life = figures.row.life;
-    Ok((life, figures.because(factors::lasts(life))))
+    Ok((life, figures.because(factors::tool_life_text(life))))
 }

@@ -16,9 +16,9 @@ use super::{Cut, DraftConditions};
 
 /// The result of the comparison of a speed with practice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Held {
+pub enum PracticeComparison {
     /// The formula's speed is kept.
-    No,
+    FormulaKept,
     /// Practice is slower than the formula, and its speed is taken.
     Slower,
     /// Practice is faster, and its speed is taken: the formula's tool life does not apply.
@@ -26,34 +26,38 @@ pub enum Held {
 }
 
 /// Compares the speed of a draft with practice, by the rule `second-opinion`.
-pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Result<Held, KnowledgeError> {
-    let (speed, held, because) = held(draft.speed, cut, &shop.material, shop.knowledge)?;
+pub(super) fn compare_with_practice(
+    draft: &mut DraftConditions,
+    cut: &Cut,
+    shop: &Shop<'_>,
+) -> Result<PracticeComparison, KnowledgeError> {
+    let (speed, comparison, because) = second_opinion(draft.speed, cut, &shop.material, shop.knowledge)?;
     draft.speed = speed;
     draft.because.extend(because);
-    Ok(held)
+    Ok(comparison)
 }
 
 /// The speed to use in place of that of the formula, by the rule `second-opinion`, and the reason.
 ///
 /// # Errors
 /// The tables cannot answer.
-pub fn held(
+pub fn second_opinion(
     formula: MetresPerMinute,
     cut: &Cut,
     material: &Material<'_>,
     knowledge: &Knowledge,
-) -> Result<(MetresPerMinute, Held, Vec<Because>), KnowledgeError> {
+) -> Result<(MetresPerMinute, PracticeComparison, Vec<Because>), KnowledgeError> {
     let Some(practice) = PracticeSpeed::of(cut.operation, cut.tool_material, material, knowledge)? else {
-        return Ok((formula, Held::No, Vec::new()));
+        return Ok((formula, PracticeComparison::FormulaKept, Vec::new()));
     };
     let share = formula.0 / practice.typical.0;
-    let asked = knowledge.ask(&SecondOpinionFor { operation: cut.operation, share })?;
-    let taken = asked.need(cut.operation.name())?.take;
-    let (speed, held) = match taken {
-        Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, Held::Slower),
-        Taken::PracticeUsual if practice.typical.0 < formula.0 => (practice.typical, Held::Slower),
-        Taken::PracticeLow if practice.low.0 > formula.0 => (practice.low, Held::Faster),
-        _ => (formula, Held::No),
+    let answer = knowledge.ask(&SecondOpinionFor { operation: cut.operation, share })?;
+    let taken = answer.need(cut.operation.name())?.take;
+    let (speed, comparison) = match taken {
+        Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, PracticeComparison::Slower),
+        Taken::PracticeUsual if practice.typical.0 < formula.0 => (practice.typical, PracticeComparison::Slower),
+        Taken::PracticeLow if practice.low.0 > formula.0 => (practice.low, PracticeComparison::Faster),
+        _ => (formula, PracticeComparison::FormulaKept),
     };
     let note = Note::new("second-opinion")
         .with("formula", round_to(formula.0, 1))
@@ -61,9 +65,9 @@ pub fn held(
         .with("high", round_to(practice.high.0, 1))
         .with("percent", round_to(share * 100.0, 0));
     let mut because = vec![Because::row(practice.row, note)];
-    if held != Held::No {
+    if comparison != PracticeComparison::FormulaKept {
         let note = Note::new("practice-speed").with("speed", round_to(speed.0, 1));
-        because.push(Because::answer(&asked.answer, note));
+        because.push(Because::answer(&answer.answer, note));
     }
-    Ok((speed, held, because))
+    Ok((speed, comparison, because))
 }

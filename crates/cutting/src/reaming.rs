@@ -22,13 +22,13 @@ use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors, feed, law
 /// - M = Cp·t^x·sz^y·D·z/200·Kp, N·m, with Cp, x, y of turning (table `boring-force`), sz = s/z in mm/tooth;
 /// - D, t in mm, s in mm/rev, T in min, z the number of teeth.
 pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
-    let Feed { feed, mut because, doubts } = corrected_feed(cut, shop)?.or(taken);
+    let Feed { feed, mut because, doubts } = corrected_feed(cut, shop)?.with_feed(taken);
     let (tool_life, life) = factors::tool_life(Coefficients::Ream, cut, shop)?;
     because.extend(life);
     let (law, figures) = laws::speed(Coefficients::Ream, cut.tool_material, feed, shop)?;
     because.extend(figures.because(Note::new("speed-coefficients").with("cv", law.cv)));
     let mut speed = law.at(cut.diameter.to_mm(), cut.depth_of_cut(), feed.0, tool_life.0);
-    if figures.own() {
+    if figures.is_own_group() {
         let (factor, reason) = factors::material_speed(Process::Drilling, cut.tool_material, shop)?;
         speed *= factor;
         because.push(reason);
@@ -54,12 +54,12 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
 /// and with the largest stock of a rough reamer (table `stock-before-reaming`). The formula alone would give a faster
 /// speed, because the stock is smaller; and a lower feed for the surface must not raise the speed either. None for
 /// other cuts.
-pub(super) fn hold_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
+pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
     if !cut.operation.is_reaming() || cut.roughness.is_none() {
         return Ok(false);
     }
     let question = StockBeforeReamingFor { case: ReamingCase::RoughAfterDrill, diameter: cut.diameter };
-    let Some(row) = shop.knowledge.ask_within(&question)?.map(|asked| asked.winner()).transpose()?.flatten() else {
+    let Some(row) = shop.knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten() else {
         return Ok(false);
     };
     let rough = Cut { from: cut.diameter - row.stock_max, roughness: None, ..*cut };
@@ -115,15 +115,15 @@ fn torque(cut: &Cut, shop: &Shop<'_>) -> Tried<(Option<PowerLaw>, Vec<Because>),
     let teeth = match cut.cutter.filter(|cutter| cutter.teeth > 0) {
         Some(cutter) => f64::from(cutter.teeth),
         None => {
-            let asked = shop.knowledge.ask(&ReamerTeethFor { diameter: cut.diameter })?;
-            let row = asked.winner()?.ok_or_else(|| missing(ReamerTeethFor::TABLE, shop))?;
+            let answer = shop.knowledge.ask(&ReamerTeethFor { diameter: cut.diameter })?;
+            let row = answer.winner()?.ok_or_else(|| missing(ReamerTeethFor::TABLE, shop))?;
             because.push(Because::row(row.row, Note::new("reamer-teeth").with("teeth", row.teeth)));
             row.teeth
         }
     };
     let mut factor = row.cp * libm::pow(cut.depth_of_cut(), row.x) * cut.diameter.to_mm() * teeth
         / (200.0 * libm::pow(teeth, row.y));
-    if figures.own() {
+    if figures.is_own_group() {
         let material = factors::material_force(Process::Turning, of_tool, shop)?;
         factor *= material.0;
         because.push(material.1);

@@ -7,8 +7,8 @@ use crate::shop::Shop;
 use crate::tables::rules::FeedChoice;
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
-use super::limits::{self, Borne, LimitedConditions};
-use super::practice::{self, Held};
+use super::limits::{self, LimitedConditions, ReducedFeed};
+use super::practice::{self, PracticeComparison};
 use super::{Cut, DraftConditions, force_opinion, reaming};
 
 /// The most rounds of reducing the feed. Loads that do not depend on the speed need one; those that do (boring,
@@ -21,8 +21,8 @@ pub(super) struct Settled {
     /// The speed of the formula for the final feed, before practice and the steps of the spindle.
     pub formula_speed: MetresPerMinute,
     /// The result of the comparison with practice.
-    pub practice: Held,
-    pub held: LimitedConditions,
+    pub practice: PracticeComparison,
+    pub limited: LimitedConditions,
 }
 
 /// The feed of the tables, or less where drill strength, thrust or torque require it; the speed of the formula for
@@ -36,14 +36,14 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let mut found = at(cut, None, None, shop)?;
     let tabulated = Some(found.draft.feed);
     if found.draft.motion.synchronous {
-        let held = limits::synchronous(&found.draft, shop)?;
-        return Ok(found.held(held));
+        let limited = limits::synchronous(&found.draft, shop)?;
+        return Ok(found.with_conditions(limited));
     }
     let (mut limited_by, mut because) = (None, Vec::new());
     for _ in 0..ROUNDS {
         let rpm = limits::step_of(&found.draft, shop)?;
-        let Some(Borne { feed, limit, because: reasons }) =
-            limits::borne(&found.draft, found.draft.feed, cut, rpm, shop)?
+        let Some(ReducedFeed { feed, limit, because: reasons }) =
+            limits::reduced_feed(&found.draft, found.draft.feed, cut, rpm, shop)?
         else {
             break;
         };
@@ -53,25 +53,25 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
         because.extend(reasons);
         because.push(feed_reason("speed-for-feed", feed, &found, Some(before), shop)?);
     }
-    let mut held = limits::hold(&found.draft, limited_by, cut, shop)?;
-    because.append(&mut held.because);
-    if held.feed != found.draft.feed {
-        found = at(cut, Some(held.feed), tabulated, shop)?;
-        because.push(feed_reason("life-for-feed", held.feed, &found, None, shop)?);
+    let mut limited = limits::limit_to_machine(&found.draft, limited_by, cut, shop)?;
+    because.append(&mut limited.because);
+    if limited.feed != found.draft.feed {
+        found = at(cut, Some(limited.feed), tabulated, shop)?;
+        because.push(feed_reason("life-for-feed", limited.feed, &found, None, shop)?);
     }
-    Ok(found.held(LimitedConditions { because, ..held }))
+    Ok(found.with_conditions(LimitedConditions { because, ..limited }))
 }
 
 /// Conditions of a feed, before the limits of the machine.
 struct DraftAtFeed {
     draft: DraftConditions,
     formula_speed: MetresPerMinute,
-    practice: Held,
+    practice: PracticeComparison,
 }
 
 impl DraftAtFeed {
-    fn held(self, held: LimitedConditions) -> Settled {
-        Settled { draft: self.draft, formula_speed: self.formula_speed, practice: self.practice, held }
+    fn with_conditions(self, limited: LimitedConditions) -> Settled {
+        Settled { draft: self.draft, formula_speed: self.formula_speed, practice: self.practice, limited }
     }
 }
 
@@ -84,11 +84,11 @@ fn at(
 ) -> Tried<DraftAtFeed, Uncut> {
     let mut draft = super::draft(cut, feed, shop)?;
     let formula_speed = draft.speed;
-    let mut practice = practice::hold(&mut draft, cut, shop)?;
-    if reaming::hold_for_surface(&mut draft, cut, shop)? {
-        practice = Held::Slower;
+    let mut practice = practice::compare_with_practice(&mut draft, cut, shop)?;
+    if reaming::limit_for_surface(&mut draft, cut, shop)? {
+        practice = PracticeComparison::Slower;
     }
-    force_opinion::hold_torque(&mut draft, tabulated, cut, shop)?;
+    force_opinion::compare_torque(&mut draft, tabulated, cut, shop)?;
     Ok(DraftAtFeed { draft, formula_speed, practice })
 }
 

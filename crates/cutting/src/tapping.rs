@@ -30,7 +30,7 @@ pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut>
     because.push(Because::row(row.row, Note::new("feed-is-pitch").with("pitch", pitch)));
     because.push(figures::stand_in_operation(cut.operation, shop)?.1);
     let mut speed = row.cv * libm::pow(d, row.q) / (libm::pow(row.life.0, row.m) * libm::pow(p, row.y));
-    if figures.own() {
+    if figures.is_own_group() {
         let (factor, reason) = factors::material_speed(Process::Drilling, tool_material, shop)?;
         speed *= factor;
         because.push(reason);
@@ -42,7 +42,7 @@ pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut>
     if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
         let row = &figures.row;
         let mut factor = 10.0 * row.cm * libm::pow(d, row.q);
-        if figures.own() {
+        if figures.is_own_group() {
             let (material, reason) = factors::material_force(Process::Drilling, tool_material, shop)?;
             factor *= material;
             because.push(reason);

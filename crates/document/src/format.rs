@@ -41,7 +41,7 @@ impl Format {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Contradiction<F> {
     /// The requested format.
-    pub asked: F,
+    pub requested: F,
     /// The format of the extension.
     pub ending: F,
 }
@@ -51,10 +51,10 @@ pub struct Contradiction<F> {
 ///
 /// # Errors
 /// They contradict each other.
-pub fn agreed<F: Copy + PartialEq>(asked: Option<F>, ending: Option<F>) -> Result<Option<F>, Contradiction<F>> {
-    match (asked, ending) {
-        (Some(asked), Some(ending)) if asked != ending => Err(Contradiction { asked, ending }),
-        _ => Ok(asked.or(ending)),
+pub fn agreed<F: Copy + PartialEq>(requested: Option<F>, ending: Option<F>) -> Result<Option<F>, Contradiction<F>> {
+    match (requested, ending) {
+        (Some(requested), Some(ending)) if requested != ending => Err(Contradiction { requested, ending }),
+        _ => Ok(requested.or(ending)),
     }
 }
 
@@ -84,6 +84,6 @@ mod tests {
         assert_eq!(agreed(Some(Html), None), Ok(Some(Html)));
         assert_eq!(agreed(None, Some(Html)), Ok(Some(Html)));
         assert_eq!(agreed(Some(Html), Some(Html)), Ok(Some(Html)));
-        assert_eq!(agreed(Some(Html), Some(Markdown)), Err(Contradiction { asked: Html, ending: Markdown }));
+        assert_eq!(agreed(Some(Html), Some(Markdown)), Err(Contradiction { requested: Html, ending: Markdown }));
     }
 }

@@ -47,9 +47,9 @@ fn block(page: &mut String, block: &Block, words: &Words) {
         }
         Block::Paragraph(words) => page.push_str(&format!("<p>{}</p>\n", line(words))),
         Block::List(items) => list(page, items),
-        Block::Table(own) => table(page, own),
+        Block::Table(content) => table(page, content),
         Block::Finding(own) => finding(page, own, words),
-        Block::Drawing(own) => figure(page, own),
+        Block::Drawing(drawing) => figure(page, drawing),
         Block::Code(code) => page.push_str(&format!("<pre><code>{}</code></pre>\n", escaped_lines(code))),
         Block::Fields(fields) => {
             page.push_str("<dl>\n");

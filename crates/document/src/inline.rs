@@ -94,7 +94,7 @@ impl Inlines {
 
     /// Adds all pieces of another line.
     #[must_use]
-    pub fn then(mut self, more: impl Into<Self>) -> Self {
+    pub fn append(mut self, more: impl Into<Self>) -> Self {
         self.0.extend(more.into().0);
         self
     }
@@ -102,8 +102,8 @@ impl Inlines {
     /// Joins lines with a separator.
     pub fn joined(all: impl IntoIterator<Item = Self>, between: &str) -> Self {
         let mut joined = Self::default();
-        for (at, one) in all.into_iter().enumerate() {
-            joined = if at > 0 { joined.text(between).then(one) } else { one };
+        for (at, line) in all.into_iter().enumerate() {
+            joined = if at > 0 { joined.text(between).append(line) } else { line };
         }
         joined
     }
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn the_words_alone_are_read() {
-        let line = Inlines::from("t = ").quantity("0,5", "мм").text("; ").strong("!").then("").link(" here", "a.md");
+        let line = Inlines::from("t = ").quantity("0,5", "мм").text("; ").strong("!").append("").link(" here", "a.md");
         assert_eq!(line.plain(), "t = 0,5 мм; ! here");
         assert_eq!(line.pieces().len(), 5);
         assert_eq!(Inlines::joined(["a".into(), "b".into()], ", ").plain(), "a, b");

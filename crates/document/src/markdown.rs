@@ -99,7 +99,7 @@ impl Page<'_> {
         if let Some(place) = &finding.place {
             words = words.text(" ").code(place);
         }
-        self.text.push_str(&format!("{mark} {}\n", started(line(&words.text(" ").then(finding.words.clone())))));
+        self.text.push_str(&format!("{mark} {}\n", started(line(&words.text(" ").append(finding.words.clone())))));
         let help = finding.help.iter().map(|help| labelled(&Field::new(self.words.help, help.clone())));
         for detail in finding.details.iter().map(|detail| started(line(detail))).chain(help) {
             self.text.push_str(&format!("  {mark} {detail}\n"));
@@ -144,7 +144,7 @@ impl Page<'_> {
 fn labelled(field: &Field) -> String {
     let mut label = field.label.plain();
     label.push(':');
-    started(line(&Inlines::default().strong(label).text(" ").then(field.value.clone())))
+    started(line(&Inlines::default().strong(label).text(" ").append(field.value.clone())))
 }
 
 /// A line within a block. Spaces at its ends have no meaning in Markdown.

@@ -45,7 +45,7 @@ impl Page<'_> {
     fn block(&mut self, block: &Block) {
         match block {
             Block::Heading { level, words } => return self.heading(*level, words),
-            Block::Table(own) => return self.apart(|page| table::write(page, own)),
+            Block::Table(table) => return self.apart(|page| table::write(page, table)),
             Block::Code(code) => return self.apart(|page| page.code(code)),
             _ => {}
         }

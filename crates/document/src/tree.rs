@@ -194,18 +194,18 @@ pub struct Column {
     /// Whether it may be left out where the table is too wide.
     pub keep: Keep,
     /// The least width after wrapping, in terminal columns.
-    pub least: usize,
+    pub min_width: usize,
 }
 
 impl Column {
     /// A column of words. Its cells are wrapped to no less than 12 columns of a terminal.
     pub fn text(heading: impl Into<Inlines>) -> Self {
-        Self { heading: heading.into(), unit: String::new(), align: Align::Left, keep: Keep::Always, least: 12 }
+        Self { heading: heading.into(), unit: String::new(), align: Align::Left, keep: Keep::Always, min_width: 12 }
     }
 
     /// A column of figures in a unit, which may be empty. Only its heading is wrapped.
     pub fn number(heading: impl Into<Inlines>, unit: impl Into<String>) -> Self {
-        Self { unit: unit.into(), align: Align::Right, least: 0, ..Self::text(heading) }
+        Self { unit: unit.into(), align: Align::Right, min_width: 0, ..Self::text(heading) }
     }
 
     /// It may be left out.
@@ -216,8 +216,8 @@ impl Column {
 
     /// It is not made narrower than this by wrapping.
     #[must_use]
-    pub fn least(self, least: usize) -> Self {
-        Self { least, ..self }
+    pub fn min_width(self, least: usize) -> Self {
+        Self { min_width: least, ..self }
     }
 
     /// Heading and unit.

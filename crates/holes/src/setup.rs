@@ -41,11 +41,11 @@ pub fn clamping(
         let Some(why) = faults.into_iter().next() else { return Ok((Some(clamping), Vec::new())) };
         best.get_or_insert((clamping.torque_n_m, why));
     }
-    let told = best.map(|(torque, why)| {
+    let finding = best.map(|(torque, why)| {
         let note = Note::new("no-place-for-clamps").with("torque", torque.rounded(1).0).with("why", why);
         Finding::of_part(Severity::Doubtful, note)
     });
-    Ok((None, told.into_iter().collect()))
+    Ok((None, finding.into_iter().collect()))
 }
 
 /// The clamping with clamps at those places, and the conditions that do not hold.

@@ -70,7 +70,7 @@ pub(super) fn ways_over_clamps(
 fn passes(from: Point, to: Point, at: Point, near: Micrometres) -> bool {
     let (dx, dy) = (to.x - from.x, to.y - from.y);
     let both = dx.abs().min(dy.abs());
-    let toward = |way: Micrometres| if way < Micrometres::ZERO { -both } else { both };
+    let toward = |offset: Micrometres| if offset < Micrometres::ZERO { -both } else { both };
     let corner = Point { x: from.x + toward(dx), y: from.y + toward(dy) };
     [(from, corner), (corner, to)].iter().any(|(a, b)| distance(*a, *b, at) < near.to_mm())
 }

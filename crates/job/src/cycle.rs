@@ -59,12 +59,12 @@ impl<'a> Feeding<'a> {
 /// The knowledge base has no answer.
 pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Result<Cycle, KnowledgeError> {
     let solid = transition.operation == Operation::Drill && transition.from == Micrometres::ZERO;
-    let way = if solid { transition.depth - transition.start } else { Micrometres::ZERO };
-    let ratio = way.to_mm() / transition.diameter.to_mm();
+    let depth = if solid { transition.depth - transition.start } else { Micrometres::ZERO };
+    let ratio = depth.to_mm() / transition.diameter.to_mm();
     let operation = transition.operation;
     let question = MachiningCycleFor { operation, depth_ratio: ratio, material_group: shop.material.group };
-    let asked = shop.knowledge.ask(&question)?;
-    let rule = asked.need(operation.name())?;
+    let answer = shop.knowledge.ask(&question)?;
+    let rule = answer.need(operation.name())?;
     let note = Note::new("machining-cycle").with("cycle", rule.cycle.name());
     let note = note.with("ratio", crate::units::round_to(ratio, 2));
 
@@ -92,7 +92,7 @@ pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Res
         end,
         out: grid(top + withdrawal).max(begin),
         dwell_s: dwell,
-        because: vec![Because::answer(&asked.answer, note), convention],
+        because: vec![Because::answer(&answer.answer, note), convention],
     })
 }
 
@@ -102,7 +102,7 @@ fn kind(
     top: Micrometres,
     resolution: Micrometres,
 ) -> Result<CycleKind, KnowledgeError> {
-    let lacks = |what: Note| KnowledgeError::lacks(&rule.row.table.id, what);
+    let lacks = |what: Note| KnowledgeError::missing(&rule.row.table.id, what);
     let step = || -> Result<Micrometres, KnowledgeError> {
         let share = rule.step.ok_or_else(|| lacks(note!("nc-step-cycle-steps")))?;
         Ok(Micrometres::from_mm_rounded(transition.diameter.to_mm() * share).on_grid(resolution).max(resolution))
@@ -178,7 +178,7 @@ pub fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRe
     let found = knowledge.need(name.name(), |row: &ProgramConventions<'_>| row.name == name)?;
     if found.unit != name.unit() {
         let problem = note!("nc-must", value = name.name(), unit = name.unit());
-        return Err(KnowledgeError::lacks(&found.row.table.id, problem));
+        return Err(KnowledgeError::missing(&found.row.table.id, problem));
     }
     Ok((found.value, found.row))
 }

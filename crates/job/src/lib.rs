@@ -166,7 +166,7 @@ pub struct Cycle {
 
 impl Cycle {
     /// Whether both make the same motions, for whatever purpose.
-    pub fn same(&self, other: &Self) -> bool {
+    pub fn same_motions(&self, other: &Self) -> bool {
         let figures = |cycle: &Self| (cycle.speed_rpm, cycle.feed_mm_per_min, cycle.begin, cycle.end, cycle.out);
         self.kind == other.kind && figures(self) == figures(other) && self.dwell_s == other.dwell_s
     }

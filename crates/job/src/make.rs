@@ -122,7 +122,7 @@ fn rounds(
                     let pitch = hole.and_then(|hole| hole.thread_at(transition.step)).map(|thread| thread.pitch);
                     let made = cycle(&Feeding::of(transition, pitch), plan.part.datum.top, shop)?;
                     let cooled = match transition.conditions.coolant {
-                        Some(said) => said,
+                        Some(needed) => needed,
                         None => {
                             let (cooled, reason) = shop.coolant(transition.operation)?;
                             if !work.because.contains(&reason) {
@@ -132,7 +132,7 @@ fn rounds(
                         }
                     };
                     work.coolant |= cooled;
-                    let at = work.cycles.iter().position(|known| known.same(&made)).unwrap_or_else(|| {
+                    let at = work.cycles.iter().position(|known| known.same_motions(&made)).unwrap_or_else(|| {
                         work.cycles.push(made);
                         work.cycles.len() - 1
                     });

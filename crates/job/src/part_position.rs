@@ -114,11 +114,11 @@ pub(super) fn reach_of_quill(setup: &SetUp, plan: &Plan, shop: &Shop<'_>, findin
         let part = &plan.part;
         let zero_height = setup.supports + part.blank.thickness - part.datum.top;
         let stroke = Stroke { length: tool.length_mm, highest: zero_height + out, lowest: zero_height + end };
-        let way = stroke.travel(setup.nose);
-        if way > shop.machine.travel_z {
+        let travel = stroke.travel(setup.nose);
+        if travel > shop.machine.travel_z {
             let note = Note::new("quill-too-short")
                 .with("tool", work.tool)
-                .with("way", way)
+                .with("way", travel)
                 .with("travel", shop.machine.travel_z);
             findings.push(Finding::of_part(Severity::Error, note));
         }

@@ -73,8 +73,8 @@ impl Cycle {
     /// The time it takes at one point.
     pub fn duration(&self, rapid: Rapid) -> Duration {
         let depth = self.begin - self.end;
-        let at_feed = |way: f64| match self.feed_mm_per_min.0 > 0.0 {
-            true => Minutes(way / self.feed_mm_per_min.0),
+        let at_feed = |travel: f64| match self.feed_mm_per_min.0 > 0.0 {
+            true => Minutes(travel / self.feed_mm_per_min.0),
             false => Minutes(0.0),
         };
         let down = rapid.time(self.out - self.begin);
@@ -127,12 +127,12 @@ fn bottoms(depth: Micrometres, step: Micrometres) -> impl Iterator<Item = Microm
 }
 
 /// The rapid motions of a work outside its cycles: from the tool-change position over its points and back.
-struct Ways {
+struct RapidTimes {
     rapid: Rapid,
     change_at: Position,
 }
 
-impl Ways {
+impl RapidTimes {
     /// Along X and Y between two points of a set-up; an absent point is the tool-change position.
     fn across(&self, from: Option<Point>, to: Option<Point>, setup: &SetUp) -> Minutes {
         let home = Point { x: self.change_at.x - setup.zero.x, y: self.change_at.y - setup.zero.y };
@@ -146,12 +146,13 @@ impl Ways {
     }
 
     /// All rapids that are not part of a cycle.
-    fn of(&self, work: &ToolWork, correction: Micrometres, setup: &SetUp) -> Minutes {
+    fn work_time(&self, work: &ToolWork, correction: Micrometres, setup: &SetUp) -> Minutes {
         let points = || work.stops.iter().map(|stop| Some(stop.at));
         let from = std::iter::once(None).chain(points());
         let to = points().chain([None]);
         let across: Minutes = from.zip(to).map(|(from, to)| self.across(from, to, setup)).sum();
-        let height = |stop: Option<&super::Stop>| stop.and_then(|stop| work.cycles.get(stop.cycle)).map(|one| one.out);
+        let height =
+            |stop: Option<&super::Stop>| stop.and_then(|stop| work.cycles.get(stop.cycle)).map(|cycle| cycle.out);
         let ends = [height(work.stops.first()), height(work.stops.last())];
         let quill: Minutes = ends.into_iter().flatten().map(|out| self.down(out, correction, setup)).sum();
         across + quill
@@ -162,7 +163,7 @@ impl Ways {
 /// visit of the plan, so far only those across the part, become complete. So do those by the textbook's rule and the
 /// lower bound, because no order of the points avoids the rest.
 pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [ToolVisit]) -> Times {
-    let ways = Ways { rapid: machine.rapids(), change_at: job.change_at };
+    let ways = RapidTimes { rapid: machine.rapids(), change_at: job.change_at };
     // A program begins at the machine's zero and first moves to the tool-change position: that belongs to the first
     // work.
     let Position { x, y, z } = job.change_at;
@@ -174,7 +175,7 @@ pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [Tool
     for setup in &job.setups {
         for work in &setup.works {
             let correction = job.correctors.iter().find(|(number, _)| *number == work.corrector);
-            let mut rapid = ways.of(work, correction.map_or(Micrometres::ZERO, |(_, length)| *length), setup);
+            let mut rapid = ways.work_time(work, correction.map_or(Micrometres::ZERO, |(_, length)| *length), setup);
             for stop in &work.stops {
                 let Some(cycle) = work.cycles.get(stop.cycle) else { continue };
                 let took = cycle.duration(ways.rapid);

@@ -5,16 +5,16 @@ use crate::table::Cell;
 use crate::value::Value;
 
 /// Whether a cell has the value; a list matches each of its items.
-pub fn has(column: &Column, cell: &Cell, wanted: &Value) -> bool {
+pub fn matches(column: &Column, cell: &Cell, wanted: &Value) -> bool {
     match cell {
-        Cell::Value(value) => value.items().iter().any(|item| same(column, item, wanted)),
+        Cell::Value(value) => value.items().iter().any(|item| same_value(column, item, wanted)),
         // A missing truth value is false, as everywhere.
         Cell::Empty => *wanted == Value::Bool(false),
         Cell::Test(..) => false,
     }
 }
 
-fn same(column: &Column, value: &Value, wanted: &Value) -> bool {
+fn same_value(column: &Column, value: &Value, wanted: &Value) -> bool {
     match (value, wanted) {
         (Value::Text(value), Value::Text(wanted)) => value == wanted || latin(value) == latin(wanted),
         _ => column.rank(value).is_some() && column.rank(value) == column.rank(wanted),

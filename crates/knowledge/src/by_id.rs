@@ -44,12 +44,12 @@ impl<T> ById<T> {
     }
 
     /// The things, by their ids.
-    pub fn things(&self) -> impl Iterator<Item = &T> {
+    pub fn items(&self) -> impl Iterator<Item = &T> {
         self.entries.iter().map(|(_, thing)| thing)
     }
 
     /// The things themselves, by their ids.
-    pub fn into_things(self) -> impl Iterator<Item = T> {
+    pub fn into_items(self) -> impl Iterator<Item = T> {
         self.entries.into_iter().map(|(_, thing)| thing)
     }
 }
@@ -75,7 +75,7 @@ mod tests {
         assert!(ids.iter().all(|id| things.get(id) == Some(&id.len())));
         assert_eq!(things.get("A"), None);
         assert_eq!(things.ids().collect::<Vec<_>>(), ["", "A.8", "A.80", "a", "b"]);
-        assert_eq!(things.things().copied().collect::<Vec<_>>(), [0, 3, 4, 1, 1]);
+        assert_eq!(things.items().copied().collect::<Vec<_>>(), [0, 3, 4, 1, 1]);
         assert_eq!(ById::<usize>::default().get("a"), None);
     }
 }

@@ -178,8 +178,8 @@ mod tests {
         assert_eq!(parse_test("solid | cast", &state).unwrap(), Set::interval(0, 1));
         assert_eq!(parse_test("not(cast)", &state).unwrap(), Set::from_intervals(vec![(0, 0), (2, 2)]));
         assert_eq!(parse_test("-", &state).unwrap(), Set::interval(0, 2));
-        let it = column(ColumnType::It, &[]);
-        assert_eq!(parse_test("[7..8] | 10", &it).unwrap(), Set::from_intervals(vec![(7, 8), (10, 10)]));
+        let column = column(ColumnType::It, &[]);
+        assert_eq!(parse_test("[7..8] | 10", &column).unwrap(), Set::from_intervals(vec![(7, 8), (10, 10)]));
     }
 
     #[test]

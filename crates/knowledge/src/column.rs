@@ -102,7 +102,7 @@ pub struct Label {
 
 impl Label {
     /// The name in the language of that tag; English for languages that tables do not have.
-    pub fn of(&self, tag: &str) -> &str {
+    pub fn text(&self, tag: &str) -> &str {
         if tag == "uk" { &self.uk } else { &self.en }
     }
 }
@@ -149,7 +149,7 @@ impl Column {
     /// Its name in sentences: the one from its table, otherwise the one from the message catalogue.
     pub fn named(&self) -> Figure {
         let names = self.label.as_ref().map(|label| vec![("uk", label.uk.clone()), ("en", label.en.clone())]);
-        let word = Word { of: "table-column", id: self.name.clone().into() };
+        let word = Word { vocabulary: "table-column", id: self.name.clone().into() };
         Figure::Named(Named { word, names: names.unwrap_or_default() })
     }
 
@@ -166,7 +166,7 @@ impl Column {
     /// The name of one of its values in the language of that tag, where a vocabulary names it.
     pub fn name_of(&self, value: &str, tag: &str) -> Option<&str> {
         let mut named = self.values.iter().zip(&self.names);
-        named.find(|(word, _)| *word == value).map(|(_, name)| name.of(tag))
+        named.find(|(word, _)| *word == value).map(|(_, name)| name.text(tag))
     }
 
     /// The permitted inputs: the declared domain, or the universe.

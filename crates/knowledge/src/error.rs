@@ -33,7 +33,7 @@ impl technolog_note::IntoFigure for KnowledgeError {
 
 impl KnowledgeError {
     /// A table lacks something that is required, for the given reason.
-    pub fn lacks(table: &str, why: impl Into<Note>) -> Self {
+    pub fn missing(table: &str, why: impl Into<Note>) -> Self {
         let table = table.to_owned();
         Self::Table(TableError { table, file: String::new(), row: String::new(), problem: Box::new(why.into()) })
     }

@@ -12,7 +12,7 @@ use technolog_note::{Note, note};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::examples;
 use crate::hint;
-use crate::input::seen;
+use crate::input::show_invisible;
 use crate::yaml::{Key, Node, Problems};
 
 /// A mapping of a file format.
@@ -158,7 +158,7 @@ impl<'n, F> Fields<'n, F> {
     }
 
     /// The fields not yet taken, in order.
-    pub fn rest(&mut self) -> Vec<(&'n Key, &'n Node)> {
+    pub fn remaining(&mut self) -> Vec<(&'n Key, &'n Node)> {
         let entries = self.entries;
         let rest =
             entries.iter().zip(&self.taken).filter(|(_, taken)| !**taken).map(|((key, node), _)| (key, node)).collect();
@@ -171,8 +171,8 @@ impl<'n, F> Fields<'n, F> {
     fn report(mut self, known: &[&str], problems: &mut Problems) {
         let present = hint::present(known, self.entries);
         let (mut unknown, mut meant) = (Vec::new(), BTreeSet::new());
-        for (key, node) in self.rest() {
-            let hint = hint::of(&key.text, known, &present);
+        for (key, node) in self.remaining() {
+            let hint = hint::for_typed(&key.text, known, &present);
             let help = match &hint {
                 _ if node.is_null() && key.text.bytes().all(|byte| byte.is_ascii_digit()) => {
                     note!("yaml-write-decimal-point-number-comma")
@@ -181,12 +181,13 @@ impl<'n, F> Fields<'n, F> {
                 None => note!("case-known-here", names = known.join(", ")),
             };
             meant.extend(hint.map(|hint| missing_key(hint.key(), self.place).message));
-            let message = note!("yaml-unknown-key", key = seen(&key.text));
+            let message = note!("yaml-unknown-key", key = show_invisible(&key.text));
             unknown.push(Diagnostic::error("unknown-key", message, key.place.clone()).help(help));
         }
         if !meant.is_empty() {
             let behind = problems.0.split_off(self.before.min(problems.0.len()));
-            let same = |one: &Diagnostic| one.place.as_ref() == Some(self.place) && meant.contains(&one.message);
+            let same =
+                |problem: &Diagnostic| problem.place.as_ref() == Some(self.place) && meant.contains(&problem.message);
             problems.0.extend(behind.into_iter().filter(|one| !same(one)));
         }
         problems.0.extend(unknown);
@@ -212,7 +213,8 @@ impl<F: Form> Fields<'_, F> {
         let present = hint::present(&known, self.entries);
         let meant = |typed: &str| {
             typed == key.0
-                || !known.contains(&typed) && hint::of(typed, &known, &present).is_some_and(|hint| hint.key() == key.0)
+                || !known.contains(&typed)
+                    && hint::for_typed(typed, &known, &present).is_some_and(|hint| hint.key() == key.0)
         };
         self.entries.iter().any(|(typed, node)| !node.is_null() && meant(&typed.text))
     }
@@ -234,8 +236,8 @@ impl Problems {
 }
 
 /// The known key meant by a mistyped or Ukrainian one.
-pub fn meant<'k>(typed: &str, known: &[&'k str]) -> Option<&'k str> {
-    hint::of(typed, known, &[]).map(|hint| hint.key())
+pub fn similar_key<'k>(typed: &str, known: &[&'k str]) -> Option<&'k str> {
+    hint::for_typed(typed, known, &[]).map(|hint| hint.key())
 }
 
 /// The problem that [`Fields::need`] reports for a missing key.

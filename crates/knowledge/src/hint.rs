@@ -46,7 +46,7 @@ pub(crate) fn present<'k>(known: &[&'k str], entries: &[(Key, Node)]) -> Vec<Pre
 
 /// The key meant by `typed`, if one of `known` is near enough. A key that is already present is never proposed: the
 /// reader would refuse it.
-pub(crate) fn of<'k>(typed: &str, known: &[&'k str], present: &[Present<'_>]) -> Option<Hint<'k>> {
+pub(crate) fn for_typed<'k>(typed: &str, known: &[&'k str], present: &[Present<'_>]) -> Option<Hint<'k>> {
     let line = |key: &str| present.iter().find(|(there, _)| *there == key).map(|(_, line)| *line);
     let or_stands = |hint: fn(&'k str) -> Hint<'k>, key: &'k str| match line(key) {
         Some(line) => Hint::Stands(key, line),
@@ -102,7 +102,7 @@ mod tests {
     fn hint_for(text: &str) -> Option<[String; 2]> {
         let root = parse("t.yaml", text).0.unwrap();
         let NodeKind::Map(entries) = &root.kind else { panic!("{text}") };
-        let hint = of(&entries.last().unwrap().0.text, KNOWN, &present(KNOWN, entries))?;
+        let hint = for_typed(&entries.last().unwrap().0.text, KNOWN, &present(KNOWN, entries))?;
         Some([Lang::EN, Lang::UK].map(|lang| lang.say(&hint.to_note())))
     }
 

@@ -53,7 +53,7 @@ pub fn unseen(text: &str) -> Option<char> {
 }
 
 /// A text with its zero-width characters shown as code points: otherwise nobody could see why `a` differs from `a`.
-pub fn seen(text: &str) -> String {
+pub fn show_invisible(text: &str) -> String {
     let wide = |sign: char| if has_no_width(sign) { sign.escape_unicode().to_string() } else { sign.to_string() };
     text.chars().map(wide).collect()
 }

@@ -173,7 +173,7 @@ impl Knowledge {
 
     /// Every table, by id.
     pub fn tables(&self) -> impl Iterator<Item = &Table> {
-        self.tables.things().filter_map(|stored| stored.table().ok())
+        self.tables.items().filter_map(|stored| stored.table().ok())
     }
 
     /// The tables of cutters, by id.
@@ -187,7 +187,7 @@ impl Knowledge {
     }
 
     fn of_family(&self, is: impl Fn(&Family<'static>) -> bool) -> impl Iterator<Item = &Table> {
-        self.tables.things().filter(move |stored| is(&stored.family)).filter_map(|stored| stored.table().ok())
+        self.tables.items().filter(move |stored| is(&stored.family)).filter_map(|stored| stored.table().ok())
     }
 
     /// The ids of the tables, in their order.
@@ -197,7 +197,7 @@ impl Knowledge {
 
     /// All tables, moved out.
     pub fn into_tables(self) -> impl Iterator<Item = Table> {
-        self.tables.into_things().filter_map(|stored| {
+        self.tables.into_items().filter_map(|stored| {
             let table = stored.table.into_inner().unwrap_or_else(|| unpacked(stored.packed));
             table.ok()
         })

@@ -194,8 +194,11 @@ impl Loader<'_> {
         for item in self.problems.list(node).unwrap_or_default() {
             let Some(mut fields) = self.problems.open_map(item) else { continue };
             let name = fields.need("law", self.problems).and_then(|node| self.owned(node));
-            let parameters =
-                fields.rest().into_iter().map(|(key, node)| (key.text.clone(), self.texts(node).join(" "))).collect();
+            let parameters = fields
+                .remaining()
+                .into_iter()
+                .map(|(key, node)| (key.text.clone(), self.texts(node).join(" ")))
+                .collect();
             if let Some(name) = name {
                 laws.push(Law { name, parameters, place: Some(item.place.clone()) });
             }
@@ -459,7 +462,7 @@ impl Loader<'_> {
     fn corrections(&mut self, node: &Node, columns: &[Column]) -> Vec<Correction> {
         let Some(mut fields) = self.problems.open_map(node) else { return Vec::new() };
         let mut corrections = Vec::new();
-        for (key, node) in fields.rest() {
+        for (key, node) in fields.remaining() {
             if !columns.iter().any(|column| column.name == key.text) {
                 self.problems.error::<()>("unknown-column", note!("table-no-column", name = key.text), &key.place);
             }

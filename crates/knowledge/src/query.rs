@@ -108,7 +108,7 @@ pub enum QueryError {
         /// The input's name.
         name: String,
         /// Its type and unit.
-        what: Box<Note>,
+        expected: Box<Note>,
     },
     /// An input is not of its column's type or unit.
     IllTyped {
@@ -119,7 +119,7 @@ pub enum QueryError {
         /// What was given.
         given: String,
         /// What is expected.
-        what: Box<Note>,
+        expected: Box<Note>,
     },
     /// An input is outside the column's domain.
     OutOfDomain {
@@ -149,9 +149,11 @@ impl From<&QueryError> for Note {
             E::UnknownInput { table, name, known } => {
                 note!("table-has-no-input", table = table, name = name, known = known)
             }
-            E::Missing { table, name, what } => note!("table-needs-input", table = table, name = name, what = **what),
-            E::IllTyped { table, name, given, what } => {
-                note!("table-input-ill-typed", table = table, name = name, given = given, what = **what)
+            E::Missing { table, name, expected } => {
+                note!("table-needs-input", table = table, name = name, what = **expected)
+            }
+            E::IllTyped { table, name, given, expected } => {
+                note!("table-input-ill-typed", table = table, name = name, given = given, what = **expected)
             }
             E::OutOfDomain { table, name, given, domain } => {
                 note!("table-input-out-of-domain", table = table, name = name, given = given, domain = domain)
@@ -232,7 +234,7 @@ impl ColumnIndex {
     }
 
     /// An input, with its interval.
-    fn given(&self, rank: i64) -> InputValue {
+    fn input_value(&self, rank: i64) -> InputValue {
         InputValue { rank, segment: self.starts.partition_point(|&start| start <= rank) - 1 }
     }
 
@@ -303,7 +305,7 @@ impl Table {
                 }
                 _ => compiled.default.ok_or_else(|| self.missing(column))?,
             };
-            given.push(compiled.given(rank));
+            given.push(compiled.input_value(rank));
         }
         if used != inputs.iter().filter(|(_, input)| input.is_some()).count() {
             return Err(self.unknown_input(inputs));
@@ -358,7 +360,7 @@ impl Table {
             table: self.id.clone(),
             name: column.name.clone(),
             given: format!("`{input}`"),
-            what: describe(column).into(),
+            expected: describe(column).into(),
         }
     }
 
@@ -372,7 +374,7 @@ impl Table {
     }
 
     fn missing(&self, column: &Column) -> QueryError {
-        QueryError::Missing { table: self.id.clone(), name: column.name.clone(), what: describe(column).into() }
+        QueryError::Missing { table: self.id.clone(), name: column.name.clone(), expected: describe(column).into() }
     }
 
     fn unknown_input(&self, inputs: &[(&str, Option<Input<'_>>)]) -> QueryError {
@@ -529,7 +531,7 @@ impl Knowledge {
     ) -> Result<Option<TypedAnswer<'k, Q::Row<'k>>>, KnowledgeError> {
         match self.table(Q::TABLE)?.ask(question) {
             Err(QueryError::OutOfDomain { .. }) => Ok(None),
-            asked => Ok(Some(asked?)),
+            answer => Ok(Some(answer?)),
         }
     }
 
@@ -605,7 +607,7 @@ rows:
   - {it: "[9..10]", diameter: "-", state: cast, scheme: "14", source: seed}
 "#;
 
-    fn it(grade: u8) -> Input<'static> {
+    fn grade(grade: u8) -> Input<'static> {
         Input::Grade(ItGrade::new(grade).unwrap())
     }
 
@@ -616,7 +618,7 @@ rows:
     #[test]
     fn the_answer_names_the_winner_and_the_failing_column_of_every_other_row() {
         let table = table_from_text("t.yaml", TABLE).unwrap();
-        let answer = table.decide(&[("it", it(9)), ("diameter", mm("6.001"))]).unwrap();
+        let answer = table.decide(&[("it", grade(9)), ("diameter", mm("6.001"))]).unwrap();
         assert_eq!(answer.winner().unwrap().text("scheme").unwrap(), "08");
         let rejected: Vec<_> = answer.rejected().map(|(row, column)| (row.number(), column.name.as_str())).collect();
         assert_eq!(rejected, [(3, "it"), (1, "diameter"), (4, "state")]);
@@ -632,11 +634,13 @@ rows:
                 .map_err(|error| technolog_words::Lang::EN.say(&Note::from(&error)))
                 .unwrap_err()
         };
-        assert!(ask(&[("it", it(9))]).contains("needs the input `diameter`"));
-        assert!(ask(&[("it", it(9)), ("diameter", Input::Int(7))]).contains("is not a length in mm"));
-        assert!(ask(&[("it", it(12)), ("diameter", mm("7"))]).contains("outside the table's domain [6..10]"));
-        assert!(ask(&[("it", it(9)), ("diameter", mm("7")), ("colour", Input::Bool(true))]).contains("its inputs are"));
-        let none = table.decide(&[("it", it(6)), ("diameter", mm("7"))]).unwrap();
+        assert!(ask(&[("it", grade(9))]).contains("needs the input `diameter`"));
+        assert!(ask(&[("it", grade(9)), ("diameter", Input::Int(7))]).contains("is not a length in mm"));
+        assert!(ask(&[("it", grade(12)), ("diameter", mm("7"))]).contains("outside the table's domain [6..10]"));
+        assert!(
+            ask(&[("it", grade(9)), ("diameter", mm("7")), ("colour", Input::Bool(true))]).contains("its inputs are")
+        );
+        let none = table.decide(&[("it", grade(6)), ("diameter", mm("7"))]).unwrap();
         assert!(none.winner().is_none());
         assert_eq!(none.rejected().count(), 4);
     }
@@ -645,7 +649,7 @@ rows:
     fn two_rows_under_unique_are_an_error_that_names_both() {
         let text = TABLE.replace("(6..10]", "(5..10]");
         let table = table_from_text("t.yaml", &text).unwrap();
-        let error = table.decide(&[("it", it(9)), ("diameter", mm("5.5"))]).unwrap_err();
+        let error = table.decide(&[("it", grade(9)), ("diameter", mm("5.5"))]).unwrap_err();
         assert_eq!(error, QueryError::Conflict { table: "t".into(), rows: "1, 2".into() });
     }
 }

@@ -205,7 +205,7 @@ mod tests {
         let read = |text: &str| {
             let (root, mut problems) = (parse("t.yaml", text).0.unwrap(), Problems::default());
             let name = problems.name(root.get("a").unwrap()).map(str::to_owned);
-            (name, problems.0.iter().map(|one| one.code).collect::<Vec<_>>())
+            (name, problems.0.iter().map(|problem| problem.code).collect::<Vec<_>>())
         };
         assert_eq!(read("a: ' Плита № 5 '\n"), (Some("Плита № 5".to_owned()), vec![]));
         assert_eq!(read("a: >\n  Плита\n  № 5\n"), (Some("Плита № 5".to_owned()), vec![]));
@@ -233,7 +233,7 @@ mod tests {
                 let _ = (fields.need("name", &mut problems), fields.need("depth", &mut problems));
                 fields.finish(&["name", "depth"], &mut problems);
             }
-            assert_eq!(problems.0.iter().map(|one| one.code).collect::<Vec<_>>(), [code], "{text}");
+            assert_eq!(problems.0.iter().map(|problem| problem.code).collect::<Vec<_>>(), [code], "{text}");
         }
     }
 }

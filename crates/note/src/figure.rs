@@ -32,7 +32,7 @@ pub enum Figure {
 #[derive(Clone, Debug)]
 pub struct Word {
     /// The first part of the message's name: `operation`, `word`.
-    pub of: &'static str,
+    pub vocabulary: &'static str,
     /// The id, as plans and tables write it.
     pub id: Cow<'static, str>,
 }
@@ -64,7 +64,7 @@ impl Figure {
 
     /// A word of another vocabulary.
     pub fn word_of(vocabulary: &'static str, id: impl Into<Cow<'static, str>>) -> Self {
-        Self::Word(Word { of: vocabulary, id: id.into() })
+        Self::Word(Word { vocabulary, id: id.into() })
     }
 
     /// The name of an operation.

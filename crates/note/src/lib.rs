@@ -177,8 +177,8 @@ impl Note {
     pub fn in_order(&self, other: &Self) -> std::cmp::Ordering {
         let table = |note: &Self| note.params.get("table").cloned();
         let row = |note: &Self| note.params.get("row").and_then(|row| row.text().parse::<usize>().ok());
-        let of = |note: &Self| (table(note), row(note));
-        self.code.cmp(&other.code).then_with(|| of(self).cmp(&of(other))).then_with(|| self.cmp(other))
+        let place = |note: &Self| (table(note), row(note));
+        self.code.cmp(&other.code).then_with(|| place(self).cmp(&place(other))).then_with(|| self.cmp(other))
     }
 
     /// Its code, for the words of it; nothing may be decided by it.

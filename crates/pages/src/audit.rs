@@ -18,7 +18,7 @@ use technolog_words::say;
 
 use super::Lang;
 pub use words::severity;
-use words::{figure, heading, name, place, said, subject};
+use words::{figure, finding_text, heading, name, place, subject};
 
 /// The page.
 pub fn page(audit: &Audit, lang: Lang) -> Document {
@@ -44,9 +44,9 @@ pub fn page(audit: &Audit, lang: Lang) -> Document {
         page.heading(2, heading(section, lang));
         findings.into_iter().for_each(|finding| page.push(block(finding, audit, lang)));
     }
-    if let Some(own) = &audit.marks {
-        page.heading(2, marks::headline(own, lang));
-        page.push(marks::table(own, audit, lang));
+    if let Some(marks) = &audit.marks {
+        page.heading(2, marks::headline(marks, lang));
+        page.push(marks::table(marks, audit, lang));
     }
     page
 }
@@ -65,18 +65,18 @@ fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&AuditFinding
     let mut sections: Vec<Section> = audit.findings.iter().map(|finding| finding.section).collect();
     sections.sort_unstable();
     sections.dedup();
-    let of = |section: Section| audit.findings.iter().filter(|finding| finding.section == section).collect();
-    let whole: Vec<(Section, Vec<&AuditFinding>)> =
-        sections.into_iter().map(|section| (section, of(section))).collect();
-    whole.into_iter()
+    let findings_of = |section: Section| audit.findings.iter().filter(|finding| finding.section == section).collect();
+    let by_section: Vec<(Section, Vec<&AuditFinding>)> =
+        sections.into_iter().map(|section| (section, findings_of(section))).collect();
+    by_section.into_iter()
 }
 
 /// The fault in one sentence.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 fn headline(finding: &AuditFinding, lang: Lang) -> String {
     let about = words::block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
-    let said = said(finding, lang);
-    let said = match (finding.quantity, &finding.stated, &finding.right) {
+    let text = finding_text(finding, lang);
+    let text = match (finding.quantity, &finding.stated, &finding.right) {
         (Some(quantity), Some(stated), Some(right)) => {
             let right = with_unit(&figure(right, lang), quantity.unit(), lang);
             let off = finding.deviation_percent.filter(|off| off.abs() >= 0.1);
@@ -84,21 +84,21 @@ fn headline(finding: &AuditFinding, lang: Lang) -> String {
                 Some(off) => say!(lang, "audit-beside-off", stated = figure(stated, lang), right = right, off = off),
                 None => say!(lang, "audit-beside", stated = figure(stated, lang), right = right),
             };
-            let figures = say!(lang, "audit-of-figure", what = words::what(finding, lang), said = figures);
+            let figures = say!(lang, "audit-of-figure", what = words::quantity_text(finding, lang), said = figures);
             match finding.note.code() {
                 // These notes contain only figures.
                 "audit-figure" | "audit-follows" => figures,
-                _ => say!(lang, "audit-and-so", figures = figures, said = said),
+                _ => say!(lang, "audit-and-so", figures = figures, said = text),
             }
         }
         (Some(_), Some(stated), None) => {
             let figures = say!(lang, "audit-is-stated", stated = figure(stated, lang));
-            let figures = say!(lang, "audit-of-figure", what = words::what(finding, lang), said = figures);
-            say!(lang, "audit-and-so", figures = figures, said = said)
+            let figures = say!(lang, "audit-of-figure", what = words::quantity_text(finding, lang), said = figures);
+            say!(lang, "audit-and-so", figures = figures, said = text)
         }
-        _ => said,
+        _ => text,
     };
-    if about.is_empty() { said } else { say!(lang, "audit-about", about = about, said = said) }
+    if about.is_empty() { text } else { say!(lang, "audit-about", about = about, said = text) }
 }
 
 /// The basis of a finding and its consequences.
@@ -114,9 +114,9 @@ fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
         lines.push(say!(lang, "audit-is-slip").to_owned());
     }
     if !finding.supplied.is_empty() {
-        let taken = finding.supplied.iter().map(|one| {
-            let value = with_unit(&figure(&one.value, lang), one.quantity.unit(), lang);
-            Figure::Text(say!(lang, "audit-supplied-one", what = name(one.quantity, lang), value = value).into())
+        let taken = finding.supplied.iter().map(|shown| {
+            let value = with_unit(&figure(&shown.value, lang), shown.quantity.unit(), lang);
+            Figure::Text(say!(lang, "audit-supplied-one", what = name(shown.quantity, lang), value = value).into())
         });
         lines.push(say!(lang, "audit-supplied", taken = Figure::list(taken)));
     }
@@ -136,7 +136,7 @@ fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
     }
     if !finding.changes.is_empty() {
         let changes = finding.changes.iter();
-        let changes = changes.map(|one| (one.field.as_str(), words::change(&one.stated, &one.right, lang)));
+        let changes = changes.map(|change| (change.field.as_str(), words::change(&change.stated, &change.right, lang)));
         lines.push(say!(lang, "audit-changes", fields = words::fields(changes, audit, lang)));
     }
     lines

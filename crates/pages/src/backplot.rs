@@ -228,25 +228,25 @@ fn draw(
         }
         zero(canvas, view.at((0.0, 0.0)));
     }
-    canvas.put(format_args!(
+    canvas.push_element(format_args!(
         "<clipPath id=\"panel{number}\"><rect x=\"{:.2}\" y=\"{:.2}\" width=\"{:.2}\" height=\"{:.2}\"/></clipPath>",
         low.0 - 12.0,
         high.1 - 12.0,
         high.0 - low.0 + 24.0,
         low.1 - high.1 + 24.0
     ));
-    canvas.put(format_args!("<g clip-path=\"url(#panel{number})\">"));
+    canvas.push_element(format_args!("<g clip-path=\"url(#panel{number})\">"));
     let mut labels = Labels::default();
     let mut drawn = std::collections::BTreeSet::new();
     for line in &panel.lines {
         let pen = if line.rapid { Pen::dashed(colour, 1.0) } else { Pen::solid(colour, 1.6) };
         // Dashes in both directions over the same path would fill each other's gaps: the second time only the arrow
         // is drawn.
-        let again = line.way().is_some_and(|way| !drawn.insert(way));
+        let again = line.straight_ends().is_some_and(|ends| !drawn.insert(ends));
         shape(canvas, line, view, pen, again);
         labels.avoid(view.at(line.from), view.at(line.to));
     }
-    canvas.put(format_args!("</g>"));
+    canvas.push_element(format_args!("</g>"));
     if let Some(change) = panel.change {
         let at = view.inside(change);
         canvas.rectangle((at.0 - 5.0, at.1 - 5.0), (at.0 + 5.0, at.1 + 5.0), colour, None);

@@ -43,7 +43,7 @@ pub(super) struct Canvas {
 
 impl Canvas {
     /// Appends an SVG element unchanged.
-    pub(super) fn put(&mut self, element: std::fmt::Arguments<'_>) {
+    pub(super) fn push_element(&mut self, element: std::fmt::Arguments<'_>) {
         // Writing to a text cannot fail.
         let _ = self.text.write_fmt(element);
         self.text.push('\n');
@@ -52,12 +52,12 @@ impl Canvas {
     /// A line through points.
     pub(super) fn line(&mut self, points: &[At], pen: Pen) {
         let points: Vec<String> = points.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
-        self.put(format_args!("<polyline points=\"{}\" fill=\"none\"{}/>", points.join(" "), stroke(pen)));
+        self.push_element(format_args!("<polyline points=\"{}\" fill=\"none\"{}/>", points.join(" "), stroke(pen)));
     }
 
     /// A path in the language of SVG.
     pub(super) fn path(&mut self, path: &str, pen: Pen) {
-        self.put(format_args!("<path d=\"{path}\" fill=\"none\"{}/>", stroke(pen)));
+        self.push_element(format_args!("<path d=\"{path}\" fill=\"none\"{}/>", stroke(pen)));
     }
 
     /// An arrow head at the end of a line from one point to another; none if the line has no length.
@@ -78,7 +78,7 @@ impl Canvas {
     pub(super) fn area(&mut self, corners: &[At], fill: &str, pen: Option<Pen>) {
         let points: Vec<String> = corners.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
         let stroke = pen.map_or_else(String::new, stroke);
-        self.put(format_args!("<polygon points=\"{}\" fill=\"{fill}\"{stroke}/>", points.join(" ")));
+        self.push_element(format_args!("<polygon points=\"{}\" fill=\"{fill}\"{stroke}/>", points.join(" ")));
     }
 
     /// A rectangle by two opposite corners.
@@ -89,7 +89,9 @@ impl Canvas {
     /// A circle.
     pub(super) fn circle(&mut self, (x, y): At, radius: f64, fill: &str, pen: Option<Pen>) {
         let stroke = pen.map_or_else(String::new, stroke);
-        self.put(format_args!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"{fill}\"{stroke}/>"));
+        self.push_element(format_args!(
+            "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"{fill}\"{stroke}/>"
+        ));
     }
 
     /// A text. A white outline keeps it readable over lines.
@@ -99,11 +101,11 @@ impl Canvas {
             Anchor::Middle => "middle",
         };
         let text = escaped(text);
-        self.put(format_args!(
+        self.push_element(format_args!(
             "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\" stroke=\"white\" \
              stroke-width=\"3\">{text}</text>"
         ));
-        self.put(format_args!(
+        self.push_element(format_args!(
             "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\">{text}</text>"
         ));
     }

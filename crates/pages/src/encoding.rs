@@ -80,17 +80,17 @@ pub fn encoding_sheet(
     knowledge: &Knowledge,
     lang: Lang,
 ) -> Result<EncodingSheet, KnowledgeError> {
-    let mut sheet = of_text(&written.text(), &job.machine, control, knowledge, lang)?;
+    let mut sheet = sheet_of_text(&written.text(), &job.machine, control, knowledge, lang)?;
     sheet.part = Some(job.part.clone());
     sheet.instructions = instructions(job, lang);
     let named = written.lines.iter().filter_map(|line| Some((line.work?, line.cycle?))).collect();
-    let mut said = SeenTransitions { named, ..SeenTransitions::default() };
+    let mut seen = SeenTransitions { named, ..SeenTransitions::default() };
     for row in &mut sheet.rows {
         let Some(line) = written.lines.get(row.line - 1) else { continue };
         let Some((at, work)) = line.work.and_then(|at| Some((at, work_of(job, at)?))) else { continue };
         row.transition = match line.role {
-            LineRole::Pause => said.pause(at, work, plan, lang),
-            _ => said.transition(at, work, line.cycle, plan, lang),
+            LineRole::Pause => seen.pause(at, work, plan, lang),
+            _ => seen.transition(at, work, line.cycle, plan, lang),
         };
     }
     Ok(sheet)
@@ -100,7 +100,7 @@ pub fn encoding_sheet(
 ///
 /// # Errors
 /// There are no tables of words for the control, or they lack a meaning; the machine is not known.
-pub fn of_text(
+pub fn sheet_of_text(
     text: &str,
     machine: &str,
     control: &str,
@@ -111,7 +111,7 @@ pub fn of_text(
     let mut modes = dictionary::Modes::default();
     let mut rows = Vec::new();
     for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
-        let found = blocks::of_line(line);
+        let found = blocks::words_of_line(line);
         let tool = dictionary.tool(&found);
         let meaning = dictionary.meaning(&found, &mut modes, lang);
         // The sign of a tape is no block and has no end.
@@ -122,7 +122,7 @@ pub fn of_text(
     // A machine without a record is an error, so that nobody reads a sheet of another one.
     let named = &Machine::find(knowledge, machine)?.table.title;
     // The title of a table stands in the table, in both languages.
-    let machine = named.of(lang.tag());
+    let machine = named.text(lang.tag());
     let equipment = say!(lang, "encoding-equipment-is", machine = machine, control = name(control, lang));
     Ok(EncodingSheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })
 }
@@ -152,10 +152,10 @@ fn instructions(job: &Job, lang: Lang) -> Vec<String> {
         let zero = setup.zero;
         lines.push(say!(lang, "encoding-zero", setup = setup.number, x = zero.x, y = zero.y, z = zero.z));
     }
-    let held: Vec<String> =
+    let registers: Vec<String> =
         job.correctors.iter().map(|(number, value)| format!("H{number:02} = {}", mm(*value, lang))).collect();
-    if !held.is_empty() {
-        lines.push(say!(lang, "encoding-correctors", held = held.join("; ")));
+    if !registers.is_empty() {
+        lines.push(say!(lang, "encoding-correctors", held = registers.join("; ")));
     }
     lines
 }

@@ -14,7 +14,7 @@ use crate::units::{Micrometres, Minutes};
 
 /// The order of a part: its tools, their points, and how the holes are visited. `not_kept` are the findings about
 /// visiting methods that the machine cannot follow.
-pub fn of_part(plan: &Plan, home: Point, not_kept: &[Finding], lang: Lang) -> Document {
+pub fn part_page(plan: &Plan, home: Point, not_kept: &[Finding], lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "order-title", part = plan.part.part.as_str()));
     let home = say!(lang, "plan-point", x = home.x, y = home.y);
     page.paragraph(say!(lang, "order-there-and-back", home = home));
@@ -35,7 +35,7 @@ pub fn of_part(plan: &Plan, home: Point, not_kept: &[Finding], lang: Lang) -> Do
             let hole = finding.hole.as_deref().unwrap_or_default();
             say!(lang, "order-method", hole = hole, why = finding.note.clone()).into()
         });
-        page.push(Block::List(plan.visiting.iter().map(|own| visiting(own, lang)).chain(not_kept).collect()));
+        page.push(Block::List(plan.visiting.iter().map(|method| visiting(method, lang)).chain(not_kept).collect()));
     }
     page
 }
@@ -132,7 +132,7 @@ pub struct Tour {
 }
 
 /// The path over a list of points.
-pub fn of_list(tour: &Tour, lang: Lang) -> Document {
+pub fn list_page(tour: &Tour, lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "order-list-title"));
     let (millimetres, minutes) = (lang.word("unit-mm"), lang.word("unit-min"));
     let length = |value: Micrometres| Inlines::default().quantity(number(value.to_mm(), 3, lang), millimetres);

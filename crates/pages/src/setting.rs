@@ -96,16 +96,16 @@ fn stand(setup: &SetUp, lang: Lang) -> String {
 /// The clamps of the first set-up, and what their screws lack; of a second set-up, that no clamps are planned for it.
 fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
     let Some(clamping) = &plan.clamping else { return vec![say!(lang, "plan-no-clamping").to_owned()] };
-    let mut told = vec![super::sheet::clamps_of(clamping, lang)];
+    let mut lines = vec![super::sheet::clamps_of(clamping, lang)];
     if clamping.because.iter().any(|because| because.unconfirmed.is_some()) {
-        told.push(say!(lang, "setting-mark").to_owned());
+        lines.push(say!(lang, "setting-mark").to_owned());
     }
     if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
-        told.push(super::sheet::weak_screw(clamping, lang));
+        lines.push(super::sheet::weak_screw(clamping, lang));
     }
     let turned = job.setups.iter().filter(|setup| setup.number > 1);
-    told.extend(turned.map(|setup| say!(lang, "setting-clamps-of-second", setup = setup.number)));
-    told
+    lines.extend(turned.map(|setup| say!(lang, "setting-clamps-of-second", setup = setup.number)));
+    lines
 }
 
 /// The magazine place of a tool.

@@ -124,7 +124,7 @@ fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
     );
     let machine = Machine::find(knowledge, &part.machine).map(|machine| &machine.table.title);
     // The title of a table stands in the table, in both languages.
-    let machine = machine.map_or(part.machine.as_str(), |title| title.of(lang.tag()));
+    let machine = machine.map_or(part.machine.as_str(), |title| title.text(lang.tag()));
     let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
     let blank = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
     page.push(crate::document::Block::Fields(vec![
@@ -187,8 +187,8 @@ fn time(plan: &Plan, lang: Lang) -> String {
         ("plan-time-hand", time.hand_min, false),
     ];
     let there = parts.iter().filter(|(_, time, always)| *always || time.0 > 0.0);
-    let said = there.map(|(key, time, _)| lang.say(&Note::new(*key).with("time", exactly(time.0, 2))));
-    let parts = said.collect::<Vec<_>>().join(" + ");
+    let texts = there.map(|(key, time, _)| lang.say(&Note::new(*key).with("time", exactly(time.0, 2))));
+    let parts = texts.collect::<Vec<_>>().join(" + ");
     say!(lang, "plan-times", parts = parts, total = exactly(time.total_min.0, 2))
 }
 
@@ -206,10 +206,10 @@ fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
             Severity::Doubtful => (Shown::Doubtful, say!(lang, "plan-doubtful")),
             Severity::Note => (Shown::Note, say!(lang, "plan-note")),
         };
-        let said = match &finding.hole {
+        let text = match &finding.hole {
             Some(hole) => say!(lang, "plan-of-hole", hole = Figure::called(hole), finding = finding.note.clone()),
             None => lang.say(&finding.note),
         };
-        page.push(FindingBlock::new(severity, word, Inlines::sentence(&said)));
+        page.push(FindingBlock::new(severity, word, Inlines::sentence(&text)));
     }
 }

@@ -11,7 +11,7 @@ use super::words::say;
 
 /// The transitions that a work makes with some of its cycles: for each its group, its number and the number of its
 /// holes, in the order of the work.
-pub(super) fn of_work<'w>(work: &'w ToolWork, cycles: &[usize]) -> Vec<(&'w str, usize, usize)> {
+pub(super) fn stops_of_work<'w>(work: &'w ToolWork, cycles: &[usize]) -> Vec<(&'w str, usize, usize)> {
     let mut found: Vec<(&str, usize, usize)> = Vec::new();
     for stop in work.stops.iter().filter(|stop| cycles.contains(&stop.cycle)) {
         let same = found.iter_mut().find(|(hole, transition, _)| *hole == stop.hole && *transition == stop.transition);
@@ -24,7 +24,7 @@ pub(super) fn of_work<'w>(work: &'w ToolWork, cycles: &[usize]) -> Vec<(&'w str,
 }
 
 /// The transition of a plan for a stop.
-pub(super) fn of_plan<'p>(plan: &'p Plan, hole: &str, number: usize) -> Option<(&'p Hole, &'p Transition)> {
+pub(super) fn find_in_plan<'p>(plan: &'p Plan, hole: &str, number: usize) -> Option<(&'p Hole, &'p Transition)> {
     let own = plan.holes.iter().find(|own| own.name == hole)?;
     Some((plan.part.holes.iter().find(|known| known.name == hole)?, own.transitions.get(number)?))
 }
@@ -33,20 +33,20 @@ pub(super) fn of_plan<'p>(plan: &'p Plan, hole: &str, number: usize) -> Option<(
 pub(super) fn sentence(plan: &Plan, work: &ToolWork, cycles: &[usize], lang: Lang) -> String {
     let mut text = String::new();
     let mut before: Option<Operation> = None;
-    for (hole, number, count) in of_work(work, cycles) {
-        let Some((hole, transition)) = of_plan(plan, hole, number) else { continue };
-        let what = holes(hole, transition, count.min(hole.at.len()), lang);
+    for (hole, number, count) in stops_of_work(work, cycles) {
+        let Some((hole, transition)) = find_in_plan(plan, hole, number) else { continue };
+        let holes_text = holes(hole, transition, count.min(hole.at.len()), lang);
         let operation = Figure::operation(transition.operation.name());
-        let whole = |operation| say!(lang, "cycles-operation", operation = operation, holes = what.as_str());
+        let with_holes = |operation| say!(lang, "cycles-operation", operation = operation, holes = holes_text.as_str());
         match before.replace(transition.operation) {
-            None => text.push_str(&capital(&whole(operation))),
+            None => text.push_str(&capital(&with_holes(operation))),
             Some(same) if same == transition.operation => {
                 text.push_str(", ");
-                text.push_str(&what);
+                text.push_str(&holes_text);
             }
             Some(_) => {
                 text.push_str("; ");
-                text.push_str(&whole(operation));
+                text.push_str(&with_holes(operation));
             }
         }
     }

@@ -25,7 +25,7 @@ use technolog_words::say;
 use super::doubts::is_of_row;
 use super::{Doubts, Lang};
 use cells::{Cell, arrow, figure, span, table};
-use phrases::{finding, material, rests_on, said, unconfirmed, word};
+use phrases::{finding, material, note_line, rests_on, unconfirmed, word};
 
 pub use drawing::drawing;
 pub use frames::frames;
@@ -82,8 +82,12 @@ fn findings<'f>(page: &mut Document, all: impl Iterator<Item = &'f note::Finding
     if let Some(counted) = counted {
         page.push(unconfirmed(&counted, lang));
     }
-    for one in listed {
-        page.push(if is_of_row(&one.note) { unconfirmed(&one.note, lang) } else { finding(one, lang) });
+    for listed_finding in listed {
+        page.push(if is_of_row(&listed_finding.note) {
+            unconfirmed(&listed_finding.note, lang)
+        } else {
+            finding(listed_finding, lang)
+        });
     }
 }
 
@@ -114,7 +118,7 @@ fn head(page: &mut Document, found: &Sequences, knowledge: &Knowledge, lang: Lan
         holding = word(shaft.holding.name())
     );
     let (along, across) = (shaft.roughing.longitudinal_depth, shaft.roughing.transverse_depth);
-    let told = [
+    let fields_of_task = [
         (say!(lang, "turn-material").to_owned(), material(&shaft.material, knowledge)),
         (say!(lang, "turn-blank-label").to_owned(), blank),
         (say!(lang, "turn-steps").to_owned(), steps.join(", ")),
@@ -122,7 +126,7 @@ fn head(page: &mut Document, found: &Sequences, knowledge: &Knowledge, lang: Lan
         (say!(lang, "turn-slices", depth = across), format!("Z {}", slices.join(" → "))),
         (say!(lang, "turn-objective").to_owned(), objective),
     ];
-    page.push(fields(told));
+    page.push(fields(fields_of_task));
     if shaft.roughing.division == Division::Equal {
         page.paragraph(say!(lang, "turn-equal-division"));
     }
@@ -167,7 +171,7 @@ fn passes(variant: &Variant, lang: Lang) -> Table {
         span("Z", mm),
         Column::number(say!(lang, "turn-depth"), mm),
         Column::number(say!(lang, "turn-length"), mm),
-        Column::text(say!(lang, "turn-why")).keep(Keep::Optional).least(20),
+        Column::text(say!(lang, "turn-why")).keep(Keep::Optional).min_width(20),
     ];
     let rows = variant.passes.iter().map(|pass| {
         let (from, to) = (&pass.from, &pass.to);
@@ -178,7 +182,7 @@ fn passes(variant: &Variant, lang: Lang) -> Table {
             arrow(figure(from.z_mm, lang), figure(to.z_mm, lang)).into(),
             Cell::Figure(pass.depth_mm.to_mm(), 2),
             Cell::Figure(pass.length_mm.to_mm(), 2),
-            said(&pass.reason, lang).into(),
+            note_line(&pass.reason, lang).into(),
         ]
     });
     table(columns, rows.collect(), lang)

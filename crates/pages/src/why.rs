@@ -60,10 +60,10 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
 }
 
 fn reasons(because: &[Because], lang: Lang) -> Vec<Item> {
-    because.iter().map(|reason| one(reason, lang)).collect()
+    because.iter().map(|reason| reason_item(reason, lang)).collect()
 }
 
-fn one(reason: &Because, lang: Lang) -> Item {
+fn reason_item(reason: &Because, lang: Lang) -> Item {
     let row = reason.row.map(|row| say!(lang, "explain-row", row = row));
     let source = reason.source.map(|source| match source {
         Source::Seed => say!(lang, "explain-seed").to_owned(),
@@ -84,10 +84,10 @@ fn one(reason: &Because, lang: Lang) -> Item {
         _ => say!(lang, "explain-unconfirmed", why = lang.remark(why).into_owned()),
     });
     let passed = reason.rejected.iter().map(|passed| say!(lang, "explain-not-taken", why = passed.clone()));
-    let items = why.chain(doubt).chain(passed).map(|said| sentence(&said)).collect();
+    let items = why.chain(doubt).chain(passed).map(|text| sentence(&text)).collect();
     Item { items, ..sentence(&decided) }
 }
 
-fn sentence(said: &str) -> Item {
-    Inlines::sentence(said).into()
+fn sentence(text: &str) -> Item {
+    Inlines::sentence(text).into()
 }

@@ -24,7 +24,7 @@ impl CylinderId {
 
 /// The requirements of the drawing for a cylinder.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Asked<'p> {
+pub(crate) struct CylinderRequirements<'p> {
     pub diameter: &'p ToleratedDiameter,
     pub roughness: Roughness,
     /// Depth from the face it is entered from.
@@ -37,7 +37,7 @@ pub(crate) struct Asked<'p> {
     pub position: Option<Micrometres>,
 }
 
-impl<'p> Asked<'p> {
+impl<'p> CylinderRequirements<'p> {
     /// The requirements for a cylinder of a hole; none if the hole has no such step.
     pub fn of(place: CylinderId, hole: &'p Hole, part: &Part, position: Option<Micrometres>) -> Option<Self> {
         match place {

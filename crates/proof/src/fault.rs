@@ -8,7 +8,7 @@ pub use crate::tables::rules::Load;
 
 /// What a transition reaches at best and ordinarily, and the requirement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Wanting {
+pub enum Shortfall {
     /// The grade of a diameter.
     Grade(ItGrade, ItGrade, ItGrade),
     /// The roughness of a surface.
@@ -26,7 +26,7 @@ pub enum Fault {
     /// The stock on diameter is more than such a tool may remove at once.
     TooMuch { operation: Operation, stock: Micrometres, most: Micrometres },
     /// The last transition reaches the required value only at best, or not at all.
-    Wanting { operation: Operation, what: Wanting },
+    Wanting { operation: Operation, shortfall: Shortfall },
     /// The hole may be wider than its upper limit.
     TooWide { operation: Operation, diameter: Micrometres, may_be: Micrometres, limit: Micrometres },
     /// Nothing leaves the cylinder within its limits.
@@ -36,7 +36,7 @@ pub enum Fault {
     /// A centring spot remains visible around the finished hole.
     SpotStays { spot: Micrometres, limit: Micrometres },
     /// The full diameter ends before the drawing's depth.
-    TooShallow { operation: Operation, depth: Micrometres, asked: Micrometres },
+    TooShallow { operation: Operation, depth: Micrometres, required: Micrometres },
     /// The tip comes out of a blind hole's floor.
     BreaksThrough { operation: Operation, tip: Micrometres, thickness: Micrometres },
     /// The tool goes below what was opened for it.
@@ -61,7 +61,7 @@ impl Fault {
     /// What is reached only at best is doubtful; everything else damages the part or the tool.
     pub fn severity(&self) -> Severity {
         match self {
-            Self::Wanting { what, .. } if what.at_best() => Severity::Doubtful,
+            Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
             _ => Severity::Error,
         }
     }
@@ -80,7 +80,7 @@ impl Fault {
             Self::TooMuch { operation, stock, most } => {
                 of("proof-too-much", operation).with("stock", stock).with("most", most)
             }
-            Self::Wanting { operation, what } => what.with_figures(of(what.code(), operation)),
+            Self::Wanting { operation, shortfall } => shortfall.with_figures(of(shortfall.code(), operation)),
             Self::TooWide { operation, diameter, may_be, limit } => {
                 of("proof-too-wide", operation).with("diameter", diameter).with("may_be", may_be).with("limit", limit)
             }
@@ -91,8 +91,8 @@ impl Fault {
                 of("proof-enters", operation).with("tool", tool).with("limit", limit)
             }
             Self::SpotStays { spot, limit } => Note::new("proof-spot-stays").with("spot", spot).with("limit", limit),
-            Self::TooShallow { operation, depth, asked } => {
-                of("proof-too-shallow", operation).with("depth", depth).with("asked", asked)
+            Self::TooShallow { operation, depth, required } => {
+                of("proof-too-shallow", operation).with("depth", depth).with("asked", required)
             }
             Self::BreaksThrough { operation, tip, thickness } => {
                 of("proof-breaks-through", operation).with("tip", tip).with("thickness", thickness)
@@ -140,22 +140,22 @@ const fn overload(load: Load) -> &'static str {
     }
 }
 
-impl Wanting {
+impl Shortfall {
     /// Whether the required value is reached at best.
     fn at_best(self) -> bool {
         match self {
-            Self::Grade(best, _, asked) => best <= asked,
-            Self::Surface(best, _, asked) => best <= asked,
-            Self::Position(best, _, asked) => best <= asked,
+            Self::Grade(best, _, required) => best <= required,
+            Self::Surface(best, _, required) => best <= required,
+            Self::Position(best, _, required) => best <= required,
         }
     }
 
     /// Whether the ordinary value is enough.
     pub(crate) fn holds(self) -> bool {
         match self {
-            Self::Grade(_, ordinary, asked) => ordinary <= asked,
-            Self::Surface(_, ordinary, asked) => ordinary <= asked,
-            Self::Position(_, ordinary, asked) => ordinary <= asked,
+            Self::Grade(_, ordinary, required) => ordinary <= required,
+            Self::Surface(_, ordinary, required) => ordinary <= required,
+            Self::Position(_, ordinary, required) => ordinary <= required,
         }
     }
 
@@ -172,14 +172,14 @@ impl Wanting {
 
     fn with_figures(self, note: Note) -> Note {
         match self {
-            Self::Grade(best, ordinary, asked) => {
-                note.with("best", best).with("ordinary", ordinary).with("asked", asked)
+            Self::Grade(best, ordinary, required) => {
+                note.with("best", best).with("ordinary", ordinary).with("asked", required)
             }
-            Self::Surface(best, ordinary, asked) => {
-                note.with("best", best).with("ordinary", ordinary).with("asked", asked)
+            Self::Surface(best, ordinary, required) => {
+                note.with("best", best).with("ordinary", ordinary).with("asked", required)
             }
-            Self::Position(best, ordinary, asked) => {
-                note.with("best", best).with("ordinary", ordinary).with("asked", asked)
+            Self::Position(best, ordinary, required) => {
+                note.with("best", best).with("ordinary", ordinary).with("asked", required)
             }
         }
     }

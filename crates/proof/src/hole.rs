@@ -11,9 +11,9 @@ use crate::tables::rules::{MadeBy, ReamingCase};
 use crate::tables::standards::{MinorDiameterConstant, ThreadMinorDiameter};
 use crate::units::Micrometres;
 
-use super::cylinder::{Asked, CylinderId};
+use super::cylinder::{CylinderId, CylinderRequirements};
 use super::reach::{Both, MethodKey, Reach, drift, oversize};
-use super::{Fault, Wanting, loads, tool};
+use super::{Fault, Shortfall, loads, tool};
 
 /// The current state of a cylinder.
 #[derive(Clone, Copy, Debug)]
@@ -83,11 +83,13 @@ impl Walk<'_, '_> {
             return Ok(());
         }
         let Some(place) = CylinderId::of(transition) else { return Ok(()) };
-        let Some(asked) = Asked::of(place, self.hole, self.part, self.position()) else { return Ok(()) };
+        let Some(required) = CylinderRequirements::of(place, self.hole, self.part, self.position()) else {
+            return Ok(());
+        };
         // A step begins with the state of the cylinder that it widens.
         let before = self.states.get(&place).or_else(|| self.states.get(&CylinderId::Main)).copied();
-        self.enters(transition, &asked);
-        self.depths(transition, &asked, before);
+        self.enters(transition, &required);
+        self.depths(transition, &required, before);
         if transition.operation == Operation::Tap {
             return Ok(());
         }
@@ -104,19 +106,19 @@ impl Walk<'_, '_> {
         let method = MethodKey {
             operation: transition.operation,
             centred: self.centred,
-            after: before.map_or(MadeBy::Solid, |before| before.made_by),
+            made_by: before.map_or(MadeBy::Solid, |before| before.made_by),
             last,
         };
         let Some(reach) = Reach::of(method, transition.diameter_mm, self.shop)? else { return Ok(()) };
         if let Some(before) = before {
-            self.stock(transition, &asked, before, reach, last);
-            self.most(transition, before)?;
+            self.stock(transition, &required, before, reach, last);
+            self.check_largest_stock(transition, before)?;
         }
         let width = reach.width(transition.diameter_mm, self.shop).unwrap_or_default();
         let state = self.left(transition, before, reach, width)?;
         if last && !transition.elsewhere {
-            self.finished(transition, &asked, reach, state, width)?;
-            self.springs(transition, &asked, before)?;
+            self.finished(transition, &required, reach, state, width)?;
+            self.springs(transition, &required, before)?;
         }
         self.states.insert(place, state);
         Ok(())
@@ -126,9 +128,9 @@ impl Walk<'_, '_> {
     fn position(&self) -> Option<Micrometres> {
         match self.hole.centre_tolerance {
             CentreTolerance::Width(width) => Some(width),
-            CentreTolerance::Grade { it } => {
+            CentreTolerance::Grade { it: grade } => {
                 let distance = self.hole.smallest_centre_distance()?;
-                tolerance_width(it, distance, self.shop.knowledge).ok()
+                tolerance_width(grade, distance, self.shop.knowledge).ok()
             }
         }
     }
@@ -155,10 +157,10 @@ impl Walk<'_, '_> {
     }
 
     /// No tool wider than the finished cylinder may enter it.
-    fn enters(&mut self, transition: &Transition, asked: &Asked<'_>) {
-        let limit = match (transition.feature, asked.thread) {
+    fn enters(&mut self, transition: &Transition, required: &CylinderRequirements<'_>) {
+        let limit = match (transition.feature, required.thread) {
             (Feature::Thread, Some(thread)) => thread.size,
-            _ => asked.diameter.largest(),
+            _ => required.diameter.largest(),
         };
         let own = matches!(
             transition.operation,
@@ -167,20 +169,20 @@ impl Walk<'_, '_> {
         // A core drill is ground to size; a step drill makes its opening with its wide part.
         let to_size = transition.operation == Operation::CoreDrill || transition.also_diameter_mm.is_some();
         let tool = if to_size { transition.diameter_mm } else { transition.tool.diameter_mm };
-        if own && tool > limit && asked.thread.is_none_or(|thread| thread.kind == ThreadKind::Cylindrical) {
+        if own && tool > limit && required.thread.is_none_or(|thread| thread.kind == ThreadKind::Cylindrical) {
             self.faults.push(Fault::Enters { operation: transition.operation, tool, limit });
         }
     }
 
     /// Checks depths: that of the drawing, the floor, and what was opened before.
-    fn depths(&mut self, transition: &Transition, asked: &Asked<'_>, before: Option<State>) {
+    fn depths(&mut self, transition: &Transition, required: &CylinderRequirements<'_>, before: Option<State>) {
         let (operation, tip) = (transition.operation, transition.end());
         if !self.hole.through && tip >= self.part.blank.thickness {
             let thickness = self.part.blank.thickness;
             self.faults.push(Fault::BreaksThrough { operation, tip, thickness });
         }
         let follows = operation.is_reaming() || operation == Operation::Tap;
-        if let Some(before) = before.filter(|_| follows && !asked.through && !self.hole.through)
+        if let Some(before) = before.filter(|_| follows && !required.through && !self.hole.through)
             && tip > before.depth
             && CylinderId::of(transition) == Some(CylinderId::Main)
         {
@@ -189,7 +191,14 @@ impl Walk<'_, '_> {
     }
 
     /// The stock in the worst case: the widest hole before, with its axis offset to one side.
-    fn stock(&mut self, transition: &Transition, asked: &Asked<'_>, before: State, reach: Reach, last: bool) {
+    fn stock(
+        &mut self,
+        transition: &Transition,
+        required: &CylinderRequirements<'_>,
+        before: State,
+        reach: Reach,
+        last: bool,
+    ) {
         let shift = match (reach.own_axis, before.axis) {
             // The spindle returns to the same point.
             (Some(own), Some(_)) if before.led => own.best + own.best,
@@ -200,7 +209,7 @@ impl Walk<'_, '_> {
             _ => Micrometres::ZERO,
         };
         let after = if last && !transition.elsewhere {
-            asked.diameter.smallest().max(transition.diameter_mm.min(asked.diameter.largest()))
+            required.diameter.smallest().max(transition.diameter_mm.min(required.diameter.largest()))
         } else {
             transition.diameter_mm
         };
@@ -217,7 +226,7 @@ impl Walk<'_, '_> {
     }
 
     /// The largest stock: what a reamer or a finishing bar removes at once.
-    fn most(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
+    fn check_largest_stock(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
         let operation = transition.operation;
         let mm = |name| tool::limit(name, self.shop).map(Micrometres::from_mm_rounded);
         let most = match operation {
@@ -232,8 +241,8 @@ impl Walk<'_, '_> {
                     _ => ReamingCase::OneAfterCoreDrill,
                 };
                 let question = StockBeforeReamingFor { case, diameter: transition.diameter_mm };
-                let asked = self.shop.knowledge.ask_within(&question)?;
-                asked.map(|asked| asked.winner()).transpose()?.flatten().map(|row| row.stock_max)
+                let answer = self.shop.knowledge.ask_within(&question)?;
+                answer.map(|answer| answer.winner()).transpose()?.flatten().map(|row| row.stock_max)
             }
             Operation::SemiFinishBore => Some(mm(ProofLimit::SemiFinishBoreStock)?),
             Operation::FinishBore => Some(mm(ProofLimit::FinishBoreStock)?),
@@ -279,13 +288,13 @@ impl Walk<'_, '_> {
     fn springs(
         &mut self,
         transition: &Transition,
-        asked: &Asked<'_>,
+        required: &CylinderRequirements<'_>,
         before: Option<State>,
     ) -> Result<(), KnowledgeError> {
         let Some(before) = before else { return Ok(()) };
         let aside = before.axis.filter(|_| !before.led).map_or(Micrometres::ZERO, |axis| axis.ordinary + before.drift);
         let spread = (before.largest - transition.from_diameter_mm).max(Micrometres::ZERO) + aside + aside;
-        let tolerance = asked.diameter.largest() - asked.diameter.smallest();
+        let tolerance = required.diameter.largest() - required.diameter.smallest();
         if let Some(spring) = tool::spring(transition, spread, self.shop)?.filter(|spring| *spring > tolerance) {
             self.faults.push(Fault::BarSprings { operation: transition.operation, spring, tolerance });
         }
@@ -296,22 +305,22 @@ impl Walk<'_, '_> {
     fn finished(
         &mut self,
         transition: &Transition,
-        asked: &Asked<'_>,
+        required: &CylinderRequirements<'_>,
         reach: Reach,
         state: State,
         width: Micrometres,
     ) -> Result<(), KnowledgeError> {
         let operation = transition.operation;
-        if transition.depth_mm < asked.depth && !asked.flat {
-            self.faults.push(Fault::TooShallow { operation, depth: transition.depth_mm, asked: asked.depth });
+        if transition.depth_mm < required.depth && !required.flat {
+            self.faults.push(Fault::TooShallow { operation, depth: transition.depth_mm, required: required.depth });
         }
-        if let Some(thread) = asked.thread {
+        if let Some(thread) = required.thread {
             if thread.kind == ThreadKind::Cylindrical && transition.feature != Feature::Thread {
                 self.tap_hole(transition, thread.size, thread.pitch)?;
             }
             return Ok(());
         }
-        let (smallest, largest) = (asked.diameter.smallest(), asked.diameter.largest());
+        let (smallest, largest) = (required.diameter.smallest(), required.diameter.largest());
         let left = transition.diameter_mm;
         if !(smallest..=largest).contains(&left) {
             self.faults.push(Fault::NotFinished { left, smallest, largest });
@@ -319,17 +328,17 @@ impl Walk<'_, '_> {
         }
         let mut wanting = Vec::new();
         let mut grade = true;
-        if let Some(it) = reach.it {
-            let what = Wanting::Grade(it.best, it.ordinary, asked.diameter.it);
-            grade = what.holds();
-            wanting.push(what);
+        if let Some(it) = reach.grade {
+            let of_grade = Shortfall::Grade(it.best, it.ordinary, required.diameter.it);
+            grade = of_grade.holds();
+            wanting.push(of_grade);
         }
-        wanting.push(Wanting::Surface(reach.roughness.best, reach.roughness.ordinary, asked.roughness));
-        if let Some((axis, position)) = state.axis.zip(asked.position) {
-            wanting.push(Wanting::Position(axis.best, axis.ordinary, position));
+        wanting.push(Shortfall::Surface(reach.roughness.best, reach.roughness.ordinary, required.roughness));
+        if let Some((axis, position)) = state.axis.zip(required.position) {
+            wanting.push(Shortfall::Position(axis.best, axis.ordinary, position));
         }
-        let wanting = wanting.into_iter().filter(|what| !what.holds());
-        self.faults.extend(wanting.map(|what| Fault::Wanting { operation, what }));
+        let wanting = wanting.into_iter().filter(|shortfall| !shortfall.holds());
+        self.faults.extend(wanting.map(|shortfall| Fault::Wanting { operation, shortfall }));
         // The size of these tools does not follow the tolerance field.
         let fixed = matches!(operation, Operation::Drill | Operation::DrillOut | Operation::Counterbore);
         let may_be = left + width;

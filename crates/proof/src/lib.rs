@@ -23,7 +23,7 @@ use technolog_core::{error, note, part, plan, practice_speed, shop};
 use technolog_knowledge::units;
 use technolog_tables as tables;
 
-pub use fault::{Fault, Load, Wanting};
+pub use fault::{Fault, Load, Shortfall};
 pub use hole::prove_hole;
 
 use crate::error::KnowledgeError;

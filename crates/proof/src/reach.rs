@@ -19,7 +19,7 @@ pub(crate) struct Both<T> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
     /// The grade of its diameter; none for threads.
-    pub it: Option<Both<ItGrade>>,
+    pub grade: Option<Both<ItGrade>>,
     pub roughness: Both<Roughness>,
     /// The offset of its axis from the programmed position; none if it follows the hole.
     pub own_axis: Option<Both<Micrometres>>,
@@ -31,7 +31,7 @@ pub(crate) struct Reach {
 pub(crate) struct MethodKey {
     pub operation: Operation,
     pub centred: bool,
-    pub after: MadeBy,
+    pub made_by: MadeBy,
     pub last: bool,
 }
 
@@ -42,7 +42,7 @@ impl Reach {
             return Ok(None);
         }
         let knowledge = shop.knowledge;
-        let MethodKey { operation, centred, after, last } = method;
+        let MethodKey { operation, centred, made_by: after, last } = method;
         let named = knowledge.ask(&WayOfTransitionFor { operation, centred, after, last })?.need(operation.name())?;
         let Some(row) = knowledge.ask(&ReachOfTransitionFor { way: named.way, diameter })?.winner()? else {
             return Ok(None);
@@ -50,7 +50,7 @@ impl Reach {
         let axis = knowledge.ask(&HolePositionReachFor { way: named.way })?.need(named.way)?;
         let own = axis.error_best.zip(axis.error_ordinary).filter(|_| !axis.follows);
         Ok(Some(Self {
-            it: row.it_best.zip(row.it_ordinary).map(|(best, ordinary)| Both { best, ordinary }),
+            grade: row.it_best.zip(row.it_ordinary).map(|(best, ordinary)| Both { best, ordinary }),
             roughness: Both { best: Roughness::from_ra(row.ra_best), ordinary: Roughness::from_ra(row.ra_ordinary) },
             own_axis: own.map(|(best, ordinary)| Both { best, ordinary }),
             worst: named.worst,
@@ -60,7 +60,7 @@ impl Reach {
     /// How much a hole of that diameter may be wider than its tool in the worst case; none outside the tables of
     /// tolerances.
     pub fn width(&self, diameter: Micrometres, shop: &Shop<'_>) -> Option<Micrometres> {
-        let it = self.it?;
+        let it = self.grade?;
         let grade = match self.worst {
             Worst::Best => it.best,
             Worst::Ordinary => it.ordinary,
@@ -71,8 +71,8 @@ impl Reach {
 
 /// The drift of the axis at the end of a drilled hole; none for diameters outside the table.
 pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
-    let Some(asked) = shop.knowledge.ask_within(&DrillDriftFor { diameter })? else { return Ok(Micrometres::ZERO) };
-    Ok(asked
+    let Some(answer) = shop.knowledge.ask_within(&DrillDriftFor { diameter })? else { return Ok(Micrometres::ZERO) };
+    Ok(answer
         .winner()?
         .map_or(Micrometres::ZERO, |row| Micrometres::from_mm_rounded(row.drift * depth.to_mm() / 1000.0)))
 }
@@ -83,6 +83,6 @@ pub(crate) fn drift(diameter: Micrometres, depth: Micrometres, shop: &Shop<'_>) 
 /// own drills before reamers, Ø7.8 under Ø8.
 pub(crate) fn oversize(transition: &Transition, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let question = DrillOversizeFor { diameter: transition.diameter_mm };
-    let Some(asked) = shop.knowledge.ask_within(&question)? else { return Ok(Micrometres::ZERO) };
-    Ok(asked.winner()?.map_or(Micrometres::ZERO, |row| row.oversize_mean))
+    let Some(answer) = shop.knowledge.ask_within(&question)? else { return Ok(Micrometres::ZERO) };
+    Ok(answer.winner()?.map_or(Micrometres::ZERO, |row| row.oversize_mean))
 }

@@ -28,16 +28,16 @@ pub fn check(knowledge: &Knowledge) -> Vec<Diagnostic> {
 
 /// The first row of a table that lacks a figure, for each figure.
 pub(crate) fn lacking(table: &Table, head: &ToolHead) -> Vec<Diagnostic> {
-    let mut said: Vec<Note> = Vec::new();
+    let mut reported: Vec<Note> = Vec::new();
     let mut findings = Vec::new();
     for (index, row) in table.rows::<CutterRow<'_>>().enumerate() {
         let Ok(row) = row else { continue };
         for (figure, there) in needed(&row, head) {
-            if there || said.contains(&figure) {
+            if there || reported.contains(&figure) {
                 continue;
             }
             let message = note!("lint-table-row-cutter-without", table = table.id, index = index + 1, figure = figure);
-            said.push(figure);
+            reported.push(figure);
             let finding = Diagnostic::error("cutter-lacks", message, row_place(table, index));
             findings.push(finding.help(note!("lint-shank-transitions-ask-for")));
         }

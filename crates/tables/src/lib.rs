@@ -67,8 +67,8 @@ pub fn check(knowledge: &Knowledge) -> Vec<Diagnostic> {
 /// Whether a folder is a knowledge base for planning, and not a few separate tables: it has at least half of the
 /// tables that are required by name.
 pub fn is_to_plan_with(knowledge: &Knowledge) -> bool {
-    let (there, asked) = contracts::present(knowledge, &all());
-    2 * there >= asked
+    let (there, contracts) = contracts::present(knowledge, &all());
+    2 * there >= contracts
 }
 
 /// Reads tables for planning and checks their contracts.
@@ -102,7 +102,7 @@ pub fn documentation(knowledge: &Knowledge) -> Vec<ForPeople<'_>> {
         let rows = contract.map(|contract| contracts::for_people(table, contract)).unwrap_or_default();
         ForPeople { table: &table.id, columns, rows }
     });
-    listed.filter(|of| !of.columns.is_empty() || !of.rows.is_empty()).collect()
+    listed.filter(|parts| !parts.columns.is_empty() || !parts.rows.is_empty()).collect()
 }
 
 #[cfg(test)]

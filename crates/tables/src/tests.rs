@@ -16,7 +16,7 @@ fn shipped() -> Knowledge {
 }
 
 /// All shipped tables with the contracts of the code that reads them.
-fn asked() -> Vec<(Table, &'static Contract)> {
+fn tables_with_contracts() -> Vec<(Table, &'static Contract)> {
     let contracts = all();
     let own = shipped().into_tables();
     own.filter_map(|table| {
@@ -44,7 +44,7 @@ fn every_table_has_one_contract() {
 #[test]
 fn every_renamed_column_is_found() {
     let mut renamed = 0;
-    for (mut table, contract) in asked() {
+    for (mut table, contract) in tables_with_contracts() {
         for index in 0..table.columns.len() {
             let name = std::mem::replace(&mut table.columns[index].name, "renamed_column".to_owned());
             let findings = hold(&table, contract);
@@ -64,7 +64,9 @@ fn every_renamed_column_is_found() {
 
 #[test]
 fn a_renamed_column_of_a_table_by_itself_is_missed_too() {
-    for (mut table, contract) in asked().into_iter().filter(|(table, contract)| contract.which.id() == table.id) {
+    for (mut table, contract) in
+        tables_with_contracts().into_iter().filter(|(table, contract)| contract.which.id() == table.id)
+    {
         for index in 0..table.columns.len() {
             let name = std::mem::replace(&mut table.columns[index].name, "renamed_column".to_owned());
             let findings = hold(&table, contract);
@@ -80,10 +82,10 @@ fn a_renamed_column_of_a_table_by_itself_is_missed_too() {
 
 #[test]
 fn every_column_of_another_type_or_unit_is_found_where_it_is_read() {
-    for (mut table, contract) in asked() {
+    for (mut table, contract) in tables_with_contracts() {
         for index in 0..table.columns.len() {
             let name = table.columns[index].name.clone();
-            let read = contract.inputs.iter().chain(contract.fields).any(|asked| asked.name == name);
+            let read = contract.inputs.iter().chain(contract.fields).any(|column| column.name == name);
             if !read {
                 continue;
             }

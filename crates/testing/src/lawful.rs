@@ -21,9 +21,9 @@ pub fn designated(table: &str, designation: &str) -> bool {
         .map(|column| column.name.as_str())
         .filter(|name| name.starts_with("designation"))
         .collect();
-    let held =
+    let has_designation =
         |column: &str| table.all_rows().any(|row| row.value(column).and_then(Value::as_text) == Some(designation));
-    columns.iter().any(|column| held(column))
+    columns.iter().any(|column| has_designation(column))
 }
 
 /// Each step of the main cylinder begins with what the one before left; the first begins in solid metal, the
@@ -51,34 +51,43 @@ pub fn chain(hole: &Hole, plan: &HolePlan) -> Result<(), TestCaseError> {
 
 /// Tools of the catalogs, conditions that are numbers and that the machine bears.
 pub fn sound(step: &Transition, plan: &Plan, machine: &Machine<'_>) -> Result<(), TestCaseError> {
-    let what = format!("{:?} of {}", step.operation, step.diameter_mm);
-    prop_assert!(designated(&step.tool.table, &step.tool.designation), "{what}: no {:?}", step.tool);
-    prop_assert!(designated(&step.holder.table, &step.holder.designation), "{what}: no {:?}", step.holder);
+    let step_text = format!("{:?} of {}", step.operation, step.diameter_mm);
+    prop_assert!(designated(&step.tool.table, &step.tool.designation), "{step_text}: no {:?}", step.tool);
+    prop_assert!(designated(&step.holder.table, &step.holder.designation), "{step_text}: no {:?}", step.holder);
     // What is done on another machine is in no magazine of this one.
     let tool = plan.tools.iter().find(|tool| tool.number == step.tool.number);
     let has = |tool: &technolog::plan::ToolPlan| tool.designation == step.tool.designation;
-    prop_assert!(step.elsewhere || tool.is_some_and(has), "{what}");
-    prop_assert!(step.passes >= 1 && step.travel_mm > Micrometres::ZERO, "{what}");
-    let it = &step.conditions;
+    prop_assert!(step.elsewhere || tool.is_some_and(has), "{step_text}");
+    prop_assert!(step.passes >= 1 && step.travel_mm > Micrometres::ZERO, "{step_text}");
+    let conditions = &step.conditions;
     for figure in [
-        it.depth_of_cut_mm,
-        it.feed_mm_per_rev.0,
-        it.speed_m_per_min.0,
-        it.feed_mm_per_min.0,
-        it.machine_time_min.0,
-        it.tool_life_min.0,
-        it.computed_speed_m_per_min.0,
+        conditions.depth_of_cut_mm,
+        conditions.feed_mm_per_rev.0,
+        conditions.speed_m_per_min.0,
+        conditions.feed_mm_per_min.0,
+        conditions.machine_time_min.0,
+        conditions.tool_life_min.0,
+        conditions.computed_speed_m_per_min.0,
     ] {
-        prop_assert!(figure.is_finite() && figure > 0.0, "{what}: {it:?}");
+        prop_assert!(figure.is_finite() && figure > 0.0, "{step_text}: {conditions:?}");
     }
-    prop_assert!(machine.spindle_steps.contains(&it.spindle_rpm), "{what}: {:?}", it.spindle_rpm);
+    prop_assert!(machine.spindle_steps.contains(&conditions.spindle_rpm), "{step_text}: {:?}", conditions.spindle_rpm);
     // Half of the last printed place above the limit.
     // A small reamer's power may round to nothing.
     let within = |value: Option<f64>, limit: f64, place: f64| value.is_none_or(|it| it >= 0.0 && it <= limit + place);
-    prop_assert!(within(Some(it.feed_mm_per_min.0), machine.feed_max.0, 0.05), "{what}: {it:?}");
-    prop_assert!(within(it.axial_force_n.map(|it| it.0), machine.thrust.0, 0.5), "{what}: {it:?}");
-    prop_assert!(within(it.torque_n_m.map(|it| it.0), machine.spindle_torque.0, 0.005), "{what}: {it:?}");
-    prop_assert!(within(it.power_kw.map(|it| it.0), machine.spindle_power.0, 0.005), "{what}: {it:?}");
+    prop_assert!(within(Some(conditions.feed_mm_per_min.0), machine.feed_max.0, 0.05), "{step_text}: {conditions:?}");
+    prop_assert!(
+        within(conditions.axial_force_n.map(|force| force.0), machine.thrust.0, 0.5),
+        "{step_text}: {conditions:?}"
+    );
+    prop_assert!(
+        within(conditions.torque_n_m.map(|torque| torque.0), machine.spindle_torque.0, 0.005),
+        "{step_text}: {conditions:?}"
+    );
+    prop_assert!(
+        within(conditions.power_kw.map(|power| power.0), machine.spindle_power.0, 0.005),
+        "{step_text}: {conditions:?}"
+    );
     Ok(())
 }
 
@@ -109,10 +118,10 @@ pub fn lawful(part: &Part, plan: &Plan) -> Result<(), TestCaseError> {
         prop_assert_eq!(&hole.name, &own.name);
         prop_assert_eq!(own.route.is_some(), !own.transitions.is_empty(), "{}", own.name);
         if own.route.is_none() {
-            let told = plan.findings.iter().any(|finding| {
+            let is_reported = plan.findings.iter().any(|finding| {
                 finding.severity == Severity::Error && finding.hole.as_deref() == Some(own.name.as_str())
             });
-            prop_assert!(told, "{} is not planned, and nobody says why", own.name);
+            prop_assert!(is_reported, "{} is not planned, and nobody says why", own.name);
             continue;
         }
         chain(hole, own)?;

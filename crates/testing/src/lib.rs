@@ -73,7 +73,7 @@ pub fn plan_of_hole_by_tables(material: &str, machine: &str, thickness: &str, ke
 #[derive(Clone, Debug)]
 pub struct RouteSummary {
     /// Absent if the group has no route at all: findings name only the scheme.
-    pub way: Option<RouteSource>,
+    pub source: Option<RouteSource>,
     pub scheme: String,
     /// Operations with the diameters they leave; empty where it cannot be carried out.
     pub operations: Vec<(Operation, Micrometres)>,
@@ -90,14 +90,14 @@ pub fn routes(plan: &Plan) -> Vec<RouteSummary> {
         let named = |finding: &technolog::note::Finding| {
             let scheme = finding.note.figure("scheme")?.text().into_owned();
             let why = finding.note.code().to_owned();
-            Some(RouteSummary { way: None, scheme, operations: Vec::new(), carried_out: false, taken: false, why })
+            Some(RouteSummary { source: None, scheme, operations: Vec::new(), carried_out: false, taken: false, why })
         };
         return plan.findings.iter().filter_map(named).collect();
     };
     // What finishes a hole on another machine is no operation of the scheme.
     let here = |step: &&technolog::plan::Transition| step.operation.is_of_scheme(step.elsewhere);
     let taken = RouteSummary {
-        way: Some(route.way),
+        source: Some(route.source),
         scheme: route.scheme.clone(),
         operations: hole.transitions.iter().filter(here).map(|step| (step.operation, step.diameter_mm)).collect(),
         carried_out: true,
@@ -105,7 +105,7 @@ pub fn routes(plan: &Plan) -> Vec<RouteSummary> {
         why: String::new(),
     };
     let others = route.alternatives.iter().map(|other| RouteSummary {
-        way: Some(other.way),
+        source: Some(other.source),
         scheme: other.scheme.clone(),
         operations: (other.operations.iter())
             .filter(|made| made.operation.is_of_scheme(made.elsewhere))

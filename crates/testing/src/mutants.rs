@@ -22,7 +22,7 @@ pub struct Mutant {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Run {
     /// Sentences without their places, and how often each is said.
-    pub said: BTreeMap<String, usize>,
+    pub findings: BTreeMap<String, usize>,
     /// Where the axes go and how.
     pub motions: Vec<String>,
     /// What else is switched, in order, by what it is.
@@ -35,10 +35,10 @@ impl Run {
     /// Takes the steps apart into motions and states. What moves nothing and switches nothing is left out, and rapids that
     /// go on along one axis are one. The order of two switches of different kinds does not count: what acts in a cut the
     /// proof has to tell.
-    pub fn of(steps: &[MotionStep], start: Position, said: impl IntoIterator<Item = String>, time: String) -> Self {
+    pub fn of(steps: &[MotionStep], start: Position, findings: impl IntoIterator<Item = String>, time: String) -> Self {
         let mut run = Self { time, ..Self::default() };
-        for sentence in said {
-            *run.said.entry(sentence).or_default() += 1;
+        for sentence in findings {
+            *run.findings.entry(sentence).or_default() += 1;
         }
         for kind in ["spindle stopped", "coolant off"] {
             run.switch(kind.to_owned());
@@ -82,7 +82,7 @@ impl Run {
 
     /// Whether something is said of it that is not said of the other, or is said more often.
     pub fn says_more_than(&self, other: &Self) -> bool {
-        self.said.iter().any(|(sentence, count)| other.said.get(sentence).is_none_or(|before| before < count))
+        self.findings.iter().any(|(sentence, count)| other.findings.get(sentence).is_none_or(|before| before < count))
     }
 
     /// Whether it does the same.
@@ -223,7 +223,7 @@ pub fn score(name: &str, text: &str, usual: usize, run: impl Fn(&str) -> Run) ->
                 let at = a.iter().zip(b).position(|(a, b)| a != b).unwrap_or(a.len().min(b.len()));
                 format!("{:?} instead of {:?}", b.get(at), a.get(at))
             };
-            let what = if made.motions != right.motions {
+            let difference = if made.motions != right.motions {
                 differs(&right.motions, &made.motions)
             } else if made.states != right.states {
                 let all = |run: &Run| run.states.values().flatten().cloned().collect::<Vec<_>>();
@@ -231,7 +231,7 @@ pub fn score(name: &str, text: &str, usual: usize, run: impl Fn(&str) -> Run) ->
             } else {
                 format!("time {} instead of {}", made.time, right.time)
             };
-            score.unnoticed.push(format!("{name}:{}: {}: {}: {what}", mutant.line, mutant.kind, mutant.change));
+            score.unnoticed.push(format!("{name}:{}: {}: {}: {difference}", mutant.line, mutant.kind, mutant.change));
         }
     }
     score

@@ -46,7 +46,7 @@ impl ProofBench {
     }
 
     /// With the operator's own correctors: numbers and micrometres.
-    pub fn own(mut self, correctors: &[(u32, i64)]) -> Self {
+    pub fn with_correctors(mut self, correctors: &[(u32, i64)]) -> Self {
         self.setting.correctors =
             correctors.iter().map(|(number, value)| (*number, Micrometres::new(*value))).collect();
         self.own_correctors = true;
@@ -68,7 +68,7 @@ impl ProofBench {
         let faults = language.check(text, &self.machine, &self.setting, &mut sink);
         let (steps, clock) = sink;
         let zeros: Vec<Position> = self.job.setups.iter().map(|setup| setup.zero).collect();
-        let asked = ProofInput {
+        let input = ProofInput {
             plan: &self.plan,
             job: &self.job,
             zeros: &zeros,
@@ -76,11 +76,11 @@ impl ProofBench {
             tolerated: self.tolerated,
             own_correctors: self.own_correctors,
         };
-        let proof = prove(&steps, &asked);
-        let said = faults.iter().map(|fault| format!("{:?} {:?}", fault.severity, fault.note));
-        let said =
-            said.chain(proof.findings.iter().map(|finding| format!("{:?} {:?}", finding.severity, finding.note)));
-        let run = Run::of(&steps, self.setting.start, said, format!("{:?}", clock.times()));
+        let proof = prove(&steps, &input);
+        let texts = faults.iter().map(|fault| format!("{:?} {:?}", fault.severity, fault.note));
+        let texts =
+            texts.chain(proof.findings.iter().map(|finding| format!("{:?} {:?}", finding.severity, finding.note)));
+        let run = Run::of(&steps, self.setting.start, texts, format!("{:?}", clock.times()));
         (faults, proof, run)
     }
 }

@@ -98,10 +98,10 @@ pub struct Columns {
 
 impl Columns {
     /// Of a zone.
-    pub fn of(stock: &Stock, way: &Toolpath) -> Self {
+    pub fn of(stock: &Stock, toolpath: &Toolpath) -> Self {
         let corners: Vec<Half> =
             [&stock.rough, &stock.blank].into_iter().flat_map(Contour::corners).map(|corner| corner.z).collect();
-        let places = places(&corners, way.moves.iter().map(|one| one.to.z), stock.from, stock.to);
+        let places = places(&corners, toolpath.moves.iter().map(|one| one.to.z), stock.from, stock.to);
         let around = |z: &Half| {
             let near = [Half::new(-2), Half::new(-1), Half::ZERO, Half::new(1), Half::new(2)];
             let radii = near.iter().filter_map(|by| radius_at(&stock.rough, *z + *by));
@@ -171,10 +171,10 @@ pub struct Worked {
 }
 
 /// Place a whole way off.
-pub fn work_off(stock: &Stock, way: &Toolpath, edge: Option<Half>) -> Worked {
-    let mut columns = Columns::of(stock, way);
+pub fn simulate(stock: &Stock, toolpath: &Toolpath, edge: Option<Half>) -> Worked {
+    let mut columns = Columns::of(stock, toolpath);
     let (mut below, mut hit, mut depth) = (f64::NEG_INFINITY, f64::NEG_INFINITY, 0.0_f64);
-    for (piece, purpose) in way.pieces() {
+    for (piece, purpose) in toolpath.pieces() {
         if purpose == Purpose::Rapid {
             hit = hit.max(columns.hit(&piece));
             continue;

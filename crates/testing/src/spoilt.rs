@@ -6,7 +6,7 @@ use technolog::part::{Part, read_part};
 use super::KNOWLEDGE;
 
 /// A file with one to three stretches of up to five letters replaced by random ones.
-pub fn spoilt(
+pub fn damaged(
     files: impl Strategy<Value = String>,
     litter: impl Strategy<Value = String>,
 ) -> impl Strategy<Value = String> {

@@ -107,7 +107,7 @@ struct OutlineText {
 }
 
 impl OutlineText {
-    fn put(&mut self, line: String, radius: i64, z: i64) {
+    fn push_line(&mut self, line: String, radius: i64, z: i64) {
         self.spans.push((self.z, z, self.radius.max(radius)));
         self.lines.push(line);
         (self.radius, self.z) = (radius, z);
@@ -116,19 +116,19 @@ impl OutlineText {
 
     fn cylinder(&mut self, length: i64, more: &str) {
         let z = self.z + length;
-        self.put(format!("{{cylinder: {}{more}}}", mm(-z)), self.radius, z);
+        self.push_line(format!("{{cylinder: {}{more}}}", mm(-z)), self.radius, z);
         self.after_cylinder = true;
     }
 
     fn face(&mut self, radius: i64) {
         let up = radius > self.radius;
-        self.put(format!("{{face: {}}}", mm(2 * radius)), radius, self.z);
+        self.push_line(format!("{{face: {}}}", mm(2 * radius)), radius, self.z);
         self.after_face_up = up;
     }
 
     fn cone(&mut self, radius: i64, length: i64) {
         let z = self.z + length;
-        self.put(format!("{{cone: {{d: {}, z: {}}}}}", mm(2 * radius), mm(-z)), radius, z);
+        self.push_line(format!("{{cone: {{d: {}, z: {}}}}}", mm(2 * radius), mm(-z)), radius, z);
     }
 
     fn item(&mut self, item: OutlineItem) {
@@ -161,12 +161,16 @@ impl OutlineText {
                     let z = self.z + size;
                     let bulge = if hollow { "in" } else { "out" };
                     let (d, to) = (mm(2 * radius), mm(-z));
-                    self.put(format!("{{arc: {{d: {d}, z: {to}}}, radius: {}, bulge: {bulge}}}", mm(size)), radius, z);
+                    self.push_line(
+                        format!("{{arc: {{d: {d}, z: {to}}}, radius: {}, bulge: {bulge}}}", mm(size)),
+                        radius,
+                        z,
+                    );
                 }
             }
             OutlineItem::Chamfer(size) if self.after_face_up && self.radius + size <= most => {
                 let z = self.z + size;
-                self.put(format!("{{chamfer: {}}}", mm(size)), self.radius + size, z);
+                self.push_line(format!("{{chamfer: {}}}", mm(size)), self.radius + size, z);
                 self.cylinder(3_000, "");
             }
             OutlineItem::Groove(kind, width, depth) if self.after_cylinder && self.radius - depth >= self.least => {
@@ -175,7 +179,7 @@ impl OutlineText {
                     line.push_str(", angle: 30");
                 }
                 line.push('}');
-                self.put(line, self.radius, self.z + width);
+                self.push_line(line, self.radius, self.z + width);
                 self.cylinder(4_000, "");
             }
             OutlineItem::Neck(depth, length) if self.radius - depth >= self.least => {
@@ -191,8 +195,8 @@ impl OutlineText {
                 let (top, z) = (radius + 5_000, self.z + length);
                 if fits(self, top) && radius - 3_000 >= self.least {
                     self.face(*radius);
-                    self.put(format!("{{thread: {size}-6g, to: {}}}", mm(-z)), *radius, z);
-                    self.put("{groove: thread-relief}".to_owned(), *radius, self.z + relief);
+                    self.push_line(format!("{{thread: {size}-6g, to: {}}}", mm(-z)), *radius, z);
+                    self.push_line("{groove: thread-relief}".to_owned(), *radius, self.z + relief);
                     self.face(top);
                     self.cylinder(4_000, "");
                 }
@@ -300,9 +304,9 @@ impl TurnedDraft {
                     }
                 }
                 // The second begins where the first ends only if both are there.
-                let told: Vec<String> =
+                let texts: Vec<String> =
                     steps.iter().map(|(r, l)| format!("{{diameter: {}, length: {}}}", mm(2 * r), mm(*l))).collect();
-                let more = if told.is_empty() { String::new() } else { format!(", steps: [{}]", told.join(", ")) };
+                let more = if texts.is_empty() { String::new() } else { format!(", steps: [{}]", texts.join(", ")) };
                 bar("forging", &more)
             }
             (BlankForm::Contoured(shape), _) => {

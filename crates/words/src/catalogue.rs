@@ -179,7 +179,7 @@ impl Language {
     }
 
     /// Whether it has a message of that name.
-    pub(crate) fn has(&self, key: &str) -> bool {
+    pub(crate) fn has_message(&self, key: &str) -> bool {
         self.text(key).is_some()
     }
 
@@ -190,7 +190,7 @@ impl Language {
 
     /// A number as written in this language.
     pub(crate) fn number(&self, written: &str) -> String {
-        if self.has("decimal-comma") { with_comma(written) } else { written.to_owned() }
+        if self.has_message("decimal-comma") { with_comma(written) } else { written.to_owned() }
     }
 
     fn bundle(&self) -> &Bundle {
@@ -198,7 +198,7 @@ impl Language {
             let mut bundle = Bundle::new_concurrent(vec![self.tag.parse().unwrap_or_default()]);
             // No invisible marks around figures: pages are copied into other programs.
             bundle.set_use_isolating(false);
-            if self.has("decimal-comma") {
+            if self.has_message("decimal-comma") {
                 bundle.set_formatter(Some(|value, _| match value {
                     FluentValue::Number(number) => Some(with_comma(&number.as_string())),
                     _ => None,

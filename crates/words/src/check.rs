@@ -8,7 +8,7 @@ use fluent_syntax::parser::parse;
 use super::catalogue::{Language, gaps};
 
 /// One message of a file.
-pub struct Entered {
+pub struct CatalogueMessage {
     /// The file it stands in.
     pub file: &'static str,
     /// The figures of its gaps; those of an attribute under the attribute's name.
@@ -16,7 +16,7 @@ pub struct Entered {
 }
 
 /// The messages of a language by their names, and the faults of its files.
-pub fn entries(language: &Language) -> (BTreeMap<String, Entered>, Vec<String>) {
+pub fn entries(language: &Language) -> (BTreeMap<String, CatalogueMessage>, Vec<String>) {
     let (mut entries, mut faults) = (BTreeMap::new(), Vec::new());
     for (file, text) in language.files() {
         let place = format!("{}/{file}", language.tag);
@@ -33,7 +33,7 @@ pub fn entries(language: &Language) -> (BTreeMap<String, Entered>, Vec<String>) 
         for entry in resource.body {
             let Entry::Message(message) = entry else { continue };
             let name = message.id.name.to_owned();
-            if !language.has(&name) {
+            if !language.has_message(&name) {
                 faults.push(format!("{place}: {name}: its name must stand at the beginning of a line"));
             }
             let values = message.value.iter().map(|value| (String::new(), value));
@@ -50,7 +50,7 @@ pub fn entries(language: &Language) -> (BTreeMap<String, Entered>, Vec<String>) 
                 );
                 of_forms.insert(form, gaps(pattern).into_iter().map(str::to_owned).collect());
             }
-            if entries.insert(name.clone(), Entered { file, gaps: of_forms }).is_some() {
+            if entries.insert(name.clone(), CatalogueMessage { file, gaps: of_forms }).is_some() {
                 faults.push(format!("{place}: {name} stands twice"));
             }
         }
@@ -153,7 +153,7 @@ mod tests {
         let note = Note::new("stages").with("stages", Figure::sum_of_words(["finish-nc"])).with("delta", 0.2);
         let note = note.with("sigma", 0.05);
         assert_eq!(polish.say(&note), "stages: finishing on the NC machine (Δ0 = 0.2 mm, σc = 0.05 mm)");
-        let lacks = polish.lacks();
+        let lacks = polish.untranslated();
         assert!(lacks.contains(&"operation-tap".to_owned()) && !lacks.contains(&"operation-drill".to_owned()));
         assert_eq!(entries(&POLISH).1, Vec::<String>::new());
     }
@@ -173,9 +173,9 @@ mod tests {
 
     #[test]
     fn plurals_follow_their_number() {
-        for (count, said) in [(1, "1 рядок"), (3, "3 рядки"), (12, "12 рядків"), (21, "21 рядок"), (104, "104 рядки")]
+        for (count, text) in [(1, "1 рядок"), (3, "3 рядки"), (12, "12 рядків"), (21, "21 рядок"), (104, "104 рядки")]
         {
-            assert_eq!(Lang::UK.say(&Note::new("cli-rows-counted").with("count", count)), said);
+            assert_eq!(Lang::UK.say(&Note::new("cli-rows-counted").with("count", count)), text);
         }
     }
 

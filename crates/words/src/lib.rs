@@ -46,7 +46,7 @@ impl Lang {
     }
 
     /// The messages that it lacks and shows in English.
-    pub fn lacks(self) -> Vec<String> {
+    pub fn untranslated(self) -> Vec<String> {
         check::differences(self.0, &registered::EN).0
     }
 
@@ -71,7 +71,7 @@ impl Lang {
     pub fn say(self, note: &Note) -> String {
         let known = figures_of(note);
         let figures: Vec<(&str, &Figure)> = known.iter().map(|(name, figure)| (*name, &**figure)).collect();
-        let Some(mut said) = self.message(note.code(), None, &figures) else {
+        let Some(mut text) = self.message(note.code(), None, &figures) else {
             let figures: Vec<String> =
                 figures.iter().map(|(name, value)| format!("{name} = {}", value.text())).collect();
             return if figures.is_empty() {
@@ -81,12 +81,12 @@ impl Lang {
             };
         };
         if note.figure("more").is_some() && !self.mentions(note.code(), "more") {
-            said.push_str(&self.message("and-more-alike", None, &figures).unwrap_or_default());
+            text.push_str(&self.message("and-more-alike", None, &figures).unwrap_or_default());
         }
         if note.figure("scheme").is_some() && !self.mentions(note.code(), "scheme") {
-            said = format!("{}: {said}", self.message("of-scheme", None, &figures).unwrap_or_default());
+            text = format!("{}: {text}", self.message("of-scheme", None, &figures).unwrap_or_default());
         }
-        said
+        text
     }
 
     /// The remedy for a note.
@@ -103,13 +103,13 @@ impl Lang {
     }
 
     /// A word of a vocabulary; its id where it has no translation, as designations have none.
-    pub fn term<'i>(self, of: &str, id: &'i str) -> &'i str {
-        self.plain(&format!("{of}-{id}"), None).unwrap_or(id)
+    pub fn term<'i>(self, vocabulary: &str, id: &'i str) -> &'i str {
+        self.plain(&format!("{vocabulary}-{id}"), None).unwrap_or(id)
     }
 
     /// Another form of a word, such as `verb` of an operation.
-    pub fn form<'i>(self, of: &str, id: &'i str, form: &str) -> &'i str {
-        self.plain(&format!("{of}-{id}"), Some(form)).unwrap_or(id)
+    pub fn form<'i>(self, vocabulary: &str, id: &'i str, form: &str) -> &'i str {
+        self.plain(&format!("{vocabulary}-{id}"), Some(form)).unwrap_or(id)
     }
 
     /// A single figure: a number as written in this language, a word translated.
@@ -117,14 +117,14 @@ impl Lang {
         match figure {
             Figure::Text(text) => text.to_string(),
             Figure::Number(number) => self.0.number(number),
-            Figure::Word(Word { of, id }) => self.term(of, id).to_owned(),
+            Figure::Word(Word { vocabulary, id }) => self.term(vocabulary, id).to_owned(),
             Figure::Named(named) => {
                 let own = named.names.iter().find(|(tag, _)| *tag == self.tag()).or(named.names.last());
                 own.map_or_else(|| self.figure(&Figure::Word(named.word.clone())), |(_, name)| name.clone())
             }
             Figure::List(parts, between) => {
-                let told: Vec<String> = parts.iter().map(|part| self.figure(part)).collect();
-                if *between == ", " { listed(&told) } else { told.join(between) }
+                let texts: Vec<String> = parts.iter().map(|part| self.figure(part)).collect();
+                if *between == ", " { joined_list(&texts) } else { texts.join(between) }
             }
             Figure::Note(note) => self.say(note),
             Figure::Stored(text) => text.clone(),
@@ -156,7 +156,7 @@ impl Lang {
         let english = with_latin_table_names(source);
         // An address or an id is one word, whatever characters it contains.
         let inside = |letter: char| letter.is_alphanumeric() || "_/-@".contains(letter);
-        let mut said = String::with_capacity(english.len());
+        let mut text = String::with_capacity(english.len());
         let (mut rest, mut before) = (&*english, ' ');
         // Between lines and pages a hyphen means `to`; elsewhere it belongs to a designation.
         let mut in_numbers = false;
@@ -176,11 +176,11 @@ impl Lang {
                     (first.len_utf8(), if in_numbers && first == '-' { "–" } else { &rest[..first.len_utf8()] })
                 }
             };
-            said.push_str(put);
+            text.push_str(put);
             before = rest[..length].chars().next_back().unwrap_or(' ');
             rest = &rest[length..];
         }
-        if known.is_empty() { said } else { with_dashes(&said) }
+        if known.is_empty() { text } else { with_dashes(&text) }
     }
 
     fn plain(self, key: &str, form: Option<&str>) -> Option<&'static str> {
@@ -328,14 +328,14 @@ impl std::str::FromStr for Lang {
 }
 /// A list of texts. If one of them is a number with a decimal comma, the separator is a semicolon, because a comma
 /// would be ambiguous.
-pub fn listed(told: &[String]) -> String {
+pub fn joined_list(texts: &[String]) -> String {
     let has_comma = |one: &String| {
         let mut parts = one.split(',');
         let (before, behind) = (parts.next().unwrap_or_default(), parts.next());
         before.ends_with(|sign: char| sign.is_ascii_digit())
             && behind.is_some_and(|behind| behind.starts_with(|sign: char| sign.is_ascii_digit()))
     };
-    told.join(if told.iter().any(has_comma) { "; " } else { ", " })
+    texts.join(if texts.iter().any(has_comma) { "; " } else { ", " })
 }
 
 #[cfg(test)]
@@ -353,6 +353,6 @@ mod tests {
             assert_eq!(Lang::UK.figure(&list(numbers)), uk);
             assert_eq!(Lang::EN.figure(&list(numbers)), en);
         }
-        assert_eq!(listed(&["A, B".to_owned(), "C".to_owned()]), "A, B, C");
+        assert_eq!(joined_list(&["A, B".to_owned(), "C".to_owned()]), "A, B, C");
     }
 }

@@ -74,7 +74,7 @@ pub fn scheme(path: &Path, context: &Context) -> Result<MarkingScheme, CliError>
     })
 }
 
-fn beside(plan: &Path) -> &Path {
+fn folder_of(plan: &Path) -> &Path {
     plan.parent().unwrap_or(Path::new(""))
 }
 
@@ -83,7 +83,7 @@ fn unusable(path: &Path, shown: String, text: String, unreadable: Unreadable, co
     let problems = kind::or_other(&shown, &text, FileKind::Plan, problems, context);
     let mut known = Texts::default().with(&shown.clone(), shown, Cow::Owned(text));
     for (name, text) in texts {
-        let path = beside(path).join(&name).display().to_string();
+        let path = folder_of(path).join(&name).display().to_string();
         known = known.with(&name, path, Cow::Owned(text));
     }
     CliError::Unusable { problems, texts: known }

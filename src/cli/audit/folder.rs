@@ -17,7 +17,7 @@ use super::super::{CliError, Context, Format, Outcome, output};
 use super::file;
 
 /// The result for a file of the folder.
-enum Seen {
+enum FolderItem {
     Plan(Audited),
     /// It is no plan.
     NoPlan,
@@ -38,16 +38,17 @@ pub fn run(
     let (mut files, mut barred) = (Vec::new(), Vec::new());
     collect(folder, &mut files, &mut barred).map_err(|error| unreadable(folder.display(), &error, context.lang))?;
     let progress = Progress::new(files.len());
-    let seen = parallel::map(&files, |path| one(path, auditor, scheme, places, context), |done| progress.show(done));
+    let seen =
+        parallel::map(&files, |path| audit_file(path, auditor, scheme, places, context), |done| progress.show(done));
     progress.clear();
     let mut audited: Vec<Audited> = barred.iter().map(|(folder, error)| unopened(folder, error, context)).collect();
     for (path, seen) in files.iter().zip(seen) {
         match seen? {
-            Seen::Plan(plan) => {
+            FolderItem::Plan(plan) => {
                 context.uses(path);
                 audited.push(plan);
             }
-            Seen::NoPlan => {
+            FolderItem::NoPlan => {
                 let skipped = say!(context.lang, "audit-skipped-file", file = path.display().to_string());
                 output::complain(&format!("{}\n", cleaned(&skipped)));
             }
@@ -69,18 +70,18 @@ pub fn run(
     Ok(if wrong { Outcome::Findings } else { Outcome::Done })
 }
 
-fn one(
+fn audit_file(
     path: &Path,
     auditor: &Auditor<'_>,
     scheme: Option<&MarkingScheme>,
     places: FileRoots<'_>,
     context: &Context,
-) -> Result<Seen, CliError> {
+) -> Result<FolderItem, CliError> {
     let stated = match file::read_any(path, auditor, places, context) {
         Ok(Some(stated)) => stated,
-        Ok(None) => return Ok(Seen::NoPlan),
+        Ok(None) => return Ok(FolderItem::NoPlan),
         Err(CliError::Unusable { problems, .. }) => {
-            return Ok(Seen::Plan(unread(path, &problems, context)));
+            return Ok(FolderItem::Plan(unread(path, &problems, context)));
         }
         Err(error) => return Err(error),
     };
@@ -88,11 +89,11 @@ fn one(
         Ok(found) => found,
         Err(error) => {
             let problem = stated.at_fault(&error).ok_or_else(|| CliError::of_knowledge(&error, context.lang))?;
-            return Ok(Seen::Plan(unread(path, &[problem], context)));
+            return Ok(FolderItem::Plan(unread(path, &[problem], context)));
         }
     };
     found.marks = scheme.map(|scheme| scheme.mark(&found));
-    Ok(Seen::Plan(Audited::Plan(Box::new(found))))
+    Ok(FolderItem::Plan(Audited::Plan(Box::new(found))))
 }
 
 fn unread(path: &Path, problems: &[Diagnostic], context: &Context) -> Audited {

@@ -31,7 +31,7 @@ pub struct Stretch<'t> {
     /// The text before the place.
     pub before: &'t str,
     /// The text of the place; empty at the end of a line.
-    pub meant: &'t str,
+    pub marked: &'t str,
     /// The text after the place.
     pub behind: &'t str,
     /// Whether the line begins before this part.
@@ -70,7 +70,7 @@ impl<'t> Lines<'t> {
         let part = |from: usize, to: usize| self.text.get(self.byte(line.before + from)..self.byte(line.before + to));
         Some(Stretch {
             before: part(begin, first)?,
-            meant: part(first, first + width)?,
+            marked: part(first, first + width)?,
             behind: part(first + width, end)?,
             cut_before: begin > 0,
             cut_behind: end < line.length,
@@ -93,7 +93,7 @@ mod tests {
         let place = Place { file: "t".into(), line, column, width };
         let stretch = Lines::of(text).around(&place, room)?;
         let dots = |cut: bool| if cut { "…" } else { "" };
-        let Stretch { before, meant, behind, cut_before, cut_behind } = stretch;
+        let Stretch { before, marked: meant, behind, cut_before, cut_behind } = stretch;
         Some(format!("{}{before}<{meant}>{behind}{}", dots(cut_before), dots(cut_behind)))
     }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use technolog::document::{Column as Head, Document, Inlines};
-use technolog::knowledge::alike::has;
+use technolog::knowledge::alike::matches;
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::table::Cell;
 use technolog::knowledge::{Column, RowRef, Table, Value};
@@ -24,7 +24,8 @@ const FEW: usize = 12;
 pub fn answer(question: &LookupQuestion<'_>, format: Format, context: &Context) -> Result<Outcome, CliError> {
     let table = question.table;
     let failed = |row: RowRef<'_>| -> Vec<usize> {
-        let fails = |(index, value): &&(usize, Value)| !has(&table.columns[*index], &row.row().cells[*index], value);
+        let fails =
+            |(index, value): &&(usize, Value)| !matches(&table.columns[*index], &row.row().cells[*index], value);
         question.given.iter().filter(fails).map(|(index, _)| *index).collect()
     };
     let rows: Vec<RowRef<'_>> = table.all_rows().filter(|&row| failed(row).is_empty()).collect();
@@ -40,7 +41,7 @@ pub fn answer(question: &LookupQuestion<'_>, format: Format, context: &Context) 
             inputs: record::Inputs(
                 question.given.iter().map(|(index, value)| (&table.columns[*index], value)).collect(),
             ),
-            rows: rows.iter().map(|&row| record::Whole::of(row)).collect(),
+            rows: rows.iter().map(|&row| record::WholeRow::of(row)).collect(),
             nearest: near::json(&missed.near),
             nearest_values: missed.keys.iter().map(|key| (key.column.name.as_str(), key)).collect(),
         })?,
@@ -68,7 +69,7 @@ struct Key<'a> {
 impl<'a> Key<'a> {
     fn of(table: &'a Table, index: usize, wanted: &'a Value) -> Self {
         let column = &table.columns[index];
-        let rows = table.rows.iter().filter(|row| has(column, &row.cells[index], wanted)).count();
+        let rows = table.rows.iter().filter(|row| matches(column, &row.cells[index], wanted)).count();
         let near = if rows == 0 { nearest_values(table, index, wanted) } else { Vec::new() };
         Self { column, wanted, rows, near }
     }
@@ -121,7 +122,7 @@ fn found_page(table: &Table, rows: &[RowRef<'_>], lang: Lang, room: Option<usize
     if numbered {
         sheet::columns(&mut page, table, numbered, lang);
     }
-    sheet::said(&mut page, rows, lang);
+    sheet::row_remarks(&mut page, rows, lang);
     page
 }
 
@@ -150,7 +151,7 @@ struct Json<'a> {
     table: &'a str,
     result: record::Results<'a>,
     inputs: record::Inputs<'a>,
-    rows: Vec<record::Whole<'a>>,
+    rows: Vec<record::WholeRow<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     nearest: Vec<near::Json<'a>>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]

@@ -36,12 +36,12 @@ pub fn answer(
         let help = context.word("cli-run-lint");
         Diagnostic::error("contradiction", technolog::note::Note::from(&error), None).help(help)
     })?;
-    let told = DecisionReport::of(question, &answer);
+    let report = DecisionReport::of(question, &answer);
     match format {
-        Format::Json => context.emit_json(&told.json())?,
-        _ => context.emit_document(&told.page(all, context.lang), format)?,
+        Format::Json => context.emit_json(&report.json())?,
+        _ => context.emit_document(&report.page(all, context.lang), format)?,
     }
-    Ok(if told.winners.is_empty() { Outcome::Findings } else { Outcome::Done })
+    Ok(if report.winners.is_empty() { Outcome::Findings } else { Outcome::Done })
 }
 
 /// An input as the table understood it.
@@ -56,7 +56,7 @@ struct UnderstoodInput<'a> {
 /// All data about an answer.
 struct DecisionReport<'a> {
     table: &'a Table,
-    asked: Vec<UnderstoodInput<'a>>,
+    inputs: Vec<UnderstoodInput<'a>>,
     winners: Vec<RowRef<'a>>,
     passed_over: Vec<RowRef<'a>>,
     rejected: Vec<(RowRef<'a>, &'a Column, &'a str)>,
@@ -67,7 +67,7 @@ struct DecisionReport<'a> {
 impl<'a> DecisionReport<'a> {
     fn of(question: &'a LookupQuestion<'a>, answer: &Answer<'a>) -> Self {
         let table = question.table;
-        let asked: Vec<UnderstoodInput<'_>> = table
+        let inputs: Vec<UnderstoodInput<'_>> = table
             .inputs()
             .filter_map(|(index, column)| {
                 let given = question.value(index);
@@ -76,16 +76,16 @@ impl<'a> DecisionReport<'a> {
             })
             .collect();
         let winners: Vec<RowRef<'_>> = answer.winners().collect();
-        let lies_in = |gap: &&Uncovered| gap.sets.iter().zip(&asked).all(|(set, asked)| set.contains(asked.rank));
+        let lies_in = |gap: &&Uncovered| gap.sets.iter().zip(&inputs).all(|(set, input)| set.contains(input.rank));
         let gap = if winners.is_empty() { table.uncovered.iter().find(lies_in) } else { None };
         let failed = |row: RowRef<'_>| -> Vec<usize> {
-            let fails = |asked: &&UnderstoodInput<'_>| match &row.row().cells[asked.index] {
-                Cell::Test(set, _) => !set.contains(asked.rank),
+            let fails = |input: &&UnderstoodInput<'_>| match &row.row().cells[input.index] {
+                Cell::Test(set, _) => !set.contains(input.rank),
                 _ => false,
             };
-            asked.iter().filter(fails).map(|asked| asked.index).collect()
+            inputs.iter().filter(fails).map(|input| input.index).collect()
         };
-        let near = if winners.is_empty() { near::rows(table.all_rows(), asked.len(), failed) } else { Vec::new() };
+        let near = if winners.is_empty() { near::rows(table.all_rows(), inputs.len(), failed) } else { Vec::new() };
         let rejected = answer
             .rejected()
             .map(|(row, column)| {
@@ -97,7 +97,7 @@ impl<'a> DecisionReport<'a> {
                 (row, column, test)
             })
             .collect();
-        Self { table, asked, winners, passed_over: answer.passed_over().collect(), rejected, gap, near }
+        Self { table, inputs, winners, passed_over: answer.passed_over().collect(), rejected, gap, near }
     }
 
     fn page(&self, all: bool, lang: Lang) -> Document {
@@ -116,7 +116,7 @@ impl<'a> DecisionReport<'a> {
             page.push(self.question(None, lang));
             near::section(&mut page, &self.near, lang);
         }
-        sheet::said(&mut page, &self.winners, lang);
+        sheet::row_remarks(&mut page, &self.winners, lang);
         if !self.passed_over.is_empty() {
             page.heading(2, lang.word("cli-passed-over"));
             let mut rows = grid(&["cli-row", "table-answer"], lang);
@@ -135,15 +135,15 @@ impl<'a> DecisionReport<'a> {
             vec![Head::text(lang.word("table-key")), Head::text(lang.word("table-what")).keep(Keep::Optional)];
         heads.push(Head::text(lang.word("table-asked")));
         heads.extend(row.map(|_| Head::text(lang.word("cli-row"))));
-        let one = |asked: &UnderstoodInput<'_>| {
-            let value = shown::full(lang, asked.column, asked.value);
-            let value = if asked.by_default { say!(lang, "table-by-default", value = value) } else { value };
-            let mut cells = vec![key(asked.column), shown::label(lang, asked.column).unwrap_or_default().into()];
+        let one = |input: &UnderstoodInput<'_>| {
+            let value = shown::full(lang, input.column, input.value);
+            let value = if input.by_default { say!(lang, "table-by-default", value = value) } else { value };
+            let mut cells = vec![key(input.column), shown::label(lang, input.column).unwrap_or_default().into()];
             cells.push(value.into());
-            cells.extend(row.map(|row| shown::cell(lang, asked.column, &row.row().cells[asked.index]).into()));
+            cells.extend(row.map(|row| shown::cell(lang, input.column, &row.row().cells[input.index]).into()));
             cells
         };
-        sheet::filled(heads, self.asked.iter().map(one).collect())
+        sheet::filled(heads, self.inputs.iter().map(one).collect())
     }
 
     /// A row that applies: its source, its tests with the inputs, and its remarks besides the result.
@@ -183,8 +183,8 @@ impl<'a> DecisionReport<'a> {
             return page.push(rows);
         }
         let mut rows = grid(&["table-key", "cli-row-count", "table-failed"], lang);
-        for asked in &self.asked {
-            let own = self.rejected.iter().filter(|(_, column, _)| column.name == asked.column.name);
+        for input in &self.inputs {
+            let own = self.rejected.iter().filter(|(_, column, _)| column.name == input.column.name);
             // In the order of the table, where neighbouring intervals follow each other.
             let mut counts: Vec<(&str, usize)> = Vec::new();
             for (_, _, test) in own {
@@ -194,10 +194,10 @@ impl<'a> DecisionReport<'a> {
                 }
             }
             let total: usize = counts.iter().map(|(_, count)| count).sum();
-            let test = |(test, count): &(&str, usize)| format!("{} ×{count}", shown::test(lang, asked.column, test));
+            let test = |(test, count): &(&str, usize)| format!("{} ×{count}", shown::test(lang, input.column, test));
             let tests: Vec<String> = counts.iter().map(test).collect();
             if total > 0 {
-                rows.row([key(asked.column), Inlines::number(total.to_string()), tests.join("; ").into()]);
+                rows.row([key(input.column), Inlines::number(total.to_string()), tests.join("; ").into()]);
             }
         }
         rows.notes.push(Inlines::sentence(lang.word("cli-all-rejected")));
@@ -211,8 +211,8 @@ impl<'a> DecisionReport<'a> {
             result: record::Results(self.winners.clone()),
             row: first.map(RowRef::number),
             outputs: first.map(record::Cells::outputs),
-            inputs: record::Inputs(self.asked.iter().map(|asked| (asked.column, asked.value)).collect()),
-            about: first.map(record::About::of),
+            inputs: record::Inputs(self.inputs.iter().map(|input| (input.column, input.value)).collect()),
+            about: first.map(record::RowData::of),
             uncovered: self.gap.map(|gap| gap.reason.as_str()),
             nearest: near::json(&self.near),
             passed_over: self
@@ -225,7 +225,7 @@ impl<'a> DecisionReport<'a> {
                 .iter()
                 .map(|&(row, column, cell)| Rejected { row: row.number(), column: &column.name, cell })
                 .collect(),
-            rows: self.winners.iter().map(|&row| record::Whole::of(row)).collect(),
+            rows: self.winners.iter().map(|&row| record::WholeRow::of(row)).collect(),
         }
     }
 }
@@ -247,14 +247,14 @@ struct Json<'t> {
     outputs: Option<record::Cells<'t>>,
     inputs: record::Inputs<'t>,
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
-    about: Option<record::About<'t>>,
+    about: Option<record::RowData<'t>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uncovered: Option<&'t str>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     nearest: Vec<near::Json<'t>>,
     passed_over: Vec<PassedOver<'t>>,
     rejected: Vec<Rejected<'t>>,
-    rows: Vec<record::Whole<'t>>,
+    rows: Vec<record::WholeRow<'t>>,
 }
 
 #[derive(Serialize)]

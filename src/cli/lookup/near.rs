@@ -20,12 +20,12 @@ pub struct NearRow<'t> {
 /// The rows with the fewest failing columns; none if every required column fails in all rows.
 pub fn rows<'t>(
     all: impl Iterator<Item = RowRef<'t>>,
-    asked: usize,
+    wanted: usize,
     failed: impl Fn(RowRef<'t>) -> Vec<usize>,
 ) -> Vec<NearRow<'t>> {
     let all: Vec<NearRow<'t>> = all.map(|row| NearRow { row, failed: failed(row) }).collect();
-    let fewest = all.iter().map(|near| near.failed.len()).min().unwrap_or(asked);
-    all.into_iter().filter(|near| near.failed.len() == fewest && fewest < asked).collect()
+    let fewest = all.iter().map(|near| near.failed.len()).min().unwrap_or(wanted);
+    all.into_iter().filter(|near| near.failed.len() == fewest && fewest < wanted).collect()
 }
 
 fn failed<'n>(near: &'n NearRow<'_>) -> impl Iterator<Item = (&'n Column, String)> {

@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 use serde_json::Value;
-use technolog::cases::{Came, Failure};
+use technolog::cases::{ActualValue, Failure};
 
 use super::super::diagnostics::Json as Mistake;
 use super::super::{CliError, Context, output};
-use super::{CaseFileRun, Ran, page};
+use super::{CaseFileRun, CaseRun, page};
 
 #[derive(Serialize)]
 struct Answer<'a> {
@@ -76,7 +76,7 @@ fn file<'a>(run: &'a CaseFileRun, context: &Context) -> FileJson<'a> {
     }
 }
 
-fn case<'a>(ran: &'a Ran, context: &Context) -> CaseJson<'a> {
+fn case<'a>(ran: &'a CaseRun, context: &Context) -> CaseJson<'a> {
     CaseJson {
         number: ran.case.number,
         name: &ran.case.name,
@@ -86,7 +86,7 @@ fn case<'a>(ran: &'a Ran, context: &Context) -> CaseJson<'a> {
         written: ran.written,
         source: ran.case.source.as_deref(),
         because: ran.case.because.as_deref(),
-        failures: ran.failures.iter().map(|one| failure(one, context)).collect(),
+        failures: ran.failures.iter().map(|failed| failure(failed, context)).collect(),
     }
 }
 
@@ -96,12 +96,12 @@ fn failure<'a>(failure: &'a Failure, context: &Context) -> FailureJson<'a> {
         column: failure.place.column,
         path: &failure.path,
         expected: &failure.expected,
-        came: match &failure.came {
-            Came::Value(value) | Came::Without(value) | Came::Unwanted(value) => Some(value),
-            Came::Open(value) => value.as_ref(),
-            Came::Nothing | Came::NoSuch { .. } | Came::NoSuchWord { .. } => None,
+        came: match &failure.actual {
+            ActualValue::Value(value) | ActualValue::Without(value) | ActualValue::Unwanted(value) => Some(value),
+            ActualValue::Open(value) => value.as_ref(),
+            ActualValue::Nothing | ActualValue::NoSuch { .. } | ActualValue::NoSuchWord { .. } => None,
         },
         message: page::short(failure, context.lang),
-        why: failure.why.iter().map(|reason| page::why(reason, context.lang)).collect(),
+        why: failure.reasons.iter().map(|reason| page::why(reason, context.lang)).collect(),
     }
 }

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use technolog::audit::Files;
-use technolog::cases::{Around, CaseFile, FileKind, read_cases};
+use technolog::cases::{CaseFile, FileKind, ReadContext, read_cases};
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::Lang;
 use technolog::turning::shaft::Mistake;
@@ -106,7 +106,7 @@ pub fn read(found: &SourceFile, anywhere: bool, knowledge: &Knowledge, context: 
         let (cases, mistakes, texts) = (Vec::new(), Vec::new(), Vec::new());
         return CaseFile { file: found.shown.clone(), cases, mistakes, texts };
     }
-    let (files, codes) = (beside(found, anywhere, context), codes());
+    let (files, codes) = (reader(found, anywhere, context), codes());
     let mut read = read_cases(&found.shown, &found.text, around(knowledge, &codes, &files));
     if !read.mistakes.is_empty()
         && let Some(other) = kind::wrong_kind(&found.shown, &found.text, FileKind::Cases, context)
@@ -117,8 +117,8 @@ pub fn read(found: &SourceFile, anywhere: bool, knowledge: &Knowledge, context: 
 }
 
 /// The context for reading cases.
-pub fn around<'a>(knowledge: &'a Knowledge, codes: &'a [String], files: Files<'a>) -> Around<'a> {
-    Around { knowledge, codes, files }
+pub fn around<'a>(knowledge: &'a Knowledge, codes: &'a [String], files: Files<'a>) -> ReadContext<'a> {
+    ReadContext { knowledge, codes, files }
 }
 
 /// Every code that a finding can have.
@@ -127,7 +127,7 @@ pub fn codes() -> Vec<String> {
 }
 
 /// Reads the files that a file of cases names.
-pub fn beside<'c>(
+pub fn reader<'c>(
     found: &'c SourceFile,
     anywhere: bool,
     context: &'c Context,

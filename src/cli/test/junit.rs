@@ -5,7 +5,7 @@ use technolog::document::cleaned_lines;
 
 use super::super::Context;
 use super::super::diagnostics::render_all;
-use super::{CaseFileRun, Ran, page};
+use super::{CaseFileRun, CaseRun, page};
 
 /// The document.
 pub fn document(runs: &[CaseFileRun], context: &Context) -> String {
@@ -50,17 +50,17 @@ fn suite(run: &CaseFileRun, context: &Context) -> String {
     text + "  </testsuite>\n"
 }
 
-fn case(ran: &Ran, file: &str, context: &Context) -> String {
+fn case(ran: &CaseRun, file: &str, context: &Context) -> String {
     let name = escaped(&format!("{}. {}", ran.case.number, ran.case.name));
     let line = ran.case.place.line;
     let head = format!("    <testcase name=\"{name}\" classname=\"{file}\" file=\"{file}\" line=\"{line}\"");
     let Some(first) = ran.failures.first() else { return head + "/>\n" };
     let lines = ran.failures.iter().flat_map(|failure| page::failure_lines(failure, context.lang));
-    let told: String = lines.chain(page::origin(ran, context.lang)).map(|line| line + "\n").collect();
+    let text: String = lines.chain(page::origin(ran, context.lang)).map(|line| line + "\n").collect();
     format!(
         "{head}>\n      <failure type=\"expectation\" message=\"{}\">{}</failure>\n    </testcase>\n",
         escaped(&page::short(first, context.lang)),
-        escaped(&told)
+        escaped(&text)
     )
 }
 

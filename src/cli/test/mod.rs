@@ -36,21 +36,21 @@ pub struct Args {
 pub struct CaseFileRun {
     /// Its name, as the user knows it.
     file: String,
-    cases: Vec<Ran>,
+    cases: Vec<CaseRun>,
     /// Mistakes of the file itself, and of the files it names.
     mistakes: Vec<Diagnostic>,
     texts: Texts,
 }
 
 /// A case that was run.
-pub struct Ran {
+pub struct CaseRun {
     case: Case,
     failures: Vec<Failure>,
     /// Whether its expectation was just written.
     written: bool,
 }
 
-impl Ran {
+impl CaseRun {
     fn passed(&self) -> bool {
         self.failures.is_empty()
     }
@@ -131,7 +131,7 @@ fn write(
     context: &Context,
 ) -> Result<Vec<usize>, CliError> {
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let files = files::beside(found, anywhere, context);
+    let files = files::reader(found, anywhere, context);
     let codes = files::codes();
     let around = around(asker.knowledge, &codes, &files);
     let filled = fill(&found.text, read, failures, around, asker).map_err(at_fault)?;
@@ -179,7 +179,7 @@ fn run_of(
     let cases = cases.map(|(case, failures)| {
         let written = written.contains(&case.number);
         let stands = |failure: &Failure| !written || !failure.is_open();
-        Ran { failures: failures.into_iter().filter(stands).collect(), case, written }
+        CaseRun { failures: failures.into_iter().filter(stands).collect(), case, written }
     });
     CaseFileRun { file: found.shown.clone(), cases: cases.collect(), mistakes, texts }
 }

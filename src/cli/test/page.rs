@@ -1,12 +1,12 @@
 //! Results of cases for people.
 
-use technolog::cases::{Came, Failure, Why, brief};
+use technolog::cases::{ActualValue, Failure, Why, brief};
 use technolog::document::{Column, Document, FindingBlock, Inlines, Severity, Table};
 use technolog::note::{Because, Figure, Note};
 use technolog::words::say;
 
 use super::super::Lang;
-use super::{CaseFileRun, Ran};
+use super::{CaseFileRun, CaseRun};
 
 /// The most letters of a value that are shown.
 const LONG: usize = 400;
@@ -55,20 +55,20 @@ fn sum(runs: &[CaseFileRun], lang: Lang) -> String {
     let unusable = runs.iter().filter(|run| !run.mistakes.is_empty()).count();
     let (files, cases) =
         (say!(lang, "test-files-counted", count = runs.len()), say!(lang, "test-cases-counted", count = cases));
-    let mut said = match failed {
+    let mut text = match failed {
         // In a file that was not read, no case passed.
         0 if unusable > 0 => say!(lang, "test-none-failed", files = files, cases = cases),
         0 => say!(lang, "test-all-as-expected", files = files, cases = cases),
         _ => say!(lang, "test-some-failed", files = files, cases = cases, failed = failed),
     };
     if unusable > 0 {
-        said.push_str(&say!(lang, "test-unusable-files", count = unusable));
+        text.push_str(&say!(lang, "test-unusable-files", count = unusable));
     }
-    said
+    text
 }
 
 /// The origin of the expectation.
-pub fn origin(ran: &Ran, lang: Lang) -> impl Iterator<Item = String> {
+pub fn origin(ran: &CaseRun, lang: Lang) -> impl Iterator<Item = String> {
     let source = ran.case.source.as_ref().map(|text| say!(lang, "test-source", text = text));
     let because = ran.case.because.as_ref().map(|text| say!(lang, "test-because", text = text));
     source.into_iter().chain(because)
@@ -79,41 +79,45 @@ pub fn failure_lines(failure: &Failure, lang: Lang) -> Vec<String> {
     let place = &failure.place;
     let mut lines = vec![format!("{}:{} {}", place.line, place.column, failure.path)];
     lines.push(say!(lang, "test-expected", value = cut(&expected(failure, lang))));
-    lines.push(say!(lang, "test-came", value = cut(&came(failure, lang))));
-    lines.extend(failure.why.iter().take(REASONS).map(|reason| say!(lang, "test-why", reason = why(reason, lang))));
+    lines.push(say!(lang, "test-came", value = cut(&actual_value(failure, lang))));
+    lines.extend(failure.reasons.iter().take(REASONS).map(|reason| say!(lang, "test-why", reason = why(reason, lang))));
     lines
 }
 
 /// The failure in one line.
 pub fn short(failure: &Failure, lang: Lang) -> String {
-    let (expected, came) = (cut(&expected(failure, lang)), cut(&came(failure, lang)));
+    let (expected, came) = (cut(&expected(failure, lang)), cut(&actual_value(failure, lang)));
     say!(lang, "test-short", path = &failure.path, expected = expected, came = came)
 }
 
 /// The expected value.
 pub fn expected(failure: &Failure, lang: Lang) -> String {
-    match (&failure.came, failure.expected.as_str()) {
-        (Came::Open(_), _) => say!(lang, "test-nothing-yet").to_owned(),
-        (Came::Unwanted(_), written) => say!(lang, "test-not-there", written = written),
+    match (&failure.actual, failure.expected.as_str()) {
+        (ActualValue::Open(_), _) => say!(lang, "test-nothing-yet").to_owned(),
+        (ActualValue::Unwanted(_), written) => say!(lang, "test-not-there", written = written),
         (_, written) => written.to_owned(),
     }
 }
 
 /// The actual value.
-pub fn came(failure: &Failure, lang: Lang) -> String {
-    match &failure.came {
-        Came::Value(value) | Came::Open(Some(value)) => brief(value),
-        Came::Nothing | Came::Open(None) => say!(lang, "test-nothing").to_owned(),
-        Came::Without(list) => say!(lang, "test-without", list = brief(list)),
-        Came::Unwanted(value) => match serde_json::from_value::<Note>(value.clone()) {
+pub fn actual_value(failure: &Failure, lang: Lang) -> String {
+    match &failure.actual {
+        ActualValue::Value(value) | ActualValue::Open(Some(value)) => brief(value),
+        ActualValue::Nothing | ActualValue::Open(None) => say!(lang, "test-nothing").to_owned(),
+        ActualValue::Without(list) => say!(lang, "test-without", list = brief(list)),
+        ActualValue::Unwanted(value) => match serde_json::from_value::<Note>(value.clone()) {
             // A finding of an audit contains its figures itself.
             Ok(note) if value.get("field").is_none() => format!("{}: {}", brief(value), lang.say(&note)),
             _ => brief(value),
         },
-        Came::NoSuch { key, near: Some(near), .. } => say!(lang, "test-no-such-key-near", key = key, near = near),
-        Came::NoSuch { key, known, .. } => say!(lang, "test-no-such-key", key = key, known = known.join(", ")),
-        Came::NoSuchWord { word, near: Some(near) } => say!(lang, "test-no-such-word-near", word = word, near = near),
-        Came::NoSuchWord { word, near: None } => say!(lang, "test-no-such-word", word = word),
+        ActualValue::NoSuch { key, near: Some(near), .. } => {
+            say!(lang, "test-no-such-key-near", key = key, near = near)
+        }
+        ActualValue::NoSuch { key, known, .. } => say!(lang, "test-no-such-key", key = key, known = known.join(", ")),
+        ActualValue::NoSuchWord { word, near: Some(near) } => {
+            say!(lang, "test-no-such-word-near", word = word, near = near)
+        }
+        ActualValue::NoSuchWord { word, near: None } => say!(lang, "test-no-such-word", word = word),
     }
 }
 
@@ -130,10 +134,10 @@ pub fn why(reason: &Why, lang: Lang) -> String {
 }
 
 fn decision(because: &Because, lang: Lang) -> String {
-    let said = if because.note.is_empty() { lang.place(&because.place) } else { lang.say(&because.note) };
+    let text = if because.note.is_empty() { lang.place(&because.place) } else { lang.say(&because.note) };
     match because.row {
-        Some(row) => say!(lang, "test-row", table = &because.table, row = row, said = said),
-        None => say!(lang, "test-table", table = &because.table, said = said),
+        Some(row) => say!(lang, "test-row", table = &because.table, row = row, said = text),
+        None => say!(lang, "test-table", table = &because.table, said = text),
     }
 }
 

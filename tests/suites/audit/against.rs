@@ -42,7 +42,7 @@ fn every_changed_figure_and_name_is_told_with_both_values() {
     {
         let found = compared(from, to);
         let [one] = &found.differences[..] else { panic!("{from}: {:?}", found.differences) };
-        assert_eq!(one.what, what);
+        assert_eq!(one.key, what);
         if !a.is_empty() {
             assert_eq!((one.a.as_deref(), one.b.as_deref()), (Some(a), Some(b)));
         }
@@ -59,7 +59,7 @@ fn rows_in_another_place_are_matched_by_what_they_do() {
     let exchanged = text.replacen(rows[0], "\0", 1).replacen(rows[1], rows[0], 1).replacen('\0', rows[1], 1);
     let auditor = Auditor::new(&KNOWLEDGE).unwrap();
     let found = auditor.compare(&stated(&text), &stated(&exchanged)).unwrap();
-    let what: Vec<&str> = found.differences.iter().map(|one| one.what.as_str()).collect();
+    let what: Vec<&str> = found.differences.iter().map(|one| one.key.as_str()).collect();
     assert_eq!(what, ["order"]);
 }
 

@@ -56,9 +56,9 @@ fn what_we_plan_is_right_when_it_is_written_by_hand() {
     }
     // Sixteen holes of a material: every third case meets each of them.
     for (name, part) in cases.iter().step_by(every(3)) {
-        let said = found(part);
-        if !said.is_empty() {
-            wrong.push(format!("{name}: {}", said.join("\n    ")));
+        let reported = found(part);
+        if !reported.is_empty() {
+            wrong.push(format!("{name}: {}", reported.join("\n    ")));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

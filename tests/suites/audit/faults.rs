@@ -86,7 +86,7 @@ fn slips(audit: &Audit) -> impl Iterator<Item = &AuditFinding> {
     audit.findings.iter().filter(|one| one.severity < Severity::Note && one.follows_from.is_empty())
 }
 
-fn said(finding: &AuditFinding) -> String {
+fn text_of(finding: &AuditFinding) -> String {
     let severity = format!("{:?}", finding.severity).to_lowercase();
     format!("{severity} {} {}", finding.rule, finding.field)
 }
@@ -95,7 +95,8 @@ fn said(finding: &AuditFinding) -> String {
 fn a_plan_without_a_slip_has_no_finding() {
     for case in CASES {
         let found = audited(&case_file(case.right));
-        let grave: Vec<String> = found.findings.iter().filter(|one| one.severity < Severity::Note).map(said).collect();
+        let grave: Vec<String> =
+            found.findings.iter().filter(|one| one.severity < Severity::Note).map(text_of).collect();
         // The book divides force and power by the factor by which it raises the feed (docs/worked-example.md).
         assert_eq!(grave, case.known, "{}", case.right);
     }
@@ -121,16 +122,16 @@ fn faults_not_found(case: &Case) -> Vec<String> {
         let audit = audited(&text);
         let found: Vec<&AuditFinding> = slips(&audit).collect();
         let method = |one: &String| !case.known.contains(&one.as_str()) && !one.contains(" audit-load-");
-        let told: BTreeSet<String> = found.iter().map(|one| said(one)).filter(method).collect();
+        let reported: BTreeSet<String> = found.iter().map(|one| text_of(one)).filter(method).collect();
         let expected: BTreeSet<String> = fault.finds.iter().cloned().collect();
-        if !(told == expected || fault.also && told.is_superset(&expected)) {
-            wrong.push(format!("{}: {told:?}", fault.name));
+        if !(reported == expected || fault.also && reported.is_superset(&expected)) {
+            wrong.push(format!("{}: {reported:?}", fault.name));
         }
         let last = line + fault.to.trim_end().matches('\n').count();
-        for one in found.iter().filter(|one| fault.finds.contains(&said(one))) {
+        for one in found.iter().filter(|one| fault.finds.contains(&text_of(one))) {
             let at = one.line.map_or(0, |line| line as usize);
             if !fault.elsewhere && !(line..=last).contains(&at) {
-                wrong.push(format!("{}: {} at line {at}, not {line}", fault.name, said(one)));
+                wrong.push(format!("{}: {} at line {at}, not {line}", fault.name, text_of(one)));
             }
         }
         let following: Vec<&str> =
@@ -169,8 +170,8 @@ fn own(part: &technolog::part::Part, method: CuttingMethod) -> Vec<String> {
     let none = |_: &str| Err("no files here".to_owned());
     let stated = read_plan("plan.json", &text, &KNOWLEDGE, &none).unwrap_or_else(|why| panic!("{why:?}"));
     let audit = AUDITOR.audit_beside(&stated, &ours).unwrap();
-    let told = audit.findings.iter().filter(|one| one.rule == UNMADE).count();
-    assert_eq!(told, ours.holes.iter().filter(|hole| hole.transitions.is_empty()).count());
+    let unmade = audit.findings.iter().filter(|one| one.rule == UNMADE).count();
+    assert_eq!(unmade, ours.holes.iter().filter(|hole| hole.transitions.is_empty()).count());
     wrong(&audit)
 }
 
@@ -187,8 +188,8 @@ fn an_endless_number_of_a_plan_is_refused_as_it_is_written() {
     let text = format!("{before}\"stops\":{to}\"at\":[1e400,{behind}");
     let none = |_: &str| Err("no files here".to_owned());
     let problems = read_plan("plan.json", &text, &KNOWLEDGE, &none).err().unwrap().problems;
-    let told: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
-    assert!(told.len() == 1 && told[0].contains("`1e400` is beyond 1000000000"), "{told:?}");
+    let texts: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
+    assert!(texts.len() == 1 && texts[0].contains("`1e400` is beyond 1000000000"), "{texts:?}");
 }
 
 /// A group that we have no route for is unfinished, whoever wrote the plan.
@@ -197,7 +198,7 @@ const UNMADE: &str = "audit-hole-not-made-either";
 /// What an audit finds wrong, except for groups that we have no route for either.
 fn wrong(audit: &Audit) -> Vec<String> {
     let wrong = audit.findings.iter().filter(|one| one.is_wrong() && one.rule != UNMADE);
-    wrong.map(|one| format!("{} {:?}", said(one), one.note)).collect()
+    wrong.map(|one| format!("{} {:?}", text_of(one), one.note)).collect()
 }
 
 #[test]
@@ -352,10 +353,10 @@ fn the_page_names_every_rule() {
 #[test]
 fn a_plan_of_a_part_alone_lists_what_it_lacks() {
     let audit = audited("part: ../../examples/plate.yaml\n");
-    let said: Vec<String> = audit.findings.iter().map(said).collect();
+    let texts: Vec<String> = audit.findings.iter().map(text_of).collect();
     let sections = ["route", "tools", "conditions", "clamping", "program", "times"];
     for section in sections.into_iter().filter(|section| *section != "conditions") {
-        assert!(said.contains(&format!("note audit-missing {section}")), "{section}: {said:?}");
+        assert!(texts.contains(&format!("note audit-missing {section}")), "{section}: {texts:?}");
     }
     assert!(!audit.has_errors());
 }

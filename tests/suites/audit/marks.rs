@@ -31,7 +31,7 @@ fn audited() -> Audit {
     audit(&read_plan("plan.yaml", &text, &KNOWLEDGE, &files).unwrap(), &KNOWLEDGE).unwrap()
 }
 
-fn of(marks: &Marks, field: &str) -> (f64, DeductedBy, bool) {
+fn mark_of(marks: &Marks, field: &str) -> (f64, DeductedBy, bool) {
     let one = marks.deductions.iter().find(|one| one.field == field).unwrap();
     (one.points, one.by, one.capped)
 }
@@ -86,8 +86,8 @@ fn the_most_particular_word_of_the_scheme_holds() {
         ),
     ] {
         let marks = scheme(text).mark(&audit);
-        assert_eq!(of(&marks, "clamping.force"), force, "{text}");
-        assert_eq!(of(&marks, "clamping.force_per_clamp"), per_clamp, "{text}");
+        assert_eq!(mark_of(&marks, "clamping.force"), force, "{text}");
+        assert_eq!(mark_of(&marks, "clamping.force_per_clamp"), per_clamp, "{text}");
         assert!((marks.points - points).abs() < 1e-9, "{text}: {}", marks.points);
     }
 }

@@ -331,8 +331,8 @@ fn judged(mutant: &Mutant, file: &str, part: &str, ours: &Plan) -> (bool, bool, 
     let first = grave.first().is_some_and(|one| here(one));
     if !first && std::env::var_os("TRACE").is_some() {
         let line = mutant.line.and_then(|line| mutant.text.lines().nth(line - 1)).unwrap_or_default();
-        let said: Vec<String> = grave.iter().map(|one| format!("{} {}", one.rule, one.field)).collect();
-        println!("{} {} {:?}: {line}\n    {}", mutant.kind, mutant.what, mutant.columns, said.join("; "));
+        let texts: Vec<String> = grave.iter().map(|one| format!("{} {}", one.rule, one.field)).collect();
+        println!("{} {} {:?}: {line}\n    {}", mutant.kind, mutant.what, mutant.columns, texts.join("; "));
     }
     let ruled = grave.iter().any(|one| one.note.code() != "audit-not-ours");
     (!grave.is_empty(), ruled, first)

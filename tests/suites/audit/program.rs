@@ -46,7 +46,7 @@ fn audited(fault: &Fault) -> Audit {
     AUDITOR.audit(&stated).unwrap()
 }
 
-fn said(finding: &AuditFinding) -> String {
+fn text_of(finding: &AuditFinding) -> String {
     format!("{} {} {}", format!("{:?}", finding.severity).to_lowercase(), finding.rule, finding.field)
 }
 
@@ -60,13 +60,13 @@ fn every_fault_of_a_program_is_one_slip() {
     for fault in faults() {
         let audit = audited(&fault);
         let of_program = audit.findings.iter().filter(|one| one.section == Section::Program);
-        let told: Vec<String> = of_program
+        let reported: Vec<String> = of_program
             .filter(|one| one.follows_from.is_empty())
             .filter(|one| one.severity <= Severity::Wrong || one.rule.starts_with("audit-program-"))
-            .map(said)
+            .map(text_of)
             .collect();
-        if told != fault.finds {
-            wrong.push(format!("{} {}: {told:?}", fault.base, fault.name));
+        if reported != fault.finds {
+            wrong.push(format!("{} {}: {reported:?}", fault.base, fault.name));
         }
         let follows = audit.findings.iter().filter(|one| one.section == Section::Program);
         if fault.plan && !follows.clone().any(|one| !one.follows_from.is_empty()) {
@@ -102,7 +102,7 @@ fn a_route_that_is_not_ours_is_compared_too() {
         let stated = read_plan("plan.yaml", &other, &KNOWLEDGE, &files).unwrap_or_else(|why| panic!("{why:?}"));
         let audit = AUDITOR.audit(&stated).unwrap();
         let grave = audit.findings.into_iter().filter(|one| one.section == Section::Program && one.is_wrong());
-        grave.map(|one| said(&one)).collect::<Vec<_>>()
+        grave.map(|one| text_of(&one)).collect::<Vec<_>>()
     };
     let none: [&str; 0] = [];
     assert_eq!(audited(&|text| text), none);

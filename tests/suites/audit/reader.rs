@@ -68,8 +68,8 @@ fn a_roughness_beyond_the_tables_is_a_mistake_of_a_stored_plan() {
     let none = |_: &str| Err("no files here".to_owned());
     let problems = read_plan("plan.json", &text, &KNOWLEDGE, &none).unwrap_err().problems;
     let [problem] = problems.as_slice() else { panic!("{problems:?}") };
-    let said = Lang::EN.say(&problem.message);
-    assert!(said.starts_with("`Ra 1205` is outside Ra 0.008 to Ra 100"), "{said}");
+    let message = Lang::EN.say(&problem.message);
+    assert!(message.starts_with("`Ra 1205` is outside Ra 0.008 to Ra 100"), "{message}");
     assert!(problem.place.is_some() && problem.help.is_some());
 }
 

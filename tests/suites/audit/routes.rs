@@ -47,14 +47,14 @@ fn audited(text: &str) -> Audit {
     AUDITOR.audit(&stated).unwrap()
 }
 
-fn said(finding: &AuditFinding) -> String {
+fn finding_line(finding: &AuditFinding) -> String {
     let severity = format!("{:?}", finding.severity).to_lowercase();
     format!("{severity} {} {}", finding.rule, finding.field)
 }
 
 fn with_figures(finding: &AuditFinding) -> String {
     let figures = finding.stated.as_ref().zip(finding.right.as_ref());
-    said(finding) + &figures.map_or_else(String::new, |(stated, right)| format!(" {stated} -> {right}"))
+    finding_line(finding) + &figures.map_or_else(String::new, |(stated, right)| format!(" {stated} -> {right}"))
 }
 
 /// What is doubtful of the book's method itself is said of every plan by its cards.
@@ -68,7 +68,7 @@ fn sound_plans_have_no_slip() {
     for plan in ["iron", "steel", "aluminium"] {
         let found = audited(&text_of(&format!("{plan}.yaml")));
         let grave = found.findings.iter().filter(|one| one.severity < Severity::Note && !of_method(one));
-        let grave: Vec<String> = grave.map(said).collect();
+        let grave: Vec<String> = grave.map(finding_line).collect();
         assert!(grave.is_empty(), "{plan}: {grave:?}");
     }
 }
@@ -86,8 +86,9 @@ fn every_choice_is_judged_as_the_source_has_it() {
         let audit = audited(&text);
         let roots = || audit.findings.iter().filter(|one| one.follows_from.is_empty() && !of_method(one));
         let grave: BTreeSet<String> = roots().filter(|one| one.severity < Severity::Note).map(with_figures).collect();
-        let told = |expected: &String| roots().any(|one| said(one) == *expected || with_figures(one) == *expected);
-        let missed: Vec<&String> = case.finds.iter().filter(|expected| !told(expected)).collect();
+        let is_root =
+            |expected: &String| roots().any(|one| finding_line(one) == *expected || with_figures(one) == *expected);
+        let missed: Vec<&String> = case.finds.iter().filter(|expected| !is_root(expected)).collect();
         if !missed.is_empty() {
             wrong.push(format!("{}: not said {missed:?}, but {grave:?}", case.name));
         }

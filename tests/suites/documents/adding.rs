@@ -142,14 +142,14 @@ fn a_rule_and_the_rust_that_asks_it() {
     for (hole, part) in plan.holes.iter_mut().zip(&plan.part.holes) {
         gauge::measured(hole, part.diameter.it, &knowledge).unwrap();
     }
-    for (asked, hole) in plan.part.holes.iter().zip(&plan.holes) {
-        let gauge = if asked.diameter.it.number() >= 12 {
+    for (drawn, hole) in plan.part.holes.iter().zip(&plan.holes) {
+        let gauge = if drawn.diameter.it.number() >= 12 {
             "calliper) [hole-gauge, row 1"
         } else {
             "plug-gauge) [hole-gauge, row 2"
         };
-        let told = shown(&explain(&plan, hole, Lang::EN));
-        assert!(told.contains(&format!("hole-gauge (gauge = {gauge}")), "{told}");
+        let page = shown(&explain(&plan, hole, Lang::EN));
+        assert!(page.contains(&format!("hole-gauge (gauge = {gauge}")), "{page}");
     }
 }
 
@@ -272,11 +272,11 @@ fn names_stand_in_the_files_where_the_page_says() {
     let mut seen = 0;
     for title in titles() {
         for item in files(title).iter().filter(|item| OF_CODE.contains(&title) || is_code(&item.paths)) {
-            let said = quoted(&item.said);
-            for name in said.iter().filter(|name| !is_path(name)) {
+            let quotations = quoted(&item.instruction);
+            for name in quotations.iter().filter(|name| !is_path(name)) {
                 seen += 1;
                 let in_heads = item.paths.iter().all(|path| text(path).contains(name.as_str()));
-                let elsewhere = said.iter().any(|path| is_path(path) && text(path).contains(name.as_str()));
+                let elsewhere = quotations.iter().any(|path| is_path(path) && text(path).contains(name.as_str()));
                 assert!(in_heads || elsewhere, "{title}: {name} is not in {:?}", item.paths);
             }
         }

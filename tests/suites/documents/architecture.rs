@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The crates of each crate's row, the rows from the ground up.
-fn told() -> Vec<(String, BTreeSet<String>)> {
+fn documented_crates() -> Vec<(String, BTreeSet<String>)> {
     let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/architecture.md")).unwrap();
     let table = page.lines().skip_while(|line| !line.starts_with("| crate | knows |")).skip(2);
     let rows = table.take_while(|line| line.starts_with('|')).map(|line| {
@@ -32,23 +32,23 @@ fn built_with(folder: &Path) -> BTreeSet<String> {
 
 #[test]
 fn the_page_says_which_crate_knows_which() {
-    let mut told: BTreeMap<String, BTreeSet<String>> = told().into_iter().collect();
+    let mut documented: BTreeMap<String, BTreeSet<String>> = documented_crates().into_iter().collect();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let front = told.remove("technolog").unwrap();
+    let front = documented.remove("technolog").unwrap();
     assert_eq!(front, BTreeSet::new(), "it knows all of them, which the page says in words");
-    assert_eq!(built_with(root), told.keys().cloned().collect());
+    assert_eq!(built_with(root), documented.keys().cloned().collect());
     // What only tests are built with is no room of the program.
     let of_tests = |path: &PathBuf| path.ends_with("testing") || path.ends_with("laws");
     let crates = fs::read_dir(root.join("crates")).unwrap().map(|entry| entry.unwrap().path());
     let crates = crates.filter(|path| !of_tests(path));
     let built = crates.map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), built_with(&path)));
-    assert_eq!(told, built.collect());
+    assert_eq!(documented, built.collect());
 }
 
 #[test]
 fn a_crate_knows_only_what_stands_above_its_row() {
     let mut below = BTreeSet::new();
-    for (name, knows) in told() {
+    for (name, knows) in documented_crates() {
         assert!(knows.is_subset(&below), "{name} knows {:?}", knows.difference(&below));
         below.insert(name);
     }
@@ -68,6 +68,6 @@ fn what_is_no_tool_of_tests_is_built_by_default() {
         .filter_map(|member| member.strip_prefix("crates/"))
         .map(str::to_owned)
         .collect();
-    let rooms = told().into_iter().map(|(name, _)| name).filter(|name| name != "technolog");
+    let rooms = documented_crates().into_iter().map(|(name, _)| name).filter(|name| name != "technolog");
     assert_eq!(by_default, rooms.collect());
 }

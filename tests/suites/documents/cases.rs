@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 
 use serde_json::Value;
-use technolog::cases::{Around, Asker, CaseFile, Failure, read_cases};
+use technolog::cases::{Asker, CaseFile, Failure, ReadContext, read_cases};
 use technolog::knowledge::diagnostic::Place;
 use technolog::knowledge::yaml::{Node, NodeKind, parse};
 use technolog::parallel;
@@ -23,7 +23,7 @@ fn root(path: &str) -> PathBuf {
 fn read(path: &Path, text: &str) -> CaseFile {
     let codes = Lang::codes();
     let files = |name: &str| fs::read_to_string(path.with_file_name(name)).map_err(|error| error.to_string());
-    read_cases(&path.display().to_string(), text, Around { knowledge: &KNOWLEDGE, codes: &codes, files: &files })
+    read_cases(&path.display().to_string(), text, ReadContext { knowledge: &KNOWLEDGE, codes: &codes, files: &files })
 }
 
 fn test_files(folder: &str) -> Vec<PathBuf> {
@@ -219,8 +219,9 @@ fn a_change_of_any_expected_figure_fails_where_it_stands() {
 
 /// Whether what was planted is what fails, and nothing else.
 fn told_there(failures: &[Failure], at: &Place, now: &str) {
-    let said = |one: &Failure| one.expected.contains(now) && (one.place.line, one.place.column) <= (at.line, at.column);
-    assert!(!failures.is_empty() && failures.iter().all(said), "{at}: {now}: {failures:#?}");
+    let is_of_place =
+        |one: &Failure| one.expected.contains(now) && (one.place.line, one.place.column) <= (at.line, at.column);
+    assert!(!failures.is_empty() && failures.iter().all(is_of_place), "{at}: {now}: {failures:#?}");
     let places: BTreeSet<&Place> = failures.iter().map(|one| &one.place).collect();
     assert_eq!(places.len(), 1, "{at}: {now}: {failures:#?}");
 }
@@ -237,9 +238,9 @@ tests:
   - {table: materals, given: {it: 7}}
   - {table: A.8, audit: x.yaml}
 ";
-    let told = mistakes(text);
+    let found = mistakes(text);
     assert_eq!(
-        told,
+        found,
         [
             "3:14 unknown-key did you mean `it`?",
             "4:13 bad-question `technolog table` shows its columns",
@@ -393,8 +394,8 @@ fn what_is_written_passes_and_nothing_else_changes() {
         let (before, page, _) = code(&["test", path]);
         assert_eq!(before, 1, "{page}");
         assert_eq!(fs::read_to_string(&file).unwrap(), text, "without --write nothing is written");
-        let (written, page, said) = code(&["test", path, "--write", "--lang", "en"]);
-        assert_eq!(written, 0, "{page}\n{said}");
+        let (written, page, stderr) = code(&["test", path, "--write", "--lang", "en"]);
+        assert_eq!(written, 0, "{page}\n{stderr}");
         assert!(page.contains("7 cases: written"), "{page}");
         let filled = fs::read_to_string(&file).unwrap();
         assert!(is_within(&text, &filled), "{filled}");
@@ -452,9 +453,9 @@ fn every_kind_of_answer_can_be_written() {
     let file = folder.join("all.yaml");
     fs::write(&file, &text).unwrap();
     let copy = folder.join("copy.yaml");
-    let (done, page, said) =
+    let (done, page, stderr) =
         code(&["test", file.to_str().unwrap(), "--write", "-o", copy.to_str().unwrap(), "--lang", "en"]);
-    assert_eq!(done, 0, "{page}\n{said}");
+    assert_eq!(done, 0, "{page}\n{stderr}");
     assert_eq!(fs::read_to_string(&file).unwrap(), text, "with -o the file stays");
     assert_eq!(code(&["test", copy.to_str().unwrap()]).0, 0);
     let filled = fs::read_to_string(&copy).unwrap();
@@ -485,9 +486,9 @@ fn an_output_replaces_no_input() {
     }
     let (one, other) = (one.to_str().unwrap(), other.to_str().unwrap());
     for args in [vec!["test", one, "-o", one], vec!["test", one, "--write", "-o", one]] {
-        let (done, _, said) = code(&args);
-        assert_eq!(done, 2, "{said}");
-        assert!(said.contains("replaces-input"), "{said}");
+        let (done, _, stderr) = code(&args);
+        assert_eq!(done, 2, "{stderr}");
+        assert!(stderr.contains("replaces-input"), "{stderr}");
     }
     assert_eq!(code(&["test", one, other, "--write", "-o", folder.join("c").to_str().unwrap()]).0, 2);
     assert_eq!(fs::read_to_string(one).unwrap(), text);
@@ -498,9 +499,9 @@ fn exit_codes_tell_what_passed_from_what_failed_and_what_cannot_be_used() {
     let folder = folder("codes");
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).unwrap();
     let path = folder.to_str().unwrap();
-    let (done, _, said) = code(&["test", path]);
-    assert_eq!(done, 2, "{said}");
-    assert!(said.contains("no-cases"), "{said}");
+    let (done, _, stderr) = code(&["test", path]);
+    assert_eq!(done, 2, "{stderr}");
+    assert!(stderr.contains("no-cases"), "{stderr}");
     write("a.test.yaml", "table: spindle-step\ntests: [{given: {excess: 0}, expect: {take: above}}]\n");
     write("part.yaml", "no cases: here\n");
     assert_eq!(code(&["test", path]).0, 0);
@@ -508,14 +509,14 @@ fn exit_codes_tell_what_passed_from_what_failed_and_what_cannot_be_used() {
         "b.test.yaml",
         "table: spindle-step\ntests: [{given: {excess: 0}, expect: {take: below}, source: 'a < b & c'}]\n",
     );
-    let (done, page, said) = code(&["test", path]);
-    assert_eq!((done, said.as_str()), (1, ""), "{page}");
+    let (done, page, stderr) = code(&["test", path]);
+    assert_eq!((done, stderr.as_str()), (1, ""), "{page}");
     assert!(page.contains("b.test.yaml:2:9") && page.contains("очікувалося: below"), "{page}");
     write("c.test.yaml", "table: spindle-stp\ntests: [{given: {excess: 0}}, {given: {excess: 1}}]\n");
-    let (done, page, said) = code(&["test", path, "--lang", "en"]);
-    assert_eq!(done, 2, "{said}");
+    let (done, page, stderr) = code(&["test", path, "--lang", "en"]);
+    assert_eq!(done, 2, "{stderr}");
     assert!(page.contains("3 files, 2 cases: 1 failed, unusable files: 1"), "{page}");
-    assert_eq!(said.matches("did you mean `spindle-step`?").count(), 1, "{said}");
+    assert_eq!(stderr.matches("did you mean `spindle-step`?").count(), 1, "{stderr}");
     assert_eq!(code(&["test", "nowhere.yaml"]).0, 2);
     assert_eq!(code(&["test", path, "--format", "csv"]).0, 2);
 
@@ -574,6 +575,6 @@ fn the_page_about_cases_is_true() {
     fs::write(folder.join("tasks.test.yaml"), text).unwrap();
     let mut command = Command::new(env!("CARGO_BIN_EXE_technolog"));
     let output = command.args(["test", "tasks.test.yaml", "--lang", "en"]).current_dir(&folder).output().unwrap();
-    let said = String::from_utf8(output.stdout).unwrap();
-    assert!(page.contains(&format!("$ technolog test tasks.test.yaml --lang en\n{said}```")), "{said}");
+    let stdout = String::from_utf8(output.stdout).unwrap();
+    assert!(page.contains(&format!("$ technolog test tasks.test.yaml --lang en\n{stdout}```")), "{stdout}");
 }

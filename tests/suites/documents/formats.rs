@@ -33,8 +33,8 @@ fn printed(page: &[&str], lang: &str, columns: &str, format: &str) -> String {
         .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")))
         .output()
         .unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(matches!(output.status.code(), Some(0 | 1)), "{page:?} --format {format}: {said}");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{page:?} --format {format}: {stderr}");
     String::from_utf8(output.stdout).unwrap()
 }
 

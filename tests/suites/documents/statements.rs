@@ -84,12 +84,12 @@ fn every_number_stands_once_and_in_order() {
 
 #[test]
 fn the_tests_cite_what_the_table_says_they_do() {
-    let mut told = Citations::new();
+    let mut citations = Citations::new();
     for row in rows(&page()) {
         assert!(!quoted(&row.tests).is_empty(), "{} is cited by no test", row.number);
-        told.insert(row.number, quoted(&row.tests).into_iter().map(str::to_owned).collect());
+        citations.insert(row.number, quoted(&row.tests).into_iter().map(str::to_owned).collect());
     }
-    assert_eq!(told, cited());
+    assert_eq!(citations, cited());
 }
 
 #[test]

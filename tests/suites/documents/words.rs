@@ -183,13 +183,13 @@ fn every_message_that_is_said_is_in_the_catalogue() {
     for (file, text) in program().into_iter().filter(|(file, _)| !file.contains("crates/testing")) {
         for (before, name) in literals(&text) {
             let before = before.trim_end();
-            let said = before.ends_with("note!(")
+            let is_shown = before.ends_with("note!(")
                 || before.ends_with("Note::new(")
                 || before.ends_with(".word(")
                 || before.rsplit_once("say!(").is_some_and(|(_, rest)| {
                     rest.trim_end().ends_with(',') && !rest.contains('"') && rest.matches(',').count() == 1
                 });
-            if said && !name.is_empty() {
+            if is_shown && !name.is_empty() {
                 seen.insert(name.clone());
                 if !known.contains(&name) {
                     missing.push(format!("{file}: {name}"));

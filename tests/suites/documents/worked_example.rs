@@ -211,7 +211,7 @@ fn every_transition_is_done_once_at_every_point_by_a_way_no_longer_than_to_the_n
             let home = vec![0.0, 196.0];
             let square = |a: &[f64], b: &[f64]| (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
             let slower = |a: &[f64], b: &[f64]| f64::max((a[0] - b[0]).abs(), (a[1] - b[1]).abs());
-            let round = |way: &[Vec<f64>]| way.windows(2).map(|pair| slower(&pair[0], &pair[1])).sum::<f64>();
+            let round = |path: &[Vec<f64>]| path.windows(2).map(|pair| slower(&pair[0], &pair[1])).sum::<f64>();
             let planned = [vec![home.clone()], places.clone(), vec![home.clone()]].concat();
             let (mut left, mut book) = (places, vec![home.clone()]);
             while !left.is_empty() {

@@ -86,8 +86,8 @@ fn every_mistake_is_found_where_it_stands_and_none_is_reported_twice() {
         let got: Vec<String> = found.iter().map(|(place, code, _)| short(place, code)).collect();
         let expected: Vec<String> = case.mistakes.iter().map(|one| short(&one.place, &one.code)).collect();
         assert_eq!(got, expected, "{}: {found:#?}", case.name);
-        for (mistake, (.., said)) in case.mistakes.iter().zip(&found) {
-            assert!(said.contains(&mistake.words), "{}: `{}` is not in `{said}`", case.name, mistake.words);
+        for (mistake, (.., text)) in case.mistakes.iter().zip(&found) {
+            assert!(text.contains(&mistake.words), "{}: `{}` is not in `{text}`", case.name, mistake.words);
         }
     }
 }
@@ -101,14 +101,14 @@ fn the_command_names_every_place_and_writes_nothing() {
     for case in cases() {
         let file = case.path.to_str().unwrap();
         let output = technolog(&["plan", file, "--format", "json", "-o", answer.to_str().unwrap()]);
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(case.exit), "{}: {said}", case.name);
-        assert!(said.contains(file), "{}: {said}", case.name);
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(case.exit), "{}: {stderr}", case.name);
+        assert!(stderr.contains(file), "{}: {stderr}", case.name);
         for mistake in &case.mistakes {
-            assert!(said.contains(&format!("[{}]", mistake.code)), "{}: {said}", case.name);
+            assert!(stderr.contains(&format!("[{}]", mistake.code)), "{}: {stderr}", case.name);
             // Bytes that are no text have no line to show.
             if mistake.code != "not-utf8" {
-                assert!(said.contains(&format!("{file}:{}", mistake.place)), "{}: {said}", case.name);
+                assert!(stderr.contains(&format!("{file}:{}", mistake.place)), "{}: {stderr}", case.name);
             }
         }
         assert!(output.stdout.is_empty(), "{}", case.name);
@@ -131,8 +131,8 @@ fn a_bad_part_leaves_an_old_answer_as_it_was() {
 fn a_part_that_is_not_there_is_named_with_a_remedy() {
     for missing in ["nowhere/part.yaml", "tests"] {
         let output = technolog(&["plan", missing, "--lang", "en"]);
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{said}");
-        assert!(said.contains(missing) && said.contains("help"), "{said}");
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        assert!(stderr.contains(missing) && stderr.contains("help"), "{stderr}");
     }
 }

@@ -96,10 +96,10 @@ fn of_cylinder(all: &[Operation]) -> Vec<Operation> {
 }
 
 /// One hole inside a cell.
-struct Asked<'a> {
+struct CellQuestion<'a> {
     what: String,
     plan: &'a Plan,
-    way: RouteSource,
+    source: RouteSource,
     /// The schemes of the cell.
     schemes: Vec<&'a str>,
     diameter: f64,
@@ -109,35 +109,36 @@ struct Asked<'a> {
 
 /// Compares one hole with its cell; what could not be carried out goes to `refused` with its reason.
 fn check(
-    asked: &Asked<'_>,
+    cell: &CellQuestion<'_>,
     known: &BTreeMap<String, Vec<Operation>>,
     refused: &mut BTreeSet<String>,
     wrong: &mut Vec<String>,
 ) {
-    let all = routes(asked.plan);
-    let of_way: Vec<&RouteSummary> = all.iter().filter(|found| found.way.is_none_or(|way| way == asked.way)).collect();
-    for scheme in &asked.schemes {
+    let all = routes(cell.plan);
+    let of_way: Vec<&RouteSummary> =
+        all.iter().filter(|found| found.source.is_none_or(|source| source == cell.source)).collect();
+    for scheme in &cell.schemes {
         let mut own = known[*scheme].clone();
         let mut names = vec![(*scheme).to_owned()];
-        if asked.centred && own.first() != Some(&Operation::CentreDrill) {
+        if cell.centred && own.first() != Some(&Operation::CentreDrill) {
             own.insert(0, Operation::CentreDrill);
-            let twin = TWINS.iter().find(|(plain, _)| plain == scheme).filter(|_| asked.way == RouteSource::Tables);
+            let twin = TWINS.iter().find(|(plain, _)| plain == scheme).filter(|_| cell.source == RouteSource::Tables);
             names = vec![twin.map_or(format!("{scheme} + centre"), |(_, twin)| (*twin).to_owned())];
         }
         let Some(found) = of_way.iter().find(|found| names.contains(&found.scheme)) else {
             let there: Vec<_> = of_way.iter().map(|found| (&found.scheme, &found.why)).collect();
-            wrong.push(format!("{}: no {names:?} among {there:?}", asked.what));
+            wrong.push(format!("{}: no {names:?} among {there:?}", cell.what));
             continue;
         };
         if !found.carried_out {
             if !matches!(found.why.as_str(), "ranked-later" | "same-as") {
-                refused.insert(format!("{} scheme {scheme}: {}", asked.what, found.why));
+                refused.insert(format!("{} scheme {scheme}: {}", cell.what, found.why));
             }
             continue;
         }
         let operations: Vec<Operation> = found.operations.iter().map(|(operation, _)| *operation).collect();
-        if !same(&of_cylinder(&own), &of_cylinder(&operations), asked.diameter) {
-            wrong.push(format!("{}: scheme {scheme} is {own:?}, planned {operations:?}", asked.what));
+        if !same(&of_cylinder(&own), &of_cylinder(&operations), cell.diameter) {
+            wrong.push(format!("{}: scheme {scheme} is {own:?}, planned {operations:?}", cell.what));
         }
     }
 }
@@ -169,33 +170,33 @@ fn main_holes(table: &str) -> (usize, usize, BTreeSet<String>, Vec<String>) {
                     centre_tolerance(&row["centre_tolerance"])
                 );
                 let plan = plan_of_hole_by_tables("steel-45", "gf2171", "30", &keys);
-                let asked = Asked {
+                let cell = CellQuestion {
                     what: format!(
                         "{table} Ø{diameter} IT{it} {roughness} {} {}",
                         row["centre_tolerance"], row["state"]
                     ),
                     plan: &plan,
-                    way: RouteSource::Tables,
+                    source: RouteSource::Tables,
                     schemes: row["schemes"].split(' ').collect(),
                     diameter,
                     // Short holes of grade 13 and coarser under Ø25 are not centred; short is up to two diameters.
                     centred: solid && (it < 13 || diameter >= 25.0 || 30.0 / diameter > 2.0),
                 };
                 let before = refused.len();
-                check(&asked, &schemes, &mut refused, &mut wrong);
+                check(&cell, &schemes, &mut refused, &mut wrong);
                 // The text prints 25*1*2 here; the second reading takes the *1 for a slip, the catalog keeps it
                 // (tests/readings/settled.yaml).
                 let settled = row["it"] == "[7..8]"
                     && row["centre_tolerance"] == "(0.05..0.3]"
                     && (row["state"].as_str(), row["outer_wall"].as_str()) == ("cast-or-pre-machined", "false");
-                let taken = plan.holes[0].route.as_ref().filter(|route| route.way == RouteSource::Tables);
+                let taken = plan.holes[0].route.as_ref().filter(|route| route.source == RouteSource::Tables);
                 let ends_elsewhere = taken.is_some_and(|route| route.finish_elsewhere);
-                let told = plan.findings.iter().any(|finding| finding.note.code() == "finish-elsewhere");
+                let is_reported = plan.findings.iter().any(|finding| finding.note.code() == "finish-elsewhere");
                 if refused.len() == before && ends_elsewhere != (elsewhere || settled) {
-                    wrong.push(format!("{}: finished on another machine: {ends_elsewhere}", asked.what));
+                    wrong.push(format!("{}: finished on another machine: {ends_elsewhere}", cell.what));
                 }
-                if ends_elsewhere && !told {
-                    wrong.push(format!("{}: is finished on another machine, and nothing says so", asked.what));
+                if ends_elsewhere && !is_reported {
+                    wrong.push(format!("{}: is finished on another machine, and nothing says so", cell.what));
                 }
             }
         }
@@ -275,21 +276,21 @@ fn every_row_of_a10_gives_its_scheme() {
             let plan = plan_of_hole_by_tables("steel-45", "gf2171", "20", &keys);
             // A scheme with a star is only for holes that no drill has the size of: all of these have one.
             let starred: Vec<&str> = row["if_drill_differs"].split(' ').collect();
-            let asked = Asked {
+            let cell = CellQuestion {
                 what: format!("A.10 {} Ø{diameter} {}", row["hole"], row["centre_tolerance"]),
                 plan: &plan,
-                way: RouteSource::Tables,
+                source: RouteSource::Tables,
                 schemes: row["schemes"].split(' ').filter(|scheme| !starred.contains(scheme)).collect(),
                 diameter,
                 centred: threaded || diameter >= 25.0 || 20.0 / diameter > 2.0,
             };
-            check(&asked, &schemes, &mut refused, &mut wrong);
+            check(&cell, &schemes, &mut refused, &mut wrong);
             let opening = plan.holes[0].transitions.iter().any(|step| {
                 matches!(step.operation, Operation::Counterbore | Operation::Countersink | Operation::CentreDrill)
                     || step.also_diameter_mm.is_some()
             });
             if !threaded && plan.holes[0].route.is_some() && !opening {
-                wrong.push(format!("{}: nothing opens it", asked.what));
+                wrong.push(format!("{}: nothing opens it", cell.what));
             }
         }
     }
@@ -337,15 +338,15 @@ fn every_row_of_a4_gives_its_complex() {
             );
             let plan = plan_of_hole_by_tables("steel-45", "gf2171", "20", &keys);
             let coarse = keys.contains("H13");
-            let asked = Asked {
+            let cell = CellQuestion {
                 what: format!("A.4 {} Ø{diameter} {}", row["hole"], row["centre_tolerance"]),
                 plan: &plan,
-                way: RouteSource::Complexes,
+                source: RouteSource::Complexes,
                 schemes: vec![&row["complex"]],
                 diameter,
                 centred: !coarse || diameter >= 25.0 || 20.0 / diameter > 2.0,
             };
-            check(&asked, &complexes, &mut refused, &mut wrong);
+            check(&cell, &complexes, &mut refused, &mut wrong);
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}\nrefused {refused:#?}");

@@ -109,7 +109,7 @@ fn can_be_planned(blank: &str, usual: usize) {
             }
         }
     }
-    let told: Vec<String> =
+    let reported: Vec<String> =
         found.iter().map(|(fault, (count, text))| format!("{count} times {fault}, as of\n{text}")).collect();
-    assert!(told.is_empty(), "{}", told.join("\n"));
+    assert!(reported.is_empty(), "{}", reported.join("\n"));
 }

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::units::Micrometres;
 use technolog_testing::lawful::lawful;
-use technolog_testing::spoilt::{read_or_refused, spoilt};
+use technolog_testing::spoilt::{damaged, read_or_refused};
 use technolog_testing::{KNOWLEDGE, planned, read};
 
 // ---------------------------------------------------------------------------------------------------
@@ -184,7 +184,7 @@ proptest! {
     #![proptest_config(technolog_laws::cases!(512))]
 
     #[test]
-    fn a_spoilt_part_file_is_read_or_refused_with_places_inside_it(text in spoilt(part_files(), litter())) {
+    fn a_spoilt_part_file_is_read_or_refused_with_places_inside_it(text in damaged(part_files(), litter())) {
         if let Some(part) = read_or_refused(&text)? {
             planned(&part, CuttingMethod::Formula);
         }

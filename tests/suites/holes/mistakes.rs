@@ -20,7 +20,7 @@ fn own_words(text: &str) -> String {
 #[test]
 fn the_mistakes_of_the_bad_files_are_told_in_ukrainian() {
     let mut english = Vec::new();
-    let mut told = 0;
+    let mut reported = 0;
     for entry in std::fs::read_dir(root("tests/bad")).unwrap() {
         let path = entry.unwrap().path();
         let Ok(text) = std::fs::read_to_string(&path) else { continue };
@@ -28,7 +28,7 @@ fn the_mistakes_of_the_bad_files_are_told_in_ukrainian() {
         let none = |_: &str| Err("No such file or directory (os error 2)".to_owned());
         let plan = read_plan("plan.yaml", &text, &KNOWLEDGE, &none).err().map(|why| why.problems).unwrap_or_default();
         for problem in problems.iter().chain(&plan) {
-            told += 1;
+            reported += 1;
             let cyrillic = |text: &str| text.chars().any(|letter| ('а'..='ї').contains(&letter));
             for note in std::iter::once(&problem.message).chain(&problem.help) {
                 if !cyrillic(&own_words(&Lang::UK.say(note))) {
@@ -37,6 +37,6 @@ fn the_mistakes_of_the_bad_files_are_told_in_ukrainian() {
             }
         }
     }
-    assert!(told > 50, "{told} mistakes");
+    assert!(reported > 50, "{reported} mistakes");
     assert!(english.is_empty(), "{}", english.join("\n"));
 }

@@ -73,9 +73,9 @@ fn lists_of_points_are_ordered() {
 fn a_bad_list_is_told_with_line_and_column_and_every_slip() {
     let bad = file("bad.csv", "x,y\n1,two\n3\n");
     let output = run(&[bad.to_str().unwrap()]);
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains("bad.csv:2:3") && said.contains("bad.csv:3:1") && said.contains("help"), "{said}");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains("bad.csv:2:3") && stderr.contains("bad.csv:3:1") && stderr.contains("help"), "{stderr}");
 }
 
 #[test]
@@ -83,11 +83,11 @@ fn a_bad_list_is_told_in_ukrainian_too() {
     let bad = file("bad-uk.csv", "x;y\n1,5;2\n1;дві\n3\n");
     let mut command = Command::new(env!("CARGO_BIN_EXE_technolog"));
     let output = command.args(["--lang", "uk", "order"]).arg(bad).output().unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{said}");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{stderr}");
     for expected in ["bad-uk.csv:3:3", "`дві` не є числом", "bad-uk.csv:4:1", "дві координати", "підказка"]
     {
-        assert!(said.contains(expected), "{expected}: {said}");
+        assert!(stderr.contains(expected), "{expected}: {stderr}");
     }
 }
 
@@ -109,9 +109,9 @@ fn the_effort_acts_on_a_part_and_options_of_lists_are_refused_there() {
         [&["--closed"][..], &["--metric", "rapid"], &["--machine", "gf2171"], &["--tries", "9"], &["--time", "1s"]]
     {
         let output = run(&[&["examples/plate.yaml"], option].concat());
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{said}");
-        assert!(said.contains(option[0]) && said.contains("lists of points"), "{said}");
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        assert!(stderr.contains(option[0]) && stderr.contains("lists of points"), "{stderr}");
     }
 }
 
@@ -165,8 +165,8 @@ fn as_many_tries_give_the_path_of_a_clock_again() {
     let timed = json(&[file, "--time", "30ms"]);
     let tries = timed["tries"].as_u64().unwrap().to_string();
     assert_eq!(timed["order"], json(&[file, "--tries", &tries])["order"]);
-    let said = String::from_utf8(run(&[file, "--time", "1"]).stderr).unwrap();
-    assert!(said.contains("`1`") && said.contains("1ms … 3600s"), "{said}");
+    let stderr = String::from_utf8(run(&[file, "--time", "1"]).stderr).unwrap();
+    assert!(stderr.contains("`1`") && stderr.contains("1ms … 3600s"), "{stderr}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use technolog::part::{Face, Part, read_part};
 use technolog::units::Micrometres;
 use technolog_testing::KNOWLEDGE;
 use technolog_testing::holes::part_files;
-use technolog_testing::spoilt::{read_or_refused, spoilt};
+use technolog_testing::spoilt::{damaged, read_or_refused};
 
 fn lawful(part: &Part) -> Result<(), TestCaseError> {
     for hole in &part.holes {
@@ -84,7 +84,7 @@ proptest! {
     }
 
     #[test]
-    fn a_spoilt_file_is_read_or_refused_with_places_inside_it(text in spoilt(part_files(), litter())) {
+    fn a_spoilt_file_is_read_or_refused_with_places_inside_it(text in damaged(part_files(), litter())) {
         if let Some(part) = read_or_refused(&text)? {
             lawful(&part).map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))?;
         }

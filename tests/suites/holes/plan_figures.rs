@@ -95,8 +95,8 @@ fn clamps_of_our_own_are_moved_until_they_hold_and_never_fail_the_plan() {
     };
     let of_clamps = |plan: &Plan| {
         let codes = ["clamp-near-hole", "no-place-for-clamps", "no-screw", "screw-too-weak"];
-        let told = plan.findings.iter().filter(|finding| codes.contains(&finding.note.code()));
-        told.map(|finding| (finding.note.code().to_owned(), finding.severity)).collect::<Vec<_>>()
+        let reported = plan.findings.iter().filter(|finding| codes.contains(&finding.note.code()));
+        reported.map(|finding| (finding.note.code().to_owned(), finding.severity)).collect::<Vec<_>>()
     };
     let free = planned(&holes(""), CuttingMethod::Formula);
     let clamping = free.clamping.as_ref().unwrap();
@@ -241,6 +241,6 @@ fn a_route_that_is_slower_too_is_not_said_to_be_quicker() {
     let others = plan.holes.iter().filter_map(|hole| hole.route.as_ref()).flat_map(|route| &route.alternatives);
     let codes: Vec<&str> = others.map(|other| other.why.code()).collect();
     assert!(codes.contains(&"lost-by-time"), "{codes:?}");
-    let told = serde_json::to_string(&plan).unwrap();
-    assert!(!told.contains("\"quicker\":\"-"), "{told}");
+    let json = serde_json::to_string(&plan).unwrap();
+    assert!(!json.contains("\"quicker\":\"-"), "{json}");
 }

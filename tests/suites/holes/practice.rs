@@ -46,8 +46,8 @@ fn a_thread_m10_is_drilled_8_5() {
         if tapped {
             assert!((tap.conditions.feed_mm_per_rev.0 - 1.5).abs() < 1e-9);
         }
-        let told = plan.findings.iter().any(|finding| finding.note.code() == "tap-elsewhere");
-        assert_eq!(told, !tapped, "{machine}");
+        let is_reported = plan.findings.iter().any(|finding| finding.note.code() == "tap-elsewhere");
+        assert_eq!(is_reported, !tapped, "{machine}");
     }
 }
 

@@ -3,7 +3,7 @@
 
 use technolog::note::Severity;
 use technolog::plan::{CuttingMethod, Operation, Plan, Transition};
-use technolog::proof::{Fault, Wanting, prove, prove_hole};
+use technolog::proof::{Fault, Shortfall, prove, prove_hole};
 use technolog::shop::Shop;
 use technolog::units::{MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons};
 use technolog_testing::{KNOWLEDGE, changed_knowledge, plan_of_hole, plan_of_hole_by_tables, planned, read};
@@ -19,13 +19,13 @@ fn faults(plan: &Plan) -> Vec<Fault> {
 
 /// A plan without a fault, spoilt, and what is found then.
 #[track_caller]
-fn spoilt(plan: &Plan, spoil: impl FnOnce(&mut Vec<Transition>)) -> Vec<Fault> {
+fn with_change(plan: &Plan, spoil: impl FnOnce(&mut Vec<Transition>)) -> Vec<Fault> {
     let mut plan = plan.clone();
     spoil(&mut plan.holes[0].transitions);
     faults(&plan)
 }
 
-fn of(transitions: &mut [Transition], operation: Operation) -> &mut Transition {
+fn transition_of(transitions: &mut [Transition], operation: Operation) -> &mut Transition {
     transitions.iter_mut().find(|step| step.operation == operation).unwrap()
 }
 
@@ -39,25 +39,25 @@ fn sound(thickness: &str, keys: &str) -> Plan {
 fn every_planted_error_is_found() {
     let reamed = sound("20", "diameter: 8H9, through: true, roughness: Ra 2.5, centre_tolerance: 0.2");
     // The drill of the book's 0.1 mm: IT12 of 6 to 10 mm is 0.15, so the hole may be 8.05.
-    let scant = spoilt(&reamed, |steps| of(steps, Operation::Drill).diameter_mm = mm(7.9));
+    let scant = with_change(&reamed, |steps| transition_of(steps, Operation::Drill).diameter_mm = mm(7.9));
     let least = |fault: &Fault| matches!(fault, Fault::NoStock { may_be, .. } if *may_be == mm(8.05));
     assert!(scant.iter().any(least), "{scant:?}");
 
-    let wide = spoilt(&reamed, |steps| of(steps, Operation::Drill).tool.diameter_mm = mm(8.2));
+    let wide = with_change(&reamed, |steps| transition_of(steps, Operation::Drill).tool.diameter_mm = mm(8.2));
     assert!(wide.iter().any(|fault| matches!(fault, Fault::Enters { .. })), "{wide:?}");
-    let spot = spoilt(&reamed, |steps| of(steps, Operation::CentreDrill).diameter_mm = mm(9.0));
+    let spot = with_change(&reamed, |steps| transition_of(steps, Operation::CentreDrill).diameter_mm = mm(9.0));
     assert!(spot.iter().any(|fault| matches!(fault, Fault::SpotStays { .. })), "{spot:?}");
-    let open = spoilt(&reamed, |steps| of(steps, Operation::FinishReam).diameter_mm = mm(8.1));
+    let open = with_change(&reamed, |steps| transition_of(steps, Operation::FinishReam).diameter_mm = mm(8.1));
     assert!(open.iter().any(|fault| matches!(fault, Fault::NotFinished { .. })), "{open:?}");
-    let short = spoilt(&reamed, |steps| of(steps, Operation::FinishReam).depth_mm = mm(15.0));
+    let short = with_change(&reamed, |steps| transition_of(steps, Operation::FinishReam).depth_mm = mm(15.0));
     assert!(short.iter().any(|fault| matches!(fault, Fault::TooShallow { .. })), "{short:?}");
-    let rough = spoilt(&reamed, |steps| steps.retain(|step| step.operation != Operation::FinishReam));
+    let rough = with_change(&reamed, |steps| steps.retain(|step| step.operation != Operation::FinishReam));
     assert!(rough.iter().any(|fault| matches!(fault, Fault::NotFinished { .. })), "{rough:?}");
 
     // 85 % of 9806 N, 615 N·m and 7.5 kW.
     for (thrust, torque, power) in [(8_400.0, 5.0, 1.0), (900.0, 530.0, 1.0), (900.0, 5.0, 6.5)] {
-        let loaded = spoilt(&reamed, |steps| {
-            let conditions = &mut of(steps, Operation::Drill).conditions;
+        let loaded = with_change(&reamed, |steps| {
+            let conditions = &mut transition_of(steps, Operation::Drill).conditions;
             conditions.axial_force_n = Some(Newtons(thrust));
             conditions.torque_n_m = Some(NewtonMetres(torque));
             conditions.power_kw = Some(technolog::units::Kilowatts(power));
@@ -66,26 +66,30 @@ fn every_planted_error_is_found() {
     }
 
     // 30.6 m/min are the upper end for a steel of HB 200 (the American handbook's table), and a third above it 40.8.
-    let fast = spoilt(&reamed, |steps| of(steps, Operation::Drill).conditions.speed_m_per_min = MetresPerMinute(45.0));
+    let fast = with_change(&reamed, |steps| {
+        transition_of(steps, Operation::Drill).conditions.speed_m_per_min = MetresPerMinute(45.0)
+    });
     assert!(matches!(fast[..], [Fault::TooFast { .. }]), "{fast:?}");
     // 0.02 · 7.8³ mm³ · 800 MPa = 7.6 N·m.
-    let twisted = spoilt(&reamed, |steps| of(steps, Operation::Drill).conditions.torque_n_m = Some(NewtonMetres(8.0)));
+    let twisted = with_change(&reamed, |steps| {
+        transition_of(steps, Operation::Drill).conditions.torque_n_m = Some(NewtonMetres(8.0))
+    });
     assert!(matches!(twisted[..], [Fault::Twists { .. }]), "{twisted:?}");
 
     let blind = sound("30", "diameter: 12H7, depth: 20, roughness: Ra 1.25, centre_tolerance: 0.2");
-    let floor = spoilt(&blind, |steps| of(steps, Operation::FinishReam).travel_mm = mm(26.0));
+    let floor = with_change(&blind, |steps| transition_of(steps, Operation::FinishReam).travel_mm = mm(26.0));
     assert!(floor.iter().any(|fault| matches!(fault, Fault::Floor { .. })), "{floor:?}");
-    let through = spoilt(&blind, |steps| of(steps, Operation::Drill).travel_mm = mm(34.0));
+    let through = with_change(&blind, |steps| transition_of(steps, Operation::Drill).travel_mm = mm(34.0));
     assert!(through.iter().any(|fault| matches!(fault, Fault::BreaksThrough { .. })), "{through:?}");
 
     // The minor diameter of M6-6H is 4.917 to 5.153 (ISO 965-1).
     let thread = sound("30", "thread: M6, depth: 12, centre_tolerance: 0.2");
-    let loose = spoilt(&thread, |steps| of(steps, Operation::Drill).diameter_mm = mm(5.2));
+    let loose = with_change(&thread, |steps| transition_of(steps, Operation::Drill).diameter_mm = mm(5.2));
     assert!(loose.iter().any(|fault| matches!(fault, Fault::TapHole { .. })), "{loose:?}");
 
     // Bored without regard to where the drill's axis lay: 0.2 mm are less than twice 0.07 and the drift.
     let bored = sound("20", "diameter: 40H7, through: true, roughness: Ra 1.25, centre_tolerance: 0.2");
-    let aside = spoilt(&bored, |steps| {
+    let aside = with_change(&bored, |steps| {
         let first = steps.iter().position(|step| step.operation == Operation::Drill).unwrap();
         steps[first].diameter_mm = steps[first + 1].diameter_mm - mm(0.3);
     });
@@ -94,8 +98,8 @@ fn every_planted_error_is_found() {
     // A bar of 12 mm that reaches 45 mm: 45³ / (3 · 200 GPa · 1018 mm⁴) · 0.3 · 1500 N/mm² · (20 mm/rev)^0.78 = 0.69
     // of the 0.16 mm that holes of IT11 differ by; IT9 is 0.062.
     let finished = sound("20", "diameter: 40H9, through: true, roughness: Ra 2.5, centre_tolerance: 0.09");
-    let springy = spoilt(&finished, |steps| {
-        let finish = of(steps, Operation::FinishBore);
+    let springy = with_change(&finished, |steps| {
+        let finish = transition_of(steps, Operation::FinishBore);
         finish.tool.designation = "BB-F-15-20".to_owned();
         finish.conditions.feed_mm_per_rev = MillimetresPerRev(20.0);
     });
@@ -118,28 +122,31 @@ fn a_slender_bar_is_told() {
 #[test]
 fn what_is_reached_is_never_what_is_asked() {
     let drilled = sound("20", "diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2");
-    let upper = spoilt(&drilled, |steps| of(steps, Operation::Drill).diameter_mm = mm(10.1));
+    let upper = with_change(&drilled, |steps| transition_of(steps, Operation::Drill).diameter_mm = mm(10.1));
     assert!(upper.iter().any(|fault| matches!(fault, Fault::TooWide { .. })), "{upper:?}");
-    let asked = |it: &str| {
+    let faults_of = |it: &str| {
         let mut plan = drilled.clone();
         let other = sound("20", &format!("diameter: 10{it}, through: true, roughness: Ra 12.5, centre_tolerance: 0.2"));
         plan.part.holes[0].diameter = other.part.holes[0].diameter.clone();
         faults(&plan)
     };
-    let at_best = asked("H11");
+    let at_best = faults_of("H11");
     assert!(
-        matches!(at_best[..], [Fault::Wanting { what: Wanting::Grade(..), .. }])
+        matches!(at_best[..], [Fault::Wanting { shortfall: Shortfall::Grade(..), .. }])
             && at_best[0].severity() == technolog::note::Severity::Doubtful,
         "{at_best:?}"
     );
-    let never = asked("H9");
+    let never = faults_of("H9");
     assert!(never.iter().any(|fault| fault.severity() == technolog::note::Severity::Error), "{never:?}");
     // Without its spot the drill wanders.
     let mut plan = drilled.clone();
     plan.holes[0].transitions.retain(|step| step.operation != Operation::CentreDrill);
     plan.part.holes[0].centre_tolerance = technolog::part::CentreTolerance::Width(mm(0.1));
     let off = faults(&plan);
-    assert!(off.iter().any(|fault| matches!(fault, Fault::Wanting { what: Wanting::Position(..), .. })), "{off:?}");
+    assert!(
+        off.iter().any(|fault| matches!(fault, Fault::Wanting { shortfall: Shortfall::Position(..), .. })),
+        "{off:?}"
+    );
     // Who prefers the tables gets their scheme, and is told what it does not reach ordinarily.
     let keys = "diameter: 10H11, through: true, roughness: Rz 40, centre_tolerance: 0.2, at: [[0, 0]]";
     let (own, tables) =
@@ -199,7 +206,7 @@ fn grid(every: usize) -> (usize, usize) {
     let diameters =
         [3.0_f64, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 20.0, 24.5, 30.0, 36.0, 42.0, 50.0, 63.0, 80.0];
     let depths = [0.5_f64, 1.0, 2.0, 3.0, 5.0, 8.0, 12.0];
-    let (mut number, mut asked, mut planned) = (0_usize, 0, 0);
+    let (mut number, mut parts, mut planned) = (0_usize, 0, 0);
     for (size, it) in diameters.iter().flat_map(|size| (6..=14).map(move |it| (*size, it))) {
         for (material, depth) in materials.iter().flat_map(|one| depths.iter().map(move |depth| (*one, *depth))) {
             number += 1;
@@ -213,10 +220,11 @@ fn grid(every: usize) -> (usize, usize) {
             let thickness = if through { length } else { length + size + 10.0 };
             let state =
                 if made { format!(", state: pre-machined, state_diameter: {:.1}", size * 0.8) } else { String::new() };
-            let way = if through { "through: true".to_owned() } else { format!("depth: {length}") };
-            let keys =
-                format!("diameter: {size}H{it}, {way}, roughness: Ra {ra}, centre_tolerance: 0.2{state}, at: [[0, 0]]");
-            asked += 1;
+            let extent = if through { "through: true".to_owned() } else { format!("depth: {length}") };
+            let keys = format!(
+                "diameter: {size}H{it}, {extent}, roughness: Ra {ra}, centre_tolerance: 0.2{state}, at: [[0, 0]]"
+            );
+            parts += 1;
             let plan = plan_of_hole(material, "gf2171", &thickness.to_string(), &keys);
             // Whatever else is told of the plan: a route that was taken is one that holds.
             if plan.holes[0].route.is_none() {
@@ -233,21 +241,21 @@ fn grid(every: usize) -> (usize, usize) {
             holds_by_hand(&plan, &keys);
         }
     }
-    (asked, planned)
+    (parts, planned)
 }
 
 #[test]
 fn no_plan_without_errors_is_rejected_by_the_proof() {
-    let (asked, planned) = grid(23);
-    assert!(asked > 250 && planned > asked / 3, "{planned} of {asked}");
+    let (parts, planned) = grid(23);
+    assert!(parts > 250 && planned > parts / 3, "{planned} of {parts}");
 }
 
 #[test]
 #[ignore = "takes minutes: the whole grid"]
 fn no_plan_of_the_whole_grid_is_rejected_by_the_proof() {
     // A share of it where fewer cases are asked for.
-    let (asked, planned) = grid(technolog_laws::every(1));
-    assert!(planned > asked / 3, "{planned} of {asked}");
+    let (parts, planned) = grid(technolog_laws::every(1));
+    assert!(planned > parts / 3, "{planned} of {parts}");
 }
 
 /// What the machine cannot carry out is no plan, although every row of it is right: the program of it would say so.
@@ -256,11 +264,11 @@ fn a_plan_tells_what_the_machine_has_no_room_for() {
     let text = "part: P\nmaterial: steel-45\nmachine: gf2171\nfixture: {height: 600}\n\
                 blank: {kind: plate, length: 300, width: 200, thickness: 60}\nholes:\n  \
                 - {name: A, diameter: 10H9, through: true, roughness: Ra 2.5, centre_tolerance: 0.2, at: [[0, 0]]}\n";
-    let told = |text: &str| -> Vec<Severity> {
+    let severities = |text: &str| -> Vec<Severity> {
         let plan = planned(&read(text), CuttingMethod::Formula);
         let room = plan.findings.iter().filter(|finding| finding.note.code() == "no-room-over-part");
         room.map(|finding| finding.severity).collect()
     };
-    assert_eq!(told(text), [Severity::Error]);
-    assert_eq!(told(&text.replace("600", "80")), []);
+    assert_eq!(severities(text), [Severity::Error]);
+    assert_eq!(severities(&text.replace("600", "80")), []);
 }

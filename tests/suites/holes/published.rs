@@ -92,11 +92,11 @@ fn published_problems_come_out_as_published() {
 }
 
 /// The row of one of our tables that a problem asks, by the inputs that it names.
-struct Asked {
+struct Question {
     answer: Answer<'static>,
 }
 
-impl Asked {
+impl Question {
     fn of(problem: &Value, table: &str) -> Option<Self> {
         let inputs = problem.get("tables")?.get(table)?.as_mapping()?;
         let table = KNOWLEDGE.table(table).unwrap();
@@ -131,8 +131,8 @@ impl Asked {
 fn by_our_tables(problem: &Value) -> Option<Vec<(String, f64)>> {
     let get = |key: &str| number(problem, key);
     let factor = problem.get("factors").and_then(|all| all.get("k")).and_then(Value::as_f64).unwrap_or(1.0);
-    let row = |table: &str| Asked::of(problem, table);
-    let force = |row: &Asked| {
+    let row = |table: &str| Question::of(problem, table);
+    let force = |row: &Question| {
         let [cp, x, y, n] = ["cp", "x", "y", "n"].map(|name| row.figure(name));
         let (depth, feed, speed) = (get("depth_of_cut_mm")?, get("feed_mm_per_rev")?, get("speed_m_per_min")?);
         Some(10.0 * cp * depth.powf(x) * feed.powf(y) * speed.powf(n) * factor)

@@ -120,9 +120,9 @@ fn a_hole_without_a_route_says_what_is_missing() {
             continue;
         };
         // A route that does not hold what is asked, or ends on another machine, is told of.
-        let told = |code: &str| plan.findings.iter().any(|finding| finding.note.code().starts_with(code));
-        assert!(route.meets || told("misses-"), "{keys}: {:?}", plan.findings);
-        assert!(!route.finish_elsewhere || told("finish-elsewhere"), "{keys}: {:?}", plan.findings);
+        let has_finding = |code: &str| plan.findings.iter().any(|finding| finding.note.code().starts_with(code));
+        assert!(route.meets || has_finding("misses-"), "{keys}: {:?}", plan.findings);
+        assert!(!route.finish_elsewhere || has_finding("finish-elsewhere"), "{keys}: {:?}", plan.findings);
         planned += 1;
     }
     assert!(planned > 0 && refused > 0, "{planned} planned, {refused} refused");
@@ -268,7 +268,7 @@ fn decided(plan: &Plan) -> BTreeMap<&str, String> {
             })
             .collect();
         let route = hole.route.as_ref().map(|route| {
-            (route.way, &route.scheme, route.meets, route.time_min, route.margin_min, &route.alternatives)
+            (route.source, &route.scheme, route.meets, route.time_min, route.margin_min, &route.alternatives)
         });
         format!("{route:#?}\n{steps:#?}")
     };
@@ -387,10 +387,10 @@ fn has_a_lawful_plan(text: &str) -> Result<(), TestCaseError> {
     let machine = Machine::find(&KNOWLEDGE, &part.machine).unwrap();
     for (hole, own) in part.holes.iter().zip(&plan.holes) {
         if own.route.is_none() {
-            let told = plan.findings.iter().any(|finding| {
+            let is_reported = plan.findings.iter().any(|finding| {
                 finding.severity == Severity::Error && finding.hole.as_deref() == Some(hole.name.as_str())
             });
-            prop_assert!(told, "{} is not planned, and nobody says why\n{text}", hole.name);
+            prop_assert!(is_reported, "{} is not planned, and nobody says why\n{text}", hole.name);
             prop_assert!(own.transitions.is_empty());
             continue;
         }

@@ -144,14 +144,14 @@ fn every_place_of_a_row_is_told_in_ukrainian() {
     let places: BTreeSet<&str> = rows.chain(tables.iter().map(|table| table.place.as_str())).collect();
     assert!(places.len() > 500, "only {} places were found", places.len());
     let lacks: Vec<_> =
-        places.iter().map(|place| Lang::UK.place(place)).filter(|said| !english(said).is_empty()).collect();
+        places.iter().map(|place| Lang::UK.place(place)).filter(|text| !english(text).is_empty()).collect();
     assert!(lacks.is_empty(), "put their words into places.tsv: {lacks:#?}");
     let left = LANGUAGES
         .iter()
         .flat_map(|language| language.places())
         .filter(|(word, _)| !places.iter().any(|place| place.contains(word)));
     assert_eq!(left.collect::<Vec<_>>(), Vec::<&(&str, &str)>::new(), "no place says so");
-    for (place, said) in [
+    for (place, translated) in [
         ("textbook 1.2.1, l. 270-273", "посібник 1.2.1, ряд. 270–273"),
         ("facts 1.6 (Косилова/Мещеряков т.2 table 25; QT)", "довідка 1.6 (Косилова/Мещеряков т.2 табл. 25; QT)"),
         (
@@ -159,20 +159,20 @@ fn every_place_of_a_row_is_told_in_ukrainian() {
             "MT: github sad-engineer/machine_tools @fd8ea5b, tables_csv/a.csv",
         ),
     ] {
-        assert_eq!(Lang::UK.place(place), said);
+        assert_eq!(Lang::UK.place(place), translated);
         assert_eq!(Lang::EN.place(place), place);
     }
 }
 
 #[test]
 fn everything_that_tables_say_is_translated_and_no_translation_is_left_over() {
-    let said = of_tables();
-    assert!(said.len() > 1_500, "only {} remarks were found", said.len());
+    let remarks = of_tables();
+    assert!(remarks.len() > 1_500, "only {} remarks were found", remarks.len());
     for language in LANGUAGES.iter().filter(|language| !language.remarks().is_empty()) {
         let known: BTreeSet<&str> = language.remarks().keys().copied().collect();
-        let lacks: Vec<_> = said.difference(&known).collect();
+        let lacks: Vec<_> = remarks.difference(&known).collect();
         assert!(lacks.is_empty(), "put into remarks.tsv of {}: {lacks:#?}", language.tag());
-        let left: Vec<_> = known.difference(&said).collect();
+        let left: Vec<_> = known.difference(&remarks).collect();
         assert!(left.is_empty(), "no row says so any more, in remarks.tsv of {}: {left:#?}", language.tag());
     }
 }

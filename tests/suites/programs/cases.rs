@@ -34,7 +34,7 @@ fn root() -> PathBuf {
 }
 
 /// What is said of a folder today.
-fn said(folder: &Path, language: &Language, program: &str, machine: &str) -> String {
+fn checked_text(folder: &Path, language: &Language, program: &str, machine: &str) -> String {
     let read = |name: &str| fs::read_to_string(folder.join(name)).ok();
     let machine = read("machine").map_or(machine.to_owned(), |id| id.trim().to_owned());
     let machine = Machine::find(&KNOWLEDGE, &machine).unwrap();
@@ -67,12 +67,12 @@ fn every_program_does_what_the_file_beside_it_says() {
         }
         folders.sort();
         for folder in &folders {
-            let said = said(folder, &language, program, machine);
+            let text = checked_text(folder, &language, program, machine);
             let expected = fs::read_to_string(folder.join("expected")).unwrap_or_default();
             if write {
-                fs::write(folder.join("expected"), &said).unwrap();
-            } else if said != expected {
-                wrong.push(format!("{}\n--- expected\n{expected}\n--- said\n{said}", folder.display()));
+                fs::write(folder.join("expected"), &text).unwrap();
+            } else if text != expected {
+                wrong.push(format!("{}\n--- expected\n{expected}\n--- said\n{text}", folder.display()));
             }
         }
         assert!(folders.len() >= least, "only {} programs in {root_of}", folders.len());
@@ -176,16 +176,16 @@ fn a_decimal_comma_is_told_as_a_point_and_nothing_follows_from_it() {
     ] {
         fs::write(&program, text).unwrap();
         let part = ["check", &program, "--control", control, "--part", "examples/plate.yaml"];
-        let (code, said) = technolog(&[part.as_slice(), &["--lang", "en"]].concat());
-        assert_eq!(code, Some(1), "{said}");
-        for told in ["`X80,5` has a comma", "help: write X80.5 (", "2 errors", "not-compared"] {
-            assert!(said.contains(told), "{control}: {told}: {said}");
+        let (code, output) = technolog(&[part.as_slice(), &["--lang", "en"]].concat());
+        assert_eq!(code, Some(1), "{output}");
+        for expected in ["`X80,5` has a comma", "help: write X80.5 (", "2 errors", "not-compared"] {
+            assert!(output.contains(expected), "{control}: {expected}: {output}");
         }
-        assert!(!said.contains("remove") && !said.contains("missing"), "{control}: {said}");
-        let (_, said) = technolog(&[part.as_slice(), &["--lang", "uk"]].concat());
-        assert!(said.contains("підказка: напишіть X80.5 ("), "{control}: {said}");
-        let (_, said) = technolog(&[part.as_slice(), &["--format", "json"]].concat());
-        assert!(!said.contains("\"proof\""), "{control}: {said}");
+        assert!(!output.contains("remove") && !output.contains("missing"), "{control}: {output}");
+        let (_, output) = technolog(&[part.as_slice(), &["--lang", "uk"]].concat());
+        assert!(output.contains("підказка: напишіть X80.5 ("), "{control}: {output}");
+        let (_, output) = technolog(&[part.as_slice(), &["--format", "json"]].concat());
+        assert!(!output.contains("\"proof\""), "{control}: {output}");
     }
 }
 

@@ -145,10 +145,10 @@ fn the_encoding_sheet_says_every_transition_once_and_every_word() {
             insta::assert_snapshot!("encoding-plate-markdown", in_markdown(&sheet.page()));
             // The transitions of the worked example stand as its own sheet has them (l. 10435-10490), but that a numeral
             // in figures has no ending grown on it.
-            let said: Vec<&str> = sheet.rows.iter().filter_map(|row| row.transition.as_deref()).collect();
-            assert_eq!(said.len(), 2, "{said:?}");
-            assert!(said[0].starts_with("Центрування 6 отв. Ø10H12 (A), 4 отв. Ø20H12 (B)"), "{said:?}");
-            assert!(said[1].starts_with("Свердління 6 отв. Ø10H12 (A), 4 отв. Ø20H12"), "{said:?}");
+            let transitions: Vec<&str> = sheet.rows.iter().filter_map(|row| row.transition.as_deref()).collect();
+            assert_eq!(transitions.len(), 2, "{transitions:?}");
+            assert!(transitions[0].starts_with("Центрування 6 отв. Ø10H12 (A), 4 отв. Ø20H12 (B)"), "{transitions:?}");
+            assert!(transitions[1].starts_with("Свердління 6 отв. Ø10H12 (A), 4 отв. Ø20H12"), "{transitions:?}");
         }
         assert_eq!(sheet.rows.len(), 15);
         let json = serde_json::to_value(&sheet).unwrap();
@@ -179,8 +179,8 @@ fn no_transition_is_lost_or_said_twice() {
             }
         }
         let sheet = encoding_sheet(&WrittenProgram { lines }, &job, &plan, "2c42-65", &KNOWLEDGE, Lang::EN).unwrap();
-        let said: Vec<&str> = sheet.rows.iter().filter_map(|row| row.transition.as_deref()).collect();
-        let said = said.join("; ").to_lowercase();
+        let transitions: Vec<&str> = sheet.rows.iter().filter_map(|row| row.transition.as_deref()).collect();
+        let transitions = transitions.join("; ").to_lowercase();
         for hole in &plan.holes {
             for transition in &hole.transitions {
                 // Both millings of D are one noun, so it is counted as often as the plan has it.
@@ -190,7 +190,7 @@ fn no_transition_is_lost_or_said_twice() {
                     of_hole.map(|part| part.matches(&format!("({})", hole.name.to_lowercase())).count()).sum::<usize>()
                 };
                 let alike = hole.transitions.iter().filter(|other| other.operation == transition.operation).count();
-                assert_eq!(count(&said), alike, "{noun} {} in {said}", hole.name);
+                assert_eq!(count(&transitions), alike, "{noun} {} in {transitions}", hole.name);
             }
         }
     }
@@ -201,7 +201,7 @@ fn no_transition_is_lost_or_said_twice() {
 fn the_worked_example_has_no_word_without_a_meaning() {
     let text = fs::read_to_string(root().join("examples/appendix-g/program.nc")).unwrap();
     for lang in [Lang::UK, Lang::EN] {
-        let sheet = encoding::of_text(&text, "gf2171", "2c42-65", &KNOWLEDGE, lang).unwrap();
+        let sheet = encoding::sheet_of_text(&text, "gf2171", "2c42-65", &KNOWLEDGE, lang).unwrap();
         for row in &sheet.rows {
             assert!(!row.meaning.contains("не знають") && !row.meaning.contains("not know"), "{row:?}");
             assert!(row.transition.is_none());
@@ -244,10 +244,10 @@ fn words_mean_what_the_manuals_say() {
         ("fanuc", "N1 G82 Z-5. R1. P500", vec!["P500: dwell at the bottom = 500 ms"]),
         ("fanuc", "M98 P1001", vec!["M98: subprogram call"]),
     ] {
-        let sheet = encoding::of_text(line, "gf2171", control, &KNOWLEDGE, Lang::EN).unwrap();
+        let sheet = encoding::sheet_of_text(line, "gf2171", control, &KNOWLEDGE, Lang::EN).unwrap();
         for part in expected {
-            let said: Vec<&str> = sheet.rows[0].meaning.split("; ").collect();
-            assert!(said.contains(&part), "{control} {line}: {part} is not in {said:?}");
+            let meanings: Vec<&str> = sheet.rows[0].meaning.split("; ").collect();
+            assert!(meanings.contains(&part), "{control} {line}: {part} is not in {meanings:?}");
         }
     }
     let error = Dictionary::read("other", &KNOWLEDGE).unwrap_err().to_string();
@@ -465,7 +465,7 @@ proptest! {
     #[test]
     fn no_text_makes_a_sheet_panic(text in "([A-Za-z#%;/(\\[\\]<>).0-9 -]{0,30}|\\PC{0,40})(\n[GMXZTHODNP/(#.0-9 -]{0,40}){0,4}") {
         for control in ["2c42-65", "linuxcnc", "fanuc"] {
-            let sheet = encoding::of_text(&text, "gf2171", control, &KNOWLEDGE, Lang::UK).unwrap();
+            let sheet = encoding::sheet_of_text(&text, "gf2171", control, &KNOWLEDGE, Lang::UK).unwrap();
             let lines = text.lines().filter(|line| !line.trim().is_empty()).count();
             prop_assert_eq!(sheet.rows.len(), lines);
             prop_assert_eq!(sheet.csv().is_empty(), false);

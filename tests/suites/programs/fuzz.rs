@@ -99,7 +99,7 @@ fn no_mutation_of_a_program_makes_the_check_panic() {
     let mut random = Random::new(seed_of("mutations of programs"));
     for round in 0..count(ROUNDS) {
         let bytes = mutated(&programs, &mut random);
-        let held = catch_unwind(|| one_check(&bytes));
-        assert!(held.is_ok(), "round {round}: {:?}", String::from_utf8_lossy(&bytes));
+        let outcome = catch_unwind(|| one_check(&bytes));
+        assert!(outcome.is_ok(), "round {round}: {:?}", String::from_utf8_lossy(&bytes));
     }
 }

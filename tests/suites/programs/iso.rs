@@ -148,8 +148,8 @@ fn every_rule_is_broken_by_some_program() {
     let broken = |code: &str| code == "too-many-blocks" || seen.contains(&format!(" {code}"));
     let unbroken: Vec<&String> = rules.iter().filter(|code| !broken(code)).collect();
     assert!(unbroken.is_empty(), "no program breaks {unbroken:?}");
-    let told = seen.lines().filter_map(|line| line.split_once(' ')).filter(|(place, _)| place.contains(':'));
-    let unknown: Vec<&str> = told
+    let faults = seen.lines().filter_map(|line| line.split_once(' ')).filter(|(place, _)| place.contains(':'));
+    let unknown: Vec<&str> = faults
         .map(|(_, rest)| rest.split(' ').next().unwrap())
         .filter(|code| !rules.iter().any(|rule| rule == code))
         .collect();
@@ -326,7 +326,7 @@ fn mutated() -> impl Strategy<Value = String> {
     })
 }
 
-fn held(text: &str) -> Result<(), TestCaseError> {
+fn check_program(text: &str) -> Result<(), TestCaseError> {
     for language in [&*LINUXCNC, &*FANUC] {
         let (faults, steps) = run(language, text);
         for fault in faults {
@@ -343,17 +343,17 @@ proptest! {
 
     #[test]
     fn no_words_make_it_panic_and_every_place_is_in_the_text(text in program()) {
-        held(&text)?;
+        check_program(&text)?;
     }
 
     #[test]
     fn no_mutation_of_a_program_makes_it_panic(text in mutated()) {
-        held(&text)?;
+        check_program(&text)?;
     }
 
     #[test]
     fn no_text_makes_it_panic(text in "\\PC{0,80}(\n\\PC{0,40}){0,4}") {
-        held(&text)?;
+        check_program(&text)?;
     }
 
     /// Where every word is written, one hole at a time and a cycle that goes on reach the same places.
@@ -373,7 +373,7 @@ proptest! {
 #[test]
 fn no_name_of_a_part_becomes_a_comment_that_acts() {
     let machine = Machine::find(&KNOWLEDGE, "ir500pmf4").unwrap();
-    let told = |comment: &str| {
+    let is_reported = |comment: &str| {
         let text = format!("({comment})\nM2\n");
         let faults = LINUXCNC.check(&text, &machine, &Setting::default(), &mut Vec::<MotionStep>::new());
         faults.iter().any(|fault| ["active-comment", "message-comment"].contains(&fault.code))
@@ -384,8 +384,8 @@ fn no_name_of_a_part_becomes_a_comment_that_acts() {
         let names = [begins.to_owned(), format!(" {}", begins.to_lowercase()), format!("{begins}file")];
         let mut acted = 0;
         for name in &names {
-            acted += usize::from(told(name));
-            assert!(!told(&technolog::ascii::ascii(name)), "{name}");
+            acted += usize::from(is_reported(name));
+            assert!(!is_reported(&technolog::ascii::ascii(name)), "{name}");
         }
         assert!(acted >= 2, "{begins}");
     }

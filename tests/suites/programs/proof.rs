@@ -42,14 +42,14 @@ fn right() -> Vec<(String, String, ProofBench)> {
 fn of_a_right_program_nothing_is_said_and_every_stop_is_visited_in_the_order_of_the_job() {
     let programs = right();
     assert!(programs.len() > 2);
-    for (name, text, held) in programs {
-        let (faults, proof, _) = held.run(&CONTROL, &text);
+    for (name, text, bench) in programs {
+        let (faults, proof, _) = bench.run(&CONTROL, &text);
         assert!(faults.is_empty(), "{name}: {faults:?}");
         assert!(proof.findings.is_empty(), "{name}: {:?}", proof.findings);
         let visited: Vec<_> =
             proof.visits.iter().map(|visit| (visit.hole.as_str(), visit.transition, visit.pass, visit.at)).collect();
         let planned: Vec<_> =
-            held.job.stops().map(|(.., stop)| (stop.hole.as_str(), stop.transition, stop.pass, stop.at)).collect();
+            bench.job.stops().map(|(.., stop)| (stop.hole.as_str(), stop.transition, stop.pass, stop.at)).collect();
         assert_eq!(visited, planned, "{name}");
     }
 }
@@ -70,8 +70,8 @@ fn not_one_word_can_be_changed_unnoticed() {
 fn changes_are_noticed(usual: usize) {
     let mut kinds: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
     let mut unnoticed = Vec::new();
-    for (name, text, held) in right() {
-        let Score { kinds: own, unnoticed: mut more } = score(&name, &text, usual, |text| held.run(&CONTROL, text).2);
+    for (name, text, bench) in right() {
+        let Score { kinds: own, unnoticed: mut more } = score(&name, &text, usual, |text| bench.run(&CONTROL, text).2);
         for (kind, counts) in own {
             let all = kinds.entry(kind).or_default();
             for (all, count) in all.iter_mut().zip(counts) {
@@ -183,9 +183,9 @@ fn what_deviates_is_called_by_its_name() {
     let programs = right();
     let mut wrong = Vec::new();
     for (name, before, after, code) in FAULTS {
-        let (_, text, held) = programs.iter().find(|(known, ..)| known == name).unwrap();
+        let (_, text, bench) = programs.iter().find(|(known, ..)| known == name).unwrap();
         assert!(text.contains(before), "{name} has no {before:?}");
-        let codes = held.codes(&CONTROL, &text.replacen(before, after, 1));
+        let codes = bench.codes(&CONTROL, &text.replacen(before, after, 1));
         if !codes.contains(code) {
             wrong.push(format!("{name}: {before:?} → {after:?}: {codes:?}, not {code}"));
         }
@@ -197,16 +197,20 @@ fn what_deviates_is_called_by_its_name() {
 #[test]
 fn a_wrong_correction_names_the_tool_whose_it_is() {
     let programs = right();
-    let (_, text, held) = programs.iter().find(|(known, ..)| known == "plate").unwrap();
-    let (_, proof, _) = held.run(&CONTROL, &text.replacen(" H2", " H1", 1));
-    let said = proof.findings.iter().find(|finding| finding.code.name() == "wrong-correction").unwrap();
-    let told = Lang::EN.say(&said.note);
+    let (_, text, bench) = programs.iter().find(|(known, ..)| known == "plate").unwrap();
+    let (_, proof, _) = bench.run(&CONTROL, &text.replacen(" H2", " H1", 1));
+    let wrong = proof.findings.iter().find(|finding| finding.code.name() == "wrong-correction").unwrap();
+    let message = Lang::EN.say(&wrong.note);
     assert!(
-        told.starts_with("T2 cuts with H1 = ") && told.contains(", the offset of T1, and its correction is H2 = "),
-        "{told}"
+        message.starts_with("T2 cuts with H1 = ")
+            && message.contains(", the offset of T1, and its correction is H2 = "),
+        "{message}"
     );
-    let told = Lang::UK.say(&said.note);
-    assert!(told.starts_with("T2 ріже з H1 = ") && told.contains(", коректором T1, а його корекція H2 = "), "{told}");
+    let message = Lang::UK.say(&wrong.note);
+    assert!(
+        message.starts_with("T2 ріже з H1 = ") && message.contains(", коректором T1, а його корекція H2 = "),
+        "{message}"
+    );
 }
 
 /// Every deviation of docs/proof.md is shown by some altered program, here or in the tests below.
@@ -279,12 +283,12 @@ const APPENDIX: &[(&str, &str, Option<u32>, &str)] = &[
 #[test]
 fn appendix_g_is_held_against_its_part() {
     let text = fs::read_to_string(root().join("examples/appendix-g/program.nc")).unwrap();
-    let mut held = ProofBench::new("examples/plate.yaml").own(&[(8, 0), (10, -85_000), (12, -50_000)]);
+    let mut bench = ProofBench::new("examples/plate.yaml").with_correctors(&[(8, 0), (10, -85_000), (12, -50_000)]);
     // As its setting says.
-    held.setting.zeros[0] = [0, 0, -120].map(|zero| Some(Micrometres::from_mm(zero)));
-    held.job.setups[0].zero.z = Micrometres::from_mm(-120);
-    let mut said: Vec<(String, &str, Option<u32>, String)> = Vec::new();
-    for finding in held.run(&CONTROL, &text).1.findings {
+    bench.setting.zeros[0] = [0, 0, -120].map(|zero| Some(Micrometres::from_mm(zero)));
+    bench.job.setups[0].zero.z = Micrometres::from_mm(-120);
+    let mut findings: Vec<(String, &str, Option<u32>, String)> = Vec::new();
+    for finding in bench.run(&CONTROL, &text).1.findings {
         let severity = format!("{:?}", finding.severity).to_lowercase();
         // What tells one from another: the points, how many more, the corrector, the place.
         let which = ["points", "more", "at", "corrector"]
@@ -294,27 +298,27 @@ fn appendix_g_is_held_against_its_part() {
             ("correction-otherwise", [.., corrector]) => corrector.unwrap(),
             (_, [points, more, at, _]) => points.or(more).or(at).unwrap(),
         };
-        said.push((severity, finding.code.name(), finding.block.and_then(|block| block.number), which));
+        findings.push((severity, finding.code.name(), finding.block.and_then(|block| block.number), which));
     }
     let mut expected: Vec<(String, &str, Option<u32>, String)> = APPENDIX
         .iter()
         .map(|(severity, code, block, which)| ((*severity).to_owned(), *code, *block, (*which).to_owned()))
         .collect();
-    said.sort();
+    findings.sort();
     expected.sort();
-    assert_eq!(said, expected);
+    assert_eq!(findings, expected);
 }
 
 /// The order of the tools, and of the points, is the program's own affair.
 #[test]
 fn another_order_makes_the_part_as_well() {
-    let (_, text, held) = right().into_iter().find(|(name, ..)| name == "plate").unwrap();
+    let (_, text, bench) = right().into_iter().find(|(name, ..)| name == "plate").unwrap();
     let other = text.replacen("N45 X-175 Y50\nN50 X-200 Y0\n", "N45 X-200 Y0\nN50 X-175 Y50\n", 1);
-    let proof = held.run(&CONTROL, &other).1;
+    let proof = bench.run(&CONTROL, &other).1;
     assert!(!proof.has_errors(), "{:?}", proof.findings);
     assert_eq!(proof.missing.len() + proof.superfluous.len(), 0);
     // Transitions of a hole the other way round are not.
-    let codes = held
+    let codes = bench
         .codes(&CONTROL, &text.replacen("P01\n", "P02\n", 1).replacen("H2 Z15\nN125 P02\n", "H2 Z15\nN125 P01\n", 1));
     assert!(codes.contains(&"wrong-tool"), "{codes:?}");
     let reamers = right().into_iter().find(|(name, ..)| name == "variant-4").unwrap();
@@ -333,48 +337,48 @@ fn another_order_makes_the_part_as_well() {
 /// Correctors of the operator have his numbers and values; one of them for two tools, or two for one, is an error.
 #[test]
 fn own_correctors_have_their_own_numbers() {
-    let (_, text, held) = right().into_iter().find(|(name, ..)| name == "plate").unwrap();
-    let held = held.own(&[(11, -102_400), (12, -60_400), (13, -50_000)]);
+    let (_, text, bench) = right().into_iter().find(|(name, ..)| name == "plate").unwrap();
+    let bench = bench.with_correctors(&[(11, -102_400), (12, -60_400), (13, -50_000)]);
     let numbered = text.replace(" H1 ", " H11 ").replace(" H2 ", " H12 ");
-    assert_eq!(held.codes(&CONTROL, &numbered), [""; 0]);
-    assert_eq!(held.codes(&CONTROL, &numbered.replace(" H12 ", " H11 ")), ["shared-corrector", "shared-corrector"]);
-    assert_eq!(held.codes(&CONTROL, &numbered.replace(" H12 ", " H13 ")), ["correction-otherwise"]);
+    assert_eq!(bench.codes(&CONTROL, &numbered), [""; 0]);
+    assert_eq!(bench.codes(&CONTROL, &numbered.replace(" H12 ", " H11 ")), ["shared-corrector", "shared-corrector"]);
+    assert_eq!(bench.codes(&CONTROL, &numbered.replace(" H12 ", " H13 ")), ["correction-otherwise"]);
     // Tools that he numbers in his own way are known by what they do.
-    assert_eq!(held.codes(&CONTROL, &numbered.replace("T2 M6", "T9 M6")), ["tool-by-work"]);
-    let mut held = held.own(&[(11, 102_400), (12, -60_400), (13, 0)]);
+    assert_eq!(bench.codes(&CONTROL, &numbered.replace("T2 M6", "T9 M6")), ["tool-by-work"]);
+    let mut bench = bench.with_correctors(&[(11, 102_400), (12, -60_400), (13, 0)]);
     // Low enough that the quill can follow the wrong sign.
-    held.job.setups[0].zero.z = Micrometres::from_mm(-130);
-    held.setting.zeros[0][2] = Some(Micrometres::from_mm(-130));
-    assert!(held.codes(&CONTROL, &numbered).contains(&"wrong-sign"));
+    bench.job.setups[0].zero.z = Micrometres::from_mm(-130);
+    bench.setting.zeros[0][2] = Some(Micrometres::from_mm(-130));
+    assert!(bench.codes(&CONTROL, &numbered).contains(&"wrong-sign"));
 }
 
 /// The second set-up has a zero of its own, and the part is turned over at the stop.
 #[test]
 fn the_second_set_up_counts_from_its_own_zero() {
-    let (_, text, mut held) = right().into_iter().find(|(name, ..)| name == "two-sides").unwrap();
-    let shifted = held.job.setups[1].zero.x + Micrometres::from_mm(30);
-    held.job.setups[1].zero.x = shifted;
-    held.setting.zeros[1][0] = Some(shifted);
-    assert_eq!(held.codes(&CONTROL, &text), [""; 0]);
-    let codes = held.codes(&CONTROL, &text.replace("G55", "G54"));
+    let (_, text, mut bench) = right().into_iter().find(|(name, ..)| name == "two-sides").unwrap();
+    let shifted = bench.job.setups[1].zero.x + Micrometres::from_mm(30);
+    bench.job.setups[1].zero.x = shifted;
+    bench.setting.zeros[1][0] = Some(shifted);
+    assert_eq!(bench.codes(&CONTROL, &text), [""; 0]);
+    let codes = bench.codes(&CONTROL, &text.replace("G55", "G54"));
     assert!(codes.contains(&"not-made") && codes.contains(&"cut-elsewhere"), "{codes:?}");
 }
 
 /// What the operator has to do needs a stop before the work.
 #[test]
 fn pauses_need_stops() {
-    let (_, text, mut held) = right().into_iter().find(|(name, ..)| name == "plate").unwrap();
+    let (_, text, mut bench) = right().into_iter().find(|(name, ..)| name == "plate").unwrap();
     let stopped = text.replacen("N190 T3", "N189 M00\nN190 T3", 1);
     assert_ne!(stopped, text);
-    held.job.setups[0].works[2].pauses = vec![Pause::SetBar { diameter_mm: Micrometres::from_mm(20) }];
-    assert_eq!(held.codes(&CONTROL, &text), ["no-stop-to-set-bar"]);
-    assert_eq!(held.codes(&CONTROL, &stopped), [""; 0]);
+    bench.job.setups[0].works[2].pauses = vec![Pause::SetBar { diameter_mm: Micrometres::from_mm(20) }];
+    assert_eq!(bench.codes(&CONTROL, &text), ["no-stop-to-set-bar"]);
+    assert_eq!(bench.codes(&CONTROL, &stopped), [""; 0]);
     // The third tool comes into the place of the first.
-    held.job.setups[0].works[2].pauses = vec![Pause::LoadTool { tool: 3, place: 1 }];
-    held.job.setups[0].works[2].place = 1;
+    bench.job.setups[0].works[2].pauses = vec![Pause::LoadTool { tool: 3, place: 1 }];
+    bench.job.setups[0].works[2].place = 1;
     let loaded = text.replace("T3 M6", "T1 M6");
-    assert_eq!(held.codes(&CONTROL, &loaded), ["not-loaded", "no-stop-to-load"]);
-    assert_eq!(held.codes(&CONTROL, &stopped.replace("T3 M6", "T1 M6")), [""; 0]);
+    assert_eq!(bench.codes(&CONTROL, &loaded), ["not-loaded", "no-stop-to-load"]);
+    assert_eq!(bench.codes(&CONTROL, &stopped.replace("T3 M6", "T1 M6")), [""; 0]);
 }
 
 fn technolog(args: &[&str]) -> std::process::Output {

@@ -18,7 +18,7 @@ fn part(number: usize) -> String {
     for group in 0..=number % 3 {
         let pick = number * 7 + group * 5;
         let (size, (fit, ra)) = (sizes[pick % sizes.len()], fits[pick / 2 % fits.len()]);
-        let way = if pick.is_multiple_of(4) { "depth: 24" } else { "through: true" };
+        let depth = if pick.is_multiple_of(4) { "depth: 24" } else { "through: true" };
         let points: Vec<String> =
             (0..=pick % 4).map(|at| format!("[{}, {}]", 60 * at as i64 - 150, 80 * group as i64 - 90)).collect();
         let hole = if pick.is_multiple_of(7) {
@@ -27,7 +27,7 @@ fn part(number: usize) -> String {
             format!("diameter: {size}{fit}, roughness: {ra}")
         };
         let at = points.join(", ");
-        text += &format!("  - {{name: H{group}, {hole}, {way}, centre_tolerance: 0.3, at: [{at}]}}\n");
+        text += &format!("  - {{name: H{group}, {hole}, {depth}, centre_tolerance: 0.3, at: [{at}]}}\n");
     }
     text
 }

@@ -30,35 +30,35 @@ const PARTS: [&str; 7] = [
 ];
 
 /// Whether the part fits on its machine.
-fn fits(held: &ProofBench) -> bool {
-    held.job.findings.iter().all(|finding| finding.severity > Severity::Wrong)
+fn fits(bench: &ProofBench) -> bool {
+    bench.job.findings.iter().all(|finding| finding.severity > Severity::Wrong)
 }
 
 type Visits = Vec<(String, usize, u32, Point)>;
 
 /// The visits of the program of a control, after it was found right.
-fn visits(held: &ProofBench, name: &str, language: &Language) -> Result<Visits, TestCaseError> {
-    let text = held.written(language);
-    let (faults, proof, _) = held.run(language, &text);
+fn visits(bench: &ProofBench, name: &str, language: &Language) -> Result<Visits, TestCaseError> {
+    let text = bench.written(language);
+    let (faults, proof, _) = bench.run(language, &text);
     // A part that does not fit on the machine has a finding of its job, and its program leaves the travels.
-    let fits = fits(held);
+    let fits = fits(bench);
     let faults: Vec<_> = faults.iter().filter(|fault| fits || fault.code != "beyond-travel-of").collect();
     prop_assert!(faults.is_empty(), "{name}: {faults:?}\n{text}");
     // A control has peck clearances of its own; that is a note.
-    let told: Vec<_> = proof.findings.iter().filter(|finding| finding.severity < Severity::Note).collect();
-    prop_assert!(!fits || told.is_empty(), "{name}: {told:?}\n{text}");
+    let findings: Vec<_> = proof.findings.iter().filter(|finding| finding.severity < Severity::Note).collect();
+    prop_assert!(!fits || findings.is_empty(), "{name}: {findings:?}\n{text}");
     Ok(proof.visits.iter().map(|visit| (visit.hole.clone(), visit.transition, visit.pass, visit.at)).collect())
 }
 
 /// All three programs of a part make the stops of its job, in its order.
-fn holds(held: &ProofBench) -> Result<(), TestCaseError> {
+fn holds(bench: &ProofBench) -> Result<(), TestCaseError> {
     let planned: Visits =
-        held.job.stops().map(|(.., stop)| (stop.hole.clone(), stop.transition, stop.pass, stop.at)).collect();
-    if !fits(held) {
+        bench.job.stops().map(|(.., stop)| (stop.hole.clone(), stop.transition, stop.pass, stop.at)).collect();
+    if !fits(bench) {
         return Ok(());
     }
     for (name, language) in &*LANGUAGES {
-        let visited = visits(held, name, language)?;
+        let visited = visits(bench, name, language)?;
         prop_assert_eq!(&visited, &planned, "{}", name);
     }
     Ok(())
@@ -67,9 +67,9 @@ fn holds(held: &ProofBench) -> Result<(), TestCaseError> {
 #[test]
 fn all_three_programs_of_a_part_make_the_same_stops() {
     for part in PARTS {
-        let held = ProofBench::new(part);
-        assert!(!held.job.setups.is_empty() && fits(&held), "{part}: {:?}", held.job.findings);
-        holds(&held).unwrap_or_else(|error| panic!("{part}: {error}"));
+        let bench = ProofBench::new(part);
+        assert!(!bench.job.setups.is_empty() && fits(&bench), "{part}: {:?}", bench.job.findings);
+        holds(&bench).unwrap_or_else(|error| panic!("{part}: {error}"));
     }
 }
 
@@ -84,8 +84,8 @@ fn programs_of_what_laws_found_make_their_stops() {
 /// The part that is to have every cycle has it, and both set-ups.
 #[test]
 fn the_part_of_every_cycle_has_them_all() {
-    let held = ProofBench::new("tests/written/every-cycle.yaml");
-    let kinds: Vec<String> = held
+    let bench = ProofBench::new("tests/written/every-cycle.yaml");
+    let kinds: Vec<String> = bench
         .job
         .setups
         .iter()
@@ -96,16 +96,16 @@ fn the_part_of_every_cycle_has_them_all() {
     for kind in ["drill", "feed-out", "bore-stop", "peck", "chip-break", "circles"] {
         assert!(kinds.iter().any(|known| known == kind), "no {kind} in {kinds:?}");
     }
-    assert_eq!(held.job.setups.len(), 2);
+    assert_eq!(bench.job.setups.len(), 2);
 }
 
 #[test]
 fn programs_look_as_they_should() {
     for part in ["examples/plate.yaml", "tests/written/every-cycle.yaml"] {
-        let held = ProofBench::new(part);
+        let bench = ProofBench::new(part);
         let stem = Path::new(part).file_stem().unwrap().to_string_lossy().into_owned();
         for (name, language) in &*LANGUAGES {
-            insta::assert_snapshot!(format!("{stem}-{name}"), held.written(language));
+            insta::assert_snapshot!(format!("{stem}-{name}"), bench.written(language));
         }
     }
 }
@@ -173,12 +173,12 @@ fn changes_are_noticed(usual: usize) {
     let mut kinds: BTreeMap<(&str, &str), [usize; 3]> = BTreeMap::new();
     let mut unnoticed = Vec::new();
     for part in ["examples/plate.yaml", "tests/written/every-cycle.yaml"] {
-        let held = ProofBench::new(part);
+        let bench = ProofBench::new(part);
         for (name, language) in &*LANGUAGES {
             let label = format!("{part} {name}");
-            let text = held.written(language);
+            let text = bench.written(language);
             let Score { kinds: own, unnoticed: mut more } =
-                score(&label, &text, usual, |text| held.run(language, text).2);
+                score(&label, &text, usual, |text| bench.run(language, text).2);
             for (kind, counts) in own {
                 let all = kinds.entry((name, kind)).or_default();
                 for (all, count) in all.iter_mut().zip(counts) {

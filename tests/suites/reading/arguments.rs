@@ -17,7 +17,7 @@ fn what_is_not_there_is_told_with_what_is() {
     fs::write(folder.join("foo.yaml"), part.replace("machine: gf2171", "machine: foo")).unwrap();
     fs::write(folder.join("points.csv"), "0,0\n1,1\n").unwrap();
     fs::write(folder.join("program.nc"), "%\n:01\nN1 M02\n").unwrap();
-    for (arguments, told, help) in [
+    for (arguments, message, help) in [
         (
             "order points.csv --machine foo",
             "[unknown-machine]: the catalog has no machine `foo`",
@@ -40,7 +40,7 @@ fn what_is_not_there_is_told_with_what_is() {
     ] {
         let answer = command(&folder, &arguments.split(' ').collect::<Vec<_>>(), b"");
         assert_eq!((answer.code, answer.answer.as_str()), (Some(2), ""), "{arguments}: {}", answer.beside);
-        assert!(answer.beside.contains(told) && answer.beside.contains(help), "{arguments}: {}", answer.beside);
+        assert!(answer.beside.contains(message) && answer.beside.contains(help), "{arguments}: {}", answer.beside);
     }
 }
 
@@ -87,15 +87,15 @@ fn a_program_of_a_lathe_is_told_from_that_of_a_mill() {
         let file = format!("{control}.nc");
         let written = command(&folder, &["turn", part, "--show", "program", "--control", control, "-o", &file], b"");
         assert_eq!(written.code, Some(0), "{}", written.beside);
-        let said = command(&folder, &["check", &file], b"");
-        assert_eq!((said.code, said.answer.as_str()), (Some(2), ""), "{control}: {}", said.beside);
+        let answer = command(&folder, &["check", &file], b"");
+        assert_eq!((answer.code, answer.answer.as_str()), (Some(2), ""), "{control}: {}", answer.beside);
         let expected = format!(
             "error[program-of-lathe]: this is a program of a lathe, and 2c42-65 is the control of a mill\n\
              help: name the control of the lathe: --control {reader}\n"
         );
-        assert_eq!(said.beside, expected);
-        let said = command(&folder, &["check", &file, "--control", reader, "--part", part, "--set-up", "1"], b"");
-        assert_eq!(said.code, Some(0), "{control}: {}{}", said.answer, said.beside);
+        assert_eq!(answer.beside, expected);
+        let answer = command(&folder, &["check", &file, "--control", reader, "--part", part, "--set-up", "1"], b"");
+        assert_eq!(answer.code, Some(0), "{control}: {}{}", answer.answer, answer.beside);
     }
 }
 
@@ -130,10 +130,10 @@ fn a_program_of_one_set_up_says_how_the_others_are_had() {
     let part = root().join("examples/turned-sleeve.yaml");
     let part = part.to_str().unwrap();
     for (number, other) in [("1", "2"), ("2", "1")] {
-        let said = command(&folder, &["turn", part, "--show", "program", "--number", number], b"");
-        let told =
+        let answer = command(&folder, &["turn", part, "--show", "program", "--number", number], b"");
+        let shown =
             format!("this is program {number} of 2, for set-up {number} only; for the others: --number {other}\n");
-        assert!(said.beside.contains(&told), "{}", said.beside);
+        assert!(answer.beside.contains(&shown), "{}", answer.beside);
     }
 }
 
@@ -143,14 +143,14 @@ fn a_control_without_programs_says_what_works() {
     let folder = folder("nc-201");
     let part = root().join("examples/turned-sleeve.yaml");
     let part = part.to_str().unwrap();
-    let said = command(&folder, &["turn", part, "--show", "program", "--control", "nc-201"], b"");
+    let answer = command(&folder, &["turn", part, "--show", "program", "--control", "nc-201"], b"");
     assert!(
-        said.code == Some(2) && said.beside.contains("help: the setting sheet is there: --show setting;"),
+        answer.code == Some(2) && answer.beside.contains("help: the setting sheet is there: --show setting;"),
         "{}",
-        said.beside
+        answer.beside
     );
-    let said = command(&folder, &["turn", part, "--show", "setting", "--control", "nc-201"], b"");
-    assert_eq!(said.code, Some(0), "{}", said.beside);
+    let answer = command(&folder, &["turn", part, "--show", "setting", "--control", "nc-201"], b"");
+    assert_eq!(answer.code, Some(0), "{}", answer.beside);
 }
 
 /// A finding of the plan has no code of a program to show.
@@ -158,18 +158,18 @@ fn a_control_without_programs_says_what_works() {
 fn a_finding_of_the_plan_shows_no_code() {
     let folder = folder("no-code");
     let part = root().join("examples/plate.yaml");
-    let said = command(&folder, &["program", part.to_str().unwrap()], b"");
-    assert!(said.beside.starts_with("note: no height of the fixture is given"), "{}", said.beside);
-    let said = command(&folder, &["program", part.to_str().unwrap(), "--show", "setting"], b"");
+    let answer = command(&folder, &["program", part.to_str().unwrap()], b"");
+    assert!(answer.beside.starts_with("note: no height of the fixture is given"), "{}", answer.beside);
+    let answer = command(&folder, &["program", part.to_str().unwrap(), "--show", "setting"], b"");
     assert!(
-        said.answer.contains("\n# Clamps [0; -130], [0; 130] (proposed): 1352 N each, screw M10*"),
+        answer.answer.contains("\n# Clamps [0; -130], [0; 130] (proposed): 1352 N each, screw M10*"),
         "{}",
-        said.answer
+        answer.answer
     );
-    let said = command(&folder, &["plan", part.to_str().unwrap()], b"");
+    let answer = command(&folder, &["plan", part.to_str().unwrap()], b"");
     assert!(
-        said.answer.contains("Set-up 1: the part on supports of 10 mm, so that tools have room below it"),
+        answer.answer.contains("Set-up 1: the part on supports of 10 mm, so that tools have room below it"),
         "{}",
-        said.answer
+        answer.answer
     );
 }

@@ -51,9 +51,9 @@ fn a_folder_of_plans_gets_its_table_whatever_is_in_it() {
     for (name, other) in [("of-pipe", "pipe.yaml"), ("of-zeros", "zeros.yaml"), ("of-device", "/dev/zero")] {
         fs::write(folder.join(format!("{name}.yaml")), whole.replace(part, &format!("part: {other}"))).unwrap();
     }
-    let said = command(&folder, &["audit", ".", "--allow-outside", "--format", "json"], b"");
-    assert_eq!(said.code, Some(2), "{}", said.beside);
-    let rows: Vec<serde_json::Value> = serde_json::from_str(&said.answer).unwrap();
+    let answer = command(&folder, &["audit", ".", "--allow-outside", "--format", "json"], b"");
+    assert_eq!(answer.code, Some(2), "{}", answer.beside);
+    let rows: Vec<serde_json::Value> = serde_json::from_str(&answer.answer).unwrap();
     let of = |file: &str| rows.iter().find(|row| row["file"] == format!("./{file}")).unwrap();
     assert_eq!(rows.len(), 15);
     assert!(of("plan.yaml")["unreadable"].is_null());
@@ -101,13 +101,13 @@ fn every_command_refuses_what_is_too_deep_or_too_large() {
         (vec!["check", "zeros.nc"], "too-large"),
         (vec!["test", "zeros.yaml"], "too-large"),
     ] {
-        let said = command(&folder, &arguments, b"");
-        assert_eq!(said.code, Some(2), "{arguments:?}: {}", said.beside);
-        assert!(said.beside.contains(&format!("error[{code}]: ")), "{arguments:?}: {}", said.beside);
+        let answer = command(&folder, &arguments, b"");
+        assert_eq!(answer.code, Some(2), "{arguments:?}: {}", answer.beside);
+        assert!(answer.beside.contains(&format!("error[{code}]: ")), "{arguments:?}: {}", answer.beside);
         assert!(
-            said.beside.contains(&format!(" --> {}:", arguments.last().unwrap())),
+            answer.beside.contains(&format!(" --> {}:", arguments.last().unwrap())),
             "{arguments:?}: {}",
-            said.beside
+            answer.beside
         );
     }
     fs::write(folder.join("end.nc"), "%\nM30\n%\n").unwrap();
@@ -119,14 +119,14 @@ fn every_command_refuses_what_is_too_deep_or_too_large() {
 fn a_command_reads_a_pipe_as_a_file_up_to_the_bound() {
     let folder = folder("pipes");
     let part = fs::read(root().join("examples/plate.yaml")).unwrap();
-    let said = command(&folder, &["plan", "/dev/stdin"], &part);
-    assert_eq!(said.code, Some(0), "{}", said.beside);
-    assert!(said.answer.contains("Machining plan"), "{}", said.answer);
-    let said = command(&folder, &["plan", "/dev/stdin"], &vec![b'#'; MOST_BYTES + 1]);
-    assert!(said.beside.contains("error[too-large]: "), "{}", said.beside);
+    let answer = command(&folder, &["plan", "/dev/stdin"], &part);
+    assert_eq!(answer.code, Some(0), "{}", answer.beside);
+    assert!(answer.answer.contains("Machining plan"), "{}", answer.answer);
+    let answer = command(&folder, &["plan", "/dev/stdin"], &vec![b'#'; MOST_BYTES + 1]);
+    assert!(answer.beside.contains("error[too-large]: "), "{}", answer.beside);
     // What the shell's `<(…)` gives is a pipe that it has opened.
-    let said = command(&folder, &["plan", "/dev/fd/0"], &part);
-    assert_eq!(said.code, Some(0), "{}", said.beside);
+    let answer = command(&folder, &["plan", "/dev/fd/0"], &part);
+    assert_eq!(answer.code, Some(0), "{}", answer.beside);
 }
 
 #[test]
@@ -140,12 +140,12 @@ fn a_knowledge_folder_has_files_only_and_is_walked_once() {
     // Each of two links back doubles what a walk through them finds.
     std::os::unix::fs::symlink(".", base.join("again")).unwrap();
     std::os::unix::fs::symlink(".", base.join("once-more")).unwrap();
-    let said = command(&folder, &["lint", "--knowledge", "base"], b"");
-    assert_eq!(said.answer.matches("error[too-deep]: ").count(), 1, "{}{}", said.answer, said.beside);
+    let answer = command(&folder, &["lint", "--knowledge", "base"], b"");
+    assert_eq!(answer.answer.matches("error[too-deep]: ").count(), 1, "{}{}", answer.answer, answer.beside);
     pipe(&base.join("pipe.yaml"));
     huge(&base.join("zeros.yaml"));
-    let said = command(&folder, &["lint", "--knowledge", "base"], b"");
-    assert_eq!(said.code, Some(2));
-    assert!(said.beside.contains("pipe.yaml: this is not a file but a pipe or a device"), "{}", said.beside);
-    assert!(said.beside.contains("error[too-large]: "), "{}", said.beside);
+    let answer = command(&folder, &["lint", "--knowledge", "base"], b"");
+    assert_eq!(answer.code, Some(2));
+    assert!(answer.beside.contains("pipe.yaml: this is not a file but a pipe or a device"), "{}", answer.beside);
+    assert!(answer.beside.contains("error[too-large]: "), "{}", answer.beside);
 }

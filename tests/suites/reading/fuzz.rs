@@ -99,8 +99,8 @@ fn every_target_has_a_corpus_and_stands_in_the_manifest() {
 fn every_target_holds_for_its_corpus() {
     for (target, _) in targets::TARGETS {
         for (number, bytes) in corpus(target).iter().enumerate() {
-            let held = catch_unwind(|| targets::run(target, bytes));
-            assert!(held.is_ok(), "file {number} of {target}: {:?}", String::from_utf8_lossy(bytes));
+            let outcome = catch_unwind(|| targets::run(target, bytes));
+            assert!(outcome.is_ok(), "file {number} of {target}: {:?}", String::from_utf8_lossy(bytes));
         }
     }
 }
@@ -111,8 +111,8 @@ fn every_target_holds_for_mutations_of_its_corpus() {
         let (files, mut random) = (corpus(target), Random::new(seed_of(target)));
         for round in 0..count(rounds(target)) {
             let bytes = mutated(&files, LITTER, &mut random);
-            let held = catch_unwind(|| targets::run(target, &bytes));
-            assert!(held.is_ok(), "round {round} of {target}: {:?}", String::from_utf8_lossy(&bytes));
+            let outcome = catch_unwind(|| targets::run(target, &bytes));
+            assert!(outcome.is_ok(), "round {round} of {target}: {:?}", String::from_utf8_lossy(&bytes));
         }
     }
 }

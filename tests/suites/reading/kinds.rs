@@ -6,7 +6,7 @@ use super::command;
 
 #[test]
 fn a_file_of_another_kind_is_told_once_with_its_command() {
-    for (arguments, said, help) in [
+    for (arguments, message, help) in [
         ("plan shaft.yaml", "this is a file of a turned part", "`technolog turn shaft.yaml`"),
         ("program turned-pin.yaml", "this is a file of a turned part", "`technolog turn turned-pin.yaml`"),
         ("plan appendix-g/plan.yaml", "this is a plan", "`technolog audit appendix-g/plan.yaml`"),
@@ -32,8 +32,8 @@ fn a_file_of_another_kind_is_told_once_with_its_command() {
     ] {
         let arguments: Vec<&str> = arguments.split(' ').collect();
         let answer = command(&root().join("examples"), &arguments, b"");
-        let told = answer.answer + &answer.beside;
-        assert_eq!((answer.code, told.matches("error[").count()), (Some(2), 1), "{arguments:?}: {told}");
-        assert!(told.contains("error[other-kind]") && told.contains(said) && told.contains(help), "{told}");
+        let output = answer.answer + &answer.beside;
+        assert_eq!((answer.code, output.matches("error[").count()), (Some(2), 1), "{arguments:?}: {output}");
+        assert!(output.contains("error[other-kind]") && output.contains(message) && output.contains(help), "{output}");
     }
 }

@@ -15,7 +15,7 @@ use technolog::sequence::list;
 use technolog::words::Lang;
 use technolog_testing::{KNOWLEDGE, root};
 
-fn told(problems: &[Diagnostic]) -> Vec<String> {
+fn texts(problems: &[Diagnostic]) -> Vec<String> {
     problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect()
 }
 
@@ -25,7 +25,7 @@ fn problems_of_plan(plan: &str) -> Vec<String> {
         blank: {kind: plate, length: 200, width: 100, thickness: 40}\n  \
         holes: [{name: A, diameter: 10, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]]}]\n";
     let read = read_plan("p", &format!("{PART}{plan}"), &KNOWLEDGE, &|name| Err(name.to_owned()));
-    read.err().map(|unreadable| told(&unreadable.problems)).unwrap_or_default()
+    read.err().map(|unreadable| texts(&unreadable.problems)).unwrap_or_default()
 }
 
 /// The lines of so many of a kind, from 1.
@@ -72,8 +72,8 @@ fn a_key_of_many_words_is_bounded() {
     };
     assert!(!run(MOST_WORDS).contains("too-deep"), "{}", run(MOST_WORDS));
     for count in [MOST_WORDS + 1, 100_000] {
-        let said = run(count);
-        assert!(said.contains("error[too-deep]: ") && said.contains(&format!("{count} words")), "{said}");
+        let answer = run(count);
+        assert!(answer.contains("error[too-deep]: ") && answer.contains(&format!("{count} words")), "{answer}");
     }
 }
 
@@ -111,12 +111,12 @@ fn the_pages_say_the_bounds() {
     for page in ["docs/limits.md", "docs/uk/limits.md"] {
         let text = fs::read_to_string(root().join(page)).unwrap();
         let cells = text.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix("` |")?.split_once(" | "));
-        let said = cells.filter_map(|(_, rest)| {
+        let counts = cells.filter_map(|(_, rest)| {
             let (bound, code) = rest.split_once(" | `")?;
             Some((code, bound.replace([',', ' ', '\u{a0}'], "").parse::<usize>().ok()?))
         });
-        let said: Vec<(&str, usize)> =
-            said.filter(|(code, _)| !["memory-full", "run-too-long"].contains(code)).collect();
-        assert_eq!(said, bounds, "{page}");
+        let stated: Vec<(&str, usize)> =
+            counts.filter(|(code, _)| !["memory-full", "run-too-long"].contains(code)).collect();
+        assert_eq!(stated, bounds, "{page}");
     }
 }

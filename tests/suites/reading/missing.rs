@@ -12,7 +12,7 @@ const SHAFT: &str = "shaft: S\nmaterial: steel-45\nblank: {kind: bar, diameter: 
 const TURNED: &str = "shaft: S\nmaterial: steel-45\nblank: {kind: bar, diameter: 65, length: 62}\nouter: [{from: {d: 40, z: 0}}, {cylinder: -60}]\nallowances: {method: table}\nrates: {longitudinal_feed: 180, transverse_feed: 150, rapid: 6000}\n";
 
 /// What is said of a file: that a key is missing, with what to add, and everything else.
-fn said(text: &str, turned: bool) -> (Vec<String>, Vec<String>) {
+fn missing_and_others(text: &str, turned: bool) -> (Vec<String>, Vec<String>) {
     let problems = if turned {
         let mistakes = read_turned("f", text, &KNOWLEDGE).err().unwrap_or_default();
         let form = |mistake| match mistake {
@@ -23,8 +23,8 @@ fn said(text: &str, turned: bool) -> (Vec<String>, Vec<String>) {
     } else {
         read_part("f", text, &KNOWLEDGE).err().unwrap_or_default()
     };
-    let told = problems.iter().map(|problem| problem.text(|note| Lang::EN.say(note)));
-    told.partition(|told| told.contains("[missing-key]"))
+    let texts = problems.iter().map(|problem| problem.text(|note| Lang::EN.say(note)));
+    texts.partition(|problem| problem.contains("[missing-key]"))
 }
 
 /// A node as one line, without the entry of a path of keys and numbers, or with another text there.
@@ -71,21 +71,21 @@ fn paths(node: &Node) -> Vec<Vec<usize>> {
 fn what_is_to_be_added_makes_the_file_good() {
     let mut tried = 0;
     for (text, turned) in [(PART, false), (SHAFT, true), (TURNED, true)] {
-        assert_eq!(said(text, turned), (vec![], vec![]), "{text}");
+        assert_eq!(missing_and_others(text, turned), (vec![], vec![]), "{text}");
         let root = parse("f", text).0.unwrap();
         for path in paths(&root) {
-            let (missing, _) = said(&written(&root, &path, ""), turned);
-            let [told] = missing.as_slice() else { continue };
-            let example = told.rsplit_once("for example `").and_then(|(_, rest)| rest.strip_suffix('`'));
+            let (missing, _) = missing_and_others(&written(&root, &path, ""), turned);
+            let [problem] = missing.as_slice() else { continue };
+            let example = problem.rsplit_once("for example `").and_then(|(_, rest)| rest.strip_suffix('`'));
             // Where one of two keys is wanted both are named.
             let Some(example) = example else {
-                assert!(told.contains("`depth: "), "{told}");
+                assert!(problem.contains("`depth: "), "{problem}");
                 continue;
             };
             let mended = written(&root, &path, example);
-            let (missing, other) = said(&mended, turned);
-            let formal = |told: &String| ["[bad-", "[unknown-"].iter().any(|code| told.contains(code));
-            assert!(missing.is_empty() && !other.iter().any(formal), "{told}: {mended}: {missing:?} {other:?}");
+            let (missing, other) = missing_and_others(&mended, turned);
+            let formal = |text: &String| ["[bad-", "[unknown-"].iter().any(|code| text.contains(code));
+            assert!(missing.is_empty() && !other.iter().any(formal), "{problem}: {mended}: {missing:?} {other:?}");
             tried += 1;
         }
     }

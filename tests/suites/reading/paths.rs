@@ -177,8 +177,8 @@ fn what_a_killed_run_left_goes_with_the_next() {
         fs::write(file, "half").unwrap();
     }
     // Somebody writes the same file at this moment.
-    let held = fs::File::open(&busy).unwrap();
-    held.lock().unwrap();
+    let open = fs::File::open(&busy).unwrap();
+    open.lock().unwrap();
     assert_eq!(run(&folder, &["plan", "part.yaml", "-o", "answer.json"]).status.code(), Some(0));
     assert_eq!([stale, busy, other].map(|file| file.exists()), [false, true, true]);
 }
@@ -210,8 +210,8 @@ fn a_plan_names_files_of_its_folder_only() {
         // Through a folder the row of the plan says it.
         let table = run(&folder, &["audit", "plans"]);
         assert_eq!(table.status.code(), Some(2));
-        let said = [table.stdout, table.stderr].concat();
-        assert!(!String::from_utf8(said).unwrap().contains("root:secret"));
+        let output = [table.stdout, table.stderr].concat();
+        assert!(!String::from_utf8(output).unwrap().contains("root:secret"));
         let allowed = run(&plans, &["audit", "plan.yaml", "--allow-outside"]);
         assert!(complaint(&allowed).contains("secret.txt"), "{}", complaint(&allowed));
         assert!(!complaint(&allowed).contains("--allow-outside"), "{}", complaint(&allowed));
@@ -250,7 +250,7 @@ fn what_is_outside_is_not_told_to_exist() {
         (&absolute("part.yaml"), &absolute("nothing.yaml")),
     ] {
         for key in ["part", "program"] {
-            let said = [there, nowhere].map(|name| {
+            let messages = [there, nowhere].map(|name| {
                 let text = match key {
                     "part" => format!("part: {name}\n"),
                     _ => format!("part: own.yaml\nprogram: {{file: {name}, control: 2c42-65}}\n"),
@@ -258,12 +258,12 @@ fn what_is_outside_is_not_told_to_exist() {
                 fs::write(plans.join("plan.yaml"), text).unwrap();
                 let answer = run(&plans, &["audit", "plan.yaml"]);
                 assert_eq!(answer.status.code(), Some(2), "{key} {name}");
-                let said = complaint(&answer).replace(name, "NAME");
-                assert!(said.contains("outside the folder"), "{key} {name}: {said}");
+                let message = complaint(&answer).replace(name, "NAME");
+                assert!(message.contains("outside the folder"), "{key} {name}: {message}");
                 // What is marked is as long as the name.
-                said.replace('^', "")
+                message.replace('^', "")
             });
-            assert_eq!(said[0], said[1], "{key} {there} {nowhere}");
+            assert_eq!(messages[0], messages[1], "{key} {there} {nowhere}");
         }
     }
 }
@@ -276,7 +276,7 @@ fn cases_name_files_of_their_folder_only() {
     let secret = Path::new(env!("CARGO_TARGET_TMPDIR")).join("files").join("secret-of-cases.txt");
     fs::write(&secret, "root:secret\n").unwrap();
     fs::write(cases.join("plan.yaml"), format!("part: {}\nroute: []\n", secret.display())).unwrap();
-    for asked in [
+    for arguments in [
         format!("part: {}", secret.display()),
         "turn: ../../secret-of-cases.txt".to_owned(),
         format!("audit: {}", secret.display()),
@@ -285,14 +285,14 @@ fn cases_name_files_of_their_folder_only() {
         format!("program: {}, control: linuxcnc", secret.display()),
         format!("program: ../program.nc, control: 2c42-65, setting: {}", secret.display()),
     ] {
-        fs::write(cases.join("one.test.yaml"), format!("tests:\n  - {{{asked}, expect: {{}}}}\n")).unwrap();
+        fs::write(cases.join("one.test.yaml"), format!("tests:\n  - {{{arguments}, expect: {{}}}}\n")).unwrap();
         let answer = run(&cases, &["test", "one.test.yaml"]);
-        assert_eq!(answer.status.code(), Some(2), "{asked}");
-        let said = complaint(&answer);
-        assert!(said.contains("--allow-outside") && !said.contains("root:secret"), "{said}");
+        assert_eq!(answer.status.code(), Some(2), "{arguments}");
+        let message = complaint(&answer);
+        assert!(message.contains("--allow-outside") && !message.contains("root:secret"), "{message}");
         let allowed = run(&cases, &["test", "one.test.yaml", "--allow-outside"]);
-        let said = complaint(&allowed);
-        assert!(!said.contains("--allow-outside"), "{asked}: {said}");
+        let message = complaint(&allowed);
+        assert!(!message.contains("--allow-outside"), "{arguments}: {message}");
     }
     // Of the folder that is named, or that the program is run in, cases may share files.
     let shared = "tests:\n  - {part: ../../part.yaml, expect: {holes.A.scheme: \"1\"}}\n";
@@ -322,9 +322,9 @@ fn nothing_is_waited_for() {
     ] {
         let answer = run(&folder, args);
         assert_eq!(answer.status.code(), Some(2));
-        let said = String::from_utf8([answer.stdout, answer.stderr].concat()).unwrap();
-        let said = said.split(['|', ' ', '\n']).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ");
-        assert!(said.contains(why), "{said}");
+        let output = String::from_utf8([answer.stdout, answer.stderr].concat()).unwrap();
+        let output = output.split(['|', ' ', '\n']).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ");
+        assert!(output.contains(why), "{output}");
     }
     // Nor is it on the command line; what a shell has opened for the program is no name of a pipe.
     assert!(Command::new("mkfifo").arg(folder.join("pipe")).status().unwrap().success());
@@ -369,9 +369,9 @@ fn an_ending_that_promises_another_form_is_refused() {
     ] {
         let args: Vec<&str> = command.split(' ').chain(["-o", file, "--lang", "en"]).collect();
         let answer = run(&folder, &args);
-        let said = complaint(&answer);
+        let message = complaint(&answer);
         assert_eq!(answer.status.code(), Some(2), "{args:?}");
-        assert!(said.contains("alien-ending") && said.contains(known), "{said}");
+        assert!(message.contains("alien-ending") && message.contains(known), "{message}");
         assert!(!folder.join(file).exists());
     }
     for file in ["p.nc", "p.tap", "p.ngc", "p", "p.txt", "p.2"] {
@@ -385,7 +385,7 @@ fn names_and_arguments_do_not_steer_the_terminal() {
     let folder = scratch("signs");
     fs::write(folder.join("n\u{1b}[31m\u{202e}.yaml"), "x: 1\n").unwrap();
     for args in [&["audit", "."][..], &["plan", "\u{1b}[31m"], &["plan", "part.yaml", "--format", "\u{1b}[31m"]] {
-        let said = complaint(&run(&folder, args));
-        assert!(!said.is_empty() && !said.contains(['\u{1b}', '\u{202e}']), "{said:?}");
+        let message = complaint(&run(&folder, args));
+        assert!(!message.is_empty() && !message.contains(['\u{1b}', '\u{202e}']), "{message:?}");
     }
 }

@@ -55,11 +55,11 @@ fn groups_with_a_mistyped_key_each_are_found_however_many() {
 fn of_many_mistakes_in_one_line_fifty_are_shown_each_with_its_stretch_of_the_line() {
     let folder = folder("commas");
     fs::write(folder.join("part.yaml"), commas(4_000)).unwrap();
-    let said = command(&folder, &["plan", "part.yaml"], b"");
-    assert_eq!(said.code, Some(2));
-    assert_eq!(said.beside.matches("error[").count(), 50, "{}", said.beside);
-    assert!(said.beside.ends_with("\nand 3950 more: `--all-problems` shows all\n"), "{}", said.beside);
-    assert!(said.beside.lines().all(|line| line.chars().count() <= 120), "{}", said.beside);
+    let answer = command(&folder, &["plan", "part.yaml"], b"");
+    assert_eq!(answer.code, Some(2));
+    assert_eq!(answer.beside.matches("error[").count(), 50, "{}", answer.beside);
+    assert!(answer.beside.ends_with("\nand 3950 more: `--all-problems` shows all\n"), "{}", answer.beside);
+    assert!(answer.beside.lines().all(|line| line.chars().count() <= 120), "{}", answer.beside);
     let all = command(&folder, &["plan", "part.yaml", "--all-problems"], b"");
     assert_eq!(all.beside.matches("error[").count(), 4_000);
     assert!(!all.beside.contains("--all-problems"));
@@ -104,18 +104,18 @@ fn a_program_with_a_fault_in_every_block_is_told_in_fifty() {
     fs::write(folder.join("program.nc"), format!("%\nO1\n{program}M30\n%\n")).unwrap();
     for control in ["linuxcnc", "fanuc"] {
         for format in ["text", "markdown", "html"] {
-            let said = command(&folder, &["check", "program.nc", "--control", control, "--format", format], b"");
-            assert_eq!(said.code, Some(1), "{}", said.beside);
-            let shown = said.answer.matches("program.nc:").count();
-            assert_eq!(shown, 50, "{control} {format}: {}", said.answer);
-            let count = said.answer.lines().rfind(|line| line.contains("errors")).unwrap();
+            let run = command(&folder, &["check", "program.nc", "--control", control, "--format", format], b"");
+            assert_eq!(run.code, Some(1), "{}", run.beside);
+            let shown = run.answer.matches("program.nc:").count();
+            assert_eq!(shown, 50, "{control} {format}: {}", run.answer);
+            let count = run.answer.lines().rfind(|line| line.contains("errors")).unwrap();
             let counts = count.split(|sign: char| !sign.is_ascii_digit()).filter_map(|one| one.parse::<usize>().ok());
             let count: usize = counts.sum();
             assert!(count >= 2_000, "{count}");
-            assert!(said.answer.contains(&format!("and {} more", count - 50)), "{control} {format}");
+            assert!(run.answer.contains(&format!("and {} more", count - 50)), "{control} {format}");
         }
-        let said = command(&folder, &["check", "program.nc", "--control", control, "--format", "json"], b"");
-        let answer: serde_json::Value = serde_json::from_str(&said.answer).unwrap();
+        let run = command(&folder, &["check", "program.nc", "--control", control, "--format", "json"], b"");
+        let answer: serde_json::Value = serde_json::from_str(&run.answer).unwrap();
         assert!(answer["findings"].as_array().unwrap().len() >= 2_000);
     }
 }

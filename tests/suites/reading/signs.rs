@@ -76,11 +76,11 @@ fn no_name_has_a_sign_that_nobody_sees() {
     for (sign, code) in SIGNS {
         for (file, text) in spoilt(sign) {
             fs::write(folder.join(file), &text).unwrap();
-            let said = run(&folder, file);
-            assert_eq!(said.code, Some(2), "{file} {sign}: {}", said.beside);
-            assert!(said.beside.contains(&format!("error[{code}]: ")), "{file} {sign}: {}", said.beside);
-            assert!(said.beside.contains(&format!(" --> {file}:")), "{file} {sign}: {}", said.beside);
-            assert!(visible(&said.answer) && visible(&said.beside), "{file} {sign}: {}", said.beside);
+            let answer = run(&folder, file);
+            assert_eq!(answer.code, Some(2), "{file} {sign}: {}", answer.beside);
+            assert!(answer.beside.contains(&format!("error[{code}]: ")), "{file} {sign}: {}", answer.beside);
+            assert!(answer.beside.contains(&format!(" --> {file}:")), "{file} {sign}: {}", answer.beside);
+            assert!(visible(&answer.answer) && visible(&answer.beside), "{file} {sign}: {}", answer.beside);
         }
     }
 }
@@ -96,8 +96,12 @@ fn a_plan_of_ours_has_names_of_one_line() {
         let spoilt = plan.replacen("\"part\": \"P\"", &format!("\"part\": \"a{sign}b\""), 1);
         assert_ne!(spoilt, plan);
         fs::write(folder.join("plan.json"), spoilt).unwrap();
-        let said = command(&folder, &["audit", "plan.json"], b"");
-        assert!(said.code == Some(2) && said.beside.contains(&format!("error[{code}]: ")), "{sign}: {}", said.beside);
+        let answer = command(&folder, &["audit", "plan.json"], b"");
+        assert!(
+            answer.code == Some(2) && answer.beside.contains(&format!("error[{code}]: ")),
+            "{sign}: {}",
+            answer.beside
+        );
     }
 }
 
@@ -121,9 +125,14 @@ fn the_name_of_a_file_steers_nothing() {
     for arguments in
         [["plan", path.as_str()], ["audit", &path], ["audit", "plans"], ["check", &path], ["plan", "--no\u{1b}"]]
     {
-        let said = command(&folder, &arguments, b"");
-        assert!(visible(&said.answer) && visible(&said.beside), "{arguments:?}: {}{}", said.answer, said.beside);
-        assert!((said.answer + &said.beside).contains('\u{fffd}'), "{arguments:?}");
+        let answer = command(&folder, &arguments, b"");
+        assert!(
+            visible(&answer.answer) && visible(&answer.beside),
+            "{arguments:?}: {}{}",
+            answer.answer,
+            answer.beside
+        );
+        assert!((answer.answer + &answer.beside).contains('\u{fffd}'), "{arguments:?}");
     }
     // Programs get the name as it is, in figures; whatever a terminal may be shown has another sign in its place.
     let json = command(&folder, &["audit", "plans", "--format", "json"], b"").answer;
@@ -139,8 +148,8 @@ fn the_name_of_a_file_steers_nothing() {
         &["test", "plans", "--format", "junit"],
         &["test", "plans", "--format", "html"],
     ] {
-        let said = command(&folder, arguments, b"");
-        assert!(!said.answer.is_empty() && visible(&said.answer), "{arguments:?}: {}", said.answer);
+        let answer = command(&folder, arguments, b"");
+        assert!(!answer.answer.is_empty() && visible(&answer.answer), "{arguments:?}: {}", answer.answer);
     }
 }
 
@@ -149,9 +158,9 @@ fn a_sign_of_no_width_in_a_key_is_shown() {
     let folder = folder("no-width");
     let text = part("P", "A").replacen("material:", "mate\u{200b}rial:", 1);
     fs::write(folder.join("part.yaml"), text).unwrap();
-    let said = command(&folder, &["plan", "part.yaml"], b"").beside;
-    assert!(said.contains("unknown key `mate\\u{200b}rial`"), "{said}");
-    assert!(said.contains("did you mean `material`?"), "{said}");
+    let stderr = command(&folder, &["plan", "part.yaml"], b"").beside;
+    assert!(stderr.contains("unknown key `mate\\u{200b}rial`"), "{stderr}");
+    assert!(stderr.contains("did you mean `material`?"), "{stderr}");
 }
 
 /// Else two groups would have the same name for all who read the plan.
@@ -197,18 +206,18 @@ fn names_that_look_alike_are_told() {
         let group = text.lines().last().unwrap().replace(first, second).replace("[[50, 0]]", "[[-50, 0]]");
         planned(&read(&(text.clone() + &group + "\n")), CuttingMethod::Formula)
     };
-    let told = |plan: &technolog::plan::Plan| {
+    let findings_of = |plan: &technolog::plan::Plan| {
         let own = plan.findings.iter().filter(|finding| finding.note.code() == "names-look-alike");
         own.map(|finding| Lang::EN.say(&finding.note)).collect::<Vec<_>>()
     };
     // The second is Cyrillic.
     let plan = of("Ax1", "Ах1");
-    let said = "2 groups are named Ax1: their letters look the same, but some are Latin and some Cyrillic; write all names \
+    let message = "2 groups are named Ax1: their letters look the same, but some are Latin and some Cyrillic; write all names \
                 in one alphabet";
-    assert_eq!(told(&plan), [said]);
+    assert_eq!(findings_of(&plan), [message]);
     assert!(!plan.has_errors(), "it is planned all the same");
     let page = shown_at(200, &sheet::page(&plan, &KNOWLEDGE, Doubts::Counted, Lang::EN));
     assert!(page.contains("2 groups are named Ax1"), "{page}");
-    assert_eq!(told(&of("A1", "A2")), [""; 0]);
+    assert_eq!(findings_of(&of("A1", "A2")), [""; 0]);
     assert!(read_part("p", &part("P", "А"), &KNOWLEDGE).is_ok());
 }

@@ -133,10 +133,10 @@ fn another_tool_has_other_main_elements() {
 #[test]
 fn a_class_says_which_angle_stands_against_which() {
     let (classes, _) = judged(&falling(45.0));
-    let said = Lang::EN.say(&classes[1].because.note);
-    assert_eq!(said, "outer 2: it falls 45°, steeper than φ1 = 30°; tool: contouring tool with a larger φ1");
-    let said = Lang::UK.say(&classes[1].because.note);
-    assert_eq!(said, "зовн. 2: спад 45° крутіший за φ1 = 30°; інструмент: контурний різець з більшим φ1");
+    let text = Lang::EN.say(&classes[1].because.note);
+    assert_eq!(text, "outer 2: it falls 45°, steeper than φ1 = 30°; tool: contouring tool with a larger φ1");
+    let text = Lang::UK.say(&classes[1].because.note);
+    assert_eq!(text, "зовн. 2: спад 45° крутіший за φ1 = 30°; інструмент: контурний різець з більшим φ1");
     assert_eq!(classes[1].because.table, "turning-element");
 }
 
@@ -347,8 +347,8 @@ proptest! {
         }
         let steep = libm::tan(f64::from(flat).to_radians());
         for piece in main.contour.pieces.iter().filter(|piece| piece.curve == Curve::Line) {
-            let way = piece.chord();
-            prop_assert!(-way.radius <= way.z * steep + 0.002, "{piece:?}");
+            let chord = piece.chord();
+            prop_assert!(-chord.radius <= chord.z * steep + 0.002, "{piece:?}");
         }
     }
 
@@ -359,10 +359,10 @@ proptest! {
         let top = outside.contour().radii().unwrap().1 + Half::from(5.0);
         let bore = as_bore(&outside, top);
         let judge = |profile: &Profile| classify(profile, Angles::CONTOURING, knowledge()).unwrap();
-        let told = |classes: Vec<Class>| -> Vec<_> {
+        let shown = |classes: Vec<Class>| -> Vec<_> {
             classes.into_iter().map(|one| (one.ground, one.element, one.partly, one.tool)).collect()
         };
-        prop_assert_eq!(told(judge(&outside)), told(judge(&bore)));
+        prop_assert_eq!(shown(judge(&outside)), shown(judge(&bore)));
         let main = |profile: &Profile| main_contour(profile, &judge(profile), Angles::CONTOURING).contour;
         prop_assert_eq!(main(&outside), main(&bore).inside_out(top));
     }

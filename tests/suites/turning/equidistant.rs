@@ -75,10 +75,10 @@ fn distance_to(contour: &Contour, point: Vector) -> f64 {
                 if between { (spoke.length() - radius.to_mm()).abs().min(nearest_end) } else { nearest_end }
             }
             _ => {
-                let way = point.plus(piece.from.vector().times(-1.0));
-                let along = piece.chord().unit().dot(way);
+                let offset = point.plus(piece.from.vector().times(-1.0));
+                let along = piece.chord().unit().dot(offset);
                 if (0.0..=piece.chord().length()).contains(&along) {
-                    piece.chord().unit().cross(way).abs()
+                    piece.chord().unit().cross(offset).abs()
                 } else {
                     nearest_end
                 }
@@ -179,12 +179,12 @@ fn drawn() -> impl Strategy<Value = (Contour, Vec<Half>)> {
 fn rough(contour: &Contour, distances: &[Half]) -> Option<Contour> {
     match equidistant(contour, distances) {
         Err(EquidistantError::Vanished) => None,
-        found => Some(found.unwrap_or_else(|error| panic!("{error}: {}", told(contour, distances)))),
+        found => Some(found.unwrap_or_else(|error| panic!("{error}: {}", one_line(contour, distances)))),
     }
 }
 
 /// A contour on one line: z, radius, and for arcs their radius, negative where they turn left; its distances.
-fn told(contour: &Contour, distances: &[Half]) -> String {
+fn one_line(contour: &Contour, distances: &[Half]) -> String {
     let start = contour.start().map(|at| format!("{},{}", at.z, at.radius));
     let pieces = contour.pieces.iter().map(|piece| match piece.curve {
         Curve::Line => format!(" - {},{}", piece.to.z, piece.to.radius),
@@ -268,11 +268,11 @@ proptest! {
     #[test]
     fn it_hangs_together_and_does_not_lead_back((contour, distances) in drawn()) {
         let Some(rough) = rough(&contour, &distances) else { return Ok(()) };
-        prop_assert!(rough.hangs_together() && forward(&rough), "{} gives {}", told(&contour, &distances), told(&rough, &[]));
+        prop_assert!(rough.hangs_together() && forward(&rough), "{} gives {}", one_line(&contour, &distances), one_line(&rough, &[]));
         // What does not lead back crosses itself only where it turns back on a face.
         for (one, next) in rough.pieces.iter().zip(rough.pieces.iter().skip(1)) {
             let faces = one.is_face() && next.is_face();
-            prop_assert!(!faces || one.direction_at_end().dot(next.direction_at_start()) > -0.99999, "{} gives {}", told(&contour, &distances), told(&rough, &[]));
+            prop_assert!(!faces || one.direction_at_end().dot(next.direction_at_start()) > -0.99999, "{} gives {}", one_line(&contour, &distances), one_line(&rough, &[]));
         }
     }
 
@@ -290,7 +290,7 @@ proptest! {
                     let kept = point.plus(out.times(most * share));
                     if let Some(height) = height(&rough, kept.z) {
                         let kept_it = height > kept.radius - ROUNDING || distance_to(&rough, kept) < ROUNDING;
-                        prop_assert!(kept_it, "{kept:?} is above {height}: {} gives {}", told(&contour, &distances), told(&rough, &[]));
+                        prop_assert!(kept_it, "{kept:?} is above {height}: {} gives {}", one_line(&contour, &distances), one_line(&rough, &[]));
                     }
                 }
             }
@@ -309,7 +309,7 @@ proptest! {
                     continue;
                 }
                 let found = distance_to(&contour, point);
-                prop_assert!(found > distances[0].to_mm() - ROUNDING, "{point:?} is {found} off: {} gives {}", told(&contour, &distances), told(&rough, &[]));
+                prop_assert!(found > distances[0].to_mm() - ROUNDING, "{point:?} is {found} off: {} gives {}", one_line(&contour, &distances), one_line(&rough, &[]));
             }
         }
     }
@@ -321,7 +321,7 @@ proptest! {
         for piece in &rough.pieces {
             for (point, _) in samples(*piece, 8) {
                 let found = distance_to(&contour, point);
-                prop_assert!(found < 2.0 * most + ROUNDING, "{point:?} is {found} off: {} gives {}", told(&contour, &distances), told(&rough, &[]));
+                prop_assert!(found < 2.0 * most + ROUNDING, "{point:?} is {found} off: {} gives {}", one_line(&contour, &distances), one_line(&rough, &[]));
             }
         }
     }
@@ -338,14 +338,14 @@ proptest! {
             let near = |other: Vector| centre.plus(other.times(-1.0)).length() < allowed;
             let concentric = of.centre().is_some_and(near);
             let round = contour.corners().iter().any(|corner| near(corner.vector()));
-            prop_assert!(concentric || round, "{over:?} {centre:?}: {}", told(&contour, &distances));
+            prop_assert!(concentric || round, "{over:?} {centre:?}: {}", one_line(&contour, &distances));
         }
     }
 
     #[test]
     fn no_distance_gives_the_contour_back((contour, _) in drawn()) {
         let same = equidistant(&contour, &all(&contour, 0.0)).unwrap();
-        prop_assert!(same == contour, "{} gives {}", told(&contour, &[]), told(&same, &[]));
+        prop_assert!(same == contour, "{} gives {}", one_line(&contour, &[]), one_line(&same, &[]));
     }
 
     #[test]
@@ -380,9 +380,9 @@ fn same(one: &Contour, other: &Contour, contour: &Contour, distances: &[Half]) -
             prop_assert!(
                 off < ROUNDING,
                 "{point:?} is {off} off: {} gives {} and {}",
-                told(contour, distances),
-                told(one, &[]),
-                told(other, &[])
+                one_line(contour, distances),
+                one_line(one, &[]),
+                one_line(other, &[])
             );
         }
     }
@@ -396,7 +396,7 @@ fn contours_for_shapely() {
     use proptest::strategy::ValueTree;
     use proptest::test_runner::TestRunner;
     let Ok(out) = std::env::var("CONTOURS") else { return };
-    let told = |contour: &Contour| -> serde_json::Value {
+    let shown = |contour: &Contour| -> serde_json::Value {
         let piece = |piece: &Piece| {
             let sweep = match piece.curve {
                 Curve::Line => 0.0,
@@ -416,7 +416,7 @@ fn contours_for_shapely() {
             let (contour, distances) = drawn().new_tree(&mut runner).unwrap().current();
             let rough = rough(&contour, &all(&contour, distances[0].to_mm()))?;
             let distance = distances[0].to_mm();
-            Some(serde_json::json!({"contour": told(&contour), "rough": told(&rough), "distance": distance}))
+            Some(serde_json::json!({"contour": shown(&contour), "rough": shown(&rough), "distance": distance}))
         })
         .collect();
     std::fs::write(out, serde_json::to_string(&cases).unwrap()).unwrap();

@@ -46,8 +46,8 @@ fn a_blank_of_a_hundred_metres_has_too_many_passes() {
         findings.iter().filter(|one| one.severity == Severity::Error).map(|one| one.note.code()).collect();
     assert!(graves.contains(&"too-many-passes"), "{graves:?}");
     for lang in [Lang::UK, Lang::EN] {
-        let told = findings.iter().find(|one| one.note.code() == "too-many-passes").unwrap();
-        assert!(lang.remedy(&told.note).is_some());
+        let finding = findings.iter().find(|one| one.note.code() == "too-many-passes").unwrap();
+        assert!(lang.remedy(&finding.note).is_some());
     }
 }
 
@@ -81,7 +81,7 @@ fn come_to_an_operation(usual: usize) {
             }
         }
     }
-    let told: Vec<String> =
+    let texts: Vec<String> =
         found.iter().map(|(fault, (count, text))| format!("{count} times {fault}, as of\n{text}")).collect();
-    assert!(told.is_empty(), "{}", told.join("\n"));
+    assert!(texts.is_empty(), "{}", texts.join("\n"));
 }

@@ -75,7 +75,11 @@ fn mm(value: f64) -> Micrometres {
 }
 
 fn bound(limit: &LimitingDepth, bound: Bound) -> &BoundTold {
-    limit.bounds.iter().find(|told| told.bound == bound).unwrap_or_else(|| panic!("{bound:?} is not told: {limit:?}"))
+    limit
+        .bounds
+        .iter()
+        .find(|checked| checked.bound == bound)
+        .unwrap_or_else(|| panic!("{bound:?} is not told: {limit:?}"))
 }
 
 fn newtons(load: Load) -> f64 {
@@ -223,7 +227,10 @@ fn a_boring_bar_is_held_by_its_stiffness() {
     let per_mm = 3000.0 * 0.353_553 * libm::pow(limit.speed_m_per_min.0, -0.15) * 0.845_90 * 1.1125;
     let steps = (1150.5 / per_mm * 10.0).floor() / 10.0;
     assert_eq!((limit.depth_mm, limit.decided_by), (Some(mm(steps)), Bound::ShankStiffness));
-    assert!(limit.bounds.iter().all(|told| told.bound != Bound::PartRadius), "a bore has no radius to run out of");
+    assert!(
+        limit.bounds.iter().all(|checked| checked.bound != Bound::PartRadius),
+        "a bore has no radius to run out of"
+    );
 }
 
 /// Fed across the axis the edge behind the tip cuts, 5 degrees off the face: 0.66·12·cos 5 = 7.89 mm, for PDJNR with 32
@@ -422,8 +429,8 @@ fn a_slender_part_bounds_the_depth() {
     let knowledge = knowledge();
     let case = Case::new(knowledge, "16k20f3", "PCLNR 2525M12", "steel-45");
     let bar = PartSection { from: Half::ZERO, to: Half::from(300.0), radius: Half::from(10.0), bore: Half::ZERO };
-    let held = HeldPart::of(PartSupport::Centres, vec![bar], &case.material, knowledge).unwrap().unwrap();
-    let part = held.over(Half::ZERO, Half::from(300.0), None);
+    let held_part = HeldPart::of(PartSupport::Centres, vec![bar], &case.material, knowledge).unwrap().unwrap();
+    let part = held_part.over(Half::ZERO, Half::from(300.0), None);
     let cut = TurningCut { part: Some(&part), ..case.cut(20.0, Direction::Longitudinal) };
     let limit = limiting_depth(&cut, MillimetresPerRev(0.3), Speed::ForToolLife).unwrap();
     assert_eq!(limit.decided_by, Bound::PartStiffness);
@@ -432,13 +439,13 @@ fn a_slender_part_bounds_the_depth() {
     near(newtons(bound(&limit, Bound::PartStrength).capacity), strength, 0.001);
     // h8 of Ø20 is 0.033 mm: finishing may bend it by a fifth of that, under Py ≤ 0.0066/3.4106e-4 = 19.4 N: the feed is
     // cut back to the least, and the bound is still passed.
-    let finished = held.over(Half::ZERO, Half::from(300.0), Some(mm(0.033)));
+    let finished = held_part.over(Half::ZERO, Half::from(300.0), Some(mm(0.033)));
     let cut = TurningCut { part: Some(&finished), ..case.cut(20.0, Direction::Longitudinal) };
     let found = conditions(&cut, mm(0.3), Some("Ra 2.5".parse().unwrap())).unwrap();
     assert_eq!(found.exceeded, [Bound::PartStiffness], "{found:?}");
     near(found.feed_mm_per_rev.0, 0.05, 0.2);
     // Ten times the tolerance needs a smaller feed than the nose allows, and no more.
-    let wide = held.over(Half::ZERO, Half::from(300.0), Some(mm(0.13)));
+    let wide = held_part.over(Half::ZERO, Half::from(300.0), Some(mm(0.13)));
     let cut = TurningCut { part: Some(&wide), ..case.cut(20.0, Direction::Longitudinal) };
     let found = conditions(&cut, mm(0.3), Some("Ra 2.5".parse().unwrap())).unwrap();
     assert!(found.exceeded.is_empty() && found.radial_force_n.unwrap().0 <= 0.2 * 0.13 / 3.4106e-4 + 0.5, "{found:?}");
@@ -510,17 +517,17 @@ proptest! {
         let step = 0.1;
         let depth = limit.depth_mm.map_or(0.0, Micrometres::to_mm);
         let mut passed_beyond = false;
-        for told in &limit.bounds {
-            prop_assert!(told.depth_mm.map_or(0.0, Micrometres::to_mm) >= depth);
+        for checked in &limit.bounds {
+            prop_assert!(checked.depth_mm.map_or(0.0, Micrometres::to_mm) >= depth);
             // Loads are told to their last printed digit, hence half a digit of room.
-            let (load, capacity) = (figure(told.load), figure(told.capacity));
-            let room = match told.load { Load::ForceN(_) => 0.5, Load::TorqueNM(_) => 0.05, Load::PowerKw(_) => 0.005, Load::DepthMm(_) => 0.0 };
+            let (load, capacity) = (figure(checked.load), figure(checked.capacity));
+            let room = match checked.load { Load::ForceN(_) => 0.5, Load::TorqueNM(_) => 0.05, Load::PowerKw(_) => 0.005, Load::DepthMm(_) => 0.0 };
             if depth > 0.0 {
-                prop_assert!(load <= capacity + room, "{:?}: {load} > {capacity}", told.bound);
+                prop_assert!(load <= capacity + room, "{:?}: {load} > {capacity}", checked.bound);
             }
             let told_at = if depth > 0.0 { depth } else { step };
-            let beyond = if matches!(told.load, Load::DepthMm(_)) { depth + step }
-                else { load * libm::pow((depth + step) / told_at, exponent(told.bound)) };
+            let beyond = if matches!(checked.load, Load::DepthMm(_)) { depth + step }
+                else { load * libm::pow((depth + step) / told_at, exponent(checked.bound)) };
             passed_beyond |= beyond + 2.0 * room >= capacity;
         }
         prop_assert!(passed_beyond, "a deeper cut would still hold: {limit:?}");
@@ -570,13 +577,13 @@ fn the_answer_is_told_whole() {
     let case = Case::new(knowledge, "16b16t1", "PDJNR 2525M15", "steel-45");
     let cut = case.cut(65.0, Direction::Longitudinal);
     let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::ForToolLife).unwrap();
-    let said: Vec<String> =
+    let texts: Vec<String> =
         limit.findings().iter().flat_map(|finding| [Lang::UK, Lang::EN].map(|lang| lang.say(&finding.note))).collect();
     assert_eq!(
-        said[0],
+        texts[0],
         "обмеження «привод подачі» не враховано: у даних верстата 16Б16Т1 немає величини «сила подачі по Z»"
     );
-    assert_eq!(said[1], "the limit “feed drive” is left out: 16B16T1 has no figure “feed force z”");
+    assert_eq!(texts[1], "the limit “feed drive” is left out: 16B16T1 has no figure “feed force z”");
     let back: LimitingDepth = serde_json::from_str(&serde_json::to_string(&limit).unwrap()).unwrap();
     assert_eq!(back, limit, "the answer comes back from JSON without loss");
     insta::assert_snapshot!("limiting_depth", serde_json::to_string_pretty(&limit).unwrap());

@@ -188,14 +188,14 @@ fn what_once_went_wrong_goes_right() {
         let workpiece =
             read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{path:?} {mistakes:?}"));
         let operation = planned(&workpiece);
-        let mut said = vec![spoilt(&operation).join("\n"), silent(&operation).join("\n")];
-        said.retain(|one| !one.is_empty());
+        let mut report = vec![spoilt(&operation).join("\n"), silent(&operation).join("\n")];
+        report.retain(|one| !one.is_empty());
         if operation.zones().any(|(_, _, zone)| zone.works.is_empty()) {
             let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
-            said.push(format!("not planned whole: {:?}", grave.map(|one| one.note.code()).collect::<Vec<_>>()));
+            report.push(format!("not planned whole: {:?}", grave.map(|one| one.note.code()).collect::<Vec<_>>()));
         }
-        if !said.is_empty() {
-            wrong.push_str(&format!("{}: {}\n", path.file_name().unwrap().display(), said.join("\n")));
+        if !report.is_empty() {
+            wrong.push_str(&format!("{}: {}\n", path.file_name().unwrap().display(), report.join("\n")));
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
@@ -419,8 +419,8 @@ fn trace() {
     let operation =
         planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}")));
     let corners = |contour: &technolog::turning::contour::Contour| {
-        let told = contour.corners().iter().map(|at| format!("({} {})", at.radius, at.z)).collect::<Vec<_>>();
-        told.join(" ")
+        let shown = contour.corners().iter().map(|at| format!("({} {})", at.radius, at.z)).collect::<Vec<_>>();
+        shown.join(" ")
     };
     for set_up in &operation.set_ups {
         println!("set-up {} over {} faces {}", set_up.set_up.number, set_up.set_up.turned_over, set_up.set_up.faces);

@@ -186,19 +186,19 @@ fn every_bad_shaft_is_refused_with_every_mistake_at_its_place() {
         assert_eq!(found, expected, "{}", path.display());
         for lang in ["uk", "en"] {
             let output = run(&[path.to_str().unwrap(), "--lang", lang]);
-            let said = String::from_utf8(output.stderr).unwrap();
-            assert_eq!(output.status.code(), Some(2), "{said}");
+            let stderr = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(output.status.code(), Some(2), "{stderr}");
             assert!(output.stdout.is_empty());
             for (line, mistake) in expected.lines().zip(&mistakes) {
                 let (place, code) = line.split_once(' ').unwrap();
-                assert!(said.contains(&format!("{}:{place}", path.display())), "{said}");
-                assert!(said.contains(&format!("[{code}]")), "{said}");
+                assert!(stderr.contains(&format!("{}:{place}", path.display())), "{stderr}");
+                assert!(stderr.contains(&format!("[{code}]")), "{stderr}");
                 assert_eq!(mistake.code(), code);
             }
             // The knowledge room has no remedy for a key that is missing or a number that is none: the message says it.
             let meant = mistakes.iter().filter(|one| matches!(one, Mistake::Meaning(..))).count();
-            let helps = said.matches(if lang == "uk" { "= підказка:" } else { "= help:" }).count();
-            assert!(helps >= meant, "{said}");
+            let helps = stderr.matches(if lang == "uk" { "= підказка:" } else { "= help:" }).count();
+            assert!(helps >= meant, "{stderr}");
         }
     }
     assert!(seen >= 60, "{seen}");
@@ -219,13 +219,13 @@ fn a_contour_of_more_items_than_are_read_is_refused_at_the_first_of_them() {
     let path = path.to_str().unwrap();
     for (lang, help) in [("uk", "= підказка:"), ("en", "= help:")] {
         let output = run(&[path, "--lang", lang]);
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{said}");
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{stderr}");
         // Four lines before the first item: the 2001st stands in line 2005, behind its dash.
         for part in [&format!("{path}:2005:5"), "[too-many-items]", "2001", "2000", help] {
-            assert!(said.contains(part), "{part}: {said}");
+            assert!(stderr.contains(part), "{part}: {stderr}");
         }
-        assert_eq!(said.matches(help).count(), 1, "{said}");
+        assert_eq!(stderr.matches(help).count(), 1, "{stderr}");
     }
 }
 
@@ -252,9 +252,9 @@ fn the_map_stretches_the_shaft() {
 #[test]
 fn time_without_rates_is_refused_with_a_remedy() {
     let output = run(&["examples/shaft.yaml", "--objective", "time", "--lang", "en"]);
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains("no-rates") && said.contains("longitudinal_feed"), "{said}");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains("no-rates") && stderr.contains("longitudinal_feed"), "{stderr}");
 }
 
 #[test]
@@ -407,9 +407,9 @@ fn rich_moves_are_asked_for_by_the_file_or_the_flag_and_not_for_time() {
     assert!(answer["proof"]["lower_bound"].as_f64().unwrap() <= path(&answer, "optimal"));
     assert!(json(&["examples/shaft.yaml"])["proof"].is_null());
     let output = run(&["examples/shaft-six-steps.yaml", "--moves", "rich", "--objective", "time", "--lang", "en"]);
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains("rich-has-no-time"), "{said}");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains("rich-has-no-time"), "{stderr}");
 }
 
 proptest! {

@@ -80,19 +80,19 @@ fn bore() -> Contour {
 }
 
 /// One pass of a loop, a rest cut along an arc, and the way back.
-fn way() -> Toolpath {
-    let mut way = Toolpath::at(at(35.0, -2.0));
-    way.go(at(28.5, -2.0), Purpose::Rapid);
-    way.go(at(28.5, 30.0), Purpose::Cut);
-    way.go(at(29.0, 29.5), Purpose::Rapid);
-    way.go(at(29.0, -2.0), Purpose::Rapid);
-    way.go(at(20.0, -2.0), Purpose::Rapid);
-    way.go(at(20.0, 25.0), Purpose::Cut);
-    way.follow(Piece::arc(at(20.0, 25.0), at(25.0, 30.0), mm(5.0), Turn::Left), Purpose::PickUp);
-    way.go(at(28.5, 30.0), Purpose::PickUp);
-    way.go(at(30.0, 30.0), Purpose::Return);
-    way.go(at(35.0, -2.0), Purpose::Rapid);
-    way
+fn toolpath() -> Toolpath {
+    let mut toolpath = Toolpath::at(at(35.0, -2.0));
+    toolpath.go(at(28.5, -2.0), Purpose::Rapid);
+    toolpath.go(at(28.5, 30.0), Purpose::Cut);
+    toolpath.go(at(29.0, 29.5), Purpose::Rapid);
+    toolpath.go(at(29.0, -2.0), Purpose::Rapid);
+    toolpath.go(at(20.0, -2.0), Purpose::Rapid);
+    toolpath.go(at(20.0, 25.0), Purpose::Cut);
+    toolpath.follow(Piece::arc(at(20.0, 25.0), at(25.0, 30.0), mm(5.0), Turn::Left), Purpose::PickUp);
+    toolpath.go(at(28.5, 30.0), Purpose::PickUp);
+    toolpath.go(at(30.0, 30.0), Purpose::Return);
+    toolpath.go(at(35.0, -2.0), Purpose::Rapid);
+    toolpath
 }
 
 fn files(program: &CycleProgram) -> String {
@@ -113,10 +113,10 @@ fn arcs_have_the_words_that_were_worked_out_by_hand() {
         (thick, thin, Turn::Left, "G2 X20 Z0 I-10 K0"),
         (thick, thin, Turn::Right, "G3 X20 Z0 I0 K10"),
     ] {
-        let mut way = Toolpath::at(from);
-        way.follow(Piece::arc(from, to, mm(10.0), turn), Purpose::Cut);
+        let mut toolpath = Toolpath::at(from);
+        toolpath.follow(Piece::arc(from, to, mm(10.0), turn), Purpose::Cut);
         for name in ["linuxcnc", "sinumerik"] {
-            let text = plain(&control(name), &way, &setting()).unwrap();
+            let text = plain(&control(name), &toolpath, &setting()).unwrap();
             assert!(text.lines().any(|line| line == format!("{words} F0.3")), "{words} is not in\n{text}");
         }
     }
@@ -125,12 +125,12 @@ fn arcs_have_the_words_that_were_worked_out_by_hand() {
 /// A diameter of whole micrometres and a Z of half a micrometre are written exactly; a spindle speed needs no limit.
 #[test]
 fn lengths_are_exact_and_words_are_not_repeated() {
-    let mut way = Toolpath::at(Point::new(Half::new(39_985), Half::new(-3)));
-    way.go(Point::new(Half::new(39_985), Half::new(20_001)), Purpose::Cut);
-    way.go(Point::new(Half::new(40_001), Half::new(20_001)), Purpose::Cut);
+    let mut toolpath = Toolpath::at(Point::new(Half::new(39_985), Half::new(-3)));
+    toolpath.go(Point::new(Half::new(39_985), Half::new(20_001)), Purpose::Cut);
+    toolpath.go(Point::new(Half::new(40_001), Half::new(20_001)), Purpose::Cut);
     let setting =
         Setting { speed: Speed::Spindle(RevsPerMinute(800.0)), coolant: false, name: "A(1)".to_owned(), ..setting() };
-    let text = plain(&control("linuxcnc"), &way, &setting).unwrap();
+    let text = plain(&control("linuxcnc"), &toolpath, &setting).unwrap();
     let expected = "(A 1 )\nG18 G21 G7 G40 G90 G95\nG54 G61\nT1 M6 G43\nG97 S800 M3\nG0 X39.985 Z0.0015\nG1 Z-10.0005 F0.3\n\
                     X40.001\nM5\nM9\nM2\n";
     assert_eq!(text, expected);
@@ -138,10 +138,13 @@ fn lengths_are_exact_and_words_are_not_repeated() {
 
 #[test]
 fn programs_of_single_moves() {
-    insta::assert_snapshot!("turning-program-linuxcnc-plain", plain(&control("linuxcnc"), &way(), &setting()).unwrap());
+    insta::assert_snapshot!(
+        "turning-program-linuxcnc-plain",
+        plain(&control("linuxcnc"), &toolpath(), &setting()).unwrap()
+    );
     insta::assert_snapshot!(
         "turning-program-sinumerik-plain",
-        plain(&control("sinumerik"), &way(), &setting()).unwrap()
+        plain(&control("sinumerik"), &toolpath(), &setting()).unwrap()
     );
 }
 
@@ -168,8 +171,8 @@ fn programs_of_cycles() {
 #[test]
 fn cycle95_is_told_its_allowance() {
     let allowance = Allowance { radius: mm(0.5), z: mm(0.2) };
-    let asked = Roughing { allowance, ..roughing(Direction::Longitudinal) };
-    let written = cycle(&control("sinumerik"), &stepped(), at(32.5, 0.0), asked, &setting()).unwrap();
+    let roughing_task = Roughing { allowance, ..roughing(Direction::Longitudinal) };
+    let written = cycle(&control("sinumerik"), &stepped(), at(32.5, 0.0), roughing_task, &setting()).unwrap();
     let call = "CYCLE95(\"VAL_STUPINCHAS_K\", 4, 0.2, 0.5, 0, 0.3, 0.15, 0.1, 1, , , 0.5)";
     let text = files(&written);
     assert!(text.lines().any(|line| line == call), "{text}");
@@ -181,7 +184,7 @@ fn what_is_known_of_nc_201_are_names() {
     let refused = cycle(&nc, &stepped(), at(32.5, 0.0), roughing(Direction::Longitudinal), &setting()).unwrap_err();
     let words: Vec<String> = ["DFP", "EPF", "SPA", "SPF", "SPP", "CLP"].map(str::to_owned).to_vec();
     assert_eq!(refused, NotWritten::NotDocumented { control: "nc-201".to_owned(), words });
-    assert_eq!(plain(&nc, &way(), &setting()).unwrap_err(), refused);
+    assert_eq!(plain(&nc, &toolpath(), &setting()).unwrap_err(), refused);
     assert!(Control::read("nc-500", &KNOWLEDGE).is_err());
 }
 
@@ -199,18 +202,20 @@ fn the_controls_are_those_of_the_table() {
 fn what_cannot_be_written_is_refused_with_its_reason() {
     let linuxcnc = control("linuxcnc");
     let bad_way = |moves: &dyn Fn(&mut Toolpath), change: &dyn Fn(&mut Setting)| {
-        let (mut way, mut told) = (Toolpath::at(at(20.0, 0.0)), setting());
-        moves(&mut way);
-        change(&mut told);
-        plain(&linuxcnc, &way, &told).unwrap_err()
+        let (mut toolpath, mut setting) = (Toolpath::at(at(20.0, 0.0)), setting());
+        moves(&mut toolpath);
+        change(&mut setting);
+        plain(&linuxcnc, &toolpath, &setting).unwrap_err()
     };
-    let cut = |way: &mut Toolpath| way.go(at(20.0, 5.0), Purpose::Cut);
+    let cut = |path: &mut Toolpath| path.go(at(20.0, 5.0), Purpose::Cut);
     let arc = |radius: f64, purpose: Purpose| {
-        move |way: &mut Toolpath| way.follow(Piece::arc(at(20.0, 0.0), at(20.0, 10.0), mm(radius), Turn::Left), purpose)
+        move |path: &mut Toolpath| {
+            path.follow(Piece::arc(at(20.0, 0.0), at(20.0, 10.0), mm(radius), Turn::Left), purpose)
+        }
     };
     let as_is = |_: &mut Setting| {};
-    let bad_task = |contour: &Contour, corner: Point, asked: Roughing| {
-        cycle(&linuxcnc, contour, corner, asked, &setting()).unwrap_err()
+    let bad_task = |contour: &Contour, corner: Point, roughing: Roughing| {
+        cycle(&linuxcnc, contour, corner, roughing, &setting()).unwrap_err()
     };
     let (along, across) = (roughing(Direction::Longitudinal), roughing(Direction::Facing));
     let corner = at(32.5, -1.0);
@@ -228,9 +233,9 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
         (bad_way(&arc(0.0, Purpose::Cut), &as_is), "lathe-arc-without-radius"),
         (bad_way(&arc(4.9, Purpose::Cut), &as_is), "lathe-arc-too-small"),
         (bad_way(&arc(5.0, Purpose::Rapid), &as_is), "lathe-rapid-arc"),
-        (bad_way(&cut, &|told| told.tool = 0), "lathe-no-tool"),
-        (bad_way(&cut, &|told| told.speed = Speed::Spindle(RevsPerMinute(f64::NAN))), "lathe-no-speed"),
-        (bad_way(&cut, &|told| told.feeds.finish = MillimetresPerRev(0.00001)), "lathe-no-feed"),
+        (bad_way(&cut, &|setting| setting.tool = 0), "lathe-no-tool"),
+        (bad_way(&cut, &|setting| setting.speed = Speed::Spindle(RevsPerMinute(f64::NAN))), "lathe-no-speed"),
+        (bad_way(&cut, &|setting| setting.feeds.finish = MillimetresPerRev(0.00001)), "lathe-no-feed"),
         (bad_task(&empty, corner, along), "lathe-contour-empty"),
         (bad_task(&apart, corner, along), "lathe-contour-apart"),
         (bad_task(&pointless, corner, along), "lathe-arc-without-radius"),
@@ -264,11 +269,11 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
 /// Reads a program of single moves for LinuxCNC back. It knows what `plain` writes and no more; the purpose of a move is
 /// that whose feed it has.
 fn read_way(text: &str, feeds: &Feeds) -> Toolpath {
-    let mut way: Option<Toolpath> = None;
+    let mut toolpath: Option<Toolpath> = None;
     let (mut motion, mut feed) = (String::new(), String::new());
     let moves = text.lines().skip_while(|line| !line.starts_with("G0 ")).take_while(|line| *line != "M5");
     for line in moves {
-        let from = way.as_ref().map(Toolpath::end).unwrap_or_default();
+        let from = toolpath.as_ref().map(Toolpath::end).unwrap_or_default();
         let (mut to, mut centre) = (from, None);
         for word in line.split(' ') {
             let (letter, number) = word.split_at(1);
@@ -292,12 +297,12 @@ fn read_way(text: &str, feeds: &Feeds) -> Toolpath {
             ("G3", Some((i, k))) => Curve::Arc { radius: mm(libm::hypot(i, k)), turn: Turn::Right },
             _ => Curve::Line,
         };
-        match &mut way {
-            None => way = Some(Toolpath::at(to)),
-            Some(way) => way.follow(Piece { from, to, curve }, purpose),
+        match &mut toolpath {
+            None => toolpath = Some(Toolpath::at(to)),
+            Some(path) => path.follow(Piece { from, to, curve }, purpose),
         }
     }
-    way.unwrap()
+    toolpath.unwrap()
 }
 
 /// A move: its end in half micrometres, its purpose, and for an arc how much larger its radius is than half its chord, and
@@ -325,21 +330,21 @@ proptest! {
             Purpose::Finish,
             Purpose::Return,
         ];
-        let mut way = Toolpath::at(Point::new(Half::new(start.0), Half::new(start.1)));
+        let mut toolpath = Toolpath::at(Point::new(Half::new(start.0), Half::new(start.1)));
         for ((radius, z), purpose, arc) in moves {
             let to = Point::new(Half::new(radius), Half::new(z));
             let purpose = purposes[purpose];
             match arc {
-                Some((share, left)) if purpose != Purpose::Rapid && to != way.end() => {
-                    let radius = Half::new((way.end().to(to).length() * share * 1000.0).ceil() as i64 + 1);
+                Some((share, left)) if purpose != Purpose::Rapid && to != toolpath.end() => {
+                    let radius = Half::new((toolpath.end().to(to).length() * share * 1000.0).ceil() as i64 + 1);
                     let turn = if left { Turn::Left } else { Turn::Right };
-                    way.follow(Piece::arc(way.end(), to, radius, turn), purpose);
+                    toolpath.follow(Piece::arc(toolpath.end(), to, radius, turn), purpose);
                 }
-                _ => way.go(to, purpose),
+                _ => toolpath.go(to, purpose),
             }
         }
-        prop_assume!(!way.moves.is_empty());
-        let text = plain(&control("linuxcnc"), &way, &setting()).unwrap();
-        prop_assert_eq!(read_way(&text, &feeds()), way, "{}", text);
+        prop_assume!(!toolpath.moves.is_empty());
+        let text = plain(&control("linuxcnc"), &toolpath, &setting()).unwrap();
+        prop_assert_eq!(read_way(&text, &feeds()), toolpath, "{}", text);
     }
 }

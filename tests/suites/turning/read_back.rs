@@ -1,6 +1,6 @@
 //! Programs of lathes compared with their part, as text: what the control makes of them is carried through the proof.
 
-use technolog::audit::turned::{held, read_back, reader};
+use technolog::audit::turned::{compare_with_part, read_back, reader};
 use technolog::note::Severity;
 use technolog::program::Fault;
 use technolog::program::lathe::{LatheLanguage, Subprogram, read};
@@ -16,7 +16,7 @@ const CONTROLS: [&str; 3] = ["linuxcnc", "fanuc", "sinumerik"];
 fn found(operation: &Operation, text: &str) -> Vec<Fault> {
     let language = LatheLanguage::read("linuxcnc-lathe", &KNOWLEDGE).unwrap();
     let run = read(text, &language, &[] as &[Subprogram<'_>]);
-    held(operation, 1, text, &run)
+    compare_with_part(operation, 1, text, &run)
 }
 
 /// Codes with how grave they are and their lines, without the notes.
@@ -61,13 +61,13 @@ fn programs_of_the_examples_do_what_their_toolpaths_do() {
                     .collect();
                 let language = LatheLanguage::read(reader(control, &KNOWLEDGE).unwrap().unwrap(), &KNOWLEDGE).unwrap();
                 let run = read(&files[0].text, &language, &beside);
-                let told = held(&operation, written.set_up, &files[0].text, &run);
+                let faults = compare_with_part(&operation, written.set_up, &files[0].text, &run);
                 // A centre of Morse 5 before a thin end is doubtful: the page says so too.
-                let mut grave = grave(&told);
+                let mut grave = grave(&faults);
                 grave.retain(|one| (one.0, one.1) != ("swept-struck", Severity::Doubtful));
                 assert_eq!(grave, [], "{name} {control} {form:?} {}", written.set_up);
-                assert!(told.iter().any(|fault| fault.code == "turned-held"));
-                assert!(told.iter().all(|fault| fault.code != "turned-tool-taken"), "every tool is named");
+                assert!(faults.iter().any(|fault| fault.code == "turned-held"));
+                assert!(faults.iter().all(|fault| fault.code != "turned-tool-taken"), "every tool is named");
                 count += 1;
             }
         }
@@ -127,12 +127,12 @@ fn a_program_without_its_finishing_leaves_metal() {
 #[test]
 fn what_is_not_known_is_not_blamed() {
     let (operation, text) = sleeve();
-    let told = |text: &str| grave(&found(&operation, text)).iter().map(|one| (one.0, one.1)).collect::<Vec<_>>();
+    let faults_of = |text: &str| grave(&found(&operation, text)).iter().map(|one| (one.0, one.1)).collect::<Vec<_>>();
     let doubtful = |code| vec![(code, Severity::Doubtful)];
     let strange = text.replace("T5 M6 G43", "T15 M6 G43").replace("(T5 PCLNR 2525M12, finish)", "(my tool)");
-    assert_eq!(told(&strange), doubtful("turned-tool-unknown"));
+    assert_eq!(faults_of(&strange), doubtful("turned-tool-unknown"));
     let line = line_of(&text, "finish)", "G0 X61.1 Z2.6");
-    assert_eq!(told(&changed(&text, line, "G0 G42 X61.1 Z2.6")), doubtful("turned-compensated"));
+    assert_eq!(faults_of(&changed(&text, line, "G0 G42 X61.1 Z2.6")), doubtful("turned-compensated"));
     // A text with errors does not move as it says.
-    assert_eq!(told(&changed(&text, line, "G0 X61.1 Q")), []);
+    assert_eq!(faults_of(&changed(&text, line, "G0 X61.1 Q")), []);
 }

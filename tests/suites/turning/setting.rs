@@ -67,12 +67,12 @@ fn the_interpreter_of_linuxcnc_reads_the_table() {
     std::fs::remove_dir_all(&folder).unwrap();
     let Ok(run) = run else { return };
     let answer = String::from_utf8_lossy(&run.stdout).into_owned();
-    let told: Vec<&str> =
-        answer.lines().filter_map(|line| line.split_once("MESSAGE(\"")).map(|(_, told)| told).collect();
-    assert_eq!(told.len(), 5, "{answer}");
-    assert_eq!(told[0], "D1.600000 I85.000000 J5.000000 Q2.000000\")");
-    assert_eq!(told[1], "D1.600000 I275.000000 J355.000000 Q3.000000\")");
-    assert_eq!(told[4], "D0.800000 I0.000000 J0.000000 Q2.000000\")");
+    let messages: Vec<&str> =
+        answer.lines().filter_map(|line| line.split_once("MESSAGE(\"")).map(|(_, message)| message).collect();
+    assert_eq!(messages.len(), 5, "{answer}");
+    assert_eq!(messages[0], "D1.600000 I85.000000 J5.000000 Q2.000000\")");
+    assert_eq!(messages[1], "D1.600000 I275.000000 J355.000000 Q3.000000\")");
+    assert_eq!(messages[4], "D0.800000 I0.000000 J0.000000 Q2.000000\")");
 }
 
 /// The motions of a program as its control reads them, timed by itself: way over feed and spindle speed, rapids straight at

@@ -302,8 +302,8 @@ fn finishing_feeds_leave_the_roughness_they_are_given_for() {
         for (ra, feed) in surfaces.iter().zip(&column) {
             let radius: f64 = nose.parse().unwrap();
             let theory = 1000.0 * feed * feed / (32.0 * radius);
-            let asked: f64 = ra[3..].parse().unwrap();
-            assert!(theory < 2.0 * asked, "{ra}, nose {nose}, feed {feed}: geometry alone leaves Ra {theory:.2}");
+            let required: f64 = ra[3..].parse().unwrap();
+            assert!(theory < 2.0 * required, "{ra}, nose {nose}, feed {feed}: geometry alone leaves Ra {theory:.2}");
         }
     }
     for ra in surfaces {

@@ -10,7 +10,7 @@ use technolog::turning::transitions::builder::SupportPointRole;
 use technolog::turning::transitions::check::Unsuited;
 use technolog::turning::transitions::measures::best;
 use technolog::turning::transitions::{PreparedZone, Scheme, Settings, Stock, Transition, finishing_must_follow, work};
-use technolog_testing::section::{ROUNDING, at, mm, settings, steps, steps_beside, tool, valleys, work_off, zones};
+use technolog_testing::section::{ROUNDING, at, mm, settings, simulate, steps, steps_beside, tool, valleys, zones};
 use technolog_testing::{KNOWLEDGE, section};
 
 fn tried(stock: &Stock, settings: &Settings, scheme: Scheme, nose: f64) -> Tried<Transition, Unsuited> {
@@ -169,7 +169,7 @@ fn the_line_of_the_cycles_is_that_of_the_allowance() {
 fn the_loop_draws_back_half_a_millimetre() {
     let found =
         made(&under_bar(Contour::through(Side::Outer, &[at(26.0, 0.0), at(26.0, 40.0)]), 30.0), 2.0, Scheme::Loop, 0.8);
-    let told: Vec<_> =
+    let shown: Vec<_> =
         found.points.iter().map(|point| (point.role, point.diameter_mm.to_string(), point.z_mm.to_mm())).collect();
     let of = |role, diameter: &str, z| (role, diameter.to_owned(), z);
     let expected = [
@@ -183,7 +183,7 @@ fn the_loop_draws_back_half_a_millimetre() {
         of(SupportPointRole::Retracted, "53", -39.5),
         of(SupportPointRole::Home, "64", 2.0),
     ];
-    assert_eq!(told, expected);
+    assert_eq!(shown, expected);
     assert!(found.uniform, "12.4-23 (l. 490-494): over an open zone the loop leaves it even");
     // By hand: 2·40 in metal, 2·2 before it; rapids 4, √½, 41.5, 2.5, √½, and 41.5 along and 5.5 across at once.
     let measures = found.measures;
@@ -202,9 +202,9 @@ fn against_a_stop_each_step_is_finished_at_its_shoulder() {
     let stock = under_bar(Contour::through(Side::Outer, &points), 30.0);
     let found = made(&stock, 2.0, Scheme::LoopAgainstStop, 0.8);
     let ends = found.points.iter().filter(|point| point.role == SupportPointRole::End);
-    let told: Vec<_> = ends.map(|point| (point.diameter_mm.to_string(), point.z_mm.to_mm())).collect();
+    let shown: Vec<_> = ends.map(|point| (point.diameter_mm.to_string(), point.z_mm.to_mm())).collect();
     let expected = [("58", -45.0), ("54", -25.0), ("50", -25.0), ("46", -10.0), ("42", -10.0), ("40", -10.0)];
-    assert_eq!(told, expected.map(|(diameter, z)| (diameter.to_owned(), z)));
+    assert_eq!(shown, expected.map(|(diameter, z)| (diameter.to_owned(), z)));
     assert!(found.uniform);
     let loose = made(&stock, 2.0, Scheme::Loop, 0.8);
     assert_eq!(loose.ridges_mm, mm(1.0), "without stops 26 - 25 = 1 mm stays over the second step");
@@ -218,7 +218,7 @@ fn against_a_stop_each_step_is_finished_at_its_shoulder() {
 fn the_zigzag_cuts_both_ways() {
     let points = [at(30.0, 0.0), at(26.0, 8.0), at(26.0, 20.0), at(30.0, 28.0)];
     let found = made(&under_bar(Contour::through(Side::Outer, &points), 30.0), 2.0, Scheme::Zigzag, 0.8);
-    let told: Vec<_> = found
+    let shown: Vec<_> = found
         .points
         .iter()
         .skip(1)
@@ -236,7 +236,7 @@ fn the_zigzag_cuts_both_ways() {
         of(Purpose::Rapid, "64", -8.0),
         of(Purpose::Rapid, "64", 2.0),
     ];
-    assert_eq!(told, expected);
+    assert_eq!(shown, expected);
     // The ridge of the second level is gone, that of the first stays on the far flank: 30 - 28.
     assert_eq!(found.ridges_mm, mm(2.0));
 }
@@ -306,7 +306,8 @@ fn over_steps_the_levels_are_those_of_the_shaft() {
 /// 12.4-27 (l. 392-394): pick-up may be the last scheme up to Rz 40; for a finer surface finishing must follow.
 #[test]
 fn pick_up_is_the_last_up_to_rz_40() {
-    let follows = |scheme, asked: &str| finishing_must_follow(scheme, asked.parse().unwrap(), &KNOWLEDGE).unwrap();
+    let follows =
+        |scheme, roughness: &str| finishing_must_follow(scheme, roughness.parse().unwrap(), &KNOWLEDGE).unwrap();
     assert_eq!(follows(Scheme::PickUp, "Rz 40"), None);
     assert_eq!(follows(Scheme::PickUp, "Rz 80"), None);
     assert_eq!(follows(Scheme::PickUp, "Rz 20").unwrap().note.code(), "finishing-must-follow");
@@ -359,11 +360,11 @@ fn keeps_the_laws(stock: &Stock, found: &Transition) -> Result<section::Worked, 
     let scheme = found.scheme;
     prop_assert_eq!(found.path.end(), found.path.from, "{:?} ends at home", scheme);
     prop_assert_eq!(found.points.len(), found.path.moves.len() + 1);
-    let worked = work_off(stock, &found.path, found.edge);
+    let worked = simulate(stock, &found.path, found.edge);
     prop_assert!(worked.below < ROUNDING, "{:?} cuts {} mm below the contour", scheme, worked.below);
     prop_assert!(worked.hit < ROUNDING, "{:?}: a rapid goes {} mm into metal", scheme, worked.hit);
-    let told = found.ridges_mm.to_mm();
-    prop_assert!(worked.left < told + 2.0 * ROUNDING, "{:?} leaves {} mm, not {}", scheme, worked.left, told);
+    let ridges = found.ridges_mm.to_mm();
+    prop_assert!(worked.left < ridges + 2.0 * ROUNDING, "{:?} leaves {} mm, not {}", scheme, worked.left, ridges);
     let left = left(stock, found);
     // What is told to stand is what the columns say, to a hundredth. Near where an arc is upright rounding is more across.
     for ((z, height), (least, most)) in
@@ -529,7 +530,7 @@ fn the_best_of_the_schemes_is_told_with_its_margin() {
     let ways = [Scheme::Loop, Scheme::PickUp, Scheme::SemiFinishing].map(|scheme| made(&stock, 2.0, scheme, 0.8));
     let found = best(&ways).unwrap();
     assert_eq!(found.scheme, "loop");
-    let even = best(ways.iter().filter(|way| way.uniform)).unwrap();
+    let even = best(ways.iter().filter(|variant| variant.uniform)).unwrap();
     let (pick_up, semi) = (ways[1].measures.time_min.0, ways[2].measures.time_min.0);
     assert!((even.margin_min.0 - (pick_up - semi).abs()).abs() < 1e-9);
     assert!(best(&ways[..1]).is_none());

@@ -208,9 +208,9 @@ fn statements_12_1_5_and_12_1_6_how_many_parts_a_blank_is_for() {
 #[test]
 fn statement_12_1_7_blanks_between_centres() {
     let bar = "{kind: bar, diameter: 30, length: 40}";
-    let said = advised(&pin(bar, "holding: centres"));
+    let advice = advised(&pin(bar, "holding: centres"));
     for code in ["blank-centre-both-ends", "blank-cut-one-face"] {
-        assert!(said.contains(&(Severity::Note, code.to_owned())), "{said:?}");
+        assert!(advice.contains(&(Severity::Note, code.to_owned())), "{advice:?}");
         assert!(!advised(&pin(bar, "")).iter().any(|(_, other)| other == code));
     }
 }
@@ -240,13 +240,13 @@ fn statement_12_1_9_forgings_are_turned_where_they_are_held() {
 #[test]
 fn statement_12_1_10_heat_treatment_comes_before() {
     let bar = "{kind: bar, diameter: 30, length: 40}";
-    let said = |heat: &str| -> Vec<Severity> {
+    let severities = |heat: &str| -> Vec<Severity> {
         let all = advised(&pin(bar, &format!("heat_treatment: {heat}")));
         all.into_iter().filter(|(_, code)| code == "blank-heat-treat-before").map(|(severity, _)| severity).collect()
     };
-    assert_eq!(said("before"), [Severity::Note]);
-    assert_eq!(said("after"), [Severity::Wrong]);
-    assert_eq!(said("none"), []);
+    assert_eq!(severities("before"), [Severity::Note]);
+    assert_eq!(severities("after"), [Severity::Wrong]);
+    assert_eq!(severities("none"), []);
 }
 
 /// 12.1-11: the contour of a blank is mostly a rectangle, of castings and forgings shaped: lines and arcs.

@@ -168,8 +168,8 @@ fn joining_saves_returns() {
 fn stock_before_the_free_end_is_faced() {
     let rough = outer(&[(0.0, 0.0), (20.0, 0.0), (20.0, 30.0)]);
     let zones = zones(&rough, &outer(&[(0.0, -1.5), (25.0, -1.5), (25.0, 30.0)]));
-    let told: Vec<_> = zones.iter().map(|zone| (zone.number, zone.feed, zone.from_z, zone.to_z)).collect();
-    assert_eq!(told, [(1, Feed::Across, mm(-1.5), mm(0.0)), (2, Feed::Along, mm(0.0), mm(30.0))]);
+    let shown: Vec<_> = zones.iter().map(|zone| (zone.number, zone.feed, zone.from_z, zone.to_z)).collect();
+    assert_eq!(shown, [(1, Feed::Across, mm(-1.5), mm(0.0)), (2, Feed::Along, mm(0.0), mm(30.0))]);
     assert_eq!((zones[0].least_radius, zones[0].greatest_radius), (mm(0.0), mm(25.0)));
 }
 
@@ -179,8 +179,8 @@ fn a_step_of_the_blank_divides_the_stock() {
     let rough = outer(&[(20.0, 0.0), (20.0, 60.0)]);
     let blank = outer(&[(25.0, 0.0), (25.0, 30.0), (40.0, 30.0), (40.0, 60.0)]);
     let zones = zones(&rough, &blank);
-    let told: Vec<_> = zones[0].parts.iter().map(|part| (part.kind, part.from_z, part.greatest_radius)).collect();
-    assert_eq!(told, [(ZoneKind::Open, mm(30.0), mm(40.0)), (ZoneKind::HalfOpen, mm(0.0), mm(25.0))]);
+    let shown: Vec<_> = zones[0].parts.iter().map(|part| (part.kind, part.from_z, part.greatest_radius)).collect();
+    assert_eq!(shown, [(ZoneKind::Open, mm(30.0), mm(40.0)), (ZoneKind::HalfOpen, mm(0.0), mm(25.0))]);
     // A bar that goes on thicker behind the end is a wall, which must stay upright.
     let longer = outer(&[(40.0, 0.0), (40.0, 90.0)]);
     let zone = &find(stock(&rough, &longer), &[], &KNOWLEDGE).unwrap()[0];
@@ -217,9 +217,9 @@ fn a_tool_fits_or_the_inequality_says_why_not() {
         [tool("V", 95.0, 50.0), tool("45", 45.0, 45.0), tool("55", 93.0, 32.0), left, groover(10.0), groover(12.0)];
     let fit = fit(zone, &tools);
     assert_eq!(fit.fitting, ["V", "left", "groover"]);
-    let said: Vec<String> = fit.refused.iter().flat_map(|one| &one.why).map(|why| Lang::EN.say(why)).collect();
+    let texts: Vec<String> = fit.refused.iter().flat_map(|one| &one.why).map(|why| Lang::EN.say(why)).collect();
     assert_eq!(
-        said,
+        texts,
         ["φ = 45° is less than 90°", "φ1 = 32° is less than 45°", "the tool is 12 mm wide, the floor 10 mm"]
     );
 }
@@ -302,10 +302,10 @@ fn a_flange_takes_two_set_ups() {
     assert_eq!(second.holds_at, Some(hold));
     // 25 mm of Ø84 are left to hold the blank by, and 20 are needed.
     assert_eq!(first.because.note.code(), "hold-blank");
-    let said: Vec<String> = second.notes.iter().map(|note| Lang::EN.say(note)).collect();
-    assert_eq!(said.len(), 2);
+    let texts: Vec<String> = second.notes.iter().map(|note| Lang::EN.say(note)).collect();
+    assert_eq!(texts.len(), 2);
     assert_eq!(
-        said[0],
+        texts[0],
         "from Z -50, Ø80 the contour falls towards the chuck more steeply than φ1 = 30° and never rises again"
     );
 }

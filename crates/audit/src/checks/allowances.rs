@@ -11,7 +11,7 @@ use crate::route::diameters::{Range, range};
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::figures::beside;
+use super::super::figures::with_right_value;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -89,16 +89,16 @@ fn backwards(
         let nearest = if too_little { largest } else { smallest };
         // Where the row states its own diameter before, and that value fits, the figure of the row before was
         // misprinted.
-        let said = row.figures.get(&Q::From).map(|from| Micrometres::from_mm_rounded(from.value));
-        let said = said.filter(|said| (smallest..=largest).contains(said));
-        if said.is_none() && !too_little && row.operation.value == Operation::RoughBore {
+        let stated = row.figures.get(&Q::From).map(|from| Micrometres::from_mm_rounded(from.value));
+        let stated = stated.filter(|value| (smallest..=largest).contains(value));
+        if stated.is_none() && !too_little && row.operation.value == Operation::RoughBore {
             findings.push(passes(context, of_row, stock, &range));
             (after, window) = (before, (before, before));
             continue;
         }
-        let right = said.unwrap_or(nearest);
+        let right = stated.unwrap_or(nearest);
         let before_it = previous.map(|(row, _)| row);
-        if said == Some(right) {
+        if stated == Some(right) {
             roots::retract(findings, &context.field(Id::new(Scope::Row(at), Q::From)), &FROM);
         }
         findings.push(finding(context, of_row, before_it, (stock, right), &range));
@@ -142,7 +142,7 @@ fn passes(context: &Context<'_>, (at, row): (usize, &Row), stock: Micrometres, r
     let finding = finding.about(context.subject(Scope::Row(at)));
     let finding = finding.resting_on([Because::row(range.row, Note::new("named"))]);
     match figure {
-        Some(figure) => beside(finding, figure, needed, Q::Passes),
+        Some(figure) => with_right_value(finding, figure, needed, Q::Passes),
         None => finding,
     }
 }
@@ -176,7 +176,7 @@ fn finding(
     let finding = AuditFinding::new(severity, Section::Route, context.field(id), note).at(&blamed.1.place);
     let finding = finding.about(context.subject(id.scope)).resting_on([because]);
     match blamed.1.figures.get(&quantity) {
-        Some(figure) => beside(finding, figure, right, quantity),
+        Some(figure) => with_right_value(finding, figure, right, quantity),
         None => finding,
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn check<'a>(
     let own = clamping.screw.as_ref().map(|screw| (screw.value.as_str(), screw));
     let of_clamp = known.zip(clamping.designation.as_ref()).map(|(clamp, name)| (clamp.screw, name));
     match own.or(of_clamp) {
-        Some((thread, said)) => screw(context, graph, thread, said, findings),
+        Some((thread, text)) => screw(context, graph, thread, text, findings),
         None => Ok(()),
     }
 }
@@ -33,7 +33,7 @@ pub(super) fn check<'a>(
 /// The clamping must be computed for the row that needs the largest force: the largest torque divided by its distance
 /// to the clamp, where plan or drawing give the places of clamps (5.2 item 7).
 fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findings: &mut Vec<AuditFinding>) {
-    if context.stated.own {
+    if context.stated.is_own {
         return;
     }
     let load = |(at, row): (usize, &Row)| {
@@ -64,11 +64,11 @@ fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findin
     let note = Note::new("audit-clamp-not-largest").with("torque", Figure::number(shown(own.3))).with("row", most.1);
     let note = note.with("other", Figure::number(shown(most.3)));
     let finding = AuditFinding::new(Severity::Wrong, Section::Clamping, format!("clamping.{key}"), note).at(place);
-    findings.push(finding.beside(own.1, most.1));
+    findings.push(finding.with_values(own.1, most.1));
 }
 
-fn finding(severity: Severity, key: &str, note: Note, said: &Text) -> AuditFinding {
-    AuditFinding::new(severity, Section::Clamping, format!("clamping.{key}"), note).at(&said.place)
+fn finding(severity: Severity, key: &str, note: Note, text: &Text) -> AuditFinding {
+    AuditFinding::new(severity, Section::Clamping, format!("clamping.{key}"), note).at(&text.place)
 }
 
 /// The clamp of a designation, with findings on what does not belong to it. The catalog has only clamps that the
@@ -86,16 +86,16 @@ fn designation<'k>(
         return Ok(None);
     };
     let because = || [Because::row(clamp.row, Note::new("named"))];
-    let said = [
+    let attributes = [
         ("standard", &clamping.standard, clamp.standard, "audit-clamp-standard"),
         ("screw", &clamping.screw, clamp.screw, "audit-clamp-screw"),
     ];
-    for (key, stated, right, code) in said {
+    for (key, stated, right, code) in attributes {
         let Some(stated) = stated else { continue };
         if likeness(&stated.value, right) != Likeness::Same {
             let note = Note::new(code).with(key, &stated.value).with("designation", &name.value).with("known", right);
             let finding = finding(Severity::Wrong, key, note, stated);
-            findings.push(finding.beside(&stated.value, right).resting_on(because()));
+            findings.push(finding.with_values(&stated.value, right).resting_on(because()));
         }
     }
     Ok(Some(clamp))
@@ -106,20 +106,20 @@ fn screw(
     context: &Context<'_>,
     graph: &Graph<'_>,
     thread: &str,
-    said: &Text,
+    text: &Text,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let screws = context.shop.knowledge.rows::<ClampScrew<'_>>()?;
     let Some(own) = screws.iter().find(|screw| plain(screw.thread) == plain(thread)) else {
         let known: Vec<&str> = screws.iter().map(|screw| screw.thread).collect();
         let note = Note::new("audit-no-screw").with("screw", thread).with("known", known.join(", "));
-        findings.push(finding(Severity::Wrong, "screw", note, said));
+        findings.push(finding(Severity::Wrong, "screw", note, text));
         return Ok(());
     };
     let each = Id::new(Scope::Clamping, Q::ForcePerClamp);
     // Where the force per clamp is not stated, it is the force divided by the number of clamps.
-    let whole = Id::new(Scope::Clamping, Q::ClampForce);
-    let Some(force) = graph.right(each).or_else(|| graph.right(whole)) else { return Ok(()) };
+    let total = Id::new(Scope::Clamping, Q::ClampForce);
+    let Some(force) = graph.right(each).or_else(|| graph.right(total)) else { return Ok(()) };
     let bears = own.force_80.0;
     if bears + 0.5 >= force {
         // The program's own plan takes the smallest screw that bears the force and is thick enough, unless the
@@ -129,17 +129,17 @@ fn screw(
         let thick = |screw: &&ClampScrew<'_>| screw.nominal_diameter.to_mm() >= least;
         let smallest = screws.iter().filter(thick).find(|screw| screw.force_80.0 + 0.5 >= force);
         let named = context.stated.part.fixture.clamps.iter().any(|clamp| clamp.screw.is_some());
-        let smaller = |screw: &&ClampScrew<'_>| context.stated.own && !named && screw.row.index < own.row.index;
+        let smaller = |screw: &&ClampScrew<'_>| context.stated.is_own && !named && screw.row.index < own.row.index;
         if let Some(smallest) = smallest.filter(smaller) {
             let note = Note::new("audit-screw-large").with("screw", thread).with("force", round_to(force, 0));
-            let finding = finding(Severity::Doubtful, "screw", note, said);
-            findings.push(finding.beside(thread, smallest.thread));
+            let finding = finding(Severity::Doubtful, "screw", note, text);
+            findings.push(finding.with_values(thread, smallest.thread));
         }
         return Ok(());
     }
     let note =
         Note::new("audit-screw-weak").with("screw", thread).with("bears", bears).with("force", round_to(force, 0));
-    let finding = finding(Severity::Error, "screw", note, said);
+    let finding = finding(Severity::Error, "screw", note, text);
     findings.push(finding.resting_on([Because::row(own.row, Note::new("named"))]));
     Ok(())
 }

@@ -30,7 +30,7 @@ pub(super) fn check<'a>(
         let Some(cutter) = context.cutter(tool) else { continue };
         let Some(hole) = context.hole(row) else { continue };
         // The angle of an edge is in no row; in a plan of the program the check `ours` compares it.
-        if row.operation.value.is_of_edge() && context.stated.own {
+        if row.operation.value.is_of_edge() && context.stated.is_own {
             continue;
         }
         let finding = |severity, why: Note| {
@@ -54,7 +54,7 @@ pub(super) fn check<'a>(
                 unsuited.follows_from = diameter(context, graph, at, findings);
             }
             findings.push(unsuited);
-        } else if let Some(why) = named::of_other_bottom(cutter, hole.through).filter(|_| row.of_main_cylinder()) {
+        } else if let Some(why) = named::other_design_note(cutter, hole.through).filter(|_| row.of_main_cylinder()) {
             findings.push(finding(Severity::Wrong, why));
         }
     }
@@ -67,16 +67,16 @@ fn diameter(context: &Context<'_>, graph: &Graph<'_>, at: usize, findings: &[Aud
     let id = Id::new(Scope::Row(at), Q::Diameter);
     let field = context.field(id);
     // Another check has already found the diameter wrong, such as that of an opening.
-    let told = findings.iter().any(|one| {
-        one.field == field
-            && one.follows_from.is_empty()
-            && one.severity <= Severity::Wrong
-            && one.kind == FindingKind::Opening
+    let already_reported = findings.iter().any(|finding| {
+        finding.field == field
+            && finding.follows_from.is_empty()
+            && finding.severity <= Severity::Wrong
+            && finding.kind == FindingKind::Opening
     });
-    if told {
+    if already_reported {
         return vec![field];
     }
-    roots::of_figure(graph, id).into_iter().map(|root| context.field(root)).collect()
+    roots::figure_roots(graph, id).into_iter().map(|root| context.field(root)).collect()
 }
 
 /// What the row requires of its cutter. In a plan of the program only the values in the row count, and reach only for
@@ -95,9 +95,10 @@ fn need<'a>(
     let planned = context.reference(at).map(|transition| transition.diameter_mm);
     let diameter = length(Q::Diameter).or(planned).unwrap_or(hole.diameter.nominal);
     let drills = matches!(operation, Operation::Drill | Operation::DrillOut);
-    let asked = if context.stated.own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
+    let required =
+        if context.stated.is_own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
     let plain = row.step.is_none() && hole.steps.is_empty();
-    let reach = if asked && plain { tips.of(context, at) } else { None };
+    let reach = if required && plain { tips.tip_depth(context, at) } else { None };
     let cone = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));
     CutterNeed {
         enters: length(Q::From).unwrap_or_default(),

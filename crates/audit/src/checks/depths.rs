@@ -9,7 +9,7 @@ use crate::tooling::named;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::figures::{beside, shown};
+use super::super::figures::{shown, with_right_value};
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -43,9 +43,9 @@ pub(super) fn check<'a>(
                 .with("thickness", thickness);
             findings.retain(|finding| finding.field != field());
             // The tip of a drill would leave only a small hole.
-            let whole = figure.value >= thickness.to_mm();
-            let finding = say(if whole { Severity::Error } else { Severity::Doubtful }, note);
-            findings.push(beside(finding, figure, format!("< {thickness}"), Q::Depth));
+            let is_through = figure.value >= thickness.to_mm();
+            let finding = say(if is_through { Severity::Error } else { Severity::Doubtful }, note);
+            findings.push(with_right_value(finding, figure, format!("< {thickness}"), Q::Depth));
             continue;
         }
         if graph.formula(Id::new(Scope::Row(at), Q::Depth)).is_some() {
@@ -56,7 +56,7 @@ pub(super) fn check<'a>(
                 && (figure.value - right).abs() > figure.last_place / 2.0 + 1e-6
             {
                 let finding = say(Severity::Wrong, Note::new("audit-spot-depth"));
-                findings.push(beside(finding, figure, shown(right), Q::Depth));
+                findings.push(with_right_value(finding, figure, shown(right), Q::Depth));
             }
             continue;
         }
@@ -75,7 +75,7 @@ pub(super) fn check<'a>(
         if plain && !(least..=most).contains(&stated) {
             let finding =
                 say(Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", Figure::called(&hole.name)));
-            findings.push(beside(finding, figure, hole.depth, Q::Depth));
+            findings.push(with_right_value(finding, figure, hole.depth, Q::Depth));
         }
     }
     Ok(())
@@ -93,7 +93,7 @@ fn breaks_through(
     let thickness = context.stated.part.blank.thickness;
     // Where the drawing leaves no room, as for the run-out of a thread, the program's plan comes out too.
     let ours = context.plan.holes.iter().find(|plan| plan.name == hole.name);
-    let no_room = ours.is_some_and(|plan| plan.transitions.iter().any(|one| one.end() >= thickness));
+    let no_room = ours.is_some_and(|plan| plan.transitions.iter().any(|transition| transition.end() >= thickness));
     if hole.through || row.operation.value == Operation::CentreDrill || no_room {
         return None;
     }

@@ -32,8 +32,8 @@ pub(super) fn check<'a>(
         );
         if let Some(cutter) = context.cutter(at) {
             let row = cutter.row.row;
-            let of = ReportedRow { row, section: Section::Tools };
-            standard(&of, tool.standard.as_ref(), field("standard"), &about, findings);
+            let reported = ReportedRow { row, section: Section::Tools };
+            standard(&reported, tool.standard.as_ref(), field("standard"), &about, findings);
             if let Some(shank) = &tool.shank
                 && shank.value != cutter.head.shank.name()
             {
@@ -41,7 +41,7 @@ pub(super) fn check<'a>(
                     .with("shank", Figure::word(shank.value.clone()))
                     .with("name", Figure::word(cutter.head.shank.name()));
                 let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field("shank"), note).at(&shank.place);
-                let finding = finding.beside(&shank.value, cutter.head.shank.name());
+                let finding = finding.with_values(&shank.value, cutter.head.shank.name());
                 findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
             }
             // Of equal designations the one of the stated table is taken; here the found row is not in that table.
@@ -49,13 +49,13 @@ pub(super) fn check<'a>(
                 let note = Note::new("audit-tool-table").with("table", &table.value).with("tool", cutter.designation);
                 let note = note.with("known", &row.table.id);
                 let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field("table"), note).at(&table.place);
-                let finding = finding.beside(&table.value, &row.table.id);
+                let finding = finding.with_values(&table.value, &row.table.id);
                 findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
             }
         }
         let near = context.holder_near(at);
         // A cutter with the machine's taper is its own holder.
-        if context.whole(at) {
+        if context.has_machine_taper(at) {
             continue;
         }
         named(
@@ -68,8 +68,8 @@ pub(super) fn check<'a>(
             findings,
         );
         if let Some(holder) = context.holder(at) {
-            let of = ReportedRow { row: holder.row, section: Section::Holders };
-            standard(&of, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
+            let reported = ReportedRow { row: holder.row, section: Section::Holders };
+            standard(&reported, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
         }
     }
     Ok(())
@@ -98,7 +98,7 @@ fn named<'k, T>(
         NameMatch::Meant(found, known) => {
             let note = Note::new("audit-designation-misprinted").with("tool", &name.value).with("known", known);
             let because = Because::row(row(found), Note::new("named"));
-            finding(Severity::Wrong, note).beside(&name.value, known).resting_on([because])
+            finding(Severity::Wrong, note).with_values(&name.value, known).resting_on([because])
         }
         NameMatch::Unknown(Some(known)) => {
             let note = Note::new("audit-designation-unknown").with("tool", &name.value).with("known", known);
@@ -113,22 +113,22 @@ fn named<'k, T>(
 
 /// Whether a standard belongs to the row: to its table, or to the place of the row in the source.
 fn standard(
-    of: &ReportedRow<'_>,
+    reported: &ReportedRow<'_>,
     standard: Option<&Text>,
     field: String,
     about: &dyn Fn(AuditFinding) -> AuditFinding,
     findings: &mut Vec<AuditFinding>,
 ) {
     let Some(standard) = standard else { return };
-    let place: String = plain(of.row.place()).into_iter().collect();
+    let place: String = plain(reported.row.place()).into_iter().collect();
     let written: String = plain(&standard.value).into_iter().collect();
     if place.contains(&written) {
         return;
     }
-    let because = Because::row(of.row, Note::new("named"));
+    let because = Because::row(reported.row, Note::new("named"));
     let finding =
-        |severity, note: Note| AuditFinding::new(severity, of.section, field.clone(), note).at(&standard.place);
-    let found = match of.row.table.standard.as_deref() {
+        |severity, note: Note| AuditFinding::new(severity, reported.section, field.clone(), note).at(&standard.place);
+    let found = match reported.row.table.standard.as_deref() {
         // There is nothing to compare it with.
         None => finding(Severity::Note, Note::new("audit-standard-unchecked").with("standard", &standard.value)),
         Some(right) => match likeness(&standard.value, right) {
@@ -136,11 +136,11 @@ fn standard(
             Likeness::Misread => {
                 let note =
                     Note::new("audit-standard-misprinted").with("standard", &standard.value).with("known", right);
-                finding(Severity::Wrong, note).beside(&standard.value, right)
+                finding(Severity::Wrong, note).with_values(&standard.value, right)
             }
             Likeness::Other => {
                 let note = Note::new("audit-standard-other").with("standard", &standard.value).with("known", right);
-                finding(Severity::Wrong, note).beside(&standard.value, right)
+                finding(Severity::Wrong, note).with_values(&standard.value, right)
             }
         },
     };
@@ -155,6 +155,6 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<AuditFinding>
     let note = Note::new("audit-dimensions-of").with("tool", &name.value).with("known", other.designation);
     let finding = AuditFinding::new(Severity::Wrong, Section::Tools, field, note).at(&name.place);
     let because = Because::row(other.row.row, Note::new("named"));
-    let finding = finding.beside(&name.value, other.designation).resting_on([because]);
+    let finding = finding.with_values(&name.value, other.designation).resting_on([because]);
     findings.push(finding.about(context.subject(Scope::Tool(at))));
 }

@@ -28,7 +28,7 @@ pub(super) fn check<'a>(
                 .about(context.subject(Scope::Tool(at)))
         };
         // A tool with the machine's own taper is its own holder.
-        if context.whole(at) {
+        if context.has_machine_taper(at) {
             if plain(&name.value) != plain(cutter.designation) {
                 let finding = say(Severity::Error, Note::new("holder-of-whole-tool"));
                 findings.push(finding.resting_on([Because::row(cutter.row.row, Note::new("named"))]));

@@ -6,7 +6,7 @@ use crate::plan::Operation;
 use crate::tables::machines::MachineQuantity as Bound;
 
 use super::super::context::Context;
-use super::super::figures::{beside, shown};
+use super::super::figures::{shown, with_right_value};
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -28,8 +28,9 @@ pub(super) fn check<'a>(
 /// Checks every figure that the machine limits.
 fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
-    for (at, own) in context.stated.conditions.iter().enumerate() {
-        let elsewhere = own.rows.iter().all(|row| context.stated.rows.get(*row).is_some_and(|row| row.elsewhere));
+    for (at, conditions) in context.stated.conditions.iter().enumerate() {
+        let elsewhere =
+            conditions.rows.iter().all(|row| context.stated.rows.get(*row).is_some_and(|row| row.elsewhere));
         if elsewhere {
             continue;
         }
@@ -40,7 +41,7 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result
             (Q::Power, machine.spindle_power.0, Bound::SpindlePower),
         ];
         for (quantity, most, bound) in bounds {
-            let Some(figure) = own.figures.get(&quantity).filter(|figure| figure.value > most * 1.001) else {
+            let Some(figure) = conditions.figures.get(&quantity).filter(|figure| figure.value > most * 1.001) else {
                 continue;
             };
             let note = Note::new("audit-beyond-machine")
@@ -48,7 +49,7 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result
                 .with("quantity", note::Figure::word(bound.name()));
             let field = context.field(Id::new(Scope::Conditions(at), quantity));
             let finding = AuditFinding::new(Severity::Error, Section::Conditions, field, note);
-            let finding = beside(finding, figure, format!("<= {}", shown(most)), quantity);
+            let finding = with_right_value(finding, figure, format!("<= {}", shown(most)), quantity);
             let because = Because::row(machine.row(bound)?, Note::new("audit-limit"));
             findings.push(finding.about(context.subject(Scope::Conditions(at))).resting_on([because]));
         }
@@ -59,9 +60,9 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result
 /// A spindle speed that no rule computed must still be a step of the machine.
 fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
-    for (at, own) in context.stated.conditions.iter().enumerate() {
+    for (at, conditions) in context.stated.conditions.iter().enumerate() {
         let id = Id::new(Scope::Conditions(at), Q::Rpm);
-        let Some(figure) = own.figures.get(&Q::Rpm).filter(|_| graph.formula(id).is_none()) else { continue };
+        let Some(figure) = conditions.figures.get(&Q::Rpm).filter(|_| graph.formula(id).is_none()) else { continue };
         let Some((below, above)) = context.steps_around(figure.value) else { continue };
         let (severity, note) = match context.beyond_series(figure.value) {
             Some(beyond) => (Severity::Error, beyond),
@@ -87,7 +88,7 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<()
             .with("limit", note::Figure::number(shown(most)))
             .with("quantity", note::Figure::word(Bound::ToolOverhangMax.name()));
         let field = context.field(Id::new(Scope::Tool(at), Q::Assembly));
-        let finding = beside(
+        let finding = with_right_value(
             AuditFinding::new(Severity::Error, Section::Lengths, field, note),
             figure,
             format!("<= {}", shown(most)),
@@ -169,7 +170,7 @@ fn drills(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(),
             .with("quantity", note::Figure::word(Bound::DrillDiameterMax.name()));
         let field = context.field(Id::new(Scope::Row(at), Q::Diameter));
         let finding = AuditFinding::new(Severity::Error, Section::Route, field, note);
-        let finding = beside(finding, figure, format!("<= {}", shown(most)), Q::Diameter);
+        let finding = with_right_value(finding, figure, format!("<= {}", shown(most)), Q::Diameter);
         let because = Because::row(machine.row(Bound::DrillDiameterMax)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));
     }

@@ -23,7 +23,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     // The figures of a plan of the program come from these formulas.
-    if stated.own {
+    if stated.is_own {
         return Ok(());
     }
     for (at, conditions) in stated.conditions.iter().enumerate() {
@@ -38,13 +38,13 @@ pub(super) fn check<'a>(
         let figures = [(id(Q::Force), by.force, Section::Conditions), (id(Q::Torque), by.torque, Section::Conditions)];
         for (id, by_formula, section) in figures.into_iter().chain(clamping) {
             // In a plan by formula the rules of `handbook` judge it.
-            if graph.formula(id).is_some_and(|formula| handbook::is_of(formula.rule)) {
+            if graph.formula(id).is_some_and(|formula| handbook::is_handbook_rule(formula.rule)) {
                 continue;
             }
             let Some((figure, by_formula)) = stated.figure(id).zip(by_formula) else { continue };
             let question = |of_formula| AuditLoadFor { of_formula };
-            let (share, asked) = context.by_share(figure.value / by_formula, question)?;
-            let Some(rule) = asked.winner()? else { continue };
+            let (share, answer) = context.by_share(figure.value / by_formula, question)?;
+            let Some(rule) = answer.winner()? else { continue };
             let note = match rule.judgement {
                 Judgement::Low => Note::new("audit-load-low"),
                 Judgement::High => Note::new("audit-load-high"),
@@ -73,14 +73,14 @@ struct Loads {
 
 /// The loads of the program's transition at another feed: powers of the feed, by the row of `torque-and-thrust`.
 fn at_feed(context: &Context<'_>, reference: &Transition, feed: f64) -> Option<Loads> {
-    let own = &reference.conditions;
+    let conditions = &reference.conditions;
     let table = context.shop.knowledge.table_of::<TorqueAndThrust<'_>>().ok()?;
-    let because = own.because.iter().find(|why| why.table == table.id)?;
+    let because = conditions.because.iter().find(|why| why.table == table.id)?;
     let row = TorqueAndThrust::read(table.row(because.row?.checked_sub(1)?)?).ok()?;
-    let scale = |exponent| libm::pow(feed / own.feed_mm_per_rev.0, exponent);
+    let scale = |exponent| libm::pow(feed / conditions.feed_mm_per_rev.0, exponent);
     Some(Loads {
-        torque: own.torque_n_m.map(|torque| torque.0 * scale(row.ym)),
-        force: own.axial_force_n.map(|force| force.0 * scale(row.yp)),
+        torque: conditions.torque_n_m.map(|torque| torque.0 * scale(row.ym)),
+        force: conditions.axial_force_n.map(|force| force.0 * scale(row.yp)),
         because: because.clone(),
     })
 }

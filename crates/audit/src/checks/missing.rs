@@ -15,23 +15,26 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     // A plan of the program leaves out nothing by mistake.
-    if stated.own {
+    if stated.is_own {
         return Ok(());
     }
     let mut say = |section: &str, missing: Vec<MissingKeys>| {
         if !missing.is_empty() {
-            let what: Vec<String> = missing.iter().map(said).collect();
+            let what: Vec<String> = missing.iter().map(keys_text).collect();
             let note = Note::new("audit-missing").with("section", section).with("what", what.join(", "));
             let mut finding = AuditFinding::new(Severity::Note, Section::Missing, section.to_owned(), note);
             finding.missing = missing;
             findings.push(finding);
         }
     };
-    let lack =
-        |of: String, scope: Scope, keys: Vec<&'static str>| MissingKeys { of, subject: context.subject(scope), keys };
+    let lack = |part: String, scope: Scope, keys: Vec<&'static str>| MissingKeys {
+        part,
+        subject: context.subject(scope),
+        keys,
+    };
     let mut rows = Vec::new();
     if stated.rows.is_empty() {
-        rows.push(whole("route"));
+        rows.push(missing_key("route"));
     }
     for (at, row) in stated.rows.iter().enumerate() {
         let lacks = |quantity| stated.figure(Id::new(Scope::Row(at), quantity)).is_none();
@@ -54,13 +57,13 @@ pub(super) fn check<'a>(
     };
     let mut tools = Vec::new();
     if stated.tools.is_empty() {
-        tools.push(whole("tools"));
+        tools.push(missing_key("tools"));
     }
     for (at, tool) in stated.tools.iter().enumerate() {
         let mut own = Vec::new();
         own.extend(tool.designation.is_none().then_some("designation"));
         // A cutter with the taper of the machine has no holder.
-        own.extend((tool.holder.is_none() && !context.whole(at)).then_some("holder"));
+        own.extend((tool.holder.is_none() && !context.has_machine_taper(at)).then_some("holder"));
         own.extend(figures(Scope::Tool(at), &[Q::Overhang, Q::Assembly, Q::Corrector, Q::Correction]));
         if !own.is_empty() {
             tools.push(lack(format!("T{}", tool.number), Scope::Tool(at), own));
@@ -78,29 +81,29 @@ pub(super) fn check<'a>(
     say("conditions", conditions);
     let mut clamping = Vec::new();
     match &stated.clamping {
-        None => clamping.push(whole("clamping")),
+        None => clamping.push(missing_key("clamping")),
         Some(own) => {
             let needed = [Q::Torque, Q::Distance, Q::ClampForce, Q::Clamps, Q::ForcePerClamp];
-            clamping.extend(figures(Scope::Clamping, &needed).into_iter().map(whole));
-            clamping.extend(own.screw.is_none().then(|| whole("screw")));
+            clamping.extend(figures(Scope::Clamping, &needed).into_iter().map(missing_key));
+            clamping.extend(own.screw.is_none().then(|| missing_key("screw")));
         }
     }
     say("clamping", clamping);
     if stated.program.is_none() {
-        say("program", vec![whole("program")]);
+        say("program", vec![missing_key("program")]);
     }
     let times = figures(Scope::Times, &[Q::MachineTime, Q::RapidTime, Q::ChangeTime, Q::TotalTime]);
-    say("times", times.into_iter().map(whole).collect());
+    say("times", times.into_iter().map(missing_key).collect());
     Ok(())
 }
 
 /// A key that the section as a whole lacks.
-fn whole(key: &'static str) -> MissingKeys {
+fn missing_key(key: &'static str) -> MissingKeys {
     MissingKeys { keys: vec![key], ..MissingKeys::default() }
 }
 
 /// In the form that programs read: `T3: correction`, `2: tool hole`.
-fn said(lack: &MissingKeys) -> String {
+fn keys_text(lack: &MissingKeys) -> String {
     let keys = lack.keys.join(" ");
-    if lack.of.is_empty() { keys } else { format!("{}: {keys}", lack.of) }
+    if lack.part.is_empty() { keys } else { format!("{}: {keys}", lack.part) }
 }

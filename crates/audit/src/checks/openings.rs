@@ -10,14 +10,14 @@ use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::figures::{beside, shown};
+use super::super::figures::{shown, with_right_value};
 use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
 use super::super::rules::counts::PASS_DIAMETER;
 use super::super::stated::Row;
-use super::route::of_hole;
+use super::route::hole_subject;
 
 /// An opening of the drawing.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ struct Opening {
     /// Absent if the drawing does not fix it, as for a face.
     depth: Option<Micrometres>,
     /// Whether the drawing requires it; the lead-in of a thread is added by the program.
-    asked: bool,
+    required: bool,
 }
 
 pub(super) fn check<'a>(
@@ -41,8 +41,9 @@ pub(super) fn check<'a>(
             continue;
         }
         let openings = openings(hole, context)?;
-        for opening in openings.iter().filter(|opening| opening.asked && ours(context, hole, opening)) {
-            made(context, graph, hole, opening, &rows, findings);
+        for opening in openings.iter().filter(|opening| opening.required && is_made_by_own_plan(context, hole, opening))
+        {
+            check_made(context, graph, hole, opening, &rows, findings);
         }
         // Plans of the program report themselves what they cut beyond the drawing.
         for (at, row) in rows.iter().filter(|(_, row)| row.operation.value.is_of_edge() && row.step.is_none()) {
@@ -60,31 +61,31 @@ fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, Knowledg
         feature: edge.feature,
         diameter: edge.diameter,
         depth: Some(edge.depth(stock)).filter(|_| edge.feature != Feature::Face),
-        asked: edge.asked,
+        required: edge.required,
     });
     let counterbore = hole.counterbore.map(|counterbore| Opening {
         feature: Feature::Counterbore,
         diameter: counterbore.diameter,
         depth: Some(counterbore.depth),
-        asked: true,
+        required: true,
     });
     Ok(counterbore.into_iter().chain(edges).collect())
 }
 
 /// Whether the program's plan makes an opening: what that plan cannot make either is reported for the part.
-fn ours(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
+fn is_made_by_own_plan(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
     let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { return false };
-    let makes = |one: &Transition| {
-        one.feature == opening.feature
-            || one.operation == Operation::CentreDrill && one.diameter_mm >= opening.diameter
-            || one.also_diameter_mm == Some(opening.diameter)
+    let makes = |transition: &Transition| {
+        transition.feature == opening.feature
+            || transition.operation == Operation::CentreDrill && transition.diameter_mm >= opening.diameter
+            || transition.also_diameter_mm == Some(opening.diameter)
     };
     plan.transitions.iter().any(makes)
 }
 
 /// Whether some row makes an opening that the drawing requires: a row of its own, a step drill, or a centring spot of
 /// that width.
-fn made(
+fn check_made(
     context: &Context<'_>,
     graph: &Graph<'_>,
     hole: &Hole,
@@ -119,14 +120,14 @@ fn made(
             let field = format!("route.{}.diameter", row.number);
             let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
             match row.figures.get(&Q::Diameter) {
-                Some(figure) => beside(finding, figure, opening.diameter, Q::Diameter),
+                Some(figure) => with_right_value(finding, figure, opening.diameter, Q::Diameter),
                 None => finding,
             }
             .about(context.subject(Scope::Row(*at)))
         }
         None => {
             let (field, note) = (format!("route.{}", hole.name), note("audit-opening-not-made"));
-            let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).about(of_hole(hole));
+            let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).about(hole_subject(hole));
             match rows.last() {
                 Some((_, row)) => finding.at(&row.place),
                 None => finding,
@@ -169,7 +170,7 @@ fn asked_for(
     {
         let note = Note::new("audit-opening-diameter").with("feature", Figure::word(opening.feature.name()));
         let finding = AuditFinding::new(Severity::Wrong, Section::Route, field("diameter"), note);
-        findings.push(about(beside(finding, figure, opening.diameter, Q::Diameter)));
+        findings.push(about(with_right_value(finding, figure, opening.diameter, Q::Diameter)));
         right_by_drawing(context, at, opening.diameter, findings);
     }
     if let (Some(figure), Some(depth)) = (row.figures.get(&Q::Depth), opening.depth)
@@ -179,7 +180,7 @@ fn asked_for(
     {
         let note = Note::new("audit-opening-depth").with("feature", Figure::word(opening.feature.name()));
         let finding = AuditFinding::new(Severity::Wrong, Section::Route, field("depth"), note);
-        findings.push(about(beside(finding, figure, depth, Q::Depth)));
+        findings.push(about(with_right_value(finding, figure, depth, Q::Depth)));
     }
 }
 
@@ -193,7 +194,7 @@ pub(super) fn right_by_drawing(
     for (at, conditions) in context.stated.conditions.iter().enumerate() {
         let same = |own: f64| Micrometres::from_mm_rounded(own) == right;
         if conditions.rows.first() == Some(&row)
-            && conditions.figures.get(&Q::Diameter).is_some_and(|own| same(own.value))
+            && conditions.figures.get(&Q::Diameter).is_some_and(|figure| same(figure.value))
         {
             let field = context.field(Id::new(Scope::Conditions(at), Q::Diameter));
             roots::retract(findings, &field, &PASS_DIAMETER);

@@ -28,7 +28,7 @@ pub(super) fn check<'a>(
     tools_of_transitions(tree, findings);
     follow(context, findings);
     let Ok(ours) = serde_json::to_value(context.plan) else { return Ok(()) };
-    let mut known = Known { found: Vec::new() };
+    let mut known = PlanComparer { found: Vec::new() };
     for (key, section) in [
         ("holes", Section::Route),
         ("tools", Section::Tools),
@@ -41,12 +41,12 @@ pub(super) fn check<'a>(
         }
     }
     // What a formula or another check reported is not repeated.
-    let told = |finding: &AuditFinding| {
+    let is_reported = |finding: &AuditFinding| {
         findings
             .iter()
             .any(|other| other.line.is_some() && other.line == finding.line && other.column == finding.column)
     };
-    let new: Vec<AuditFinding> = known.found.into_iter().filter(|finding| !told(finding)).collect();
+    let new: Vec<AuditFinding> = known.found.into_iter().filter(|finding| !is_reported(finding)).collect();
     findings.extend(new);
     Ok(())
 }
@@ -104,11 +104,11 @@ fn follow(context: &Context<'_>, findings: &mut [AuditFinding]) {
     }
 }
 
-struct Known {
+struct PlanComparer {
     found: Vec<AuditFinding>,
 }
 
-impl Known {
+impl PlanComparer {
     fn compare(&mut self, node: &Node, ours: &Value, path: &str, (section, subject): (Section, &Subject)) {
         match (&node.kind, ours) {
             (NodeKind::Map(entries), Value::Object(map)) => {
@@ -163,7 +163,7 @@ impl Known {
 
 /// A value as people read it: an id of the program in that field becomes a word, a name given by the author stays.
 fn value(path: &str, text: &str) -> Figure {
-    let own = |of| Figure::Word(Word { of, id: text.to_owned().into() });
+    let own = |vocabulary| Figure::Word(Word { vocabulary, id: text.to_owned().into() });
     let mut keys = path.split('.').rev().skip_while(|key| key.bytes().all(|letter| letter.is_ascii_digit()));
     match keys.next().unwrap_or_default() {
         _ if matches!(text, "true" | "false" | "null") => own("audit-value"),

@@ -20,7 +20,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     // A figure that contradicts another is reported as such; a proof on top of it would mean nothing.
-    if context.stated.own || graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine)) {
+    if context.stated.is_own || graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine)) {
         return Ok(());
     }
     let Some(holes) = stated_holes(context, graph)? else { return Ok(()) };

@@ -33,7 +33,7 @@ impl Tips {
 
     /// How far below its face the tip of a row's tool goes: depth, point and overrun. Point and overrun are those of
     /// the same transition in the program's plan, if there is one; none if the depth is not known.
-    pub fn of(&self, context: &Context<'_>, at: usize) -> Option<Micrometres> {
+    pub fn tip_depth(&self, context: &Context<'_>, at: usize) -> Option<Micrometres> {
         let row = context.stated.rows.get(at).filter(|row| !row.elsewhere)?;
         let hole = context.hole(row)?;
         let figure = |quantity| {
@@ -41,8 +41,8 @@ impl Tips {
             Some(Micrometres::from_mm_rounded(figure.value))
         };
         let depth = figure(Q::Depth);
-        if let Some(own) = context.reference(at) {
-            return Some(depth.unwrap_or(own.depth_mm) + own.end() - own.depth_mm);
+        if let Some(transition) = context.reference(at) {
+            return Some(depth.unwrap_or(transition.depth_mm) + transition.end() - transition.depth_mm);
         }
         if !row.opens_main_cylinder() {
             return depth;
@@ -72,7 +72,7 @@ pub(super) fn check<'a>(
     for (tool, own) in context.stated.tools.iter().enumerate() {
         let rows = context.stated.rows_of_tool(own.number);
         // The deepest hole of the tool decides.
-        let deepest = rows.filter_map(|(at, _)| Some((at, tips.of(context, at)?))).max_by_key(|(_, tip)| *tip);
+        let deepest = rows.filter_map(|(at, _)| Some((at, tips.tip_depth(context, at)?))).max_by_key(|(_, tip)| *tip);
         let Some((at, needed)) = deepest else { continue };
         holder(context, graph, (tool, at), needed, findings);
         flute(context, (tool, at), needed, findings);
@@ -129,5 +129,5 @@ fn flute(context: &Context<'_>, (tool, row): (usize, usize), needed: Micrometres
     let mut finding = AuditFinding::new(Severity::Error, Section::Tools, field, note).at(&figure.place);
     finding.subject = context.subject(Scope::Row(row));
     finding.subject.tool = Some(own.number);
-    findings.push(finding.beside(&figure.text, format!(">= {needed}")));
+    findings.push(finding.with_values(&figure.text, format!(">= {needed}")));
 }

@@ -23,7 +23,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     // A plan by hand may leave its route out; a plan of the program without rows has no route for any hole.
-    if stated.rows.is_empty() && !stated.own {
+    if stated.rows.is_empty() && !stated.is_own {
         return Ok(());
     }
     for hole in &stated.part.holes {
@@ -35,7 +35,7 @@ pub(super) fn check<'a>(
             let code = if known { "audit-hole-not-made" } else { "audit-hole-not-made-either" };
             let note = Note::new(code).with("count", hole.at.len());
             let field = format!("route.{}", hole.name);
-            findings.push(AuditFinding::new(Severity::Error, Section::Route, field, note).about(of_hole(hole)));
+            findings.push(AuditFinding::new(Severity::Error, Section::Route, field, note).about(hole_subject(hole)));
             continue;
         }
         order(context, &rows, findings)?;
@@ -45,7 +45,7 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-pub(super) fn of_hole(hole: &Hole) -> Subject {
+pub(super) fn hole_subject(hole: &Hole) -> Subject {
     Subject { holes: vec![hole.name.clone()], ..Subject::default() }
 }
 
@@ -61,8 +61,8 @@ fn order(
         if operation.is_of_edge() || !row.of_main_cylinder() {
             continue;
         }
-        let asked = context.shop.knowledge.ask(&TransitionOrderFor { operation, face: false })?;
-        let Some(rule) = asked.winner()? else { continue };
+        let answer = context.shop.knowledge.ask(&TransitionOrderFor { operation, face: false })?;
+        let Some(rule) = answer.winner()? else { continue };
         let rank = rule.rank;
         if let Some((least, other)) = before
             && rank < least
@@ -95,7 +95,7 @@ fn finished(
     let mut before = Micrometres::ZERO;
     let mut last: Option<(usize, &Row, Micrometres)> = None;
     for (at, row) in rows.iter().filter(|(_, row)| bores(row)) {
-        let id = of_row(*at);
+        let id = row_id(*at);
         let Some(diameter) = graph.stated_or_right(id) else { return };
         let diameter = Micrometres::from_mm_rounded(diameter);
         let floor = row.operation.value == Operation::Mill && diameter == before;
@@ -103,7 +103,7 @@ fn finished(
             let note = Note::new("audit-not-opened").with("diameter", diameter).with("before", before);
             let field = format!("route.{}.diameter", row.number);
             let mut finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
-            finding.follows_from = follows(context, graph, &[Some(id), last.map(|(at, ..)| of_row(at))]);
+            finding.follows_from = follows(context, graph, &[Some(id), last.map(|(at, ..)| row_id(at))]);
             findings.push(finding.about(context.subject(Scope::Row(*at))));
         }
         before = diameter;
@@ -122,18 +122,18 @@ fn finished(
         let note = Note::new("audit-last-diameter").with("diameter", diameter).with("hole", &hole.diameter);
         let field = format!("route.{}.diameter", row.number);
         let mut finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
-        finding.follows_from = follows(context, graph, &[Some(of_row(at))]);
-        findings.push(finding.beside(diameter, &hole.diameter).about(context.subject(Scope::Row(at))));
+        finding.follows_from = follows(context, graph, &[Some(row_id(at))]);
+        findings.push(finding.with_values(diameter, &hole.diameter).about(context.subject(Scope::Row(at))));
     }
 }
 
-const fn of_row(at: usize) -> Id {
+const fn row_id(at: usize) -> Id {
     Id::new(Scope::Row(at), Q::Diameter)
 }
 
 /// The fields of the slips among stated figures, or of the slips that these follow from.
 fn follows(context: &Context<'_>, graph: &Graph<'_>, figures: &[Option<Id>]) -> Vec<String> {
-    let roots = figures.iter().flatten().flat_map(|id| roots::of_figure(graph, *id));
+    let roots = figures.iter().flatten().flat_map(|id| roots::figure_roots(graph, *id));
     roots.map(|id| context.field(id)).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
@@ -143,7 +143,7 @@ fn changes(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
     let mut tools = changes.clone();
     tools.sort_unstable();
     tools.dedup();
-    if context.stated.own || changes.len() <= tools.len() {
+    if context.stated.is_own || changes.len() <= tools.len() {
         return;
     }
     // The least number, by the order of the program's plan: each tool comes once where the transitions permit it.
@@ -162,5 +162,5 @@ fn changes(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
         Some(row) => finding.at(&row.place),
         None => finding,
     };
-    findings.push(finding.beside(changes.len(), least));
+    findings.push(finding.with_values(changes.len(), least));
 }

@@ -15,7 +15,7 @@ use super::super::graph::Graph;
 use super::super::near::{same_scheme, same_table};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::stated::{Row, Text};
-use super::route::of_hole;
+use super::route::hole_subject;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -28,8 +28,8 @@ pub(super) fn check<'a>(
         let (Some((_, first)), Some(route)) = (rows.first(), &plan.route) else { continue };
         let here = |made: &&Transition| made.operation.is_of_scheme(made.elsewhere);
         let ours = plan.transitions.iter().filter(here).map(|transition| transition.operation).collect();
-        let asked = table_answer::asked(hole, &context.stated.part, &context.shop)?;
-        let group = Group { context, graph, hole, route, rows: &rows, first, ours, asked };
+        let answer = table_answer::ask(hole, &context.stated.part, &context.shop)?;
+        let group = Group { context, graph, hole, route, rows: &rows, first, ours, answer };
         group.check(findings)?;
     }
     Ok(())
@@ -46,7 +46,7 @@ struct Group<'c, 'a> {
     /// The transitions of the program's plan.
     ours: Vec<Operation>,
     /// The answer of the tables, before any scheme is tried.
-    asked: TableAnswer<'a>,
+    answer: TableAnswer<'a>,
 }
 
 impl Group<'_, '_> {
@@ -67,54 +67,55 @@ impl Group<'_, '_> {
     /// Whether the program's route, or a candidate compared with it, has that scheme; 1 of A.5 is a complex, not
     /// scheme 01.
     fn weighed(&self, scheme: &str) -> bool {
-        let is = |own: &str, way: RouteSource| own == scheme || way == RouteSource::Tables && same_scheme(scheme, own);
-        is(&self.route.scheme, self.route.way)
-            || self.route.alternatives.iter().any(|other| is(&other.scheme, other.way))
+        let is =
+            |own: &str, source: RouteSource| own == scheme || source == RouteSource::Tables && same_scheme(scheme, own);
+        is(&self.route.scheme, self.route.source)
+            || self.route.alternatives.iter().any(|other| is(&other.scheme, other.source))
     }
 
     /// Whether the hole's own cell of the tables has that scheme.
     fn printed(&self, scheme: &str) -> bool {
-        self.asked.schemes.iter().any(|own| same_scheme(scheme, own))
+        self.answer.schemes.iter().any(|own| same_scheme(scheme, own))
     }
 
-    fn say(&self, severity: Severity, row: &Row, key: &str, note: Note) -> AuditFinding {
-        let said = if key == "table" { &row.table } else { &row.scheme };
-        let place = said.as_ref().map_or(&row.place, |said| &said.place);
+    fn finding(&self, severity: Severity, row: &Row, key: &str, note: Note) -> AuditFinding {
+        let stated = if key == "table" { &row.table } else { &row.scheme };
+        let place = stated.as_ref().map_or(&row.place, |text| &text.place);
         let note = note
-            .with("way", way(self.route.way))
+            .with("way", way(self.route.source))
             .with("scheme", Figure::scheme(&self.route.scheme))
             .with("table", &self.route.table);
         let finding =
             AuditFinding::new(severity, Section::Route, format!("route.{}.{key}", row.number), note).at(place);
-        finding.about(of_hole(self.hole)).resting_on(self.route.because.iter().take(3).cloned())
+        finding.about(hole_subject(self.hole)).resting_on(self.route.because.iter().take(3).cloned())
     }
 
     /// Checks every scheme that a row names: whether the tables permit it, and whether the other rows name the same.
     /// Returns whether the transitions must still be judged.
     fn names(&self, findings: &mut Vec<AuditFinding>) -> Result<bool, KnowledgeError> {
-        let mut told: Vec<&str> = Vec::new();
+        let mut reported: Vec<&str> = Vec::new();
         // The scheme of the group: the first permitted one that rows name.
         let schemes = || self.rows.iter().filter_map(|(_, row)| Some((*row, row.scheme.as_ref()?)));
         let own = schemes().map(|(_, scheme)| &scheme.value).find(|name| self.weighed(name) || self.printed(name));
         let mut judged = true;
         for (row, scheme) in schemes() {
             let name = scheme.value.as_str();
-            if told.iter().any(|known| same_scheme(known, name)) {
+            if reported.iter().any(|known| same_scheme(known, name)) {
                 continue;
             }
-            told.push(name);
+            reported.push(name);
             if self.weighed(name) {
                 if let Some(own) = own.filter(|own| !same_scheme(own, name)) {
                     let note = Note::new("audit-scheme-mixed").with("stated", name).with("other", own);
-                    findings.push(self.say(Severity::Wrong, row, "scheme", note).beside(name, own));
+                    findings.push(self.finding(Severity::Wrong, row, "scheme", note).with_values(name, own));
                 }
-            } else if self.printed(name) && self.asked.centred {
+            } else if self.printed(name) && self.answer.centred {
                 findings.push(self.uncentred(row, name));
                 let of_scheme = table_answer::transitions(&full(name), &self.context.shop)?;
                 judged &= !self.is_ours() && of_scheme.is_none_or(|own| main(&own) != main(&self.stated()));
             } else if !self.printed(name) {
                 let note = Note::new("audit-scheme-unknown").with("stated", name);
-                findings.push(self.say(Severity::Wrong, row, "scheme", note).beside(name, &self.route.scheme));
+                findings.push(self.finding(Severity::Wrong, row, "scheme", note).with_values(name, &self.route.scheme));
                 // If the scheme is not permitted, its transitions are not judged as well.
                 judged &= own.is_some();
             }
@@ -124,34 +125,35 @@ impl Group<'_, '_> {
 
     /// The cell has the scheme, but the hole is centred first: by the text, or only by the program's reading of it.
     fn uncentred(&self, row: &Row, name: &str) -> AuditFinding {
-        let by_text = self.asked.centring.source == Some(Source::Seed);
+        let by_text = self.answer.centring.source == Some(Source::Seed);
         let severity = if by_text { Severity::Wrong } else { Severity::Doubtful };
-        let printed = self.asked.row.map_or_else(String::new, |row| row.table.id.clone());
+        let printed = self.answer.row.map_or_else(String::new, |row| row.table.id.clone());
         let note = Note::new("audit-scheme-uncentred").with("stated", name).with("printed", printed);
-        let mut finding = self.say(severity, row, "scheme", note).beside(name, &self.route.scheme);
+        let mut finding = self.finding(severity, row, "scheme", note).with_values(name, &self.route.scheme);
         finding.because.clear();
-        finding.because.extend(self.asked.row.map(|row| Because::row(row, Note::new("named"))));
-        finding.because.push(self.asked.centring.clone());
+        finding.because.extend(self.answer.row.map(|row| Because::row(row, Note::new("named"))));
+        finding.because.push(self.answer.centring.clone());
         finding
     }
 
     /// Checks every table that a row names with its scheme.
     fn tables(&self, findings: &mut Vec<AuditFinding>) {
-        let mut told: Vec<(&str, &str)> = Vec::new();
+        let mut reported: Vec<(&str, &str)> = Vec::new();
         for (_, row) in self.rows {
             let (Some(scheme), Some(table)) = (&row.scheme, &row.table) else { continue };
             let pair = (scheme.value.as_str(), table.value.as_str());
             let fits = |(own, stands): (&str, &str)| same_scheme(pair.0, own) && same_table(pair.1, stands);
-            let printed = self.asked.row.is_some_and(|row| same_table(pair.1, &row.table.id)) && self.printed(pair.0);
+            let printed = self.answer.row.is_some_and(|row| same_table(pair.1, &row.table.id)) && self.printed(pair.0);
             let known = printed
                 || fits((&self.route.scheme, &self.route.table))
                 || self.route.alternatives.iter().any(|other| fits((&other.scheme, &other.table)));
-            if known || told.contains(&pair) || !self.weighed(pair.0) {
+            if known || reported.contains(&pair) || !self.weighed(pair.0) {
                 continue;
             }
-            told.push(pair);
+            reported.push(pair);
             let note = Note::new("audit-scheme-table").with("stated", &table.value);
-            findings.push(self.say(Severity::Wrong, row, "table", note).beside(&table.value, &self.route.table));
+            findings
+                .push(self.finding(Severity::Wrong, row, "table", note).with_values(&table.value, &self.route.table));
         }
     }
 
@@ -175,7 +177,7 @@ impl Group<'_, '_> {
         // Edges are judged in another check; here only whether the scheme has them as the rows do, where the
         // program's plan differs.
         let merged = self.is_ours();
-        if merged && (self.context.stated.own || !self.has_edges_of(scheme)?) {
+        if merged && (self.context.stated.is_own || !self.has_edges_of(scheme)?) {
             return Ok(());
         }
         let stated = self.stated();
@@ -184,13 +186,13 @@ impl Group<'_, '_> {
             .map(|list| list.iter().map(|operation| operation.name()).collect::<Vec<_>>().join(", "));
         let figure = |list: &[Operation]| Figure::operations(list.iter().map(|operation| operation.name()));
         let finding = |severity, note: Note| {
-            self.say(
+            self.finding(
                 severity,
                 row,
                 "scheme",
                 note.with("transitions", figure(&stated)).with("better", figure(&self.ours)),
             )
-            .beside(&names, &ours)
+            .with_values(&names, &ours)
         };
         let alike = |other: &Alternative| {
             let here = other.operations.iter().filter(|made| made.operation.is_of_scheme(made.elsewhere));
@@ -240,14 +242,15 @@ impl Group<'_, '_> {
         stated: &[Operation],
         scheme: Option<&Text>,
     ) -> Result<Option<&'static str>, KnowledgeError> {
-        let of_tables = self.route.alternatives.iter().filter(|other| other.way == RouteSource::Tables && other.meets);
+        let of_tables =
+            self.route.alternatives.iter().filter(|other| other.source == RouteSource::Tables && other.meets);
         let mut schemes: Vec<&str> = of_tables.map(|other| other.scheme.as_str()).collect();
-        schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.way == RouteSource::Tables));
-        let printed = |own: &String| match self.asked.centred {
+        schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.source == RouteSource::Tables));
+        let printed = |own: &String| match self.answer.centred {
             true => table_answer::centred(own, &self.context.shop),
             false => Ok(own.clone()),
         };
-        let printed: Vec<String> = self.asked.schemes.iter().map(printed).collect::<Result<_, _>>()?;
+        let printed: Vec<String> = self.answer.schemes.iter().map(printed).collect::<Result<_, _>>()?;
         schemes.extend(printed.iter().map(String::as_str));
         for own in schemes {
             if scheme.is_some_and(|scheme| !same_scheme(&scheme.value, own)) {
@@ -264,7 +267,7 @@ impl Group<'_, '_> {
     /// Whether the rows cut the edges that A.7 gives for the scheme, while the program's plan cuts them with another
     /// tool.
     fn has_edges_of(&self, scheme: Option<&Text>) -> Result<bool, KnowledgeError> {
-        let edges = |list: &[Operation]| list.iter().filter(|one| one.is_of_edge()).count();
+        let edges = |list: &[Operation]| list.iter().filter(|operation| operation.is_of_edge()).count();
         let Some(scheme) = scheme else { return Ok(false) };
         let given = table_answer::transitions(&full(&scheme.value), &self.context.shop)?;
         let stated = edges(&self.stated());
@@ -301,7 +304,7 @@ fn full(scheme: &str) -> String {
 
 /// The transitions without those of edges.
 fn main(list: &[Operation]) -> Vec<Operation> {
-    list.iter().copied().filter(|one| !one.is_of_edge()).collect()
+    list.iter().copied().filter(|operation| !operation.is_of_edge()).collect()
 }
 
 /// The transitions with one drilling in place of two in a row.

@@ -4,7 +4,7 @@
 use crate::error::KnowledgeError;
 
 use super::super::context::Context;
-use super::super::figures::{beside, shown};
+use super::super::figures::{shown, with_right_value};
 use super::super::finding::AuditFinding;
 use super::super::graph::Graph;
 use super::super::rules::tabulated::judged;
@@ -15,7 +15,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     // In a plan of the program every figure is compared with the new plan.
-    if context.stated.own {
+    if context.stated.is_own {
         return Ok(());
     }
     for (&id, &table) in graph.tables() {
@@ -24,7 +24,7 @@ pub(super) fn check<'a>(
         let finding = AuditFinding::new(own.severity, Context::section(id), context.field(id), own.note)
             .about(context.subject(id.scope))
             .resting_on(own.because);
-        findings.push(beside(finding, figure, shown(table), id.quantity));
+        findings.push(with_right_value(finding, figure, shown(table), id.quantity));
     }
     Ok(())
 }

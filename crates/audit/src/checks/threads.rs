@@ -11,7 +11,7 @@ use crate::tables::standards::{CoarseThread, FineThread};
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::figures::beside;
+use super::super::figures::with_right_value;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -101,7 +101,7 @@ fn drill(
     let id = Id::new(Scope::Row(at), Q::Diameter);
     // Reported once: where the tool has the right diameter, the misprint has its finding already.
     if graph.verdict(id).is_none_or(|verdict| verdict.status == super::super::graph::Status::Fine) {
-        findings.push(beside(finding, figure, right, Q::Diameter));
+        findings.push(with_right_value(finding, figure, right, Q::Diameter));
         right_by_drawing(context, at, right, findings);
     }
 }
@@ -129,7 +129,7 @@ fn depth(
     let mut say = |severity, code: &'static str, figure: &StatedFigure| {
         let note = Note::new(code).with("thread", &thread.written).with("depth", hole.depth);
         let finding = AuditFinding::new(severity, Section::Route, format!("route.{}.depth", row.number), note);
-        findings.push(beside(finding.about(context.subject(Scope::Row(at))), figure, right, Q::Depth));
+        findings.push(with_right_value(finding.about(context.subject(Scope::Row(at))), figure, right, Q::Depth));
     };
     if stated < hole.depth {
         say(Severity::Wrong, "audit-thread-short", figure);

@@ -25,7 +25,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     table(context, findings)?;
     // A plan of the program reports these itself.
-    if !context.stated.own {
+    if !context.stated.is_own {
         travels(context, findings)?;
     }
     height(context, graph, findings)
@@ -49,7 +49,7 @@ fn table(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), 
         if size > most {
             let note = Note::new("audit-blank-off-table").with("axis", axis.letter()).with("size", size);
             let note = note.with("table", most).with("over", size - most);
-            let finding = about_part(Severity::Doubtful, field, note).beside(size, format!("<= {most}"));
+            let finding = about_part(Severity::Doubtful, field, note).with_values(size, format!("<= {most}"));
             findings.push(finding.resting_on([limit(machine.row(quantity)?)]));
         }
     }
@@ -113,7 +113,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
     let mut deepest = Vec::new();
     for (tool, own) in context.stated.tools.iter().enumerate() {
         let rows = context.stated.rows_of_tool(own.number);
-        let row = rows.filter_map(|(at, _)| Some((at, tips.of(context, at)?))).max_by_key(|(_, tip)| *tip);
+        let row = rows.filter_map(|(at, _)| Some((at, tips.tip_depth(context, at)?))).max_by_key(|(_, tip)| *tip);
         deepest.extend(row.map(|(row, tip)| (tool, row, tip)));
     }
     let below = |tip: Micrometres| (tip - part.blank.thickness).max(Micrometres::ZERO);
@@ -124,7 +124,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
         let own = &context.stated.rows[*row];
         let field = format!("route.{}.depth", own.number);
         let place = own.figures.get(&Q::Depth).map_or(&own.place, |figure| &figure.place);
-        let mut finding = AuditFinding::new(grave(context), Section::Route, field, note).at(place);
+        let mut finding = AuditFinding::new(no_room_severity(context), Section::Route, field, note).at(place);
         finding.subject = context.subject(Scope::Row(*row));
         finding.subject.tool = Some(context.stated.tools[*tool].number);
         findings.push(finding);
@@ -150,7 +150,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
         }
         findings.push(finding);
     }
-    if context.shop.machine.nose_to_table.is_none() && !context.stated.own && !deepest.is_empty() {
+    if context.shop.machine.nose_to_table.is_none() && !context.stated.is_own && !deepest.is_empty() {
         let note = Note::new("audit-zone-unknown");
         findings.push(AuditFinding::new(Severity::Note, Section::Lengths, "tools".to_owned(), note));
     }
@@ -158,8 +158,8 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
 }
 
 /// The severity for a tool without room; lower for plans of the program, because their program reports it again.
-fn grave(context: &Context<'_>) -> Severity {
-    if context.stated.own { Severity::Doubtful } else { Severity::Error }
+fn no_room_severity(context: &Context<'_>) -> Severity {
+    if context.stated.is_own { Severity::Doubtful } else { Severity::Error }
 }
 
 struct ZoneCheck<'c, 'a> {
@@ -175,29 +175,29 @@ impl ZoneCheck<'_, '_> {
         let machine = &self.context.shop.machine;
         let mut found = Vec::new();
         let most = machine.nose_to_table.map(|(_, most)| most);
-        for one in reaches {
-            let needed = one.stroke.passes_from();
+        for reach in reaches {
+            let needed = reach.stroke.passes_from();
             let Some(most) = most.filter(|most| needed > *most) else { continue };
-            let note = Note::new("audit-zone-over").with("length", one.stroke.length).with("approach", self.approach);
+            let note = Note::new("audit-zone-over").with("length", reach.stroke.length).with("approach", self.approach);
             let note = note.with("thickness", self.context.stated.part.blank.thickness).with("fixture", self.fixture);
-            let fits = (most - one.stroke.highest).max(Micrometres::ZERO);
+            let fits = (most - reach.stroke.highest).max(Micrometres::ZERO);
             let note = note.with("needed", needed).with("most", most).with("fits", fits);
-            let finding = self.finding(one, note, format!("<= {fits}"));
-            found.push((one.tool, finding.resting_on([limit(machine.row(MachineQuantity::NoseToTableMax)?)])));
+            let finding = self.finding(reach, note, format!("<= {fits}"));
+            found.push((reach.tool, finding.resting_on([limit(machine.row(MachineQuantity::NoseToTableMax)?)])));
         }
         let least = machine.nose_to_table.map(|(least, _)| least);
         let strokes: Vec<Stroke> = reaches.iter().map(|one| one.stroke).collect();
         let longest = reaches.iter().max_by_key(|one| one.stroke.passes_from());
         let (Some(nose), Some(longest)) = (zone::lowest_nose(&strokes, least), longest) else { return Ok(found) };
-        let held = least.filter(|_| nose > longest.stroke.passes_from());
+        let bounded = least.filter(|_| nose > longest.stroke.passes_from());
         for one in reaches {
-            let way = one.stroke.travel(nose);
-            let told = found.iter().any(|(tool, _)| *tool == longest.tool || *tool == one.tool);
-            if way <= machine.travel_z || told {
+            let travel = one.stroke.travel(nose);
+            let is_reported = found.iter().any(|(tool, _)| *tool == longest.tool || *tool == one.tool);
+            if travel <= machine.travel_z || is_reported {
                 continue;
             }
-            let fits = one.stroke.length + way - machine.travel_z;
-            let note = match held {
+            let fits = one.stroke.length + travel - machine.travel_z;
+            let note = match bounded {
                 Some(least) => Note::new("audit-zone-low").with("least", least).with("lowest", one.stroke.lowest),
                 None => {
                     let other = self.context.stated.tools.get(longest.tool).map_or(0, |tool| tool.number);
@@ -205,24 +205,24 @@ impl ZoneCheck<'_, '_> {
                     note.with("longest", longest.stroke.length).with("depth", one.tip)
                 }
             };
-            let note = note.with("length", one.stroke.length).with("way", way).with("travel", machine.travel_z);
+            let note = note.with("length", one.stroke.length).with("way", travel).with("travel", machine.travel_z);
             let finding = self.finding(one, note.with("fits", fits), format!(">= {fits}"));
             found.push((one.tool, finding.resting_on([limit(machine.row(MachineQuantity::TravelZ)?)])));
         }
         Ok(found)
     }
 
-    fn finding(&self, one: &Reach, note: Note, right: String) -> AuditFinding {
+    fn finding(&self, reach: &Reach, note: Note, right: String) -> AuditFinding {
         let context = self.context;
-        let tool = &context.stated.tools[one.tool];
-        let field = context.field(Id::new(Scope::Tool(one.tool), Q::Assembly));
+        let tool = &context.stated.tools[reach.tool];
+        let field = context.field(Id::new(Scope::Tool(reach.tool), Q::Assembly));
         let figure = tool.figures.get(&Q::Assembly);
         let place = figure.map_or(&tool.place, |figure| &figure.place);
-        let mut finding = AuditFinding::new(grave(context), Section::Lengths, field, note).at(place);
-        finding.subject = context.subject(Scope::Row(one.row));
+        let mut finding = AuditFinding::new(no_room_severity(context), Section::Lengths, field, note).at(place);
+        finding.subject = context.subject(Scope::Row(reach.row));
         finding.subject.tool = Some(tool.number);
         finding.quantity = Some(Q::Assembly);
-        let stated = figure.map_or_else(|| one.stroke.length.to_string(), |figure| figure.text.clone());
-        finding.beside(stated, right)
+        let stated = figure.map_or_else(|| reach.stroke.length.to_string(), |figure| figure.text.clone());
+        finding.with_values(stated, right)
     }
 }

@@ -103,7 +103,7 @@ impl<'a> Graph<'a> {
     /// Whether two values of a stated figure differ by less than its tolerance.
     pub(crate) fn within_tolerance(&self, id: Id, one: f64, other: f64) -> bool {
         let Some(figure) = self.stated.figure(id) else { return false };
-        (one - other).abs() <= self.tolerances.of(id.quantity, figure, other)
+        (one - other).abs() <= self.tolerances.allowed_difference(id.quantity, figure, other)
     }
 
     /// A figure as it is printed.

@@ -106,7 +106,7 @@ fn sections(node: &Node, problems: &mut Problems) -> Vec<(Section, SectionScheme
 fn by_rule(node: &Node, rules: &[&str], problems: &mut Problems) -> Vec<(String, f64)> {
     let Some(mut fields) = problems.open_map(node) else { return Vec::new() };
     let mut read = Vec::new();
-    for (key, node) in fields.rest() {
+    for (key, node) in fields.remaining() {
         if !rules.contains(&key.text.as_str()) {
             let help = match nearest(&key.text, rules.iter().copied()) {
                 Some(near) => note!("cli-did-you-mean", name = near),

@@ -21,24 +21,24 @@ impl Reader<'_> {
         let items = self.problems.list(node).unwrap_or_default();
         let (mut all, mut named): (Vec<Conditions>, BTreeSet<usize>) = (Vec::new(), BTreeSet::new());
         for node in limits::rows(items, |own| &own.place, &mut self.problems) {
-            let Some(own) = self.one(node, rows) else { continue };
-            let twice = own.rows.iter().find(|row| named.contains(*row));
+            let Some(conditions) = self.read_entry(node, rows) else { continue };
+            let twice = conditions.rows.iter().find(|row| named.contains(*row));
             if let Some(row) = twice.and_then(|row| rows.get(*row)) {
                 let message = note!("planfile-row-has-conditions-already", row = row.number);
                 let _ = self.problems.error_help::<()>(
                     "duplicate-row",
                     message,
-                    &own.place,
+                    &conditions.place,
                     note!("planfile-name-every-row-once"),
                 );
             }
-            named.extend(&own.rows);
-            all.push(own);
+            named.extend(&conditions.rows);
+            all.push(conditions);
         }
         all
     }
 
-    fn one(&mut self, node: &Node, rows: &[Row]) -> Option<Conditions> {
+    fn read_entry(&mut self, node: &Node, rows: &[Row]) -> Option<Conditions> {
         let mut fields = self.problems.map(node)?;
         let named = fields.need(file::Conditions::r#for, &mut self.problems).map(|node| self.rows_named(node, rows));
         let card = fields.take(file::Conditions::card);
@@ -61,8 +61,8 @@ impl Reader<'_> {
             fields.finish(&mut self.problems);
         }
         let place = node.place.clone();
-        let held = limited_by.is_some_and(|limit| limit != Limit::CuttingSpeed);
-        Some(Conditions { place, rows: named?, held, rounds: false, factors, figures })
+        let is_limited = limited_by.is_some_and(|limit| limit != Limit::CuttingSpeed);
+        Some(Conditions { place, rows: named?, is_limited, rounds: false, factors, figures })
     }
 
     /// Points in the coordinates of the part: `[[0, -130], [0, 130]]`, mm.

@@ -49,7 +49,7 @@ impl Reader<'_> {
         } else if !range.holds(figure.value) {
             let must = note!("planfile-must-above-zero");
             (note!("planfile-cannot", text = text, name = name, must = must), note!("planfile-leave-out-what-known"))
-        } else if self.tolerances.whole(quantity) && libm::trunc(figure.value) != figure.value {
+        } else if self.tolerances.is_whole_number(quantity) && libm::trunc(figure.value) != figure.value {
             let must = note!("planfile-must-whole-number");
             (note!("planfile-cannot", text = text, name = name, must = must), note!("planfile-write-without-decimals"))
         } else {

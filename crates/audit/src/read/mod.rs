@@ -169,7 +169,7 @@ impl Reader<'_> {
             file: self.file.to_owned(),
             part,
             method: method.unwrap_or_default(),
-            own: false,
+            is_own: false,
             tree: None,
             rows,
             tools,

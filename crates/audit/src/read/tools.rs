@@ -50,8 +50,9 @@ impl Reader<'_> {
 
     /// `holder: T1`: the tool has the holder that T1 has.
     fn share(&mut self, tools: &mut [Tool], number: u32, same: &StatedValue<u32>) {
-        let of = tools.iter().find(|tool| tool.number == same.value && tool.number != number && tool.holder.is_some());
-        let Some(of) = of.cloned() else {
+        let same_tool =
+            tools.iter().find(|tool| tool.number == same.value && tool.number != number && tool.holder.is_some());
+        let Some(same_tool) = same_tool.cloned() else {
             let message = note!("planfile-t-has-no-holder-own", value = same.value);
             let help = note!("planfile-name-tool-whose-holder-written");
             let _ = self.problems.error_help::<()>("unknown-tool", message, &same.place, help);
@@ -59,11 +60,11 @@ impl Reader<'_> {
         };
         let Some(tool) = tools.iter_mut().find(|tool| tool.number == number) else { return };
         let place = || same.place.clone();
-        tool.holder = of.holder.map(|text| StatedValue { place: place(), ..text });
-        tool.holder_standard = of.holder_standard.map(|text| StatedValue { place: place(), ..text });
+        tool.holder = same_tool.holder.map(|text| StatedValue { place: place(), ..text });
+        tool.holder_standard = same_tool.holder_standard.map(|text| StatedValue { place: place(), ..text });
         let keys = file::Holder::KEYS.iter().filter_map(|key| Quantity::of_key(&format!("holder.{}", key.name())));
         for quantity in keys {
-            let figure = of.figures.get(&quantity).cloned();
+            let figure = same_tool.figures.get(&quantity).cloned();
             tool.figures.extend(figure.map(|figure| (quantity, StatedFigure { place: place(), ..figure })));
         }
     }

@@ -8,7 +8,7 @@ use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::conditions::torque_of_power;
-use super::{formula, given, largest, same};
+use super::{equal_figures, fixed_figure, formula, largest};
 
 const POWER: Rule = Rule { id: "clamping-power", formula: "N" };
 const RPM: Rule = Rule { id: "clamping-rpm", formula: "nпр" };
@@ -28,10 +28,10 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     let Some(clamping) = &stated.clamping else { return Ok(()) };
     let id = |quantity| Id::new(Scope::Clamping, quantity);
     if let Some(at) = clamping.row.as_ref().and_then(|row| stated.conditions_of(row.value)) {
-        graph.add(same(&POWER, id(Q::Power), Id::new(Scope::Conditions(at), Q::Power)));
-        graph.add(same(&RPM, id(Q::Rpm), Id::new(Scope::Conditions(at), Q::Rpm)));
+        graph.add(equal_figures(&POWER, id(Q::Power), Id::new(Scope::Conditions(at), Q::Power)));
+        graph.add(equal_figures(&RPM, id(Q::Rpm), Id::new(Scope::Conditions(at), Q::Rpm)));
         graph.add(torque_of_power(Scope::Clamping));
-        graph.add(same(&ROW, id(Q::Torque), Id::new(Scope::Conditions(at), Q::Torque)));
+        graph.add(equal_figures(&ROW, id(Q::Torque), Id::new(Scope::Conditions(at), Q::Torque)));
     }
     if let Some(hole) = &clamping.hole {
         let here = stated.rows_of_hole(&hole.value).filter(|(_, row)| !row.elsewhere);
@@ -43,10 +43,10 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         graph.add(largest(&LARGEST, id(Q::Torque), torques));
     }
     if let Some(distance) = context.clamped_hole().and_then(|hole| context.distance_to_clamp(hole)) {
-        graph.add(given(&DISTANCE, id(Q::Distance), distance.to_mm(), []));
+        graph.add(fixed_figure(&DISTANCE, id(Q::Distance), distance.to_mm(), []));
     }
     if !clamping.at.is_empty() {
-        graph.add(given(&PLACES, id(Q::Clamps), clamping.at.len() as f64, []));
+        graph.add(fixed_figure(&PLACES, id(Q::Clamps), clamping.at.len() as f64, []));
     }
     for (name, quantity) in [
         (ClampingConstant::Safety, Q::Safety),
@@ -57,10 +57,10 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let value = row.maximum;
         let because = Because::row(row.row, Note::new(name.name()).with("value", value));
         if quantity != Q::Clamps {
-            graph.add(given(&CONSTANT, id(quantity), value, [because]));
+            graph.add(fixed_figure(&CONSTANT, id(quantity), value, [because]));
             continue;
         }
-        let mut two = given(&CLAMPS, id(quantity), value, [because]);
+        let mut two = fixed_figure(&CLAMPS, id(quantity), value, [because]);
         two.judge = Some(Box::new(move |stated, _| {
             let note = Note::new("audit-clamps").with("needed", value);
             (stated < value).then_some((Severity::Doubtful, note))

@@ -16,7 +16,7 @@ use crate::units::{RevsPerMinute, round_to};
 use super::super::context::Context;
 use super::super::graph::{Constant, Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, same};
+use super::{equal_figures, fixed_figure, formula};
 
 const DEPTH: Rule = Rule { id: "depth-of-cut", formula: "t = (D − D0)/2" };
 const FEED: Rule = Rule { id: "feed", formula: "S = Sт·Ks" };
@@ -43,12 +43,12 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     let values = rows.iter().filter(|row| row.name == Known::Pi).map(|row| row.value).collect();
     graph.constant(PI, Constant { values, because: Vec::new() });
     for at in 0..context.stated.conditions.len() {
-        one(context, graph, at)?;
+        add_formulas(context, graph, at)?;
     }
     Ok(())
 }
 
-fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
+fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
     let conditions = &context.stated.conditions[at];
     let Some(first) = conditions.rows.first().copied() else { return Ok(()) };
     let row = &context.stated.rows[first];
@@ -65,7 +65,7 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     by_factors(context, graph, at, (Q::CardSpeed, Q::FactorSpeed, Q::Speed), &SPEED, false);
     by_factors(context, graph, at, (Q::CardForce, Q::FactorForce, Q::Force), &FORCE, true);
     by_factors(context, graph, at, (Q::CardPower, Q::FactorPower, Q::Power), &POWER, true);
-    graph.add(same(&TAKEN, id(Q::FeedTaken), id(Q::Feed)));
+    graph.add(equal_figures(&TAKEN, id(Q::FeedTaken), id(Q::Feed)));
     if !conditions.rounds && operation != Operation::Mill {
         let inputs = vec![id(Q::Speed), PI, id(Q::Diameter)];
         let rpm = |values: &[f64]| Some(1000.0 * values.first()? / (values.get(1)? * values.get(2)?));
@@ -165,9 +165,9 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let conditions = &context.stated.conditions[at];
     let id = |quantity| Id::new(Scope::Conditions(at), quantity);
     let shop = &context.shop;
-    let held = conditions.held;
+    let is_limited = conditions.is_limited;
     // In a plan of the program, a speed limited by something else than the cutting speed has no step of its own here.
-    if held && context.stated.own || conditions.rounds {
+    if is_limited && context.stated.is_own || conditions.rounds {
         return Ok(());
     }
     if context.stated.rows[conditions.rows[0]].operation.value == Operation::Tap {
@@ -178,16 +178,16 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
         cutting::spindle_step(computed, shop).ok().map(|(step, ..)| step.0)
     };
     let series = shop.machine.row(MachineQuantity::SpindleSpeeds)?;
-    let mut own = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
-    own.because.push(Because::row(series, Note::new("audit-series")));
-    own.because.push(Because::table(shop.knowledge.table_of::<SpindleStep<'_>>()?, Note::new("audit-step-rule")));
-    own.judge = Some(Box::new(move |value, values| {
+    let mut formula = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
+    formula.because.push(Because::row(series, Note::new("audit-series")));
+    formula.because.push(Because::table(shop.knowledge.table_of::<SpindleStep<'_>>()?, Note::new("audit-step-rule")));
+    formula.judge = Some(Box::new(move |value, values| {
         let computed = *values.first()?;
         // A limit only lowers the spindle speed, and leaves it at a step of the machine.
-        let slower = held && value < computed && context.steps_around(value).is_none();
+        let slower = is_limited && value < computed && context.steps_around(value).is_none();
         if slower { None } else { judge_step(context, value, computed) }
     }));
-    graph.add(own);
+    graph.add(formula);
     Ok(())
 }
 
@@ -258,15 +258,20 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
 /// the program must have them; in another plan only missing values are taken.
 fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, first: usize) {
     let Some(reference) = context.reference(first) else { return };
-    let own = &reference.conditions;
+    let conditions = &reference.conditions;
     let id = |quantity| Id::new(Scope::Conditions(at), quantity);
-    let because = || own.because.iter().take(2).cloned();
+    let because = || conditions.because.iter().take(2).cloned();
     let spot = reference.operation == Operation::CentreDrill;
     if spot {
         let why = reference.because.iter().filter(|why| why.table == "centre-spot").cloned();
-        graph.add(given(&BY_TABLES, Id::new(Scope::Row(first), Q::Diameter), reference.diameter_mm.to_mm(), why));
+        graph.add(fixed_figure(
+            &BY_TABLES,
+            Id::new(Scope::Row(first), Q::Diameter),
+            reference.diameter_mm.to_mm(),
+            why,
+        ));
     }
-    if !context.stated.own {
+    if !context.stated.is_own {
         return;
     }
     // The quantities without a formula in the route.
@@ -275,22 +280,22 @@ fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, fir
         (Q::Depth, reference.depth_mm.to_mm()),
         (Q::Passes, f64::from(reference.passes)),
     ] {
-        graph.add(given(&BY_TABLES, Id::new(Scope::Row(first), quantity), value, because()));
+        graph.add(fixed_figure(&BY_TABLES, Id::new(Scope::Row(first), quantity), value, because()));
     }
     let figures = [
-        (Q::DepthOfCut, Some(own.depth_of_cut_mm)),
-        (Q::Feed, Some(own.feed_mm_per_rev.0)),
-        (Q::Speed, Some(own.computed_speed_m_per_min.0)),
-        (Q::Rpm, Some(own.spindle_rpm.0)),
-        (Q::SpeedTaken, Some(own.speed_m_per_min.0)),
-        (Q::Force, own.axial_force_n.map(|force| force.0)),
-        (Q::Torque, own.torque_n_m.map(|torque| torque.0)),
+        (Q::DepthOfCut, Some(conditions.depth_of_cut_mm)),
+        (Q::Feed, Some(conditions.feed_mm_per_rev.0)),
+        (Q::Speed, Some(conditions.computed_speed_m_per_min.0)),
+        (Q::Rpm, Some(conditions.spindle_rpm.0)),
+        (Q::SpeedTaken, Some(conditions.speed_m_per_min.0)),
+        (Q::Force, conditions.axial_force_n.map(|force| force.0)),
+        (Q::Torque, conditions.torque_n_m.map(|torque| torque.0)),
         (Q::Travel, Some(reference.travel_mm.to_mm())),
-        (Q::Time, Some(own.machine_time_min.0)),
+        (Q::Time, Some(conditions.machine_time_min.0)),
     ];
     for (quantity, value) in figures {
         if let Some(value) = value {
-            graph.add(given(&BY_TABLES, id(quantity), value, because()));
+            graph.add(fixed_figure(&BY_TABLES, id(quantity), value, because()));
         }
     }
 }

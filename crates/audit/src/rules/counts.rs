@@ -9,7 +9,7 @@ use super::super::backed::backed;
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, largest, marks, same};
+use super::{equal_figures, fixed_figure, formula, largest, marks};
 
 const COUNT: Rule = Rule { id: "holes-of-group", formula: "z" };
 const COUNT_OF_CONDITIONS: Rule = Rule { id: "holes-of-rows", formula: "z = Σz" };
@@ -37,12 +37,12 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     for (at, row) in stated.rows.iter().enumerate() {
         let scope = Scope::Row(at);
         let Some(hole) = context.hole(row) else { continue };
-        graph.add(given(&COUNT, Id::new(scope, Q::Count), hole.at.len() as f64, []));
+        graph.add(fixed_figure(&COUNT, Id::new(scope, Q::Count), hole.at.len() as f64, []));
         let axial = matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
         if let Some(tool) = stated.tool_of(row).filter(|_| axial && !row.elsewhere)
             && !is_of_another_tool(context, at, tool, hole)?
         {
-            graph.add(same(&DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Tool(tool), Q::Diameter)));
+            graph.add(equal_figures(&DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Tool(tool), Q::Diameter)));
         }
         if !row.opens_main_cylinder() {
             continue;
@@ -51,10 +51,10 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let before = before.filter(|(_, other)| other.opens_main_cylinder()).last();
         let output = Id::new(scope, Q::From);
         match before {
-            Some((before, _)) => graph.add(same(&FROM, output, Id::new(Scope::Row(before), Q::Diameter))),
+            Some((before, _)) => graph.add(equal_figures(&FROM, output, Id::new(Scope::Row(before), Q::Diameter))),
             None if row.operation.value != Operation::Tap => {
                 let start = hole.state.diameter().unwrap_or_default();
-                graph.add(given(&FROM, output, start.to_mm(), []));
+                graph.add(fixed_figure(&FROM, output, start.to_mm(), []));
             }
             None => {}
         }
@@ -64,7 +64,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         // Before a reamer a blind hole goes deeper, for its lead.
         let deeper = stated.reamer_follows(&hole.name, at) && !hole.through;
         if axial && plain && !milled && !deeper {
-            graph.add(given(&DEPTH, Id::new(scope, Q::Depth), hole.depth.to_mm(), []));
+            graph.add(fixed_figure(&DEPTH, Id::new(scope, Q::Depth), hole.depth.to_mm(), []));
         }
     }
     for (at, conditions) in stated.conditions.iter().enumerate() {
@@ -78,7 +78,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             graph.add(sum);
             // All rows of the same conditions have the same diameter.
             for other in conditions.rows.iter().skip(1) {
-                let same_diameter = same(
+                let same_diameter = equal_figures(
                     &ONE_DIAMETER,
                     Id::new(Scope::Row(*other), Q::Diameter),
                     Id::new(Scope::Row(*first), Q::Diameter),
@@ -90,14 +90,14 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             // n = 1000·V/(π·D) takes the cutting diameter: for a mill its own.
             let mill = stated.rows.get(*first).filter(|row| row.operation.value == Operation::Mill);
             if let Some(tool) = mill.and_then(|row| stated.tool_of(row)) {
-                graph.add(same(&MILL_DIAMETER, output, Id::new(Scope::Tool(tool), Q::Diameter)));
+                graph.add(equal_figures(&MILL_DIAMETER, output, Id::new(Scope::Tool(tool), Q::Diameter)));
                 continue;
             }
             // A step drill is calculated by its wide diameter.
             if stated.figure(of_row(Q::Also)).is_some() {
                 graph.add(largest(&PASS_DIAMETER, output, vec![of_row(Q::Diameter), of_row(Q::Also)]));
             } else {
-                graph.add(same(&PASS_DIAMETER, output, of_row(Q::Diameter)));
+                graph.add(equal_figures(&PASS_DIAMETER, output, of_row(Q::Diameter)));
             }
         }
     }

@@ -16,10 +16,10 @@ use super::super::context::Context;
 use super::super::figures::{Nature, nature, shown};
 use super::super::graph::{Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, tabulated};
+use super::{fixed_figure, formula, tabulated};
 
 /// Whether a rule is one of the handbook's formulas of speed and loads.
-pub(crate) fn is_of(rule: &Rule) -> bool {
+pub(crate) fn is_handbook_rule(rule: &Rule) -> bool {
     [SPEED, FORCE, TORQUE, POWER].contains(rule)
 }
 
@@ -33,16 +33,16 @@ pub(super) const RULES: &[Rule] = &[LIFE, SPEED, FORCE, TORQUE, POWER];
 
 pub(super) fn add_all<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     // In a plan of the program the figures come from these formulas, and `by-tables` checks them all.
-    if context.stated.own {
+    if context.stated.is_own {
         return Ok(());
     }
     for at in 0..context.stated.conditions.len() {
-        one(context, graph, at)?;
+        add_formulas(context, graph, at)?;
     }
     Ok(())
 }
 
-fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
+fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     let id = move |quantity| Id::new(Scope::Conditions(at), quantity);
     // With cards, only the tool life is checked against the handbook.
@@ -59,16 +59,16 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     let mut by_table = None;
     if let Ok(Some((life, because))) = Refusal::split(handbook::tool_life(&cut, &context.shop))? {
         let life = life.0;
-        let at_step = formulas.as_ref().is_some_and(|own| is_at_step(context, at, own, cut.diameter, life));
+        let at_step = formulas.as_ref().is_some_and(|handbook| is_at_step(context, at, handbook, cut.diameter, life));
         let by_life = formulas.as_ref().is_some_and(|own| is_by_life(context, at, own, cut.diameter, life));
         by_table = Some(life).filter(|_| at_step || by_life);
         let table = Because::table(context.shop.knowledge.table_of::<AuditFormula<'_>>()?, Note::new("audit-limit"));
-        let mut own = given(&LIFE, id(Q::ToolLife), life, because.into_iter().chain([table]));
-        own.judge = Some(Box::new(move |value, _| match at_step {
+        let mut formula = fixed_figure(&LIFE, id(Q::ToolLife), life, because.into_iter().chain([table]));
+        formula.judge = Some(Box::new(move |value, _| match at_step {
             true => None,
             false => judged(context, Q::ToolLife, value, life),
         }));
-        graph.add(own);
+        graph.add(formula);
     }
     if let Some(formulas) = formulas.filter(|_| stated.method == CuttingMethod::Formula) {
         speed(context, graph, at, &formulas, by_table)?;
@@ -90,7 +90,7 @@ fn is_at_step(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: M
     let law = formulas.speed;
     let fits = |speed: f64| {
         let at_step = law.life_at(life, speed, cutting::speed_at(RevsPerMinute(rpm.value), diameter).0);
-        (own.value - at_step).abs() <= tolerances.of(Q::ToolLife, own, at_step)
+        (own.value - at_step).abs() <= tolerances.allowed_difference(Q::ToolLife, own, at_step)
     };
     fits(speed.value) || by_law(context, at, formulas, diameter, life).is_some_and(fits)
 }
@@ -121,7 +121,7 @@ fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> 
     let reference = context.reference(first);
     let diameter = figure(Id::new(Scope::Conditions(at), Q::Diameter))
         .or_else(|| figure(Id::new(Scope::Row(first), Q::Diameter)))
-        .or_else(|| reference.map(|own| own.diameter_mm));
+        .or_else(|| reference.map(|transition| transition.diameter_mm));
     // The drawing gives the depth of the hole; a misprinted depth changes no speed.
     let depth = reference
         .map(|own| own.depth_mm - own.start_mm)
@@ -190,13 +190,14 @@ fn speed<'a>(
         };
         Some(law.at(*diameter, *depth_of_cut, *feed, life) * kv * factors.iter().product::<f64>())
     };
-    let own = formula(&SPEED, id(Q::Speed), inputs, &numbers, compute);
+    let formula = formula(&SPEED, id(Q::Speed), inputs, &numbers, compute);
     let because = if named.is_empty() { formulas.speed_because.len() } else { 1 };
     // Where the formula is far from public tables, the program takes the speed of those tables; that speed is no
     // slip.
     let reference = conditions.rows.first().and_then(|row| context.reference(*row));
-    let practice = reference.filter(|_| named.is_empty()).map(|own| own.conditions.computed_speed_m_per_min.0);
-    add(context, graph, own, (compute, practice), formulas.speed_because.iter().take(because))
+    let practice =
+        reference.filter(|_| named.is_empty()).map(|transition| transition.conditions.computed_speed_m_per_min.0);
+    add(context, graph, formula, (compute, practice), formulas.speed_because.iter().take(because))
 }
 
 /// P, M and N by table 32, at the feed that is taken.
@@ -222,10 +223,10 @@ fn loads<'a>(
     // Where the formula is far too low, the program takes the torque by the specific cutting force; that torque is no
     // slip.
     let reference = conditions.rows.first().and_then(|row| context.reference(*row));
-    let specific = reference.and_then(|own| own.conditions.torque_n_m).map(|torque| torque.0);
+    let specific = reference.and_then(|transition| transition.conditions.torque_n_m).map(|torque| torque.0);
     for (rule, quantity, law, also) in [(&FORCE, Q::Force, thrust, None), (&TORQUE, Q::Torque, torque, specific)] {
-        let own = formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law));
-        add(context, graph, own, (load(law), also), because())?;
+        let formula = formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law));
+        add(context, graph, formula, (load(law), also), because())?;
     }
     // Where the torque is stated the power follows from it.
     if context.stated.figure(id(Q::Torque)).is_none() {
@@ -245,27 +246,27 @@ const AS_ROUNDED: f64 = 0.01;
 fn add<'a, 'b>(
     context: &'a Context<'a>,
     graph: &mut Graph<'a>,
-    mut own: Formula<'a>,
+    mut formula: Formula<'a>,
     (compute, also): (impl Fn(&[f64]) -> Option<f64> + 'a, Option<f64>),
     because: impl Iterator<Item = &'b Because>,
 ) -> Result<(), KnowledgeError> {
     let table = context.shop.knowledge.table_of::<AuditFormula<'_>>()?;
-    own.because.extend(because.cloned());
-    own.because.push(Because::table(table, Note::new("audit-limit")));
-    let quantity = own.output.quantity;
-    own.judge = Some(Box::new(move |value, inputs| match also {
+    formula.because.extend(because.cloned());
+    formula.because.push(Because::table(table, Note::new("audit-limit")));
+    let quantity = formula.output.quantity;
+    formula.judge = Some(Box::new(move |value, inputs| match also {
         Some(also) if (value / also - 1.0).abs() < AS_ROUNDED => None,
         _ => judged(context, quantity, value, compute(inputs)?),
     }));
-    graph.add(own);
+    graph.add(formula);
     Ok(())
 }
 
 /// Judges a stated figure against the value of the handbook, by the rule `audit-formula`.
 fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Judged {
     let question = |of_formula| AuditFormulaFor { quantity, of_formula };
-    let (share, asked) = context.by_share(value / by_formula, question).ok()?;
-    let severity = asked.winner().ok()??.severity;
+    let (share, answer) = context.by_share(value / by_formula, question).ok()?;
+    let severity = answer.winner().ok()??.severity;
     let nature = nature(value, by_formula);
     let code = match quantity {
         // A misplaced decimal point or a wrong sign is reported as such.

@@ -46,7 +46,7 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
 /// The knowledge base has no answer.
 pub fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     FAMILIES.iter().try_for_each(|family| family(context, graph))?;
-    graph.know(conditions::by_tables(context)?);
+    graph.add_table_values(conditions::by_tables(context)?);
     Ok(())
 }
 
@@ -70,12 +70,17 @@ fn formula<'a>(
 }
 
 /// Two figures that must be the same.
-fn same<'a>(rule: &'static Rule, output: Id, input: Id) -> Formula<'a> {
+fn equal_figures<'a>(rule: &'static Rule, output: Id, input: Id) -> Formula<'a> {
     formula(rule, output, vec![input], "{0}", |values| values.first().copied())
 }
 
 /// A figure given by a row of a table or by the drawing.
-fn given<'a>(rule: &'static Rule, output: Id, value: f64, because: impl IntoIterator<Item = Because>) -> Formula<'a> {
+fn fixed_figure<'a>(
+    rule: &'static Rule,
+    output: Id,
+    value: f64,
+    because: impl IntoIterator<Item = Because>,
+) -> Formula<'a> {
     let mut formula = formula(rule, output, Vec::new(), "", move |_| Some(value));
     formula.because.extend(because);
     formula

@@ -14,7 +14,7 @@ use super::super::context::Context;
 use super::super::figures::{Nature, nature, shown};
 use super::super::graph::{Formula, Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::given;
+use super::fixed_figure;
 
 const FAR: Rule = Rule { id: "audit-by-table", formula: "" };
 
@@ -53,12 +53,12 @@ pub(in super::super) fn far_off<'a>(
 ) -> Result<Vec<Formula<'a>>, KnowledgeError> {
     let mut found = Vec::new();
     // In a plan of the program every figure is compared with the new plan.
-    for (&id, &table) in graph.tables().iter().filter(|_| !context.stated.own) {
+    for (&id, &table) in graph.tables().iter().filter(|_| !context.stated.is_own) {
         let Some(figure) = context.stated.figure(id).filter(|_| graph.formula(id).is_none()) else { continue };
         let Some(own) = judged(context, id, figure.value, table)?.filter(|own| own.severity <= Severity::Wrong) else {
             continue;
         };
-        let mut formula = given(&FAR, id, table, own.because);
+        let mut formula = fixed_figure(&FAR, id, table, own.because);
         let said = (own.severity, own.note);
         formula.judge = Some(Box::new(move |_, _| Some(said.clone())));
         found.push(formula);

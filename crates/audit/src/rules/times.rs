@@ -7,7 +7,7 @@ use crate::tables::machines::MachineQuantity;
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given};
+use super::{fixed_figure, formula};
 
 const MACHINE: Rule = Rule { id: "machine-time-of-part", formula: "ΣTм = Σz·Tм" };
 const CHANGE: Rule = Rule { id: "tool-change-time", formula: "Tзм = m·tзм" };
@@ -36,10 +36,10 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let change = context.shop.machine.tool_change.0;
         let because =
             Because::row(context.shop.machine.row(MachineQuantity::ToolChangeTime)?, Note::new("audit-tool-change"));
-        graph.add(given(&CHANGE, id(Q::ChangeTime), changes as f64 * change, [because]));
+        graph.add(fixed_figure(&CHANGE, id(Q::ChangeTime), changes as f64 * change, [because]));
     }
-    if stated.own {
-        graph.add(given(&RAPID, id(Q::RapidTime), context.plan.time.rapid_min.0, []));
+    if stated.is_own {
+        graph.add(fixed_figure(&RAPID, id(Q::RapidTime), context.plan.time.rapid_min.0, []));
     }
     // Further times that a plan may include; leaving them out is no mistake by itself.
     let more =

@@ -12,7 +12,7 @@ use super::super::context::Context;
 use super::super::figures::nature;
 use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, largest, same};
+use super::{equal_figures, fixed_figure, formula, largest};
 
 const DIMENSION: Rule = Rule { id: "tool-dimension", formula: "" };
 const HOLDER: Rule = Rule { id: "holder-dimension", formula: "" };
@@ -54,18 +54,18 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 let Some(length) = length else { continue };
                 // A core drill or reamer may be ground, and a bar set, to the size of its row.
                 let set = quantity == Q::Diameter && may_be_ground(operation);
-                if set && stated.own {
+                if set && stated.is_own {
                     continue;
                 }
-                let mut dimension = given(&DIMENSION, id(quantity), length.to_mm(), because());
+                let mut dimension = fixed_figure(&DIMENSION, id(quantity), length.to_mm(), because());
                 dimension.judge = set.then(|| ground(context, tool.number, length));
                 graph.add(dimension);
             }
             if let Some(morse) = cutter.row.morse {
-                graph.add(given(&DIMENSION, id(Q::Morse), morse as f64, because()));
+                graph.add(fixed_figure(&DIMENSION, id(Q::Morse), morse as f64, because()));
             }
             if let Some(angle) = named::point_angle(cutter) {
-                graph.add(given(&DIMENSION, id(Q::PointAngle), angle, because()));
+                graph.add(fixed_figure(&DIMENSION, id(Q::PointAngle), angle, because()));
             }
             if let Some(operation) = operation {
                 overhang(context, graph, at, cutter, operation)?;
@@ -80,18 +80,18 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             ];
             for (quantity, length) in lengths {
                 if let Some(length) = length {
-                    graph.add(given(&HOLDER, id(quantity), length.to_mm(), because()));
+                    graph.add(fixed_figure(&HOLDER, id(quantity), length.to_mm(), because()));
                 }
             }
             if let Some(morse) = holder.morse {
-                graph.add(given(&HOLDER, id(Q::HolderMorse), morse as f64, because()));
+                graph.add(fixed_figure(&HOLDER, id(Q::HolderMorse), morse as f64, because()));
             }
         }
-        graph.add(same(&HOLDER_USED, id(Q::HolderUsed), id(Q::HolderLength)));
+        graph.add(equal_figures(&HOLDER_USED, id(Q::HolderUsed), id(Q::HolderLength)));
         let (overhang, holder) = (id(Q::Overhang), id(Q::HolderUsed));
         // The overhang of a cutter with the taper of the machine is its whole length.
-        if context.whole(at) {
-            graph.add(same(&ASSEMBLY, id(Q::Assembly), overhang));
+        if context.has_machine_taper(at) {
+            graph.add(equal_figures(&ASSEMBLY, id(Q::Assembly), overhang));
         } else {
             let sum = formula(&ASSEMBLY, id(Q::Assembly), vec![overhang, holder], "{0}+{1}", |values| {
                 Some(values.iter().sum())
@@ -112,7 +112,7 @@ fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judg
             return None;
         }
         let mut rows = context.stated.rows_of_tool(tool);
-        let made = rows.any(|(_, row)| row.figures.get(&Q::Diameter).is_some_and(|own| own.value == value));
+        let made = rows.any(|(_, row)| row.figures.get(&Q::Diameter).is_some_and(|figure| figure.value == value));
         let grindable = made && stated < catalog && catalog - stated <= limit;
         let note = Note::new("audit-ground").with("own", catalog).with("size", stated);
         Some(if grindable { (Severity::Note, note) } else { (Severity::Wrong, Note::new("audit-figure")) })
@@ -128,7 +128,7 @@ fn overhang<'a>(
 ) -> Result<(), KnowledgeError> {
     let (least, most, because) = named::overhang(cutter, operation, &context.shop)?;
     let (least, most) = (least.to_mm(), most.to_mm());
-    let mut formula = given(&OVERHANG, Id::new(Scope::Tool(at), Q::Overhang), most, [because]);
+    let mut formula = fixed_figure(&OVERHANG, Id::new(Scope::Tool(at), Q::Overhang), most, [because]);
     formula.judge = Some(Box::new(move |value, _| {
         let within = (least - 1e-6..=most + 1e-6).contains(&value);
         let note = Note::new("audit-overhang").with("least", least).with("most", most);
@@ -159,7 +159,7 @@ fn corrections<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) {
         formula(&PLUS, id(Q::Correction), inputs.clone(), "{0}−{1}", difference)
     };
     // Where neither plan nor program has G43 or G44, both signs are accepted.
-    if context.correction_word(at).is_none() && !stated.own {
+    if context.correction_word(at).is_none() && !stated.is_own {
         correction.judge = Some(Box::new(move |value, inputs| {
             let plus = difference(inputs)?;
             let near = |right: f64| (value - right).abs() < 1e-6;

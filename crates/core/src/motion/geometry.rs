@@ -68,12 +68,12 @@ pub fn reach(motion: &Motion, from: Position, to: Position) -> [(Micrometres, Mi
     // The four quadrant points of a circle.
     for quarter in 0..4_i32 {
         let angle = f64::from(quarter) * FRAC_PI_2;
-        let way = match sense {
+        let ahead = match sense {
             Sense::Counterclockwise => angle - first,
             Sense::Clockwise => first - angle,
         };
-        let way = if way < 0.0 { way + TAU } else { way };
-        if way > swept {
+        let angle = if ahead < 0.0 { ahead + TAU } else { ahead };
+        if angle > swept {
             continue;
         }
         let [a, b, _] = plane.axes();

@@ -68,9 +68,9 @@ impl Sink for Clock {
                 self.times.rapid_min = self.times.rapid_min + time;
             }
             Motion::Feed { feed_mm_per_min } | Motion::Arc { feed_mm_per_min, .. } => {
-                let way = geometry::length(&step.motion, self.at, step.at);
+                let length = geometry::length(&step.motion, self.at, step.at);
                 if feed_mm_per_min.0 > 0.0 {
-                    self.times.feed_min = self.times.feed_min + Minutes(way / feed_mm_per_min.0);
+                    self.times.feed_min = self.times.feed_min + Minutes(length / feed_mm_per_min.0);
                 }
             }
             Motion::Dwell { seconds } => self.times.dwell_min = self.times.dwell_min + Minutes(seconds / 60.0),

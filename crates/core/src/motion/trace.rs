@@ -26,7 +26,7 @@ impl Trace {
 
 impl Sink for Trace {
     fn take(&mut self, step: &MotionStep) {
-        put(&mut self.text, step, &|word| word);
+        push_step(&mut self.text, step, &|word| word);
         self.text.push('\n');
     }
 }
@@ -44,13 +44,13 @@ pub fn line(step: &MotionStep) -> String {
 /// The line of a step with its words, `rapid` and `centre`, in another language.
 pub fn line_in(step: &MotionStep, word: &dyn Fn(&'static str) -> &'static str) -> String {
     let mut text = String::new();
-    put(&mut text, step, word);
+    push_step(&mut text, step, word);
     text
 }
 
 /// Appends the line of a step to a text. A full memory of the control gives thousands of lines, so there are no other
 /// allocations; writing into a String cannot fail.
-fn put(text: &mut String, step: &MotionStep, word: &dyn Fn(&'static str) -> &'static str) {
+fn push_step(text: &mut String, step: &MotionStep, word: &dyn Fn(&'static str) -> &'static str) {
     let line = step.block.line;
     text.push_str(match line {
         0..10 => "   ",
@@ -58,13 +58,13 @@ fn put(text: &mut String, step: &MotionStep, word: &dyn Fn(&'static str) -> &'st
         100..1000 => " ",
         _ => "",
     });
-    whole(text, line);
+    push_integer(text, line);
     text.push(' ');
     let begin = text.len();
     match step.block.number {
         Some(number) => {
             text.push('N');
-            whole(text, number);
+            push_integer(text, number);
         }
         None => text.push('-'),
     }
@@ -139,16 +139,16 @@ const fn name(motion: &Motion) -> &'static str {
 fn axes(text: &mut String, at: Position) {
     for (letter, value) in [("X", at.x), (" Y", at.y), (" Z", at.z)] {
         text.push_str(letter);
-        value.put(text);
+        value.append_to(text);
     }
 }
 
 /// A feed to three places, as programs give it.
 fn feed(text: &mut String, feed: MillimetresPerMinute) {
     text.push_str(" F");
-    Decimal::from_f64_rounded(feed.rounded(3).0).put(text);
+    Decimal::from_f64_rounded(feed.rounded(3).0).append_to(text);
 }
 
-fn whole(text: &mut String, number: u32) {
-    Decimal::from_int(i64::from(number)).put(text);
+fn push_integer(text: &mut String, number: u32) {
+    Decimal::from_int(i64::from(number)).append_to(text);
 }

@@ -8,7 +8,7 @@ use technolog_note::note;
 use super::check::BoreSpan;
 use super::file::hole as form;
 use super::read::Reader;
-use super::read_steps::{Whole, depth_or_length};
+use super::read_steps::{GroupValues, depth_or_length};
 use super::{Bottom, Face, HoleStep, Thread, ToleratedDiameter};
 
 /// The cylinders of a hole: the main one, and the wider ones beside it.
@@ -62,26 +62,26 @@ impl Cylinder {
 impl Reader<'_> {
     /// Compares the diameter of the group with its steps: it is the narrowest step, or a cylinder that continues
     /// after the last step and is then added. Returns whether it was added.
-    pub(super) fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &Whole<'_>) -> Option<bool> {
-        let Some(own) = &whole.own else { return Some(false) };
-        let nominal = own.diameter.nominal;
+    pub(super) fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &GroupValues<'_>) -> Option<bool> {
+        let Some(sized) = &whole.diameter else { return Some(false) };
+        let nominal = sized.diameter.nominal;
         let narrowest = cylinders.iter().map(Cylinder::nominal).min()?;
         let fault = if nominal < narrowest {
             None
         } else if nominal > narrowest {
-            let (shown, help) = (&own.diameter, note!("part-leave-out-give-narrowest"));
+            let (shown, help) = (&sized.diameter, note!("part-leave-out-give-narrowest"));
             Some((note!("part-hole-wider-than-narrowest-step", shown = shown, narrowest = narrowest), help))
         } else {
-            let main = cylinders.iter_mut().find(|one| one.nominal() == narrowest)?;
-            let same_field = (main.diameter.upper, main.diameter.lower) == (own.diameter.upper, own.diameter.lower);
-            let (ours, theirs) = (&own.diameter, &main.diameter);
+            let main = cylinders.iter_mut().find(|cylinder| cylinder.nominal() == narrowest)?;
+            let same_field = (main.diameter.upper, main.diameter.lower) == (sized.diameter.upper, sized.diameter.lower);
+            let (ours, theirs) = (&sized.diameter, &main.diameter);
             let differ =
                 Some((note!("part-hole-step", ours = ours, theirs = theirs), note!("part-write-once-same-twice")));
-            match (&own.thread, &main.thread) {
+            match (&sized.thread, &main.thread) {
                 (Some(thread), Some(known)) if thread.id != known.id => differ,
                 (Some(thread), _) => {
                     main.thread = Some(thread.clone());
-                    main.diameter = own.diameter.clone();
+                    main.diameter = sized.diameter.clone();
                     return Some(false);
                 }
                 (None, None) if !same_field => differ,
@@ -89,7 +89,7 @@ impl Reader<'_> {
             }
         };
         if let Some((message, help)) = fault {
-            return self.problems.error_help("bad-diameter", message, &own.place, help);
+            return self.problems.error_help("bad-diameter", message, &sized.place, help);
         }
         let last = cylinders.last()?.end;
         let Some(depth) = whole.depth else {
@@ -101,32 +101,33 @@ impl Reader<'_> {
             return None;
         };
         if depth <= last {
-            let message = note!("part-steps-end-at-which-leaves", last = last, depth = depth, diameter = own.diameter);
+            let message =
+                note!("part-steps-end-at-which-leaves", last = last, depth = depth, diameter = sized.diameter);
             let place = cylinders.last()?.place.clone();
             return self.problems.error_help("bad-depth", message, &place, depth_or_length());
         }
         let roughness = match whole.roughness {
             Some(stated) => stated?,
-            None if own.thread.is_some() => self.thread_roughness(&own.place)?,
+            None if sized.thread.is_some() => self.thread_roughness(&sized.place)?,
             None => {
                 let help = note!("part-holes-own-diameter-goes-on-2");
                 return self.problems.missing(form::Hole::roughness, whole.place, help);
             }
         };
         cylinders.push(Cylinder {
-            diameter: own.diameter.clone(),
-            thread: own.thread.clone(),
+            diameter: sized.diameter.clone(),
+            thread: sized.thread.clone(),
             roughness,
             bottom: None,
             chamfer: None,
             end: depth,
-            place: own.place.clone(),
+            place: sized.place.clone(),
         });
         Some(true)
     }
 
     /// Checks that the cylinders narrow towards the main one from each side.
-    pub(super) fn narrows(&mut self, cylinders: &[Cylinder], through: bool) -> Option<()> {
+    pub(super) fn check_narrowing(&mut self, cylinders: &[Cylinder], through: bool) -> Option<()> {
         let mut sound = Some(());
         for (index, cylinder) in cylinders.iter().enumerate() {
             let wide = cylinder.nominal();
@@ -147,7 +148,7 @@ impl Reader<'_> {
 
     /// Makes the narrowest cylinder the main one; those before it are entered from the entry face, those after it
     /// from the back.
-    pub(super) fn arrange(&mut self, mut cylinders: Vec<Cylinder>, whole: Whole<'_>) -> Option<Cylinders> {
+    pub(super) fn arrange(&mut self, mut cylinders: Vec<Cylinder>, whole: GroupValues<'_>) -> Option<Cylinders> {
         if let (Some((chamfer, place)), Some(first)) = (whole.chamfer, cylinders.first_mut()) {
             if let Some(own) = first.chamfer.filter(|own| *own != chamfer) {
                 let message = note!("part-chamfer-at-entry-here-first", chamfer = chamfer, own = own);

@@ -66,14 +66,14 @@ impl Group {
     /// The least distance between a hole of this group and one of another: at each common depth, the sum of the
     /// radii.
     fn needs(&self, other: &Self) -> Option<Micrometres> {
-        let pairs = self.spans.iter().flat_map(|own| other.spans.iter().map(move |theirs| (own, theirs)));
+        let pairs = self.spans.iter().flat_map(|span| other.spans.iter().map(move |theirs| (span, theirs)));
         let beside = pairs.filter(|(own, theirs)| own.from < theirs.to && theirs.from < own.to);
         beside.map(|(own, theirs)| (own.diameter + theirs.diameter).half()).max()
     }
 }
 
 /// No two groups of one name.
-pub(super) fn names(groups: &[Group], problems: &mut Problems) {
+pub(super) fn check_names(groups: &[Group], problems: &mut Problems) {
     let mut known = BTreeSet::new();
     for (name, place) in groups.iter().filter_map(|group| group.name.as_ref()) {
         if !known.insert(name) {
@@ -84,7 +84,7 @@ pub(super) fn names(groups: &[Group], problems: &mut Problems) {
 }
 
 /// Checks depths against the thickness, every hole inside the blank, no two holes in each other.
-pub(super) fn geometry(groups: &[Group], blank: &Blank, datum: &Datum, problems: &mut Problems) {
+pub(super) fn check_geometry(groups: &[Group], blank: &Blank, datum: &Datum, problems: &mut Problems) {
     for group in groups {
         depth(group, blank, problems);
         inside(group, blank, datum, problems);
@@ -93,7 +93,7 @@ pub(super) fn geometry(groups: &[Group], blank: &Blank, datum: &Datum, problems:
 }
 
 /// Checks that every clamp presses on the blank, and not on a hole.
-pub(super) fn clamps(
+pub(super) fn check_clamps(
     clamps: &[(Point, Place)],
     groups: &[Group],
     blank: &Blank,
@@ -337,7 +337,7 @@ holes:
     fn problems(holes: &str) -> Vec<String> {
         let knowledge = shipped::knowledge().unwrap();
         let problems = read_part("part", &format!("{HEAD}{holes}"), &knowledge).err().unwrap_or_default();
-        problems.iter().map(|one| one.text(|note| technolog_words::Lang::EN.say(note))).collect()
+        problems.iter().map(|problem| problem.text(|note| technolog_words::Lang::EN.say(note))).collect()
     }
 
     fn hole(name: &str, keys: &str) -> String {

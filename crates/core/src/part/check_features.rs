@@ -26,8 +26,8 @@ impl Reader<'_> {
         if let Some((it, place)) = &features.cone {
             cone("cone", it.diameter, it.angle_millideg, place);
         }
-        if let Some((it, place)) = &features.countersink {
-            cone("countersink", it.diameter, it.angle_millideg, place);
+        if let Some((countersink, place)) = &features.countersink {
+            cone("countersink", countersink.diameter, countersink.angle_millideg, place);
         }
         if let Some((bore, place)) = &features.counterbore {
             openings.push(("counterbore", bore.diameter, bore.depth, bore.depth >= entry.to, place));

@@ -19,15 +19,15 @@ pub const MOST_CLAMPS: usize = 100;
 
 /// The things whose number is limited.
 #[derive(Clone, Copy)]
-pub(super) enum Counted {
+pub(super) enum LimitedCount {
     Points,
     Kinds,
     Steps,
     Clamps,
 }
 
-impl Counted {
-    const fn most(self) -> usize {
+impl LimitedCount {
+    const fn maximum(self) -> usize {
         match self {
             Self::Points => MOST_POINTS,
             Self::Kinds => MOST_KINDS,
@@ -47,7 +47,7 @@ impl Counted {
 
     /// The fault of a count above the limit, and the remedy.
     fn refusal(self, count: usize) -> Option<(Note, Note)> {
-        let most = self.most();
+        let most = self.maximum();
         let message = match self {
             Self::Points => note!("part-too-many-points", count = count, most = most),
             Self::Kinds => note!("part-too-many-kinds", count = count, most = most),
@@ -60,19 +60,19 @@ impl Counted {
 
 impl Reader<'_> {
     /// Refuses a count above the limit.
-    pub(super) fn no_more(&mut self, what: Counted, count: usize, place: &Place) -> Option<()> {
-        match what.refusal(count) {
-            Some((message, help)) => self.problems.error_help(what.code(), message, place, help),
+    pub(super) fn refuse_more(&mut self, counted: LimitedCount, count: usize, place: &Place) -> Option<()> {
+        match counted.refusal(count) {
+            Some((message, help)) => self.problems.error_help(counted.code(), message, place, help),
             None => Some(()),
         }
     }
 
     /// The items of a list up to the limit; a longer list is refused at its first extra item.
-    pub(super) fn bounded<'n>(&mut self, what: Counted, items: &'n [Node]) -> &'n [Node] {
-        if let Some(beyond) = items.get(what.most()) {
-            let _ = self.no_more(what, items.len(), &beyond.place);
+    pub(super) fn bounded<'n>(&mut self, counted: LimitedCount, items: &'n [Node]) -> &'n [Node] {
+        if let Some(beyond) = items.get(counted.maximum()) {
+            let _ = self.refuse_more(counted, items.len(), &beyond.place);
         }
-        items.get(..what.most()).unwrap_or(items)
+        items.get(..counted.maximum()).unwrap_or(items)
     }
 
     /// Counts the points of a list or a pattern before they are made; none if they are too many, which is reported
@@ -83,7 +83,7 @@ impl Reader<'_> {
         if before > MOST_POINTS {
             return None;
         }
-        self.no_more(Counted::Points, self.counted_points, &node.place)
+        self.refuse_more(LimitedCount::Points, self.counted_points, &node.place)
     }
 }
 
@@ -94,10 +94,10 @@ impl Part {
         let points = self.holes.iter().map(|hole| hole.at.len()).sum();
         let steps = self.holes.iter().map(|hole| hole.steps.len()).max().unwrap_or_default();
         let counts = [
-            (Counted::Points, points),
-            (Counted::Kinds, self.holes.len()),
-            (Counted::Steps, steps),
-            (Counted::Clamps, self.fixture.clamps.len()),
+            (LimitedCount::Points, points),
+            (LimitedCount::Kinds, self.holes.len()),
+            (LimitedCount::Steps, steps),
+            (LimitedCount::Clamps, self.fixture.clamps.len()),
         ];
         counts.into_iter().find_map(|(what, count)| what.refusal(count))
     }
@@ -126,8 +126,8 @@ mod tests {
 
     /// The part, or each problem with its code and place.
     fn read(text: &str) -> Result<Part, Vec<String>> {
-        let told = |one: &crate::knowledge::Diagnostic| one.text(|note| Lang::EN.say(note));
-        read_part("p", text, &shipped::knowledge().unwrap()).map_err(|problems| problems.iter().map(told).collect())
+        let text_of = |problem: &crate::knowledge::Diagnostic| problem.text(|note| Lang::EN.say(note));
+        read_part("p", text, &shipped::knowledge().unwrap()).map_err(|problems| problems.iter().map(text_of).collect())
     }
 
     fn refused(text: &str) -> String {
@@ -146,12 +146,12 @@ mod tests {
         let part = read(&text(10_000)).unwrap();
         assert_eq!(part.holes.iter().map(|hole| hole.at.len()).sum::<usize>(), MOST_POINTS);
         assert_eq!(part.beyond_bounds(), None);
-        let told = refused(&text(10_001));
-        assert!(told.contains("the part has 20001 points, and may have 20000 [too-many-points]; "), "{told}");
-        assert!(told.starts_with("p:8:"), "at the pattern: {told}");
+        let messages = refused(&text(10_001));
+        assert!(messages.contains("the part has 20001 points, and may have 20000 [too-many-points]; "), "{messages}");
+        assert!(messages.starts_with("p:8:"), "at the pattern: {messages}");
         // Reported once, though the pattern after the list is too large as well.
-        let told = refused(&text(100_000));
-        assert!(told.contains("the part has 100000 points") && told.starts_with("p:7:"), "{told}");
+        let messages = refused(&text(100_000));
+        assert!(messages.contains("the part has 100000 points") && messages.starts_with("p:7:"), "{messages}");
         let mut part = part;
         let again = part.holes[1].at.clone();
         part.holes[0].at.extend(again);
@@ -166,9 +166,9 @@ mod tests {
             format!("{HEAD}holes:\n{}", groups.collect::<String>().replace("[10, ", "[100, "))
         };
         assert_eq!(read(&text(390)).unwrap().holes.len(), 390);
-        let told = refused(&text(MOST_KINDS + 1).replace("4000, width: 4000", "9000, width: 9000"));
-        assert!(told.contains("has 501 kinds of holes, and may have 500 [too-many-kinds]; "), "{told}");
-        assert!(told.starts_with(&format!("p:{}:5: ", 6 + MOST_KINDS + 1)), "{told}");
+        let messages = refused(&text(MOST_KINDS + 1).replace("4000, width: 4000", "9000, width: 9000"));
+        assert!(messages.contains("has 501 kinds of holes, and may have 500 [too-many-kinds]; "), "{messages}");
+        assert!(messages.starts_with(&format!("p:{}:5: ", 6 + MOST_KINDS + 1)), "{messages}");
         assert_eq!(read(&text(MOST_KINDS).replace("4000, width: 4000", "9000, width: 9000")).unwrap().holes.len(), 500);
     }
 
@@ -184,9 +184,9 @@ mod tests {
         };
         let part = read(&text(MOST_STEPS, MOST_CLAMPS)).unwrap();
         assert_eq!((part.holes[0].steps.len(), part.fixture.clamps.len()), (MOST_STEPS, MOST_CLAMPS));
-        let told = refused(&text(MOST_STEPS + 1, 1));
-        assert!(told.contains("has 51 steps, and may have 50 [too-many-steps]; "), "{told}");
-        let told = refused(&text(1, MOST_CLAMPS + 1));
-        assert!(told.contains("has 101 clamps, and may have 100 [too-many-clamps]; "), "{told}");
+        let messages = refused(&text(MOST_STEPS + 1, 1));
+        assert!(messages.contains("has 51 steps, and may have 50 [too-many-steps]; "), "{messages}");
+        let messages = refused(&text(1, MOST_CLAMPS + 1));
+        assert!(messages.contains("has 101 clamps, and may have 100 [too-many-clamps]; "), "{messages}");
     }
 }

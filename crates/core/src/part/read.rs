@@ -12,7 +12,7 @@ use technolog_note::note;
 
 use super::check;
 use super::file::{self, PartFile};
-use super::limits::Counted;
+use super::limits::LimitedCount;
 use super::stated;
 use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
 
@@ -83,10 +83,10 @@ impl Reader<'_> {
             None => Some(Fixture::default()),
         };
         let groups = holes_node.map(|node| self.groups(node, blank.as_ref())).unwrap_or_default();
-        check::names(&groups, self.problems);
+        check::check_names(&groups, self.problems);
         if let (Some(blank), Some(datum)) = (&blank, &datum) {
-            check::geometry(&groups, blank, datum, self.problems);
-            check::clamps(&clamps, &groups, blank, datum, self.problems);
+            check::check_geometry(&groups, blank, datum, self.problems);
+            check::check_clamps(&clamps, &groups, blank, datum, self.problems);
         }
         let (material, material_state) = material?;
         Some(Part {
@@ -235,7 +235,7 @@ impl Reader<'_> {
         fields.finish(self.problems);
         let mut clamps = Vec::new();
         let nodes = clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
-        for node in self.bounded(Counted::Clamps, nodes) {
+        for node in self.bounded(LimitedCount::Clamps, nodes) {
             let Some(mut fields) = self.problems.map(node) else { continue };
             let at_node = fields.need(file::Clamp::at, self.problems);
             let at = at_node.and_then(|node| self.point(node));
@@ -385,8 +385,8 @@ holes:
         let knowledge = crate::shipped::knowledge().unwrap();
         for (written, example) in [("10,5H7", "`10.5H7`"), ("Ø10,5", "`10.5`"), ("tenH7", "`10H12`")] {
             let why = super::super::ToleratedDiameter::parse(written, &knowledge).unwrap_err();
-            let told = technolog_words::Lang::EN.say(&why);
-            assert!(told.ends_with(&format!("write {example}")), "{written}: {told}");
+            let message = technolog_words::Lang::EN.say(&why);
+            assert!(message.ends_with(&format!("write {example}")), "{written}: {message}");
         }
     }
 
@@ -433,8 +433,8 @@ holes:
 
     #[test]
     fn a_key_that_asks_for_nothing_changes_nothing() {
-        let asked = read("    at:", "    outer_wall: false\n    state: solid\n    steps: []\n    thread:\n    at:");
-        assert_eq!(asked, read("", ""));
+        let hole = read("    at:", "    outer_wall: false\n    state: solid\n    steps: []\n    thread:\n    at:");
+        assert_eq!(hole, read("", ""));
     }
 
     const MANY_KEYS: &str = "part: П

@@ -37,8 +37,10 @@ impl Features {
     pub fn spans(&self) -> Vec<BoreSpan> {
         let mut spans = Vec::new();
         // A cone narrows at once, so only its mouth counts.
-        let mouths =
-            [self.cone.as_ref().map(|(it, _)| it.diameter), self.countersink.as_ref().map(|(it, _)| it.diameter)];
+        let mouths = [
+            self.cone.as_ref().map(|(cone, _)| cone.diameter),
+            self.countersink.as_ref().map(|(countersink, _)| countersink.diameter),
+        ];
         spans.extend(
             mouths
                 .into_iter()
@@ -216,7 +218,7 @@ mod tests {
         match read_part("part", &text, &shipped::knowledge().unwrap()) {
             Ok(mut part) => Ok(part.holes.remove(0)),
             Err(problems) => {
-                Err(problems.iter().map(|one| one.text(|note| technolog_words::Lang::EN.say(note))).collect())
+                Err(problems.iter().map(|problem| problem.text(|note| technolog_words::Lang::EN.say(note))).collect())
             }
         }
     }

@@ -10,10 +10,10 @@ use technolog_note::note;
 use super::arrange_steps::Cylinders;
 use super::check::{BoreSpan, Centres, Group};
 use super::file::hole as form;
-use super::limits::Counted;
+use super::limits::LimitedCount;
 use super::read::Reader;
 use super::read_diameter::Sized;
-use super::read_steps::Whole;
+use super::read_steps::GroupValues;
 use super::{Blank, Bottom, CentreTolerance, Hole, Point};
 
 impl Reader<'_> {
@@ -27,7 +27,7 @@ impl Reader<'_> {
                 note!("part-give-at-least-one-group"),
             );
         }
-        self.bounded(Counted::Kinds, items).iter().filter_map(|item| self.group(item, blank)).collect()
+        self.bounded(LimitedCount::Kinds, items).iter().filter_map(|item| self.group(item, blank)).collect()
     }
 
     fn group(&mut self, node: &Node, blank: Option<&Blank>) -> Option<Group> {
@@ -82,8 +82,8 @@ impl Reader<'_> {
             let through = through.unwrap_or(true);
             // A `depth` of a through hole that is not the thickness is reported at the key itself.
             let depth = if through { blank.map(|blank| blank.thickness) } else { depth };
-            let whole = Whole { own: sized, through, depth, roughness, bottom, chamfer, place };
-            self.steps(steps, whole)
+            let values = GroupValues { diameter: sized, through, depth, roughness, bottom, chamfer, place };
+            self.steps(steps, values)
         } else {
             self.cylinder(sized, depth, roughness, bottom, chamfer)
         };

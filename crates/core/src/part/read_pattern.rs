@@ -170,7 +170,7 @@ mod tests {
         let shown = |point: Point| [point.x.micrometres(), point.y.micrometres()];
         (
             points.into_iter().map(shown).collect(),
-            problems.0.iter().map(|one| one.text(|note| technolog_words::Lang::EN.say(note))).collect(),
+            problems.0.iter().map(|problem| problem.text(|note| technolog_words::Lang::EN.say(note))).collect(),
         )
     }
 

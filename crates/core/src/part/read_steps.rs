@@ -8,14 +8,14 @@ use technolog_note::{Note, note};
 use super::Bottom;
 use super::arrange_steps::{Cylinder, Cylinders};
 use super::file::hole as form;
-use super::limits::Counted;
+use super::limits::LimitedCount;
 use super::read::Reader;
 use super::read_diameter::Sized;
 
 /// The values of the group besides its steps.
-pub(super) struct Whole<'a> {
+pub(super) struct GroupValues<'a> {
     /// Its own diameter or thread, if it gives one.
-    pub own: Option<Sized>,
+    pub diameter: Option<Sized>,
     pub through: bool,
     /// The blank's thickness, or a blind hole's `depth`.
     pub depth: Option<Micrometres>,
@@ -34,8 +34,8 @@ pub(super) fn depth_or_length() -> Note {
 
 impl Reader<'_> {
     /// The cylinders of a stepped hole.
-    pub(super) fn steps(&mut self, items: &[Node], whole: Whole<'_>) -> Option<Cylinders> {
-        if self.bounded(Counted::Steps, items).len() < items.len() {
+    pub(super) fn steps(&mut self, items: &[Node], whole: GroupValues<'_>) -> Option<Cylinders> {
+        if self.bounded(LimitedCount::Steps, items).len() < items.len() {
             return None;
         }
         let mut cylinders = Vec::new();
@@ -58,7 +58,7 @@ impl Reader<'_> {
             let place = &cylinders.last()?.place;
             return self.problems.error_help("bad-depth", message, place, depth_or_length());
         }
-        self.narrows(&cylinders, whole.through)?;
+        self.check_narrowing(&cylinders, whole.through)?;
         self.arrange(cylinders, whole)
     }
 
@@ -69,7 +69,7 @@ impl Reader<'_> {
         number: usize,
         last: bool,
         start: Option<Micrometres>,
-        whole: &Whole<'_>,
+        whole: &GroupValues<'_>,
     ) -> (Option<Cylinder>, Option<Micrometres>) {
         let Some(mut fields) = self.problems.map(node) else { return (None, None) };
         let sized = self.sized(&mut fields, form::Step::thread, form::Step::diameter, true);
@@ -108,7 +108,7 @@ impl Reader<'_> {
         number: usize,
         last: bool,
         start: Option<Micrometres>,
-        whole: &Whole<'_>,
+        whole: &GroupValues<'_>,
     ) -> Option<Micrometres> {
         match (fields.take(form::Step::depth), fields.take(form::Step::length)) {
             (Some(_), Some(node)) => {
@@ -158,7 +158,7 @@ mod tests {
         match read_part("part", &text, &shipped::knowledge().unwrap()) {
             Ok(mut part) => Ok(part.holes.remove(0)),
             Err(problems) => {
-                Err(problems.iter().map(|one| one.text(|note| technolog_words::Lang::EN.say(note))).collect())
+                Err(problems.iter().map(|problem| problem.text(|note| technolog_words::Lang::EN.say(note))).collect())
             }
         }
     }

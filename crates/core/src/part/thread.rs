@@ -27,7 +27,7 @@ pub(super) struct ThreadError {
 }
 
 impl ThreadError {
-    fn bad(text: &str, why: Note) -> Self {
+    fn invalid(text: &str, why: Note) -> Self {
         let help = note!("part-write-metric-thread-m-h");
         Self { code: "bad-thread", message: note!("part-no-thread", text = text, why = why), help }
     }
@@ -51,7 +51,7 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadedHole, Th
     match letters.next() {
         Some('M' | 'm' | 'М' | 'м') => metric(text, letters.as_str(), knowledge),
         Some('K' | 'k' | 'К' | 'к') => conical(text, letters.as_str(), knowledge),
-        _ => Err(ThreadError::bad(text, note!("part-begins-with-neither-m-nor"))),
+        _ => Err(ThreadError::invalid(text, note!("part-begins-with-neither-m-nor"))),
     }
 }
 
@@ -75,10 +75,10 @@ fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole,
         .collect();
     let (sizes, field) = rest.split_once('-').map_or((rest.as_str(), None), |(sizes, field)| (sizes, Some(field)));
     if let Some(field) = field {
-        tolerance_field(field).map_err(|why| ThreadError::bad(text, why))?;
+        tolerance_field(field).map_err(|why| ThreadError::invalid(text, why))?;
     }
     let (size, pitch) = sizes.split_once('x').map_or((sizes, None), |(size, pitch)| (size, Some(pitch)));
-    let length = |figure: &str| figure.parse::<Micrometres>().map_err(|error| ThreadError::bad(text, error.0));
+    let length = |figure: &str| figure.parse::<Micrometres>().map_err(|error| ThreadError::invalid(text, error.0));
     let (size, pitch) = (length(size)?, pitch.map(length).transpose()?);
     let lacking = |error: TableError| ThreadError::unknown(text, Note::from(&error));
 
@@ -91,7 +91,7 @@ fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole,
     let (id, pitch, hole) = match pitch {
         Some(pitch) if pitch <= Micrometres::ZERO || pitch > coarse => {
             let why = note!("part-pitch-must-above-zero-above", pitch = pitch, coarse = coarse, id = id);
-            return Err(ThreadError::bad(text, why));
+            return Err(ThreadError::invalid(text, why));
         }
         Some(pitch) if pitch != coarse => {
             let id = format!("{id}x{pitch}");
@@ -143,7 +143,7 @@ fn conical(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole
     };
     if let Some(wrong) = rest.chars().find(|letter| !letter.is_ascii_digit() && !" /.\"'″”“’\u{a0}".contains(*letter))
     {
-        return Err(ThreadError::bad(text, note!("part-does-belong-size-inches", wrong = wrong)));
+        return Err(ThreadError::invalid(text, note!("part-does-belong-size-inches", wrong = wrong)));
     }
     let wanted = figures(rest);
     let known: Vec<ConicalThread<'_>> =

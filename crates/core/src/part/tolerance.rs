@@ -114,9 +114,9 @@ impl ToleratedDiameter {
     /// The size is outside the table `it-grades`.
     pub fn free(nominal: Micrometres, knowledge: &Knowledge) -> Result<Self, Note> {
         let number = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
-        let it = ItGrade::new(number).ok_or_else(|| note!("part-grade-outside", number = number))?;
-        let upper = tolerance_width(it, nominal, knowledge)?;
-        Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: nominal.to_string() })
+        let grade = ItGrade::new(number).ok_or_else(|| note!("part-grade-outside", number = number))?;
+        let upper = tolerance_width(grade, nominal, knowledge)?;
+        Ok(Self { nominal, upper, lower: Micrometres::ZERO, it: grade, written: nominal.to_string() })
     }
 
     fn with_grade(nominal: Micrometres, grade: u8, written: String, knowledge: &Knowledge) -> Result<Self, Note> {
@@ -239,10 +239,10 @@ fn convention(name: HoleDefault, knowledge: &Knowledge) -> Result<f64, Note> {
 ///
 /// # Errors
 /// The size is outside the table.
-pub fn tolerance_width(it: ItGrade, size: Micrometres, knowledge: &Knowledge) -> Result<Micrometres, Note> {
-    let asked = knowledge.ask(&ItGradesFor { it, diameter: size }).map_err(|error| Note::from(&error))?;
-    let row = asked.winner().map_err(|error| Note::from(&error))?;
-    row.map(|row| row.tolerance).ok_or_else(|| note!("part-no-at-mm-table-grades", it = it, size = size))
+pub fn tolerance_width(grade: ItGrade, size: Micrometres, knowledge: &Knowledge) -> Result<Micrometres, Note> {
+    let answer = knowledge.ask(&ItGradesFor { it: grade, diameter: size }).map_err(|error| Note::from(&error))?;
+    let row = answer.winner().map_err(|error| Note::from(&error))?;
+    row.map(|row| row.tolerance).ok_or_else(|| note!("part-no-at-mm-table-grades", it = grade, size = size))
 }
 
 #[cfg(test)]

@@ -72,7 +72,8 @@ pub struct Achieved {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Route {
     /// Which source gave it.
-    pub way: RouteSource,
+    #[serde(rename = "way")]
+    pub source: RouteSource,
     /// The table it was found in: `A.8`, `A.9`, `A.10`, `A.5`; of the search the rule `next-transition`.
     pub table: String,
     /// The scheme of A.7, `07` or `04 + centre`; the complex of A.5; of the search its transitions.
@@ -123,7 +124,8 @@ pub struct AlternativeStep {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Alternative {
     /// Which source gave it.
-    pub way: RouteSource,
+    #[serde(rename = "way")]
+    pub source: RouteSource,
     /// Its table.
     pub table: String,
     /// Its scheme.

@@ -115,7 +115,7 @@ impl Reason {
     /// concerns the cutter and not only a holder for other shanks.
     pub fn no_tool(operation: Operation, why: Vec<Unfit>) -> Self {
         let more = why.len().saturating_sub(1);
-        let telling = why.iter().position(|one| !one.is_of_other_holder()).unwrap_or_default();
+        let telling = why.iter().position(|unfit| !unfit.is_of_other_holder()).unwrap_or_default();
         Self::NoTool { operation, first: why.into_iter().nth(telling).map(Box::new), more }
     }
 
@@ -138,7 +138,7 @@ impl Reason {
             |code: &'static str, operation: Operation| new(code).with("operation", Figure::operation(operation.name()));
         match self {
             Self::NotProven { why } => new("not-proven").with("why", why),
-            Self::GradeWithoutDistance { it } => new("grade-without-distance").with("it", it),
+            Self::GradeWithoutDistance { it: grade } => new("grade-without-distance").with("it", grade),
             Self::GradeOutsideTable { it, distance, why } => {
                 new("grade-outside-table").with("it", it).with("distance", distance).with("why", why)
             }

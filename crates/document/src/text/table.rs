@@ -1,7 +1,7 @@
 //! Tables: ruled under a head; wrapped and without optional columns if they are too wide; written row by row if they
 //! still do not fit.
 
-use super::wrap::{Line, Word, of_cell, of_heading, wrap};
+use super::wrap::{Line, Word, cell_words, heading_words, wrap};
 use super::{Page, STEP, wrap as set};
 use crate::{Align, Inlines, Table, WIDTH};
 
@@ -34,11 +34,11 @@ pub(super) fn write(page: &mut Page, table: &Table) {
 /// The notes under a table; `all` is the width that it needs with every column.
 fn notes(page: &mut Page, table: &Table, left_out: Vec<Inlines>, all: usize) {
     if !left_out.is_empty() {
-        let mut said = Inlines::joined(left_out, ", ");
+        let mut columns = Inlines::joined(left_out, ", ");
         if !page.words.see_all.is_empty() {
-            said = said.text("; ").then(see_all(page, all));
+            columns = columns.text("; ").append(see_all(page, all));
         }
-        page.field(&page.words.left_out.into(), &said, STEP);
+        page.field(&page.words.left_out.into(), &columns, STEP);
     }
     for note in &table.notes {
         page.paragraph(&set::words(note), STEP);
@@ -78,13 +78,13 @@ struct Grid {
 
 impl Grid {
     fn of(table: &Table) -> Self {
-        let heads: Vec<Vec<Word>> = table.columns().iter().map(|column| of_heading(&column.head())).collect();
-        let rows: Vec<Vec<Vec<Word>>> = table.rows().iter().map(|row| row.iter().map(of_cell).collect()).collect();
+        let heads: Vec<Vec<Word>> = table.columns().iter().map(|column| heading_words(&column.head())).collect();
+        let rows: Vec<Vec<Vec<Word>>> = table.rows().iter().map(|row| row.iter().map(cell_words).collect()).collect();
         let measure = |(at, column): (usize, &crate::Column)| {
             let cells = || rows.iter().map(|row| &row[at]).chain([&heads[at]]);
-            let most = cells().map(|words| whole(words)).max().unwrap_or(0);
+            let most = cells().map(|words| line_width(words)).max().unwrap_or(0);
             let word = cells().flatten().map(|word| word.width).max().unwrap_or(0);
-            (most, word.max(column.least.min(most)))
+            (most, word.max(column.min_width.min(most)))
         };
         let measures = table.columns().iter().enumerate().map(measure).collect();
         Self { measures, aligns: table.columns().iter().map(|column| column.align).collect(), heads, rows }
@@ -178,6 +178,6 @@ impl Grid {
 }
 
 /// The width of words on one line.
-fn whole(words: &[Word]) -> usize {
+fn line_width(words: &[Word]) -> usize {
     wrap(words, usize::MAX, usize::MAX).first().map_or(0, |line| line.width)
 }

@@ -9,7 +9,7 @@ const WORDS: Words =
 fn tools() -> Table {
     let mut table = Table::new([
         Column::text("T"),
-        Column::text("Позначення").least(20),
+        Column::text("Позначення").min_width(20),
         Column::number("Ø", "мм"),
         Column::text("Для").keep(Keep::Useful),
         Column::number("Виліт", "мм").keep(Keep::Optional),

@@ -104,12 +104,12 @@ pub(super) fn styled(inlines: &Inlines, style: Style) -> Vec<Word> {
 }
 
 /// The words of a column heading: long names may also be broken after `_`.
-pub(super) fn of_heading(inlines: &Inlines) -> Vec<Word> {
+pub(super) fn heading_words(inlines: &Inlines) -> Vec<Word> {
     split(inlines, Some(Style::Strong), Some('_'))
 }
 
 /// The words of a cell: long names may also be broken after a `+` inside.
-pub(super) fn of_cell(inlines: &Inlines) -> Vec<Word> {
+pub(super) fn cell_words(inlines: &Inlines) -> Vec<Word> {
     split(inlines, None, Some('+'))
 }
 
@@ -138,7 +138,7 @@ fn split(inlines: &Inlines, all: Option<Style>, after: Option<char>) -> Vec<Word
             }
         }
     }
-    held(words)
+    join_inseparable(words)
 }
 
 fn shown(piece: &Inline, quoted: bool) -> String {
@@ -170,7 +170,7 @@ fn add(words: &mut Vec<Word>, text: &str, style: Style, mut open: bool, after: O
 }
 
 /// Joins words that must stay together.
-fn held(words: Vec<Word>) -> Vec<Word> {
+fn join_inseparable(words: Vec<Word>) -> Vec<Word> {
     let mut all: Vec<Word> = Vec::new();
     let mut last = Word::default();
     for word in words {
@@ -216,8 +216,8 @@ mod tests {
     fn lines_break_between_what_belongs_together() {
         assert_eq!(lines(&words(&"Ra 2.5 | Ra 1.25".into()), 10), ["Ra 2.5 |", "Ra 1.25"]);
         assert_eq!(lines(&words(&"на 2,2 % менше".into()), 6), ["на", "2,2 %", "менше"]);
-        assert_eq!(lines(&of_heading(&"finish_elsewhere".into()), 10), ["finish_", "elsewhere"]);
-        assert_eq!(lines(&of_cell(&"drill+ream +5".into()), 6), ["drill+", "ream", "+5"]);
+        assert_eq!(lines(&heading_words(&"finish_elsewhere".into()), 10), ["finish_", "elsewhere"]);
+        assert_eq!(lines(&cell_words(&"drill+ream +5".into()), 6), ["drill+", "ream", "+5"]);
         assert_eq!(lines(&words(&Inlines::from("t = ").quantity("0,5", "мм").text(".")), 5), ["t =", "0,5 мм."]);
         assert_eq!(lines(&words(&"abcdef gh".into()), 4), ["abcdef", "gh"]);
     }

@@ -20,7 +20,7 @@ fn expected(document: &Document) -> Vec<(String, String)> {
         all.extend((listed && !goes_on).then(|| ("list".to_owned(), String::new())));
         match block {
             Block::Heading { level, words } => all.push((format!("h{level}"), words.plain())),
-            Block::Paragraph(words) => all.push(said("p", words)),
+            Block::Paragraph(words) => all.push(kind_and_text("p", words)),
             Block::List(list) => items(&mut all, list, 1),
             Block::Fields(fields) => {
                 let field =
@@ -32,7 +32,7 @@ fn expected(document: &Document) -> Vec<(String, String)> {
                 // A word has its colon; a mark such as `*` has none.
                 let colon = if finding.word.ends_with(char::is_alphanumeric) { ":" } else { "" };
                 all.push(("li1".to_owned(), format!("{}{colon}{place} {}", finding.word, finding.words.plain())));
-                all.extend(finding.details.iter().map(|detail| said("li2", detail)));
+                all.extend(finding.details.iter().map(|detail| kind_and_text("li2", detail)));
                 all.extend(finding.help.iter().map(|help| ("li2".to_owned(), format!("Help: {}", help.plain()))));
             }
             Block::Table(table) => {
@@ -42,12 +42,12 @@ fn expected(document: &Document) -> Vec<(String, String)> {
                     (name, unit) => format!("{name}, {unit}"),
                 };
                 all.extend(table.columns().iter().map(|column| ("cell".to_owned(), head(column))));
-                all.extend(table.rows().iter().flatten().map(|cell| said("cell", cell)));
-                all.extend(table.notes.iter().map(|note| said("p", note)));
+                all.extend(table.rows().iter().flatten().map(|cell| kind_and_text("cell", cell)));
+                all.extend(table.notes.iter().map(|note| kind_and_text("p", note)));
             }
             Block::Drawing(Drawing { alternative, caption, .. }) => {
                 all.push(("p".to_owned(), alternative.clone()));
-                all.extend((!caption.is_empty()).then(|| said("p", caption)));
+                all.extend((!caption.is_empty()).then(|| kind_and_text("p", caption)));
             }
             Block::Code(code) => all.push(("code".to_owned(), code.clone())),
         }
@@ -57,12 +57,12 @@ fn expected(document: &Document) -> Vec<(String, String)> {
 
 fn items(all: &mut Vec<(String, String)>, list: &[Item], depth: usize) {
     for item in list {
-        all.push(said(&format!("li{depth}"), &item.words));
+        all.push(kind_and_text(&format!("li{depth}"), &item.words));
         items(all, &item.items, depth + 1);
     }
 }
 
-fn said(kind: &str, words: &Inlines) -> (String, String) {
+fn kind_and_text(kind: &str, words: &Inlines) -> (String, String) {
     (kind.to_owned(), words.plain())
 }
 

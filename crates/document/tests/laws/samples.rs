@@ -103,8 +103,8 @@ pub fn document(words: BoxedStrategy<String>) -> impl Strategy<Value = Document>
     let field = (words.clone(), line.clone()).prop_map(|(label, value)| Field::new(label, value));
     let finding =
         (words.clone(), prop::option::of(words.clone()), line.clone(), lines.clone(), prop::option::of(line.clone()))
-            .prop_map(|(word, place, said, details, help)| {
-                let finding = FindingBlock::new(Severity::Wrong, format!("w{word}"), said);
+            .prop_map(|(word, place, message, details, help)| {
+                let finding = FindingBlock::new(Severity::Wrong, format!("w{word}"), message);
                 FindingBlock { place: place.map(|place| format!("p{place}")), details, help, ..finding }
             });
     let block = prop_oneof![
@@ -121,7 +121,7 @@ pub fn document(words: BoxedStrategy<String>) -> impl Strategy<Value = Document>
     ];
     (line, prop::collection::vec(block, 0..6)).prop_map(|(title, blocks)| Document {
         lang: "uk".to_owned(),
-        title: Inlines::from("t").then(title),
+        title: Inlines::from("t").append(title),
         blocks,
     })
 }
@@ -138,7 +138,7 @@ fn table(words: BoxedStrategy<String>, line: BoxedStrategy<Inlines>) -> impl Str
             heading: greek(&heading).into(),
             unit: greek(&unit),
             keep: Keep::Always,
-            least: 6,
+            min_width: 6,
         });
         let columns_of = prop::collection::vec(column, columns);
         let rows = prop::collection::vec(prop::collection::vec(line.clone(), columns), 0..4);

@@ -15,7 +15,7 @@ fn letters(words: &str) -> String {
 }
 
 /// The document as it is read on a screen: links have their addresses, figures the word for them.
-fn said(document: &Document) -> String {
+fn screen_text(document: &Document) -> String {
     let drawings =
         document.blocks.iter().filter(|block| matches!(block, technolog_document::Block::Drawing(_))).count();
     expected(document).into_iter().map(|(_, words)| words).collect::<String>() + &"Drawing".repeat(drawings)
@@ -35,7 +35,7 @@ proptest! {
             prop_assert!(line.width() <= width || alone, "{}: {}\n{}", width, line, page);
             prop_assert!(!line.ends_with(' '));
         }
-        prop_assert_eq!(letters(&page), letters(&said(&document)), "{}", page);
+        prop_assert_eq!(letters(&page), letters(&screen_text(&document)), "{}", page);
         prop_assert_eq!(&page, &text(&document, width, false, &words));
     }
 

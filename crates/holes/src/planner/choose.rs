@@ -220,8 +220,11 @@ impl<'a, 'k> Chooser<'a, 'k> {
     }
 
     fn total(&self) -> Total {
-        let own: f64 = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|choice| choice.own.0).sum();
-        let missing = (0..self.chosen.len()).filter(|group| self.choice(*group).is_none_or(|it| !it.meets())).count();
+        let own: f64 =
+            (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|choice| choice.own_time.0).sum();
+        let missing = (0..self.chosen.len())
+            .filter(|group| self.choice(*group).is_none_or(|it| !it.meets_requirements()))
+            .count();
         let at_best = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|it| it.at_best.len()).sum();
         let other = (0..self.chosen.len())
             .filter(|group| self.choice(*group).is_some_and(|choice| self.other_way(*group, choice)))
@@ -275,12 +278,12 @@ impl<'a, 'k> Chooser<'a, 'k> {
 
     /// Time of the group with the tool changes that its new tools add.
     fn time(&self, group: usize, index: usize, choice: &Choice) -> Minutes {
-        Minutes(choice.own.0 + self.change * self.new_tools(group, index) as f64)
+        Minutes(choice.own_time.0 + self.change * self.new_tools(group, index) as f64)
     }
 
     /// Whether the tables are preferred and have a route for the group, and this route is not from the tables.
     fn other_way(&self, group: usize, choice: &Choice) -> bool {
-        let of_tables = |choice: &Choice| choice.candidate.way == RouteSource::Tables;
+        let of_tables = |choice: &Choice| choice.candidate.source == RouteSource::Tables;
         let have = || self.options[group].as_ref().is_some_and(|options| options.choices.iter().any(of_tables));
         self.preference == Preference::Tables && !of_tables(choice) && have()
     }
@@ -289,7 +292,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         let new_tools = self.new_tools(group, index);
         Rank {
             other_way: self.other_way(group, choice),
-            misses: !choice.meets(),
+            misses: !choice.meets_requirements(),
             at_best: choice.at_best.len(),
             crowding: if self.crowded { new_tools } else { 0 },
             time: micro(self.time(group, index, choice).0),
@@ -317,7 +320,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let other = &options.choices[index];
             let total = self.time(group, index, other);
             let more = total.0 - time.0;
-            let why = match (winner.meets(), other.meets()) {
+            let why = match (winner.meets_requirements(), other.meets_requirements()) {
                 _ if self.other_way(group, other) && more < -SAME => {
                     Note::new("lost-by-preference").with("quicker", minutes(-more))
                 }
@@ -330,13 +333,13 @@ impl<'a, 'k> Chooser<'a, 'k> {
                 _ => Note::new("lost-by-order"),
             };
             alternatives.push(Alternative {
-                way: other.candidate.way,
+                source: other.candidate.source,
                 table: other.candidate.table.clone(),
                 scheme: other.candidate.scheme.clone(),
                 operations: Options::operations(other),
                 time_min: Some(total.rounded(3)),
                 new_tools: Some(self.new_tools(group, index)),
-                meets: other.meets(),
+                meets: other.meets_requirements(),
                 why,
             });
         }
@@ -369,7 +372,7 @@ fn by_name(choices: &[Choice]) -> Vec<usize> {
     let key = |index: &usize| {
         let choice = &choices[*index];
         let candidate = &choice.candidate;
-        (candidate.way, candidate.table.clone(), candidate.scheme.clone(), Options::operations(choice))
+        (candidate.source, candidate.table.clone(), candidate.scheme.clone(), Options::operations(choice))
     };
     let mut order: Vec<usize> = (0..choices.len()).collect();
     order.sort_by_cached_key(key);

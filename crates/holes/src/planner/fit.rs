@@ -39,7 +39,7 @@ pub(super) struct Fitted {
     pub approach: Micrometres,
     pub conditions: Rc<Conditions>,
     /// The time of one pass in one hole.
-    pub took: Duration,
+    pub pass_time: Duration,
     /// What the card could not give for the conditions.
     pub doubts: Vec<CardDoubt>,
     /// Whether the step is a centring spot that also makes an edge of the hole.
@@ -104,18 +104,18 @@ pub(super) struct FittedTool {
 /// The cutter, conditions and travel of a step, without the step's own reasons; shared by all routes that have the
 /// step.
 #[derive(Clone, Debug)]
-pub(super) struct Outfit {
+pub(super) struct ToolAndConditions {
     tool: Rc<FittedTool>,
     pub travel: Micrometres,
     pub conditions: Rc<Conditions>,
     /// The time of one pass in one hole.
-    pub took: Duration,
+    pub pass_time: Duration,
     doubts: Vec<CardDoubt>,
 }
 
 /// The key of an outfit: everything it depends on. The routes of one hole share most of their steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct OutfitKey {
+struct StepKey {
     operation: Operation,
     place: StepLocation,
     diameter: Micrometres,
@@ -153,7 +153,7 @@ pub(super) struct Fitting<'p, 'k> {
     reamer_lead_share: f64,
     /// Lead of a tap, pitches.
     tap_lead: f64,
-    known: RefCell<BTreeMap<OutfitKey, Result<Outfit, Reason>>>,
+    known: RefCell<BTreeMap<StepKey, Result<ToolAndConditions, Reason>>>,
     /// The conditions of centring spots computed so far.
     spots: RefCell<BTreeMap<SpotKey, Rc<Conditions>>>,
     /// The single drills compared with two-pass drilling so far; none where there are no conditions for them.
@@ -218,15 +218,20 @@ impl<'p, 'k> Fitting<'p, 'k> {
                 self.centre(step, drill.unwrap_or(self.hole.diameter.nominal))?
             } else {
                 let last = follows.is_none_or(|next| next == Operation::Tap) && !finish_elsewhere;
-                self.one(step, follows, last)?
+                self.fit_step(step, follows, last)?
             });
         }
         Ok(fitted)
     }
 
     /// The cutter, conditions and travel of a step that is not centring.
-    pub fn outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
-        let key = OutfitKey {
+    pub fn tool_and_conditions(
+        &self,
+        step: &RouteStep,
+        follows: Option<Operation>,
+        last: bool,
+    ) -> Tried<ToolAndConditions> {
+        let key = StepKey {
             operation: step.operation,
             place: step.place,
             diameter: step.diameter,
@@ -236,7 +241,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             pitch: step.pitch,
             also: step.also,
             angle: step.angle_millideg,
-            within: step.within,
+            within: step.entry_cylinder,
             elsewhere: step.elsewhere,
             leaves: left_by(step, last),
             eased: matches!(step.operation, Operation::Drill | Operation::DrillOut) && follows.is_some_and(eases),
@@ -245,7 +250,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let outfit = match known {
             Some(outfit) => outfit,
             None => {
-                let outfit = Refusal::split(self.new_outfit(step, follows, last))?;
+                let outfit = Refusal::split(self.new_tool_and_conditions(step, follows, last))?;
                 self.known.borrow_mut().insert(key, outfit.clone());
                 outfit
             }
@@ -254,18 +259,19 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// One step that is not centring.
-    pub fn one(&self, mut step: RouteStep, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
-        let Outfit { tool, travel, conditions, took, doubts } = self.outfit(&step, follows, last)?;
+    pub fn fit_step(&self, mut step: RouteStep, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
+        let ToolAndConditions { tool, travel, conditions, pass_time, doubts } =
+            self.tool_and_conditions(&step, follows, last)?;
         let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
         because.extend(self.conventions(&step)?);
         let (tool, approach) = (Some(tool), *approach);
-        Ok(Fitted { step, tool, travel, approach, conditions, took, doubts, makes_edge: false, because })
+        Ok(Fitted { step, tool, travel, approach, conditions, pass_time, doubts, makes_edge: false, because })
     }
 
     /// The time of one pass in one hole, in the canned cycle that a program uses for it.
-    fn took(
+    fn pass_time(
         &self,
         step: &RouteStep,
         travel: Micrometres,
@@ -312,7 +318,12 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(because)
     }
 
-    fn new_outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
+    fn new_tool_and_conditions(
+        &self,
+        step: &RouteStep,
+        follows: Option<Operation>,
+        last: bool,
+    ) -> Tried<ToolAndConditions> {
         // The limits of another machine are not known.
         let other = step.elsewhere.then(|| self.shop.without_limits());
         let shop = other.as_ref().unwrap_or(self.shop);
@@ -332,15 +343,16 @@ impl<'p, 'k> Fitting<'p, 'k> {
             lead: Some(self.lead),
             thread: self.hole.thread_at(step.place.step).map(|thread| thread.id.as_str()),
             angle_millideg: step.angle_millideg,
-            within: step.within,
-            below: self.step_above(step),
+            entry_cylinder: step.entry_cylinder,
+            hole_above: self.step_above(step),
             clearance: if step.from == step.diameter { self.floor_clearance } else { self.clearance },
             grind_limit: self.grind_limit,
         };
         let found = match step.also {
             Some(wide) => {
                 let pilot = reach - self.opening_depth();
-                let opening = if self.flat_opening().is_some() { Operation::Counterbore } else { Operation::Chamfer };
+                let opening =
+                    if self.flat_opening_depth().is_some() { Operation::Counterbore } else { Operation::Chamfer };
                 tooling::find_step_drill(&need, wide, pilot, opening, shop)?
             }
             None => tooling::find_tool(&need, shop)?,
@@ -382,8 +394,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             assembly,
             because,
         };
-        let took = self.took(step, travel, self.travels(step.place.through).0, &conditions)?;
-        Ok(Outfit { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), took, doubts })
+        let pass_time = self.pass_time(step, travel, self.travels(step.place.through).0, &conditions)?;
+        Ok(ToolAndConditions { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), pass_time, doubts })
     }
 
     /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.
@@ -423,7 +435,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             surface: self.surface,
             cutter: None,
             pitch: step.pitch,
-            it: step.asks.map(|(it, _)| it),
+            it: step.required_finish.map(|(grade, _)| grade),
             feed_diameter: step.also.map(|_| step.diameter),
             tool_diameter: step.also.map(|_| step.diameter),
         }
@@ -447,7 +459,7 @@ pub fn feed_travel(
 /// The grade and surface that a step must leave with a last single pass; earlier passes, and stock for another
 /// machine, need no finishing feed.
 fn left_by(step: &RouteStep, last: bool) -> Option<(ItGrade, Roughness)> {
-    step.asks.filter(|_| last && step.passes == 1)
+    step.required_finish.filter(|_| last && step.passes == 1)
 }
 
 /// The cylinder that a step works on; a thread belongs to the cylinder of its hole.

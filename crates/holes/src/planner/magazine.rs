@@ -75,7 +75,7 @@ pub(super) fn choose_centre_drill(
                 centre.tool = Some(Rc::clone(tool));
             }
             Err(why) => {
-                findings.extend(why.iter().map(|one| Finding::of_hole(Severity::Error, &hole.name, one.note())));
+                findings.extend(why.iter().map(|unfit| Finding::of_hole(Severity::Error, &hole.name, unfit.note())));
                 draft.route = None;
                 draft.steps.clear();
             }
@@ -85,7 +85,7 @@ pub(super) fn choose_centre_drill(
 }
 
 /// Whether two steps use one tool: the same cutter, setting and holder.
-fn same(a: &FittedTool, b: &FittedTool) -> bool {
+fn same_tool(a: &FittedTool, b: &FittedTool) -> bool {
     a.designation == b.designation && a.table == b.table && a.size == b.size && a.assembly.holder == b.assembly.holder
 }
 
@@ -99,7 +99,7 @@ pub(super) fn number_tools(
     let mut tools: Vec<(usize, Rc<FittedTool>)> = Vec::new();
     for fitted in drafts.iter().flat_map(|draft| &draft.steps).filter(|fitted| !fitted.step.elsewhere) {
         if let Some(tool) = &fitted.tool
-            && !tools.iter().any(|(_, known)| same(known, tool))
+            && !tools.iter().any(|(_, known)| same_tool(known, tool))
         {
             tools.push((0, Rc::clone(tool)));
         }
@@ -108,7 +108,7 @@ pub(super) fn number_tools(
     // Tools used only from the back face come after all tools of the first set-up.
     let of_back = |tool: &FittedTool| {
         let entry = drafts.iter().flat_map(|draft| &draft.steps).filter(|one| one.step.place.face == Face::Entry);
-        !entry.filter_map(|one| one.tool.as_ref()).any(|known| same(known, tool))
+        !entry.filter_map(|one| one.tool.as_ref()).any(|known| same_tool(known, tool))
     };
     tools.sort_by_key(|(rank, tool)| (of_back(tool), *rank));
     let tools: Vec<Rc<FittedTool>> = tools.into_iter().map(|(_, tool)| tool).collect();
@@ -171,7 +171,7 @@ fn rank(tools: &mut [(usize, Rc<FittedTool>)], drafts: &[HoleDraft]) {
             for tool in
                 draft.steps.iter().filter(|fitted| !fitted.step.elsewhere).filter_map(|fitted| fitted.tool.as_ref())
             {
-                if let Some((rank, _)) = tools.iter_mut().find(|(_, known)| same(known, tool)) {
+                if let Some((rank, _)) = tools.iter_mut().find(|(_, known)| same_tool(known, tool)) {
                     *rank = (*rank).max(least);
                     least = *rank + 1;
                 }
@@ -182,7 +182,7 @@ fn rank(tools: &mut [(usize, Rc<FittedTool>)], drafts: &[HoleDraft]) {
 
 fn transition(fitted: &Fitted, tools: &[Rc<FittedTool>]) -> Option<Transition> {
     let tool = fitted.tool.as_ref()?;
-    let number = tools.iter().zip(1..).find(|(known, _)| same(known, tool)).map(|(_, number)| number);
+    let number = tools.iter().zip(1..).find(|(known, _)| same_tool(known, tool)).map(|(_, number)| number);
     // Work on another machine has no place in this magazine.
     let number = if fitted.step.elsewhere { 0 } else { number? };
     Some(fitted.transition(number))

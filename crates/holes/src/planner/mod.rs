@@ -55,15 +55,15 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
 /// As for [`plan`].
 pub fn plan_by_tables(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result<Plan, KnowledgeError> {
     let best = plan(part, method, knowledge)?;
-    let mut own = plan_by(part, method, Preference::Tables, knowledge)?;
-    let saves = own.time.total_min.0 - best.time.total_min.0;
+    let mut plan = plan_by(part, method, Preference::Tables, knowledge)?;
+    let saves = plan.time.total_min.0 - best.time.total_min.0;
     if saves > 0.0 && !best.has_errors() {
-        let (own_time, best_time) = (own.time.total_min, best.time.total_min);
+        let (own_time, best_time) = (plan.time.total_min, best.time.total_min);
         let note = Note::new("tables-preferred").with("own", own_time.0).with("best", best_time.0);
-        own.findings.push(Finding::of_part(Severity::Note, note.with("saves", round_to(saves, 2))));
-        Finding::in_order(&mut own.findings);
+        plan.findings.push(Finding::of_part(Severity::Note, note.with("saves", round_to(saves, 2))));
+        Finding::in_order(&mut plan.findings);
     }
-    Ok(own)
+    Ok(plan)
 }
 
 /// Plans a part by one preference, without comparison with the other.
@@ -83,10 +83,10 @@ pub fn plan_by(
     // Sorted by the figures of a group, not by its name; names only break ties.
     order.sort_by_cached_key(|&index| {
         let hole = &part.holes[index];
-        let (it, roughness) = (hole.diameter.it, hole.roughness);
+        let (grade, roughness) = (hole.diameter.it, hole.roughness);
         let mut points = hole.at.clone();
         points.sort_unstable();
-        (hole.diameter.nominal, it, roughness, hole.depth, points, &hole.name)
+        (hole.diameter.nominal, grade, roughness, hole.depth, points, &hole.name)
     });
     let mut chooser = Chooser::new(part, preference, &shop);
     for &index in &order {
@@ -115,7 +115,7 @@ pub fn plan_by(
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
     let off_table = zone::off_table(part, &shop.machine);
     findings.extend(off_table.iter().map(|fault| Finding::of_part(Severity::Error, fault.note())));
-    findings.extend(names::alike(part));
+    findings.extend(names::lookalike_names(part));
     findings.extend(doubtful_row(shop.material.row));
     let mut plan = Plan {
         part: part.clone(),
@@ -198,8 +198,8 @@ fn draft(
                 report(Severity::Note, Note::new("step-finished-elsewhere").with("diameter", diameter));
             }
             Remark::ReamedShort(lead) => report(Severity::Doubtful, Note::new("reamed-short").with("lead", lead)),
-            Remark::Promised { it, own } => {
-                let note = Note::new("promised-finer").with("it", it).with("own", own);
+            Remark::Promised { it: grade, own } => {
+                let note = Note::new("promised-finer").with("it", grade).with("own", own);
                 report(Severity::Doubtful, note.with("table", &choice.candidate.table));
             }
         }
@@ -213,7 +213,7 @@ fn draft(
         report(Severity::Note, Note::new("second-setup"));
     }
     let fitting = Fitting::new(hole, &[], part, shop)?;
-    for note in fitting.beyond(&steps, part.blank.thickness) {
+    for note in fitting.cut_beyond_hole(&steps, part.blank.thickness) {
         report(Severity::Error, note);
     }
     Ok(HoleDraft { route: Some(route(choice, options, compared)), steps })
@@ -238,11 +238,11 @@ fn route(choice: &Choice, options: &Options, compared: ComparedRoutes) -> Route 
     let mut because: Vec<Because> = options.stages.iter().cloned().collect();
     because.extend(candidate.because.clone());
     Route {
-        way: candidate.way,
+        source: candidate.source,
         table: candidate.table.clone(),
         scheme: candidate.scheme.clone(),
         finish_elsewhere: candidate.finish_elsewhere,
-        meets: choice.meets(),
+        meets: choice.meets_requirements(),
         centre_tolerance_mm: options.centre_tolerance,
         time_min: compared.time,
         cost: compared.cost,

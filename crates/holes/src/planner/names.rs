@@ -8,7 +8,7 @@ use crate::part::Part;
 
 /// Groups whose names differ only in letters that look the same in both alphabets. It is almost certainly a typing
 /// mistake; if not, the plan still cannot be read.
-pub(super) fn alike(part: &Part) -> impl Iterator<Item = Finding> {
+pub(super) fn lookalike_names(part: &Part) -> impl Iterator<Item = Finding> {
     let mut names: BTreeMap<String, usize> = BTreeMap::new();
     for hole in &part.holes {
         *names.entry(latin(&hole.name)).or_default() += 1;

@@ -21,7 +21,7 @@ use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
-use super::sources::{none, refused};
+use super::sources::{no_candidate, refused};
 use super::whole::{Finder, edges, rapids_between, smallest_bore};
 
 /// A route that can be carried out.
@@ -34,7 +34,7 @@ pub(super) struct Choice {
     /// What the proof says that the route reaches only at best.
     pub at_best: Vec<Note>,
     /// Time of cutting and rapids in all holes of the group, without tool changes.
-    pub own: Minutes,
+    pub own_time: Minutes,
     /// A drill of another group, because of which this route drills in two passes.
     pub borrowed: Option<Micrometres>,
     /// The drill without which this route drills in one pass; with it the rule requires two passes.
@@ -43,7 +43,7 @@ pub(super) struct Choice {
 
 impl Choice {
     /// Whether the route holds grade, roughness and position.
-    pub fn meets(&self) -> bool {
+    pub fn meets_requirements(&self) -> bool {
         self.misses.is_empty()
     }
 }
@@ -51,7 +51,7 @@ impl Choice {
 /// A route that cannot be carried out or is excluded by a rule, with the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RefusedRoute {
-    pub way: RouteSource,
+    pub source: RouteSource,
     pub table: String,
     /// The scheme; empty where a source has none at all.
     pub scheme: String,
@@ -66,7 +66,7 @@ impl RefusedRoute {
     /// The route as a plan shows it.
     pub fn to_alternative(&self) -> Alternative {
         Alternative {
-            way: self.way,
+            source: self.source,
             table: self.table.clone(),
             scheme: self.scheme.clone(),
             operations: self.operations.clone(),
@@ -169,8 +169,8 @@ pub(super) fn options(
     };
     let kind = finder.auxiliary_kind();
     let stage_name = kind.map_or(StagedHole::Plain, AuxiliaryKind::stage_name);
-    let asked = if kind.is_some() { auxiliary::diameter(&finder.question) } else { main.diameter.nominal };
-    let (stages, stages_end_elsewhere) = scheme::stages(&finder.question, stage_name, asked, shop)?;
+    let main_diameter = if kind.is_some() { auxiliary::diameter(&finder.question) } else { main.diameter.nominal };
+    let (stages, stages_end_elsewhere) = scheme::stages(&finder.question, stage_name, main_diameter, shop)?;
     if stages_end_elsewhere {
         // A.6 asks for the position of the axis; A.8 and A.9 have such holes in the column of the tightest centre
         // distance.
@@ -185,18 +185,18 @@ pub(super) fn options(
     };
     for (edge, step) in task.edges.iter().zip(&finder.edges) {
         if let (Err(why), true) = (step, Some(*edge) != finder.centred_edge) {
-            let list = if edge.asked { &mut options.impossible } else { &mut options.remarks };
+            let list = if edge.required { &mut options.impossible } else { &mut options.remarks };
             list.push(why.note());
         }
     }
-    finder.every_way(kind, &mut options)?;
+    finder.try_all_sources(kind, &mut options)?;
     if options.choices.is_empty() && main.flat {
         // Where no mill can make the floor flat, the hole is planned with the cone of the drill, and the plan says
         // why.
         let why = options.refused.iter().map(|other| &other.why).find(|why| why.is_of_milled_floor()).map(Reason::note);
         finder.level_floor = false;
         let refused = std::mem::take(&mut options.refused);
-        finder.every_way(kind, &mut options)?;
+        finder.try_all_sources(kind, &mut options)?;
         match (why, options.choices.is_empty()) {
             (Some(why), false) => options.impossible.extend([Note::new("floor-not-flat"), why]),
             _ => options.refused = refused,
@@ -207,9 +207,9 @@ pub(super) fn options(
     {
         let needed = fitting.drill_reach(&main.place, short.diameter);
         let why = Reason::DrillsTooShort { diameter: short.diameter, reach: short.reach, needed };
-        options.refused.push(none(RouteSource::Search, "next-transition", why));
+        options.refused.push(no_candidate(RouteSource::Search, "next-transition", why));
     }
-    finder.boring_stands_back(&mut options)?;
+    finder.exclude_by_boring_rule(&mut options)?;
     if let Some((_, because)) = rough_face {
         for choice in &mut options.choices {
             choice.candidate.because.push(because.clone());
@@ -222,12 +222,12 @@ impl Finder<'_, '_> {
     /// Section 1.2 on boring (rule `boring-for-position`). Where the position requires boring, routes of complexes
     /// and of the search without boring are excluded; where it does not, those with boring. Both hold only while
     /// another route can be carried out.
-    fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
-        let asked = self.boring_asked()?;
+    fn exclude_by_boring_rule(&self, options: &mut Options) -> Result<(), KnowledgeError> {
+        let boring = self.boring_required()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
-        let stands_back = |choice: &Choice| choice.candidate.way != RouteSource::Tables && bores(choice) != asked;
-        options.not_bored = !asked && self.close()?;
-        let other = options.choices.iter().any(|choice| choice.meets() && !stands_back(choice));
+        let stands_back = |choice: &Choice| choice.candidate.source != RouteSource::Tables && bores(choice) != boring;
+        options.not_bored = !boring && self.close()?;
+        let other = options.choices.iter().any(|choice| choice.meets_requirements() && !stands_back(choice));
         if !other {
             options.not_bored = self.close()? && !options.choices.iter().any(bores);
             return Ok(());
@@ -235,11 +235,11 @@ impl Finder<'_, '_> {
         let (back, kept): (Vec<Choice>, Vec<Choice>) = options.choices.drain(..).partition(stands_back);
         options.choices = kept;
         let position = self.question.position;
-        let why = if asked { Reason::BoringAsked { position } } else { Reason::BoringNotAsked { position } };
+        let why = if boring { Reason::BoringAsked { position } } else { Reason::BoringNotAsked { position } };
         for choice in back {
             let operations = Options::operations(&choice);
             let refused = refused(&choice.candidate, why.clone());
-            options.refused.push(RefusedRoute { operations, meets: choice.meets(), ..refused });
+            options.refused.push(RefusedRoute { operations, meets: choice.meets_requirements(), ..refused });
         }
         Ok(())
     }
@@ -250,7 +250,7 @@ impl Finder<'_, '_> {
     }
 
     /// Whether the position of the axis requires boring, by the rule `boring-for-position`.
-    pub fn boring_asked(&self) -> Result<bool, KnowledgeError> {
+    pub fn boring_required(&self) -> Result<bool, KnowledgeError> {
         self.asks_for_boring(self.task.main.diameter.nominal >= self.sizes.smallest_bore)
     }
 

@@ -22,7 +22,7 @@ impl Finder<'_, '_> {
     }
 
     /// Tries all three sources; routes finished on another machine are not compared with the others.
-    pub fn every_way(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
+    pub fn try_all_sources(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         if let Some(candidate) = self.tapped_at_once()? {
             self.try_candidate(&candidate, options)?;
             return Ok(());
@@ -50,7 +50,7 @@ impl Finder<'_, '_> {
         let rule = self.shop.knowledge.table_of::<NextTransition<'_>>()?;
         let note = Note::new("tapped-at-once").with("start", start).with("thread", &thread.written);
         Ok(Some(Candidate {
-            way: RouteSource::Search,
+            source: RouteSource::Search,
             table: rule.id.clone(),
             scheme: Operation::Tap.name().to_owned(),
             transitions: vec![Operation::Tap],
@@ -66,13 +66,13 @@ impl Finder<'_, '_> {
         if let Some(kind) = kind {
             match Refusal::split(auxiliary::candidates(&self.question, kind, self.shop))? {
                 Ok(schemes) => found = Some(schemes),
-                Err(why) => options.refused.push(none(RouteSource::Tables, "A.10", why)),
+                Err(why) => options.refused.push(no_candidate(RouteSource::Tables, "A.10", why)),
             }
         }
         if found.is_none() && self.task.main.thread.is_none() {
             match Refusal::split(scheme::candidates(&self.question, self.shop))? {
                 Ok(schemes) => found = Some(schemes),
-                Err(why) => options.refused.push(none(RouteSource::Tables, "A.8", why)),
+                Err(why) => options.refused.push(no_candidate(RouteSource::Tables, "A.8", why)),
             }
         }
         let mut taken: Option<String> = None;
@@ -98,7 +98,7 @@ impl Finder<'_, '_> {
             countersunk: self.hole.countersink.is_some(),
         };
         match Refusal::split(complex::candidates(&self.question, openings, self.shop))? {
-            Err(why) => options.refused.push(none(RouteSource::Complexes, "A.4", why)),
+            Err(why) => options.refused.push(no_candidate(RouteSource::Complexes, "A.4", why)),
             Ok(complexes) => {
                 for candidate in complexes {
                     self.try_candidate(&candidate, options)?;
@@ -112,7 +112,7 @@ impl Finder<'_, '_> {
         let main = &self.task.main;
         let cost = |steps: &[RouteStep]| self.cost(steps);
         match Refusal::split(search::candidates(main, &self.sizes, &cost, self.shop))? {
-            Err(why) => options.refused.push(none(RouteSource::Search, "next-transition", why)),
+            Err(why) => options.refused.push(no_candidate(RouteSource::Search, "next-transition", why)),
             Ok(routes) => {
                 for mut candidate in routes {
                     if main.thread.is_some() {
@@ -169,7 +169,7 @@ impl Finder<'_, '_> {
         let (at_best, mut wrong): (Vec<_>, Vec<_>) =
             faults.iter().partition(|fault| fault.severity() == Severity::Doubtful);
         // If the user prefers the tables, their scheme is taken, and what it does not reach is reported.
-        if self.preference == Preference::Tables && candidate.way == RouteSource::Tables {
+        if self.preference == Preference::Tables && candidate.source == RouteSource::Tables {
             wrong.retain(|fault| !matches!(fault, Fault::Wanting { .. }));
         }
         if let Some(first) = wrong.first() {
@@ -185,15 +185,15 @@ impl Finder<'_, '_> {
 
     /// Files a route as feasible, unless the same route is there already.
     fn file(&self, choice: Choice, options: &mut Options) {
-        let twin = options.choices.iter().find(|known| same(known, &choice));
+        let twin = options.choices.iter().find(|known| same_route(known, &choice));
         let Some(twin) = twin else {
             options.choices.push(choice);
             return;
         };
         let (table, scheme) = (twin.candidate.table.clone(), twin.candidate.scheme.clone());
         let same = refused(&choice.candidate, Reason::SameAs { table, scheme });
-        let itself = (same.way, &same.table, &same.scheme)
-            == (twin.candidate.way, &twin.candidate.table, &twin.candidate.scheme);
+        let itself = (same.source, &same.table, &same.scheme)
+            == (twin.candidate.source, &twin.candidate.table, &twin.candidate.scheme);
         if !itself && !options.refused.contains(&same) {
             options.refused.push(same);
         }
@@ -208,7 +208,7 @@ impl Finder<'_, '_> {
             steps,
             misses,
             at_best: Vec::new(),
-            own: Minutes(own),
+            own_time: Minutes(own),
             borrowed,
             instead_of: None,
         }
@@ -229,12 +229,14 @@ impl Finder<'_, '_> {
         if main.thread.is_none() {
             // The proof judges the promise of a table; here the promise is enough.
             let promised = candidate.promise.map(|promise| promise.it);
-            if promised.is_none_or(|it| it > main.diameter.it) && reached.it.is_none_or(|it| it > main.diameter.it) {
+            if promised.is_none_or(|it| it > main.diameter.it)
+                && reached.it.is_none_or(|grade| grade > main.diameter.it)
+            {
                 let it = reached.it.map_or_else(|| "-".to_owned(), |it| it.to_string());
                 misses.push(Note::new("misses-grade").with("it", it).with("asked", main.diameter.it));
             }
             let promised = candidate.promise.and_then(|promise| promise.roughness);
-            if promised.is_none_or(|own| own > main.roughness)
+            if promised.is_none_or(|roughness| roughness > main.roughness)
                 && reached.roughness.is_none_or(|own| own > main.roughness)
             {
                 let note = Note::new("misses-roughness").with("asked", main.roughness);
@@ -247,15 +249,15 @@ impl Finder<'_, '_> {
         if main.before.is_cast() && reached.position_mm.is_none() {
             misses.push(Note::new("misses-axis").with("asked", self.question.position));
         }
-        let asked = self.question.position;
-        let beyond = reached.position_mm.filter(|own| *own > asked);
-        misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", asked)));
+        let required = self.question.position;
+        let beyond = reached.position_mm.filter(|own| *own > required);
+        misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", required)));
         misses
     }
 }
 
 /// Whether two routes are the same: the same cutters leave the same diameters.
-fn same(a: &Choice, b: &Choice) -> bool {
+fn same_route(a: &Choice, b: &Choice) -> bool {
     let shown = |choice: &Choice| -> Vec<(Operation, Micrometres, Micrometres, Option<String>)> {
         let steps = choice.steps.iter();
         steps
@@ -269,10 +271,10 @@ fn same(a: &Choice, b: &Choice) -> bool {
 }
 
 pub(super) fn refused(candidate: &Candidate, why: Reason) -> RefusedRoute {
-    RefusedRoute { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
+    RefusedRoute { scheme: candidate.scheme.clone(), ..no_candidate(candidate.source, &candidate.table, why) }
 }
 
 /// The refusal of a source that has no candidate.
-pub(super) fn none(way: RouteSource, table: &str, why: Reason) -> RefusedRoute {
-    RefusedRoute { way, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
+pub(super) fn no_candidate(source: RouteSource, table: &str, why: Reason) -> RefusedRoute {
+    RefusedRoute { source, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
 }

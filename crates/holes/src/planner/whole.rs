@@ -22,7 +22,7 @@ use crate::units::{ItGrade, Micrometres, Minutes};
 use super::fit::{Fitted, Fitting};
 
 /// The steps that open a wider cylinder, or why there are none.
-type Opened = Result<Vec<RouteStep>, Reason>;
+type OpeningSteps = Result<Vec<RouteStep>, Reason>;
 
 /// What is needed to find the routes of one group.
 pub(super) struct Finder<'a, 'k> {
@@ -36,7 +36,7 @@ pub(super) struct Finder<'a, 'k> {
     pub position: accuracy::Position,
     pub shop: &'a Shop<'k>,
     /// The best steps to open each wider cylinder from a diameter, found so far.
-    pub opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
+    pub opened: RefCell<BTreeMap<(usize, Micrometres), OpeningSteps>>,
     pub rapids_between: Minutes,
     /// The times of the operator's manual work.
     pub hands: Hands,
@@ -59,8 +59,8 @@ impl Finder<'_, '_> {
             if step.operation == Operation::CentreDrill {
                 continue;
             }
-            let outfit = self.fitting.outfit(step, None, false)?;
-            minutes += self.time_of(step, outfit.took);
+            let outfit = self.fitting.tool_and_conditions(step, None, false)?;
+            minutes += self.time_of(step, outfit.pass_time);
         }
         Ok(Minutes(minutes))
     }
@@ -68,7 +68,7 @@ impl Finder<'_, '_> {
     /// Time of a step in all holes of the group, with approach and retract, and with the setting of the bar between
     /// passes, min.
     pub fn time(&self, fitted: &Fitted) -> f64 {
-        self.time_of(&fitted.step, fitted.took)
+        self.time_of(&fitted.step, fitted.pass_time)
     }
 
     fn time_of(&self, step: &RouteStep, took: Duration) -> f64 {
@@ -105,7 +105,7 @@ impl Finder<'_, '_> {
                 }
             };
             let both = steps.iter().any(|step| step.operation == Operation::DrillOut);
-            match Refusal::split(self.whole(steps, candidate, joined))? {
+            match Refusal::split(self.fit_hole(steps, candidate, joined))? {
                 Ok(mut fitted) => {
                     if both {
                         self.fitting.compare_with_one_drill(&mut fitted)?;
@@ -123,10 +123,10 @@ impl Finder<'_, '_> {
 
     /// Adds openings, edges and the floor to the steps of the main cylinder, in the order of section 1.1.2,
     /// and fits them all.
-    fn whole(&self, mut steps: Vec<RouteStep>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
+    fn fit_hole(&self, mut steps: Vec<RouteStep>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         let main = &self.task.main;
         for step in &mut steps {
-            step.asks = Some((main.diameter.it, main.roughness));
+            step.required_finish = Some((main.diameter.it, main.roughness));
         }
         let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
         accuracy::write(&mut steps, main, promise, self.position, self.shop)?;
@@ -245,7 +245,7 @@ impl Finder<'_, '_> {
         let question = SchemeQuestion { bore, ..self.question };
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: &[RouteStep]| self.cost(steps);
-        let asked = self.boring_asked()?;
+        let boring = self.boring_required()?;
         let mut best: Option<((bool, bool, Minutes), Vec<RouteStep>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
@@ -253,7 +253,7 @@ impl Finder<'_, '_> {
                 let sizes = Sizes { bore_large, ..sizes };
                 let made = diameters::steps(&candidate, bore, &sizes, self.shop).and_then(|mut steps| {
                     for step in &mut steps {
-                        step.asks = Some((bore.diameter.it, bore.roughness));
+                        step.required_finish = Some((bore.diameter.it, bore.roughness));
                     }
                     let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
                     accuracy::write(&mut steps, bore, promise, self.position.following(), self.shop)?;
@@ -274,7 +274,7 @@ impl Finder<'_, '_> {
                 });
                 match Refusal::split(made)? {
                     Ok((minutes, mut steps)) => {
-                        let bores = !asked && steps.iter().any(|step| step.operation.is_boring());
+                        let bores = !boring && steps.iter().any(|step| step.operation.is_boring());
                         // Here too, what the tables finish on another machine is left for that machine.
                         let here = !candidate.finish_elsewhere;
                         let better =
@@ -307,9 +307,9 @@ pub(super) fn edges(
     let mut steps = Vec::with_capacity(task.edges.len());
     for edge in &task.edges {
         let cut = |operation: Option<Operation>| -> Tried<RouteStep> {
-            let mut step = openings::edge(edge, edge.around, shop)?;
+            let mut step = openings::edge(edge, edge.cylinder_diameter, shop)?;
             step.operation = operation.unwrap_or(step.operation);
-            fitting.one(step.clone(), None, false)?;
+            fitting.fit_step(step.clone(), None, false)?;
             Ok(step)
         };
         let mut found = Refusal::split(cut(None))?;
@@ -364,7 +364,7 @@ pub(super) fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeErr
 pub(super) fn rapids_between(hole: &Hole, shop: &Shop<'_>) -> Minutes {
     let mut points = hole.at.clone();
     points.sort_unstable();
-    let way: f64 =
+    let length: f64 =
         points.windows(2).map(|pair| (pair[0].x - pair[1].x).abs().max((pair[0].y - pair[1].y).abs()).to_mm()).sum();
-    Minutes(way / shop.machine.rapid.0)
+    Minutes(length / shop.machine.rapid.0)
 }

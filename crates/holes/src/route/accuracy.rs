@@ -30,7 +30,7 @@ pub(super) fn start(bore: &Bore) -> HoleState {
 }
 
 /// The answer of `next-transition` to a state and the diameter the transition leaves.
-pub(super) fn after<'k>(
+pub(super) fn next_transition<'k>(
     state: HoleState,
     diameter: Micrometres,
     shop: &Shop<'k>,
@@ -45,7 +45,7 @@ pub(super) fn of_row<'k>(
     shop: &Shop<'k>,
 ) -> Result<Option<(ItGrade, Roughness, RowRef<'k>)>, KnowledgeError> {
     let knowledge = shop.knowledge;
-    let (found, it, ra): (RowRef<'k>, _, _) = if let Some(number) = row.a1 {
+    let (found, grade, ra): (RowRef<'k>, _, _) = if let Some(number) = row.a1 {
         let found = knowledge.need(&number.to_string(), |row: &HoleAccuracy<'_>| row.no == number)?;
         (found.row, finest(&found)?, found.ra_finest)
     } else if let Some(method) = row.a2 {
@@ -57,7 +57,7 @@ pub(super) fn of_row<'k>(
     } else {
         return Ok(None);
     };
-    Ok(Some((it, Roughness::from_ra(ra), found)))
+    Ok(Some((grade, Roughness::from_ra(ra), found)))
 }
 
 /// As `of_row`, with the reason as a plan shows it.
@@ -65,13 +65,13 @@ fn of_row_with_reason(
     row: &NextTransition<'_>,
     shop: &Shop<'_>,
 ) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
-    let Some((it, roughness, found)) = of_row(row, shop)? else { return Ok(None) };
-    let note = Note::new("reaches").with("it", it).with("roughness", roughness);
+    let Some((grade, roughness, found)) = of_row(row, shop)? else { return Ok(None) };
+    let note = Note::new("reaches").with("it", grade).with("roughness", roughness);
     let mut because = Because::row(found, note);
     if because.unconfirmed.is_none() {
         because.unconfirmed = row.row.row().unconfirmed.clone();
     }
-    Ok(Some((it, roughness, because)))
+    Ok(Some((grade, roughness, because)))
 }
 
 /// Writes the accuracy that each step achieves: by the chain of `next-transition`, for the last step by the promise
@@ -93,7 +93,7 @@ pub fn write(
     let mut before: Option<(Operation, ItGrade, Roughness)> = None;
     for (index, step) in steps.iter_mut().enumerate() {
         centred |= step.operation == Operation::CentreDrill;
-        guided |= guides(step.operation);
+        guided |= sets_own_axis(step.operation);
         let mut reached = None;
         // In the tables, the second drill of two-pass drilling is an ordinary drilling.
         let operation = if step.operation == Operation::DrillOut && bore.before.is_solid() {
@@ -103,8 +103,12 @@ pub fn write(
             step.operation
         };
         // A centring spot has no diameter yet: the rule is queried with the diameter of the cylinder.
-        let asked = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
-        let next = if state == HoleState::Finished { Vec::new() } else { after(state, asked, shop)?.winners()? };
+        let diameter = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
+        let next = if state == HoleState::Finished {
+            Vec::new()
+        } else {
+            next_transition(state, diameter, shop)?.winners()?
+        };
         if let Some(row) = next.iter().find(|row| row.operation == operation) {
             state = row.leaves;
             reached = of_row_with_reason(row, shop)?;
@@ -133,7 +137,7 @@ pub fn write(
             let (roughness, because) = tapped(shop)?;
             step.because.push(because);
             step.achieved =
-                Some(Achieved { it: None, roughness: Some(roughness), position_mm: position.of(centred, guided) });
+                Some(Achieved { it: None, roughness: Some(roughness), position_mm: position.error(centred, guided) });
             continue;
         }
         let (mut it, mut roughness) = (None, None);
@@ -153,7 +157,7 @@ pub fn write(
             roughness = roughness.or(promise.roughness);
         }
         let promised = promise.and_then(|promise| promise.position).filter(|_| Some(index) == last);
-        let position_mm = position.of(centred, guided).or(promised);
+        let position_mm = position.error(centred, guided).or(promised);
         step.achieved = Some(Achieved { it, roughness, position_mm });
     }
     Ok(())
@@ -164,9 +168,9 @@ pub fn write(
 fn by_itself(operation: Operation, shop: &Shop<'_>) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
     let says = |row: &TransitionAccuracy<'_>| row.prepares.as_ref().is_some_and(|own| own.contains(&operation));
     let Some(row) = shop.knowledge.find(says)? else { return Ok(None) };
-    let (it, roughness) = (row.it_coarsest, Roughness::from_ra(row.ra_coarsest));
-    let note = Note::new("reaches-by-itself").with("it", it).with("roughness", roughness);
-    Ok(Some((it, roughness, Because::row(row.row, note))))
+    let (grade, roughness) = (row.it_coarsest, Roughness::from_ra(row.ra_coarsest));
+    let note = Note::new("reaches-by-itself").with("it", grade).with("roughness", roughness);
+    Ok(Some((grade, roughness, Because::row(row.row, note))))
 }
 
 /// The roughness that a tap leaves, by table A.3; its grade is the thread's own.
@@ -178,7 +182,7 @@ fn tapped(shop: &Shop<'_>) -> Result<(Roughness, Because), KnowledgeError> {
 }
 
 /// Whether the tool of this operation sets its own axis and does not follow the hole before it.
-pub(super) const fn guides(operation: Operation) -> bool {
+pub(super) const fn sets_own_axis(operation: Operation) -> bool {
     operation.is_boring() || matches!(operation, Operation::Mill)
 }
 
@@ -196,7 +200,8 @@ pub(super) fn drilling<'k>(shop: &Shop<'k>) -> Result<HoleAccuracy<'k>, Knowledg
 }
 
 fn finest(row: &HoleAccuracy<'_>) -> Result<ItGrade, KnowledgeError> {
-    row.it_finest.ok_or_else(|| KnowledgeError::lacks(&row.row.table.id, note!("order-row-has-no-grade", no = row.no)))
+    row.it_finest
+        .ok_or_else(|| KnowledgeError::missing(&row.row.table.id, note!("order-row-has-no-grade", no = row.no)))
 }
 
 /// The position accuracy of an axis, by the table `position-accuracy` and the machine.
@@ -214,10 +219,10 @@ impl Position {
     /// # Errors
     /// The knowledge lacks a row.
     pub fn new(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
-        let worst = |way: DrillingWay| {
-            let row = position_accuracy(way, shop)?;
+        let worst = |drilling: DrillingWay| {
+            let row = position_accuracy(drilling, shop)?;
             row.maximum.ok_or_else(|| {
-                KnowledgeError::lacks(&row.row.table.id, note!("table-lacks-figure-of", name = way.name()))
+                KnowledgeError::missing(&row.row.table.id, note!("table-lacks-figure-of", name = drilling.name()))
             })
         };
         let loss = 1.0 + rough_face(bore, part, shop)?.map_or(0.0, |(loss, _)| loss);
@@ -236,7 +241,7 @@ impl Position {
         Self { drilled: false, ..self }
     }
 
-    fn of(self, centred: bool, guided: bool) -> Option<Micrometres> {
+    fn error(self, centred: bool, guided: bool) -> Option<Micrometres> {
         match (guided, self.drilled, centred) {
             (true, ..) => Some(self.bored),
             (false, true, true) => Some(self.centred),
@@ -254,17 +259,19 @@ impl Position {
 /// The knowledge base has no answer.
 pub fn rough_face(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Option<(f64, Because)>, KnowledgeError> {
     let answer = shop.knowledge.ask(&RoughFaceFor { entry: part.entry, state: bore.before.state() })?;
-    let Some(way) = answer.need(part.entry.name())?.loses else { return Ok(None) };
-    let loses = position_accuracy(way, shop)?;
+    let Some(drilling) = answer.need(part.entry.name())?.loses else { return Ok(None) };
+    let loses = position_accuracy(drilling, shop)?;
     let percent = loses
         .loss_max
-        .ok_or_else(|| KnowledgeError::lacks(&loses.row.table.id, note!("table-lacks-figure-of", name = way.name())))?
+        .ok_or_else(|| {
+            KnowledgeError::missing(&loses.row.table.id, note!("table-lacks-figure-of", name = drilling.name()))
+        })?
         .0;
     Ok(Some((percent / 100.0, Because::row(loses.row, Note::new("rough-face").with("percent", percent)))))
 }
 
-fn position_accuracy<'k>(way: DrillingWay, shop: &Shop<'k>) -> Result<PositionAccuracy<'k>, KnowledgeError> {
-    shop.knowledge.need(way.name(), |row: &PositionAccuracy<'_>| row.name == way)
+fn position_accuracy<'k>(drilling: DrillingWay, shop: &Shop<'k>) -> Result<PositionAccuracy<'k>, KnowledgeError> {
+    shop.knowledge.need(drilling.name(), |row: &PositionAccuracy<'_>| row.name == drilling)
 }
 
 /// The width of the tolerance on centre distances; where it is a grade, it is taken at the smallest distance in the
@@ -275,10 +282,10 @@ fn position_accuracy<'k>(way: DrillingWay, shop: &Shop<'k>) -> Result<PositionAc
 pub fn centre_tolerance(hole: &Hole, shop: &Shop<'_>) -> Result<Micrometres, Reason> {
     match hole.centre_tolerance {
         CentreTolerance::Width(width) => Ok(width),
-        CentreTolerance::Grade { it } => {
-            let distance = hole.smallest_centre_distance().ok_or(Reason::GradeWithoutDistance { it })?;
-            let width = crate::part::tolerance_width(it, distance, shop.knowledge);
-            width.map_err(|why| Reason::GradeOutsideTable { it, distance, why })
+        CentreTolerance::Grade { it: grade } => {
+            let distance = hole.smallest_centre_distance().ok_or(Reason::GradeWithoutDistance { it: grade })?;
+            let width = crate::part::tolerance_width(grade, distance, shop.knowledge);
+            width.map_err(|why| Reason::GradeOutsideTable { it: grade, distance, why })
         }
     }
 }

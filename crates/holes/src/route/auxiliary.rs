@@ -72,7 +72,7 @@ pub fn diameter(question: &SchemeQuestion<'_>) -> Micrometres {
 }
 
 /// The query to A.10.
-pub fn asked(question: &SchemeQuestion<'_>, kind: AuxiliaryKind) -> SchemesOfAuxiliaryHoleFor {
+pub fn query(question: &SchemeQuestion<'_>, kind: AuxiliaryKind) -> SchemesOfAuxiliaryHoleFor {
     SchemesOfAuxiliaryHoleFor {
         hole: kind.name(question),
         diameter: diameter(question),
@@ -87,7 +87,7 @@ pub fn asked(question: &SchemeQuestion<'_>, kind: AuxiliaryKind) -> SchemesOfAux
 /// The knowledge base has no answer, or A.10 has no scheme.
 pub fn candidates(question: &SchemeQuestion<'_>, kind: AuxiliaryKind, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let (name, diameter) = (kind.name(question), diameter(question));
-    let answer = shop.knowledge.ask(&asked(question, kind))?;
+    let answer = shop.knowledge.ask(&query(question, kind))?;
     let Some(row) = answer.winner()? else {
         let centre = question.centre_tolerance;
         return Err(Refusal::Not(Reason::NoAuxiliaryScheme { kind: name.name(), diameter, centre }));
@@ -103,7 +103,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, kind: AuxiliaryKind, shop: &Sho
             .with("scheme", Figure::scheme(scheme))
             .with("kind", Figure::word(name.name()));
         let candidate = Candidate {
-            way: RouteSource::Tables,
+            source: RouteSource::Tables,
             table: row.row.table.id.clone(),
             scheme: scheme.to_owned(),
             transitions: Vec::new(),

@@ -86,11 +86,11 @@ pub struct EdgeCut {
     /// How far below the face its widest circle lies.
     pub start: Micrometres,
     /// The cylinder above the edge, through which the cutter enters; absent at the face.
-    pub within: Option<Micrometres>,
+    pub entry_cylinder: Option<Micrometres>,
     /// Whether the drawing requires it; the chamfer of a thread is added by the planner.
-    pub asked: bool,
+    pub required: bool,
     /// The diameter of the cylinder it is cut at, before finishing.
-    pub around: Micrometres,
+    pub cylinder_diameter: Micrometres,
     /// Its widest diameter.
     pub diameter: Micrometres,
     /// Its full angle, thousandths of a degree; 180° for a face.
@@ -104,7 +104,9 @@ impl EdgeCut {
             return face_stock;
         }
         let half = f64::from(self.angle_millideg) / 1000.0 / 2.0;
-        Micrometres::from_mm_rounded((self.diameter - self.around).to_mm() / 2.0 / libm::tan(half.to_radians()))
+        Micrometres::from_mm_rounded(
+            (self.diameter - self.cylinder_diameter).to_mm() / 2.0 / libm::tan(half.to_radians()),
+        )
     }
 }
 
@@ -173,14 +175,14 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             let chamfer = step.chamfer.or(thread_chamfer(step.thread.as_ref(), shop)?);
             if let Some(chamfer) = chamfer {
                 let edge = chamfer_edge(face, edge_at, step.diameter.nominal, chamfer);
-                edges.push(EdgeCut { asked: step.chamfer.is_some(), ..edge });
+                edges.push(EdgeCut { required: step.chamfer.is_some(), ..edge });
             }
         }
     }
     if let Some(counterbore) = hole.counterbore {
         // A counterbore has no tolerance of its own: a free size (textbook 1.1.1).
         let diameter = ToleratedDiameter::free(counterbore.diameter, shop.knowledge)
-            .map_err(|why| KnowledgeError::lacks("it-grades", why))?;
+            .map_err(|why| KnowledgeError::missing("it-grades", why))?;
         wider.push(Bore {
             place: StepLocation {
                 feature: Feature::Counterbore,
@@ -210,9 +212,9 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             feature: Feature::Countersink,
             face: Face::Entry,
             start: Micrometres::ZERO,
-            within: None,
-            asked: true,
-            around: outermost,
+            entry_cylinder: None,
+            required: true,
+            cylinder_diameter: outermost,
             diameter: sink.diameter,
             angle_millideg: sink.angle_millideg,
         });
@@ -222,9 +224,9 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             feature: Feature::Cone,
             face: Face::Entry,
             start: Micrometres::ZERO,
-            within: None,
-            asked: true,
-            around: hole.diameter.nominal,
+            entry_cylinder: None,
+            required: true,
+            cylinder_diameter: hole.diameter.nominal,
             diameter: cone.diameter,
             angle_millideg: cone.angle_millideg,
         });
@@ -249,16 +251,16 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     if let (Some(chamfer), false) = (thread_chamfer(hole.thread.as_ref(), shop)?, own_chamfer)
         && (hole.countersink.is_none() || above.is_some())
     {
-        edges.push(EdgeCut { asked: false, ..main_edge(chamfer) });
+        edges.push(EdgeCut { required: false, ..main_edge(chamfer) });
     }
     if let Some(face) = hole.face {
         edges.push(EdgeCut {
             feature: Feature::Face,
             face: Face::Entry,
             start: Micrometres::ZERO,
-            within: None,
-            asked: true,
-            around: outermost,
+            entry_cylinder: None,
+            required: true,
+            cylinder_diameter: outermost,
             diameter: face,
             angle_millideg: 2 * RIGHT,
         });
@@ -277,7 +279,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     }
     // A lead-in narrower than its thread has no effect.
     let lead_in = |thread: &Thread, edge: &&EdgeCut| edge.feature == Feature::Chamfer && edge.diameter < thread.size;
-    let around_main = |edge: &&EdgeCut| edge.asked && edge.around == hole.diameter.nominal;
+    let around_main = |edge: &&EdgeCut| edge.required && edge.cylinder_diameter == hole.diameter.nominal;
     let doubtful = hole.thread.iter().flat_map(|thread| {
         let narrow = edges.iter().filter(around_main).find(|edge| lead_in(thread, edge));
         narrow.map(|edge| {
@@ -299,9 +301,9 @@ fn chamfer_edge(
         feature: Feature::Chamfer,
         face,
         start: at.map_or(Micrometres::ZERO, |(depth, _)| depth),
-        within: at.map(|(_, diameter)| diameter),
-        asked: true,
-        around,
+        entry_cylinder: at.map(|(_, diameter)| diameter),
+        required: true,
+        cylinder_diameter: around,
         diameter: around + chamfer + chamfer,
         angle_millideg: RIGHT,
     }
@@ -320,15 +322,15 @@ impl Bore {
     ///
     /// # Errors
     /// A.1 lacks its first row.
-    pub fn asks(&self, shop: &Shop<'_>) -> Result<(ItGrade, Roughness), KnowledgeError> {
+    pub fn required_finish(&self, shop: &Shop<'_>) -> Result<(ItGrade, Roughness), KnowledgeError> {
         if self.thread.is_none() {
             return Ok((self.diameter.it, self.roughness));
         }
         let drilled = super::accuracy::drilling(shop)?;
-        let it = drilled
+        let grade = drilled
             .it_coarsest
-            .ok_or_else(|| KnowledgeError::lacks(&drilled.row.table.id, note!("order-grade-drilling")))?;
-        Ok((it, Roughness::from_ra(drilled.ra_coarsest)))
+            .ok_or_else(|| KnowledgeError::missing(&drilled.row.table.id, note!("order-grade-drilling")))?;
+        Ok((grade, Roughness::from_ra(drilled.ra_coarsest)))
     }
 
     /// Why a chamfer is there although the drawing has none.

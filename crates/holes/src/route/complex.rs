@@ -44,13 +44,14 @@ fn kind(question: &SchemeQuestion<'_>, openings: Openings) -> Option<(ComplexGro
 /// # Errors
 /// The knowledge base has no answer, or A.4 has no complex for it.
 pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
-    let (it, nominal, centre) = (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
+    let (grade, nominal, centre) =
+        (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
     let Some((kind, diameter)) = kind(question, openings) else {
-        return Err(Refusal::Not(Reason::NoComplexGroup { it, diameter: nominal, centre }));
+        return Err(Refusal::Not(Reason::NoComplexGroup { it: grade, diameter: nominal, centre }));
     };
-    let no_complex = || Refusal::Not(Reason::NoComplex { it, diameter: nominal, centre });
-    let asked = ComplexesOfHoleFor { hole: kind, diameter, centre_tolerance: centre };
-    let answer = shop.knowledge.ask_within(&asked)?.ok_or_else(no_complex)?;
+    let no_complex = || Refusal::Not(Reason::NoComplex { it: grade, diameter: nominal, centre });
+    let query = ComplexesOfHoleFor { hole: kind, diameter, centre_tolerance: centre };
+    let answer = shop.knowledge.ask_within(&query)?.ok_or_else(no_complex)?;
     let Some(row) = answer.winner()? else { return Err(no_complex()) };
     let (centred, centring) = centre_first(question.bore, shop)?;
     let mut found = Vec::new();
@@ -70,7 +71,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop
         }
         because.push(Because::row(complex.row, Note::new("complex-transitions").with("complex", number)));
         found.push(Candidate {
-            way: RouteSource::Complexes,
+            source: RouteSource::Complexes,
             table: complex.row.table.id.clone(),
             scheme,
             transitions,

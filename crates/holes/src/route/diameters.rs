@@ -53,7 +53,7 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
     let after_here = after;
     for index in (0..transitions.len()).rev() {
         let previous = index.checked_sub(1).map(|before| transitions[before]);
-        let question = Backwards { operation: transitions[index], after, previous, bore, sizes, shop };
+        let question = BackwardStep { operation: transitions[index], leaves: after, previous, bore, sizes, shop };
         let mut made = if steps.is_empty() && transitions[index] == Operation::Drill {
             vec![question.last_drill(slack)?]
         } else {
@@ -78,9 +78,9 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
         && *first - last.diameter > slack.unwrap_or_default() + (*first - after_here)
     {
         // The first transition on the other machine may find more stock: that machine bores the rest away first.
-        let question = Backwards {
+        let question = BackwardStep {
             operation: Operation::RoughBore,
-            after: after_here,
+            leaves: after_here,
             previous: Some(last.operation),
             bore,
             sizes,
@@ -159,11 +159,11 @@ fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finis
 
 /// One transition, seen backwards from the diameter that it must leave.
 #[derive(Clone, Copy)]
-pub(super) struct Backwards<'a, 'k> {
+pub(super) struct BackwardStep<'a, 'k> {
     /// The transition.
     pub operation: Operation,
     /// The diameter it leaves.
-    pub after: Micrometres,
+    pub leaves: Micrometres,
     /// The transition before it; absent for the first one.
     pub previous: Option<Operation>,
     pub bore: &'a Bore,
@@ -171,7 +171,7 @@ pub(super) struct Backwards<'a, 'k> {
     pub shop: &'a Shop<'k>,
 }
 
-impl Backwards<'_, '_> {
+impl BackwardStep<'_, '_> {
     /// The steps of the transition, first to last: one, or several where rough boring needs thinner bars first.
     /// `from` of the first step is what the transition before must leave.
     pub fn steps(self) -> Tried<Vec<RouteStep>> {
@@ -203,12 +203,12 @@ impl Backwards<'_, '_> {
     }
 
     fn step(self, from: Micrometres) -> RouteStep {
-        RouteStep::plain(self.operation, self.bore.place, self.after, from)
+        RouteStep::plain(self.operation, self.bore.place, self.leaves, from)
     }
 
     /// The diameter the cylinder is opened from.
     fn start(self) -> Tried<Micrometres> {
-        let Self { operation, after: diameter, .. } = self;
+        let Self { operation, leaves: diameter, .. } = self;
         let start = self.sizes.start.ok_or(Refusal::Not(Reason::NoHoleToOpen { operation }))?;
         if start >= diameter {
             return Err(Refusal::Not(Reason::OpenedAlready { operation, diameter, start }));
@@ -235,16 +235,16 @@ impl Backwards<'_, '_> {
 
     /// The largest drill that leaves some stock for a mill or counterbore.
     fn drill_to_open(self) -> Tried<Micrometres> {
-        let largest = self.after - self.shop.convention(HoleDefault::MillClearance)?;
+        let largest = self.leaves - self.shop.convention(HoleDefault::MillClearance)?;
         let start = self.sizes.start.unwrap_or_default();
         let drill = self.sizes.drills.iter().rev().copied().find(|drill| *drill <= largest && *drill > start);
-        let (operation, diameter) = (self.operation, self.after);
+        let (operation, diameter) = (self.operation, self.leaves);
         drill.ok_or(Refusal::Not(Reason::NoDrillBefore { operation, diameter, largest }))
     }
 
     /// The replacement for boring where no boring bar enters, by the rule `too-small-to-bore`.
     fn stand_in(self) -> Tried<(Operation, Option<Because>)> {
-        let (operation, after) = (self.operation, self.after);
+        let (operation, after) = (self.operation, self.leaves);
         if !operation.is_boring() {
             return Ok((operation, None));
         }
@@ -273,9 +273,9 @@ impl Backwards<'_, '_> {
         let drills = self.sizes.drills;
         let found = match slack {
             Some(slack) => {
-                let window = self.after..=self.after + slack;
+                let window = self.leaves..=self.leaves + slack;
                 let inside = drills.iter().copied().find(|drill| window.contains(drill));
-                inside.or_else(|| drills.iter().rev().copied().find(|drill| *drill <= self.after))
+                inside.or_else(|| drills.iter().rev().copied().find(|drill| *drill <= self.leaves))
             }
             None => final_drill(&self.bore.diameter, drills),
         };
@@ -285,8 +285,8 @@ impl Backwards<'_, '_> {
 
     /// A drill of exactly the size that the next transition requires; under a thread, one within the tolerance.
     fn drill(self) -> Tried<RouteStep> {
-        let mut found = self.sizes.drills.iter().copied().find(|drill| *drill == self.after);
-        if found.is_none() && self.bore.thread.is_some() && self.after == self.bore.diameter.target() {
+        let mut found = self.sizes.drills.iter().copied().find(|drill| *drill == self.leaves);
+        if found.is_none() && self.bore.thread.is_some() && self.leaves == self.bore.diameter.target() {
             found = final_drill(&self.bore.diameter, self.sizes.drills);
         }
         let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
@@ -294,7 +294,7 @@ impl Backwards<'_, '_> {
     }
 
     fn no_drill(self) -> Reason {
-        let (diameter, limit) = (self.after, self.shop.machine.drill_max);
+        let (diameter, limit) = (self.leaves, self.shop.machine.drill_max);
         if diameter > limit {
             return Reason::NoDrillSoLarge { diameter, limit };
         }

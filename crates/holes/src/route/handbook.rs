@@ -23,7 +23,7 @@ pub(super) fn row<'k>(bore: &Bore, shop: &Shop<'k>) -> Result<Option<StepDiamete
 
 /// The handbook's diameter before a transition: before a finish reamer after a rough one, that of the rough reamer;
 /// before the first reamer, that of the core drill or boring; before those, that of the last drill.
-pub(super) fn before(
+pub(super) fn diameter_before(
     row: &StepDiameters<'_>,
     operation: Operation,
     previous: Option<Operation>,

@@ -26,7 +26,7 @@ use crate::units::{ItGrade, Micrometres, Roughness};
 #[derive(Clone, Debug)]
 pub struct Candidate {
     /// The source it was found in.
-    pub way: RouteSource,
+    pub source: RouteSource,
     /// `A.8`, `A.9`, `A.10`, `A.5` or the search's rule.
     pub table: String,
     /// The scheme of A.7 as the plan names it, such as `07` or `04 + centre`; the name of the complex; the
@@ -90,7 +90,7 @@ pub struct RouteStep {
     /// Full angle of a cone, thousandths of a degree.
     pub angle_millideg: Option<u32>,
     /// The cylinder above, through which its cutter must pass; absent if there is none.
-    pub within: Option<Micrometres>,
+    pub entry_cylinder: Option<Micrometres>,
     /// The diameter that a step drill makes in the same stroke.
     pub also: Option<Micrometres>,
     /// Whether it is done on another machine.
@@ -98,7 +98,7 @@ pub struct RouteStep {
     /// Whether its drill is used here only because another hole has it in the magazine.
     pub borrowed: bool,
     /// Grade and roughness required of its cylinder; absent for edges and while a search tries it.
-    pub asks: Option<(ItGrade, Roughness)>,
+    pub required_finish: Option<(ItGrade, Roughness)>,
     /// The accuracy it leaves, by the tables.
     pub achieved: Option<Achieved>,
     /// Remarks for the reader of the plan.
@@ -135,11 +135,11 @@ impl RouteStep {
             passes: 1,
             pitch: None,
             angle_millideg: None,
-            within: None,
+            entry_cylinder: None,
             also: None,
             elsewhere: false,
             borrowed: false,
-            asks: None,
+            required_finish: None,
             achieved: None,
             remarks: Vec::new(),
             because: Vec::new(),

@@ -81,14 +81,14 @@ fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Reason, KnowledgeErro
     Ok(Reason::NoFlatOpening { diameter, below, above })
 }
 
-/// The step that cuts an edge: a chamfer, a countersink, a cone or a face. `around` is the diameter of the
-/// cylinder when it is cut.
+/// The step that cuts an edge: a chamfer, a countersink, a cone or a face. `cylinder_diameter` is
+/// that of the cylinder when it is cut.
 ///
 /// # Errors
 /// The knowledge lacks a convention.
-pub fn edge(edge: &EdgeCut, around: Micrometres, shop: &Shop<'_>) -> Tried<RouteStep> {
+pub fn edge(edge: &EdgeCut, cylinder_diameter: Micrometres, shop: &Shop<'_>) -> Tried<RouteStep> {
     let stock = shop.convention(HoleDefault::FaceStock)?;
-    let depth = EdgeCut { around, ..*edge }.depth(stock);
+    let depth = EdgeCut { cylinder_diameter, ..*edge }.depth(stock);
     // Depths of the drawing are measured from the machined face; the stock of the face lies above it.
     let above = if edge.feature == Feature::Face { depth } else { Micrometres::ZERO };
     let start = edge.start - above;
@@ -105,7 +105,10 @@ pub fn edge(edge: &EdgeCut, around: Micrometres, shop: &Shop<'_>) -> Tried<Route
         Feature::Chamfer => Operation::Chamfer,
         _ => Operation::Countersink,
     };
-    let mut step = RouteStep { within: edge.within, ..RouteStep::plain(operation, place, edge.diameter, around) };
+    let mut step = RouteStep {
+        entry_cylinder: edge.entry_cylinder,
+        ..RouteStep::plain(operation, place, edge.diameter, cylinder_diameter)
+    };
     if edge.feature != Feature::Face {
         step.angle_millideg = Some(edge.angle_millideg);
     }

@@ -71,8 +71,8 @@ impl TableAsked<'_> {
 
 impl Cell<'_> {
     fn is_of_row(&self, other: &Cell<'_>) -> bool {
-        let (one, other) = (self.row.row, other.row.row);
-        one.table.id == other.table.id && one.index == other.index
+        let (row, other) = (self.row.row, other.row.row);
+        row.table.id == other.table.id && row.index == other.index
     }
 }
 
@@ -126,7 +126,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
             because.push(Because::answer(&cell.answer.answer, note));
             because.extend(reason);
             let candidate = Candidate {
-                way: RouteSource::Tables,
+                source: RouteSource::Tables,
                 table: cell.row.row.table.id.clone(),
                 scheme,
                 transitions: Vec::new(),
@@ -154,11 +154,11 @@ pub fn stages(
     diameter: Micrometres,
     shop: &Shop<'_>,
 ) -> Result<(Because, bool), KnowledgeError> {
-    let (delta, it) = (question.position, question.bore.diameter.it);
+    let (delta, grade) = (question.position, question.bore.diameter.it);
     let sigma = shop.machine.position_accuracy;
     let position = if delta > sigma { PositionAsked::Above } else { PositionAsked::NotAbove };
-    let answer = shop.knowledge.ask(&RouteStagesFor { hole, it, diameter, position })?;
-    let note = |code: &'static str| Note::new(code).with("delta", delta).with("sigma", sigma).with("it", it);
+    let answer = shop.knowledge.ask(&RouteStagesFor { hole, it: grade, diameter, position })?;
+    let note = |code: &'static str| Note::new(code).with("delta", delta).with("sigma", sigma).with("it", grade);
     Ok(match answer.winner()? {
         None => (Because::answer(&answer.answer, note("no-stages")), false),
         Some(row) => {
@@ -297,12 +297,12 @@ pub(super) fn with_transitions(
 ///
 /// # Errors
 /// There is no such table.
-pub(super) fn known<'s, 'k>(scheme: &str, shop: &'s Shop<'k>) -> Result<Option<&'s Scheme<'k>>, KnowledgeError> {
+pub(super) fn find_scheme<'s, 'k>(scheme: &str, shop: &'s Shop<'k>) -> Result<Option<&'s Scheme<'k>>, KnowledgeError> {
     Ok(shop.shelf.schemes()?.iter().find(|row| row.scheme == scheme))
 }
 
 fn needed<'s, 'k>(scheme: &str, shop: &'s Shop<'k>) -> Result<&'s Scheme<'k>, KnowledgeError> {
-    match known(scheme, shop)? {
+    match find_scheme(scheme, shop)? {
         Some(row) => Ok(row),
         None => Err(KnowledgeError::no_row(shop.knowledge.table_of::<Scheme<'_>>()?, scheme)),
     }
@@ -321,17 +321,17 @@ pub(super) fn twin<'k>(scheme: &str, shop: &Shop<'k>) -> Result<Option<CentredTw
 /// # Errors
 /// The knowledge base has no answer.
 pub(super) fn centre_first(bore: &Bore, shop: &Shop<'_>) -> Result<(bool, Because), KnowledgeError> {
-    let (diameter, it) = (bore.diameter.nominal, bore.diameter.it);
+    let (diameter, grade) = (bore.diameter.nominal, bore.diameter.it);
     let depth_ratio = Decimal::from_f64_rounded(bore.place.depth.to_mm() / diameter.to_mm());
     let state = bore.before.state();
-    let answer = shop.knowledge.ask(&CentreFirstFor { state, it, diameter, depth_ratio })?;
-    let asked = answer.need("this hole")?.centre;
-    let code = match (asked, state) {
+    let answer = shop.knowledge.ask(&CentreFirstFor { state, it: grade, diameter, depth_ratio })?;
+    let centre = answer.need("this hole")?.centre;
+    let code = match (centre, state) {
         (true, _) => "centre",
         (false, BlankState::Solid) => "no-centre",
         (false, BlankState::WithHole) => "no-centre-in-a-hole",
     };
     let note =
-        Note::new(code).with("ratio", round_to(depth_ratio.to_f64(), 2)).with("it", it).with("diameter", diameter);
-    Ok((asked, Because::answer(&answer.answer, note)))
+        Note::new(code).with("ratio", round_to(depth_ratio.to_f64(), 2)).with("it", grade).with("diameter", diameter);
+    Ok((centre, Because::answer(&answer.answer, note)))
 }

@@ -24,7 +24,7 @@ use crate::tables::rules::{HoleState, NextTransition};
 use crate::units::{Micrometres, Minutes};
 
 use super::bores::{Before, Bore};
-use super::diameters::{Backwards, Sizes};
+use super::diameters::{BackwardStep, Sizes};
 use super::{Candidate, RouteStep, accuracy};
 
 /// The most routes that are returned: the fastest by the times of their edges.
@@ -148,7 +148,7 @@ fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tr
         Because::row(row, Note::new("searched-step").with("operation", Figure::operation(operation.name())))
     }));
     Ok(Candidate {
-        way: RouteSource::Search,
+        source: RouteSource::Search,
         table,
         scheme,
         transitions,
@@ -208,10 +208,10 @@ impl<'a, 'k> Graph<'a, 'k> {
     fn goal(&mut self) -> Tried<NodeIndex> {
         let target = self.bore.diameter.target();
         let goal = self.states.add_node(SearchState { diameter: target });
-        let (asked_it, asked_roughness) = self.bore.asks(self.shop)?;
+        let (asked_it, asked_roughness) = self.bore.required_finish(self.shop)?;
         for row in self.rule.clone().iter() {
-            let Some((it, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
-            if it > asked_it || roughness > asked_roughness {
+            let Some((grade, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
+            if grade > asked_it || roughness > asked_roughness {
                 continue;
             }
             self.enter(goal, row, true)?;
@@ -234,12 +234,18 @@ impl<'a, 'k> Graph<'a, 'k> {
                 continue;
             }
             // A centring spot has no diameter of its own: the rule is queried with that of the cylinder.
-            let asked = if after > Micrometres::ZERO { after } else { self.bore.diameter.nominal };
-            if !self.follows(state, asked)?.contains(&row.row.index) {
+            let diameter = if after > Micrometres::ZERO { after } else { self.bore.diameter.nominal };
+            if !self.follows(state, diameter)?.contains(&row.row.index) {
                 continue;
             }
-            let question =
-                Backwards { operation, after, previous, bore: self.bore, sizes: self.sizes, shop: self.shop };
+            let question = BackwardStep {
+                operation,
+                leaves: after,
+                previous,
+                bore: self.bore,
+                sizes: self.sizes,
+                shop: self.shop,
+            };
             let steps = if last && operation == Operation::Drill {
                 question.last_drill(None).map(|step| vec![step])
             } else {
@@ -272,7 +278,7 @@ impl<'a, 'k> Graph<'a, 'k> {
         match self.answers.entry((state, diameter)) {
             Entry::Occupied(known) => Ok(known.into_mut()),
             Entry::Vacant(new) => {
-                let answer = accuracy::after(state, diameter, self.shop)?.answer;
+                let answer = accuracy::next_transition(state, diameter, self.shop)?.answer;
                 Ok(new.insert(answer.winners().map(|winner| winner.index).collect()))
             }
         }

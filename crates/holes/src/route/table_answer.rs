@@ -31,7 +31,7 @@ pub struct TableAnswer<'k> {
 ///
 /// # Errors
 /// The knowledge base has no answer. A tolerance of the drawing that cannot be read gives an answer without a row.
-pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<TableAnswer<'k>, KnowledgeError> {
+pub fn ask<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<TableAnswer<'k>, KnowledgeError> {
     let task = bores::task(hole, part, shop)?;
     let main = &task.main;
     let (centred, centring) = scheme::centre_first(main, shop)?;
@@ -49,15 +49,15 @@ pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<TableAnswe
         drills: &[],
     };
     let kind = AuxiliaryKind::of(hole, main, accuracy::drilled(shop)?);
-    let asked = if kind.is_some() { auxiliary::diameter(&question) } else { main.diameter.nominal };
+    let diameter = if kind.is_some() { auxiliary::diameter(&question) } else { main.diameter.nominal };
     let (_, elsewhere) =
-        scheme::stages(&question, kind.map_or(StagedHole::Plain, AuxiliaryKind::stage_name), asked, shop)?;
+        scheme::stages(&question, kind.map_or(StagedHole::Plain, AuxiliaryKind::stage_name), diameter, shop)?;
     if elsewhere {
         question.centre_tolerance = question.centre_tolerance.min(position);
     }
     let found = match kind {
         Some(kind) => {
-            let row = shop.knowledge.ask(&auxiliary::asked(&question, kind))?.winner()?;
+            let row = shop.knowledge.ask(&auxiliary::query(&question, kind))?.winner()?;
             row.map(|row| (row.row, row.schemes))
         }
         None => scheme::own_cell(&question, shop.knowledge)?.map(|row| (row.row, row.schemes)),
@@ -75,7 +75,7 @@ pub fn transitions(scheme: &str, shop: &Shop<'_>) -> Result<Option<Vec<Operation
         Some(name) => (name, true),
         None => (scheme, false),
     };
-    Ok(scheme::known(name, shop)?.map(|row| {
+    Ok(scheme::find_scheme(name, shop)?.map(|row| {
         let mut operations = row.transitions.clone();
         if centred && operations.first() != Some(&Operation::CentreDrill) {
             operations.insert(0, Operation::CentreDrill);

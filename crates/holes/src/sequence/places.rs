@@ -36,7 +36,7 @@ impl Bounds {
 /// A query over the index.
 pub(super) trait Query {
     /// The least possible cost of a point in a box; none if no point of it is wanted.
-    fn least(&self, number: usize, bounds: &Bounds) -> Option<i64>;
+    fn lower_bound(&self, number: usize, bounds: &Bounds) -> Option<i64>;
     /// Looks at one point.
     fn meet(&mut self, point: usize);
 }
@@ -112,7 +112,7 @@ impl<'p> PointBoxes<'p> {
         let Some(mut halves) = part.halves() else {
             return self.order[part.range.clone()].iter().for_each(|&point| query.meet(point as usize));
         };
-        let least = |half: &BoxOfPoints, query: &_| Query::least(query, half.number, &self.bounds[half.number]);
+        let least = |half: &BoxOfPoints, query: &_| Query::lower_bound(query, half.number, &self.bounds[half.number]);
         match halves.each_ref().map(|half| least(half, query)) {
             [Some(one), Some(other)] if other < one => halves.reverse(),
             [None, Some(_)] => halves.reverse(),

@@ -38,7 +38,7 @@ pub(super) struct Prices<'s> {
     space: &'s Space<'s>,
     places: PointBoxes<'s>,
     /// The price of each node.
-    pub(super) of: Vec<i64>,
+    pub(super) by_node: Vec<i64>,
     /// For each node, the other nodes with the cost of the edge; none for the node outside the tree.
     pub(super) edges: Edges,
     /// Edges of each node in the last tree.
@@ -61,7 +61,7 @@ impl<'s> Prices<'s> {
         let mut prices = Self {
             space,
             places: PointBoxes::of(space.points()),
-            of: vec![0; count],
+            by_node: vec![0; count],
             edges: vec![Vec::new(); count],
             degrees: vec![0; count],
             direction: vec![0.0; count],
@@ -69,7 +69,7 @@ impl<'s> Prices<'s> {
             towards: vec![0; count],
             waiting: BinaryHeap::new(),
         };
-        let beside = space.beside();
+        let beside = space.outside_node();
         near_edges(space, |from, to| {
             if from != beside && to != beside {
                 prices.join(from, to);
@@ -88,7 +88,7 @@ impl<'s> Prices<'s> {
 
     /// The cost of an edge with the prices of its nodes.
     pub(super) fn priced(&self, cost: i64, from: usize, to: usize) -> i64 {
-        cost + self.of[from] + self.of[to]
+        cost + self.by_node[from] + self.by_node[to]
     }
 
     /// Improves the prices in so many rounds, until the bound equals the cost of a known path; returns the best
@@ -99,9 +99,9 @@ impl<'s> Prices<'s> {
     /// forgotten.
     pub(super) fn ascend(&mut self, path: i64, rounds: usize) -> i64 {
         let mut bound = self.tree_over_all();
-        let mut at_bound = self.of.clone();
-        let mut best = (bound, self.of.clone());
-        let mean = bound as f64 / self.of.len() as f64;
+        let mut at_bound = self.by_node.clone();
+        let mut best = (bound, self.by_node.clone());
+        let mean = bound as f64 / self.by_node.len() as f64;
         let mut step = FIRST_STEP * mean * rounds.min(ENOUGH) as f64 / ENOUGH as f64;
         let shrink = libm::pow(SHRINK, 1.0 / rounds.max(1) as f64);
         for round in 1..=rounds {
@@ -109,7 +109,7 @@ impl<'s> Prices<'s> {
                 let tree = self.tree_over_all();
                 if tree > bound {
                     bound = tree;
-                    at_bound.copy_from_slice(&self.of);
+                    at_bound.copy_from_slice(&self.by_node);
                 }
                 best.0 = bound;
                 best.1.copy_from_slice(&at_bound);
@@ -119,7 +119,7 @@ impl<'s> Prices<'s> {
             };
             if tree > best.0 {
                 best.0 = tree;
-                best.1.copy_from_slice(&self.of);
+                best.1.copy_from_slice(&self.by_node);
             }
             if bound >= path || self.is_tour() {
                 break;
@@ -127,7 +127,7 @@ impl<'s> Prices<'s> {
             self.change(step * (rounds - round) as f64 / rounds as f64);
             step *= shrink;
         }
-        self.of = best.1;
+        self.by_node = best.1;
         bound
     }
 
@@ -136,13 +136,13 @@ impl<'s> Prices<'s> {
     pub(super) fn tree_over_all(&mut self) -> i64 {
         self.degrees.fill(0);
         let mut total = 0;
-        for (from, to) in shortest_tree(self.space, &self.places, &self.of, &self.edges) {
+        for (from, to) in shortest_tree(self.space, &self.places, &self.by_node, &self.edges) {
             total += self.priced(self.space.cost(from, to), from, to);
             self.degrees[from] += 1;
             self.degrees[to] += 1;
             self.join(from, to);
         }
-        total + self.beside_tree() - 2 * self.of.iter().sum::<i64>()
+        total + self.beside_tree() - 2 * self.by_node.iter().sum::<i64>()
     }
 
     /// The same over the known edges only (Prim). It is never less, and so no bound.
@@ -150,15 +150,15 @@ impl<'s> Prices<'s> {
         self.degrees.fill(0);
         self.cheapest.fill(i64::MAX);
         self.waiting.clear();
-        let beside = self.space.beside();
+        let beside = self.space.outside_node();
         let mut newest = usize::from(beside == 0);
         self.cheapest[beside] = INSIDE;
         self.cheapest[newest] = INSIDE;
         let mut total = 0;
-        for _ in 2..self.of.len() {
-            let own = self.of[newest];
+        for _ in 2..self.by_node.len() {
+            let own = self.by_node[newest];
             for &(cost, node) in &self.edges[newest] {
-                let cost = cost + own + self.of[node as usize];
+                let cost = cost + own + self.by_node[node as usize];
                 if cost < self.cheapest[node as usize] {
                     self.cheapest[node as usize] = cost;
                     self.towards[node as usize] = newest as u32;
@@ -177,12 +177,12 @@ impl<'s> Prices<'s> {
                 }
             }
         }
-        total + self.beside_tree() - 2 * self.of.iter().sum::<i64>()
+        total + self.beside_tree() - 2 * self.by_node.iter().sum::<i64>()
     }
 
     /// Adds the two cheapest edges of the node outside the tree; returns their cost.
     fn beside_tree(&mut self) -> i64 {
-        let beside = self.space.beside();
+        let beside = self.space.outside_node();
         let two = self.cheapest_beside(2);
         for &(_, end) in &two {
             self.degrees[end as usize] += 1;
@@ -193,9 +193,9 @@ impl<'s> Prices<'s> {
 
     /// The cheapest edges of the node outside the tree, over all nodes, with their priced costs; `most` of them.
     pub(super) fn cheapest_beside(&self, most: usize) -> Vec<(i64, u32)> {
-        let beside = self.space.beside();
+        let beside = self.space.outside_node();
         let mut least: Vec<(i64, u32)> = Vec::with_capacity(most + 1);
-        for node in (0..self.of.len()).filter(|&node| node != beside) {
+        for node in (0..self.by_node.len()).filter(|&node| node != beside) {
             let edge = (self.priced(self.space.cost(beside, node), beside, node), node as u32);
             if least.len() < most || least.last().is_some_and(|last| edge < *last) {
                 let place = least.partition_point(|known| *known < edge);
@@ -213,7 +213,7 @@ impl<'s> Prices<'s> {
 
     /// Raises the price of nodes with many edges and lowers that of leaves.
     fn change(&mut self, step: f64) {
-        for ((price, edges), direction) in self.of.iter_mut().zip(&self.degrees).zip(&mut self.direction) {
+        for ((price, edges), direction) in self.by_node.iter_mut().zip(&self.degrees).zip(&mut self.direction) {
             *direction = KEPT * *direction + (1.0 - KEPT) * (edges - 2) as f64;
             *price += (step * *direction).round() as i64;
         }

@@ -27,7 +27,7 @@ pub(super) fn shortest_tree(
 ) -> Vec<(usize, usize)> {
     let points = space.points();
     let boxes = places.boxes();
-    let beside = space.beside();
+    let beside = space.outside_node();
     let inside = |node: &usize| *node != beside;
     let mut least = vec![i64::MAX; points.len().max(1)];
     for (node, own) in boxes.iter().enumerate().filter(|(node, _)| inside(node)) {
@@ -126,7 +126,7 @@ struct Outside<'s> {
 }
 
 impl Query for Outside<'_> {
-    fn least(&self, number: usize, bounds: &Bounds) -> Option<i64> {
+    fn lower_bound(&self, number: usize, bounds: &Bounds) -> Option<i64> {
         if self.of_boxes[number].is_none_or(|tree| tree == self.trees[self.node]) {
             return None;
         }

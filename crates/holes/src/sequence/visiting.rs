@@ -61,29 +61,29 @@ pub fn visiting(
 ) -> Result<Vec<Visiting>, KnowledgeError> {
     let mut all = Vec::new();
     for (plan, hole) in holes.iter().zip(&part.holes) {
-        let Some(own) = of_group(part, plan, hole, shop)? else { continue };
-        findings.extend(not_kept(&own, &shop.machine));
-        all.push(own);
+        let Some(visiting) = of_group(part, plan, hole, shop)? else { continue };
+        findings.extend(not_kept(&visiting, &shop.machine));
+        all.push(visiting);
     }
     Ok(all)
 }
 
 /// A finding that the machine cannot visit a group as the rule says; none if it can.
-pub fn not_kept(own: &Visiting, machine: &Machine<'_>) -> Option<Finding> {
-    if own.method == VisitingMethod::Parallel || own.finishing_tools < 2 || own.holes < 2 {
+pub fn not_kept(visiting: &Visiting, machine: &Machine<'_>) -> Option<Finding> {
+    if visiting.method == VisitingMethod::Parallel || visiting.finishing_tools < 2 || visiting.holes < 2 {
         return None;
     }
-    let code = match own.method {
+    let code = match visiting.method {
         VisitingMethod::Sequential => "visited-in-parallel",
         _ => "position-lost-at-tool-change",
     };
     let note = Note::new(code)
-        .with("tools", own.finishing_tools)
+        .with("tools", visiting.finishing_tools)
         .with("x", machine.tool_change_at.0)
         .with("y", machine.tool_change_at.1)
-        .with("parallel", own.finish_parallel_min.rounded(2).0)
-        .with("sequential", own.finish_sequential_min.rounded(2).0);
-    Some(Finding::of_hole(Severity::Note, &own.hole, note))
+        .with("parallel", visiting.finish_parallel_min.rounded(2).0)
+        .with("sequential", visiting.finish_sequential_min.rounded(2).0);
+    Some(Finding::of_hole(Severity::Note, &visiting.hole, note))
 }
 
 fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Result<Option<Visiting>, KnowledgeError> {
@@ -108,13 +108,13 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
     let change = machine.tool_change;
     let k_t = ratio(hole.at.len(), tools, change, round);
     let each: f64 = hole.at.iter().map(|&at| change.0 + 2.0 * metric::between(rapid, home, at).0).sum();
-    let it = hole.diameter.it;
-    let question = MethodOfVisitingFor { it, centre_tolerance: route.centre_tolerance_mm, k_t };
+    let grade = hole.diameter.it;
+    let question = MethodOfVisitingFor { it: grade, centre_tolerance: route.centre_tolerance_mm, k_t };
     let answer = shop.knowledge.ask(&question)?;
     let method = answer.need("this group")?.method;
     let note = Note::new("visiting-method")
         .with("method", Figure::word(method.name()))
-        .with("it", it)
+        .with("it", grade)
         .with("centre", route.centre_tolerance_mm)
         .with("ratio", round_to(k_t, 3));
     // With one finishing tool, «one after the other at each hole» is the same as its own round.

@@ -31,14 +31,14 @@ pub struct Cutter<'s, 'k> {
     /// Its own diameter; for a boring bar the diameter it is set to.
     pub diameter: Micrometres,
     /// The rule or request by which it was chosen.
-    pub by: By<'k>,
+    pub reason: CutterReason<'k>,
     /// The cutters that were rejected before it.
-    pub over: Vec<Note>,
+    pub rejected: Vec<Note>,
 }
 
 /// Why a cutter was chosen, as data: most cutters are considered and not taken, so the text is made last.
 #[derive(Clone, Debug)]
-pub enum By<'k> {
+pub enum CutterReason<'k> {
     /// By the order of the tables for a transition.
     Order {
         /// The rule that names the tables.
@@ -66,26 +66,28 @@ pub enum By<'k> {
 impl Cutter<'_, '_> {
     /// The reason for the choice.
     pub fn because(&self) -> Because {
-        let because = match &self.by {
-            By::Order { ground: Some(own), size, .. } => Because {
+        let because = match &self.reason {
+            CutterReason::Order { ground: Some(own), size, .. } => Because {
                 unconfirmed: Some(TO_BE_GROUND.to_owned()),
                 ..Because::row(self.row.row, Note::new("cutter-ground-down").with("own", own).with("size", size))
             },
-            By::Order { rule, operation, ground: None, .. } => {
+            CutterReason::Order { rule, operation, ground: None, .. } => {
                 Because::row(self.row.row, ordered("cutter", rule, *operation))
             }
-            By::Steps { narrow, wide, .. } => Because::row(self.row.row, steps(*narrow, *wide)),
-            By::Named => Because::row(self.row.row, Note::new("named")),
+            CutterReason::Steps { narrow, wide, .. } => Because::row(self.row.row, steps(*narrow, *wide)),
+            CutterReason::Named => Because::row(self.row.row, Note::new("named")),
         };
-        because.over(self.over.clone())
+        because.with_rejected(self.rejected.clone())
     }
 
     /// The reason for the order of the tables.
     pub fn order(&self) -> Because {
-        match &self.by {
-            By::Order { rule, operation, .. } => Because::row(rule.row, ordered("tool-tables", rule, *operation)),
-            By::Steps { table, narrow, wide } => Because::table(table, steps(*narrow, *wide)),
-            By::Named => Because::row(self.row.row, Note::new("named")),
+        match &self.reason {
+            CutterReason::Order { rule, operation, .. } => {
+                Because::row(rule.row, ordered("tool-tables", rule, *operation))
+            }
+            CutterReason::Steps { table, narrow, wide } => Because::table(table, steps(*narrow, *wide)),
+            CutterReason::Named => Because::row(self.row.row, Note::new("named")),
         }
     }
 }
@@ -120,10 +122,10 @@ pub struct CutterNeed<'a> {
     /// Full angle of a cone, thousandths of a degree.
     pub angle_millideg: Option<u32>,
     /// The wider cylinder through which the cutter enters; absent at a face.
-    pub within: Option<Micrometres>,
+    pub entry_cylinder: Option<Micrometres>,
     /// The depth where its cut begins below the face, and the diameter of the hole above that: a shank that passes
     /// there need not be counted.
-    pub below: Option<(Micrometres, Micrometres)>,
+    pub hole_above: Option<(Micrometres, Micrometres)>,
     /// Clearance between an end mill and the hole in which it moves round.
     pub clearance: Micrometres,
     /// By how much a reamer or core drill of the catalog may be ground down.
@@ -143,8 +145,8 @@ impl CutterNeed<'_> {
             lead: None,
             thread: None,
             angle_millideg: None,
-            within: None,
-            below: None,
+            entry_cylinder: None,
+            hole_above: None,
             clearance: Micrometres::ZERO,
             grind_limit: Micrometres::ZERO,
         }
@@ -187,13 +189,13 @@ pub(super) fn cutters<'s, 'k>(
                 head,
                 designation: designation(candidate, need)?,
                 diameter: candidate.diameter.unwrap_or(need.diameter),
-                by: By::Order {
+                reason: CutterReason::Order {
                     rule: Rc::clone(&rule),
                     operation: need.operation,
                     ground: ground.then(|| candidate.diameter.unwrap_or_default()),
                     size: need.diameter,
                 },
-                over: Vec::new(),
+                rejected: Vec::new(),
             });
         }
     }
@@ -234,8 +236,8 @@ pub(super) fn step_drills<'s, 'k>(
                 head,
                 designation,
                 diameter: need.diameter,
-                by: By::Steps { table, narrow: need.diameter, wide },
-                over: Vec::new(),
+                reason: CutterReason::Steps { table, narrow: need.diameter, wide },
+                rejected: Vec::new(),
             });
         }
     }
@@ -257,7 +259,7 @@ pub(super) fn is_grindable(operation: Operation) -> bool {
 pub(super) fn stated<T>(row: &CutterRow<'_>, what: &str, figure: Option<T>) -> Result<T, KnowledgeError> {
     figure.ok_or_else(|| {
         let why = note!("order-row-has-no-which-shank", row = row.row.number(), what = what);
-        KnowledgeError::lacks(&row.row.table.id, why)
+        KnowledgeError::missing(&row.row.table.id, why)
     })
 }
 

@@ -51,8 +51,8 @@ pub fn assemble<'k>(
     need: &CutterNeed<'_>,
     shop: &Shop<'k>,
 ) -> Result<Result<Assembly, Vec<Unfit>>, KnowledgeError> {
-    let held = match first_holder(cutter, need, holders(cutter.head, need.operation, shop)?, shop)? {
-        Ok(held) => held,
+    let mounted = match first_holder(cutter, need, holders(cutter.head, need.operation, shop)?, shop)? {
+        Ok(mounted) => mounted,
         Err(why) => return Ok(Err(why)),
     };
     let taper = Link {
@@ -65,9 +65,9 @@ pub fn assemble<'k>(
         kind: "cutter".to_owned(),
         designation: cutter.designation.to_owned(),
         table: cutter.row.row.table.id.clone(),
-        length_mm: held.overhang.length,
+        length_mm: mounted.overhang.length,
     };
-    let MountedCutter { holder, overhang, length, mass_kg } = held;
+    let MountedCutter { holder, overhang, length, mass_kg } = mounted;
     let stands_out = overhang.because();
     Ok(Ok(match holder {
         None => Assembly {
@@ -98,7 +98,7 @@ pub fn assemble<'k>(
                 length,
                 links: vec![taper, link, tip],
                 mass_kg,
-                because: vec![Because::row(row.row, note).over(over), stands_out],
+                because: vec![Because::row(row.row, note).with_rejected(over), stands_out],
             }
         }
     }))
@@ -126,8 +126,9 @@ pub(super) fn holders<'s, 'k>(
         return Ok(&[]);
     }
     let family = family(head, operation, shop.knowledge)?;
-    let table =
-        family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, note!("order-holders-this-shank")))?;
+    let table = family
+        .holders
+        .ok_or_else(|| KnowledgeError::missing(&family.row.table.id, note!("order-holders-this-shank")))?;
     shop.shelf.holders_of(table)
 }
 
@@ -141,9 +142,9 @@ pub(super) fn first_holder<'s, 'k>(
     let machine = &shop.machine;
     let overhang = overhang(cutter, need, shop)?;
     if cutter.head.shank == Shank::Taper {
-        let mass_kg = cutter.row.mass.map(|own| own.0);
-        let held = MountedCutter { holder: None, length: overhang.length, overhang, mass_kg };
-        return Ok(within_limits(held, cutter, machine));
+        let mass_kg = cutter.row.mass.map(|mass| mass.0);
+        let mounted = MountedCutter { holder: None, length: overhang.length, overhang, mass_kg };
+        return Ok(within_limits(mounted, cutter, machine));
     }
     let mut rejected = Vec::new();
     for row in holders {
@@ -154,8 +155,8 @@ pub(super) fn first_holder<'s, 'k>(
         }
         let length = row.length + overhang.length;
         let mass_kg = row.mass.map(|holder| holder.0 + bar_mass(cutter));
-        let held = MountedCutter { holder: Some((row, rejected)), overhang, length, mass_kg };
-        return Ok(within_limits(held, cutter, machine));
+        let mounted = MountedCutter { holder: Some((row, rejected)), overhang, length, mass_kg };
+        return Ok(within_limits(mounted, cutter, machine));
     }
     Ok(Err(rejected.into_iter().map(|(holder, fault)| unfit(cutter, holder, fault)).collect()))
 }
@@ -178,20 +179,20 @@ fn unfit(cutter: &Cutter<'_, '_>, holder: &str, fault: HolderFault) -> Unfit {
 }
 
 fn within_limits<'s, 'k>(
-    held: MountedCutter<'s, 'k>,
+    mounted: MountedCutter<'s, 'k>,
     cutter: &Cutter<'_, '_>,
     machine: &Machine<'_>,
 ) -> Result<MountedCutter<'s, 'k>, Vec<Unfit>> {
-    let holder = held.holder.as_ref().map_or(cutter.designation, |(row, _)| row.designation);
-    if held.length > machine.overhang_max {
-        let fault = HolderFault::TooLong { length: held.length, limit: machine.overhang_max };
+    let holder = mounted.holder.as_ref().map_or(cutter.designation, |(row, _)| row.designation);
+    if mounted.length > machine.overhang_max {
+        let fault = HolderFault::TooLong { length: mounted.length, limit: machine.overhang_max };
         return Err(vec![unfit(cutter, holder, fault)]);
     }
-    if let Some(mass) = held.mass_kg.filter(|mass| *mass > machine.tool_mass_max_kg) {
+    if let Some(mass) = mounted.mass_kg.filter(|mass| *mass > machine.tool_mass_max_kg) {
         let fault = HolderFault::TooHeavy { mass, limit: machine.tool_mass_max_kg };
         return Err(vec![unfit(cutter, holder, fault)]);
     }
-    Ok(held)
+    Ok(mounted)
 }
 
 /// Mass of a steel bar with the diameter and length of the cutter, kg: more than the real mass, because of the
@@ -268,8 +269,8 @@ pub(super) fn overhang<'k>(
     let length = || stated(row, "length", row.length);
     if need.operation == Operation::Tap {
         let clamped = shop.default_row(HoleDefault::TapClampDiameters)?;
-        let held = stated(row, "shank_diameter", row.shank_diameter)?.to_mm() * clamped.value;
-        let free = length()? - Micrometres::from_mm_rounded(held);
+        let clamped_length = stated(row, "shank_diameter", row.shank_diameter)?.to_mm() * clamped.value;
+        let free = length()? - Micrometres::from_mm_rounded(clamped_length);
         return Ok(Overhang { length: free, row: clamped.row, by: ByShank::Tap });
     }
     match cutter.head.shank {
@@ -332,7 +333,7 @@ pub(super) fn overhang_addition<'s, 'k>(shop: &'s Shop<'k>) -> Result<&'s Clampi
     let wanted = ClampingConstant::OverhangAddition;
     let found = shop.shelf.clamping()?.iter().find(|row| row.name.is(wanted));
     found.ok_or_else(|| {
-        KnowledgeError::lacks(Clamping::CONTRACT.which.id(), note!("table-lacks-figure-of", name = wanted.name()))
+        KnowledgeError::missing(Clamping::CONTRACT.which.id(), note!("table-lacks-figure-of", name = wanted.name()))
     })
 }
 
@@ -341,6 +342,6 @@ fn taper_shank(row: &CutterRow<'_>, shop: &Shop<'_>) -> Result<Micrometres, Know
     let number = stated(row, "morse", row.morse)?;
     let taper = shop.shelf.morse_tapers()?.iter().find(|taper| taper.morse == number);
     let lacks =
-        || KnowledgeError::lacks(MorseTaper::CONTRACT.which.id(), note!("order-there-no-row-for", number = number));
+        || KnowledgeError::missing(MorseTaper::CONTRACT.which.id(), note!("order-there-no-row-for", number = number));
     Ok(taper.ok_or_else(lacks)?.tang_length)
 }

@@ -59,7 +59,7 @@ fn first_that_fits<'s, 'k>(
         match holder::assemble(&cutter, need, shop)? {
             Ok(assembly) => {
                 let over = rejected.iter().map(Unfit::note).collect();
-                return Ok(Ok((Cutter { over, ..cutter }, assembly)));
+                return Ok(Ok((Cutter { rejected: over, ..cutter }, assembly)));
             }
             Err(why) => rejected.extend(why),
         }

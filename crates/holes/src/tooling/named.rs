@@ -14,7 +14,7 @@ use crate::tables::holders::HolderRow;
 use crate::tables::rules::HolderForShank;
 use crate::tables::tools::{BoringStage, CutterRow};
 
-use super::cutter::{By, Cutter, CutterNeed};
+use super::cutter::{Cutter, CutterNeed, CutterReason};
 use super::holder;
 use super::reach::refuse;
 use super::sizes::size_fits;
@@ -93,7 +93,7 @@ fn of_other_size(row: &CutterRow<'_>, need: &CutterNeed<'_>) -> OfOther {
 }
 
 /// Whether a designation is the other design of a cutter that exists for through and for blind holes.
-pub fn of_other_bottom(cutter: &NamedCutter<'_>, through: bool) -> Option<Note> {
+pub fn other_design_note(cutter: &NamedCutter<'_>, through: bool) -> Option<Note> {
     let (for_through, for_blind) = (cutter.row.designation_through?, cutter.row.designation_blind?);
     let (right, stated) = if through { (for_through, for_blind) } else { (for_blind, for_through) };
     let code = if through { "tool-for-blind-holes" } else { "tool-for-through-holes" };
@@ -161,7 +161,7 @@ fn as_cutter<'s, 'k>(named: &'s NamedCutter<'k>) -> Cutter<'s, 'k> {
         head: named.head,
         designation: named.designation,
         diameter: named.row.diameter.unwrap_or_default(),
-        by: By::Named,
-        over: Vec::new(),
+        reason: CutterReason::Named,
+        rejected: Vec::new(),
     }
 }

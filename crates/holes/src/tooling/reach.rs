@@ -27,7 +27,7 @@ fn fault(row: &CutterRow<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> O
     if let Some(diameter) = row.diameter.filter(|own| *own > machine.tool_diameter_max) {
         return Some(CutterFault::TooWide { diameter, limit: machine.tool_diameter_max });
     }
-    if let (Some(diameter), Some(within)) = (row.diameter, need.within)
+    if let (Some(diameter), Some(within)) = (row.diameter, need.entry_cylinder)
         && diameter >= within
     {
         return Some(CutterFault::DoesNotPass { diameter, within });
@@ -50,7 +50,7 @@ fn fault(row: &CutterRow<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> O
     // The teeth of a reamer are shorter than the hole; its neck must reach.
     let reach = if need.operation.is_reaming() { reach_of_reamer(row).unwrap_or(reach) } else { reach };
     let passes = |around: Micrometres| row.shank_diameter.is_some_and(|shank| shank < around);
-    let needed = match need.below {
+    let needed = match need.hole_above {
         Some((start, around)) if passes(around) => need.reach - start,
         _ => need.reach,
     };

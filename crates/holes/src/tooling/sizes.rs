@@ -11,7 +11,7 @@ use crate::shop::Shop;
 use crate::tables::rules::{ToolTables, ToolTablesFor};
 use crate::tables::tools::{BoringStage, CutterRow};
 
-use super::cutter::{By, Cutter, CutterNeed, Tables, designation, is_grindable};
+use super::cutter::{Cutter, CutterNeed, CutterReason, Tables, designation, is_grindable};
 use super::holder::{first_holder, holders};
 use super::reach::{reach_of, refuse};
 
@@ -139,10 +139,11 @@ pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
             if refuse(row, &need, &shop.machine).is_some() {
                 continue;
             }
-            let by = By::Order { rule: Rc::clone(&rule), operation, ground: None, size: diameter };
-            let cutter = Cutter { row, head, designation: designation(row, &need)?, diameter, by, over: Vec::new() };
-            if let Ok(held) = first_holder(&cutter, &need, holders, shop)? {
-                reach = reach.max(reach_of(row).unwrap_or_default().min(held.overhang.length));
+            let by = CutterReason::Order { rule: Rc::clone(&rule), operation, ground: None, size: diameter };
+            let cutter =
+                Cutter { row, head, designation: designation(row, &need)?, diameter, reason: by, rejected: Vec::new() };
+            if let Ok(mounted) = first_holder(&cutter, &need, holders, shop)? {
+                reach = reach.max(reach_of(row).unwrap_or_default().min(mounted.overhang.length));
             }
         }
         if reach > Micrometres::ZERO {

@@ -11,7 +11,7 @@ use crate::units::{
 use crate::value::Value;
 
 impl<'t, T: FromValue<'t>> FromCell<'t> for T {
-    const SHAPE: CellShape = CellShape::one(T::HOLDS);
+    const SHAPE: CellShape = CellShape::single(T::HOLDS);
 
     fn from_cell(cell: &'t Cell) -> Option<Self> {
         match cell {
@@ -22,7 +22,7 @@ impl<'t, T: FromValue<'t>> FromCell<'t> for T {
 }
 
 impl<'t, T: FromValue<'t>> FromCell<'t> for Vec<T> {
-    const SHAPE: CellShape = CellShape { list: true, ..CellShape::one(T::HOLDS) };
+    const SHAPE: CellShape = CellShape { list: true, ..CellShape::single(T::HOLDS) };
 
     fn from_cell(cell: &'t Cell) -> Option<Self> {
         match cell {
@@ -69,7 +69,7 @@ impl<W: Word> FromValue<'_> for W {
 }
 
 impl<W: Word> AsInput for W {
-    const SHAPE: CellShape = CellShape::one(Holds::Word(W::WORDS));
+    const SHAPE: CellShape = CellShape::single(Holds::Word(W::WORDS));
 
     fn as_input(&self) -> Option<Input<'_>> {
         Some(Input::Text(self.word()))
@@ -93,7 +93,7 @@ impl<'t> FromValue<'t> for &'t str {
 }
 
 impl AsInput for &str {
-    const SHAPE: CellShape = CellShape::one(Holds::Text);
+    const SHAPE: CellShape = CellShape::single(Holds::Text);
 
     fn as_input(&self) -> Option<Input<'_>> {
         Some(Input::Text(self))
@@ -115,7 +115,7 @@ macro_rules! plain {
         }
 
         impl AsInput for $type {
-            const SHAPE: CellShape = CellShape::one($holds);
+            const SHAPE: CellShape = CellShape::single($holds);
 
             fn as_input(&self) -> Option<Input<'_>> {
                 Some(Input::$variant(*self))
@@ -147,7 +147,7 @@ macro_rules! decimals {
         }
 
         impl AsInput for $type {
-            const SHAPE: CellShape = CellShape::one(Holds::Number(Unit::$unit));
+            const SHAPE: CellShape = CellShape::single(Holds::Number(Unit::$unit));
 
             fn as_input(&self) -> Option<Input<'_>> {
                 Some(Input::Number($write(*self), Unit::$unit))

@@ -53,7 +53,7 @@ pub struct CellShape {
 
 impl CellShape {
     /// One value in every row.
-    pub const fn one(holds: Holds) -> Self {
+    pub const fn single(holds: Holds) -> Self {
         Self { holds, list: false, optional: false }
     }
 }
@@ -225,7 +225,7 @@ impl<'t> Reader<'t> {
         // A table of a family may lack an optional column.
         let column = match self.layout {
             Some(layout) => layout.get(position).copied().flatten(),
-            None => self.contract.fields.get(position).and_then(|asked| self.row.table.column_index(asked.name)),
+            None => self.contract.fields.get(position).and_then(|required| self.row.table.column_index(required.name)),
         };
         let cell = column.map_or(&Cell::Empty, |column| &self.cells[column]);
         T::from_cell(cell).ok_or_else(|| self.other_type(position))
@@ -241,7 +241,7 @@ impl<'t> Reader<'t> {
 impl Table {
     /// The positions of a contract's fields among its columns; none if another contract was used first.
     fn layout_of(&self, contract: &'static Contract) -> Option<&[Option<usize>]> {
-        let find = |asked: &RequiredColumn| self.column_index(asked.name);
+        let find = |required: &RequiredColumn| self.column_index(required.name);
         let (row, positions) =
             self.layout.get_or_init(|| (contract.row, contract.fields.iter().map(find).collect::<Vec<_>>()));
         (*row == contract.row).then_some(positions)

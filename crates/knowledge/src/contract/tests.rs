@@ -66,8 +66,8 @@ fn read(approach: &str, screws: &str) -> Knowledge {
 fn a_row_is_a_value_and_a_question_is_typed() {
     let knowledge = read(APPROACH, SCREWS);
     assert_eq!(contracts::check(&knowledge, CONTRACTS), []);
-    let asked = knowledge.ask(&ApproachFor { entry: Entry::Rough, through: true }).unwrap();
-    assert_eq!(asked.need("this face").unwrap().overrun, Micrometres::new(3000));
+    let answer = knowledge.ask(&ApproachFor { entry: Entry::Rough, through: true }).unwrap();
+    assert_eq!(answer.need("this face").unwrap().overrun, Micrometres::new(3000));
     let none = knowledge.ask(&ApproachFor { entry: Entry::Machined, through: true }).unwrap();
     assert!(none.winner().unwrap().is_none());
     let screws: Vec<ClampScrew<'_>> = knowledge.rows().unwrap();

@@ -70,7 +70,7 @@ fn case(node: &Node, problems: &mut Problems) -> Option<Case> {
     let mut fields = problems.open_map(node)?;
     let given = fields.need("given", problems).and_then(|node| problems.open_map(node)).map(|mut given| {
         let mut pairs = Vec::new();
-        for (key, node) in given.rest() {
+        for (key, node) in given.remaining() {
             pairs.extend(problems.text(node).map(|text| (key.text.clone(), text.to_owned())));
         }
         pairs
@@ -96,7 +96,7 @@ fn expectation(node: &Node, problems: &mut Problems) -> Option<Expectation> {
     }
     let mut fields = problems.open_map(node)?;
     let mut outputs = Vec::new();
-    for (key, node) in fields.rest() {
+    for (key, node) in fields.remaining() {
         let values = match &node.kind {
             NodeKind::Seq(items) => items.iter().filter_map(|item| problems.text(item).map(str::to_owned)).collect(),
             _ => problems.text(node).map(str::to_owned).into_iter().collect(),

@@ -52,8 +52,8 @@ fn without_law(knowledge: &Knowledge, schema: &str, contracts: &[&Contract]) -> 
 
 /// The tables of a knowledge base without a contract, by id: no code reads them.
 pub fn unread<'k>(knowledge: &'k Knowledge, contracts: &[&Contract]) -> Vec<&'k str> {
-    let asked = |table: &Table| contracts.iter().any(|contract| contract.is_of(table));
-    knowledge.tables().filter(|table| !asked(table)).map(|table| table.id.as_str()).collect()
+    let has_contract = |table: &Table| contracts.iter().any(|contract| contract.is_of(table));
+    knowledge.tables().filter(|table| !has_contract(table)).map(|table| table.id.as_str()).collect()
 }
 
 /// The number of tables required by name that exist, and the number that are required.
@@ -92,17 +92,20 @@ impl Contract {
 /// Checks one table against its contract.
 pub fn hold(table: &Table, contract: &Contract) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
-    let asked = || contract.inputs.iter().chain(contract.fields);
-    for (asked, input) in
-        contract.inputs.iter().map(|asked| (asked, true)).chain(contract.fields.iter().map(|asked| (asked, false)))
+    let required_columns = || contract.inputs.iter().chain(contract.fields);
+    for (required, input) in contract
+        .inputs
+        .iter()
+        .map(|required| (required, true))
+        .chain(contract.fields.iter().map(|required| (required, false)))
     {
-        let Some(column) = table.columns.iter().find(|column| column.name == asked.name) else {
-            if !(contract.is_of_family() && asked.shape.optional) {
-                findings.push(missing(table, contract, asked.name));
+        let Some(column) = table.columns.iter().find(|column| column.name == required.name) else {
+            if !(contract.is_of_family() && required.shape.optional) {
+                findings.push(missing(table, contract, required.name));
             }
             continue;
         };
-        let faults = if input { input_faults(column, asked) } else { field_faults(table, column, asked) };
+        let faults = if input { input_faults(column, required) } else { field_faults(table, column, required) };
         for fault in faults {
             let message =
                 note!("lint-table-column", table = table.id, column = column.name, row = contract.row, fault = fault);
@@ -115,10 +118,12 @@ pub fn hold(table: &Table, contract: &Contract) -> Vec<Diagnostic> {
         }
     }
     for column in &table.columns {
-        let known = asked().any(|asked| asked.name == column.name) || contract.shown.contains(&column.name.as_str());
+        let known = required_columns().any(|required| required.name == column.name)
+            || contract.shown.contains(&column.name.as_str());
         if !known {
             let message = note!("lint-table-nobody-reads-column", table = table.id, column = column.name);
-            let names: Vec<&str> = asked().map(|asked| asked.name).chain(contract.shown.iter().copied()).collect();
+            let names: Vec<&str> =
+                required_columns().map(|required| required.name).chain(contract.shown.iter().copied()).collect();
             let help = match nearest(&column.name, names.iter().copied()) {
                 Some(near) => note!("lint-reads", row = contract.row, near = near),
                 None => note!("lint-reads-put-what-for-people", row = contract.row, names = names.join(", ")),
@@ -138,8 +143,12 @@ fn place(table: &Table, column: &Column) -> Option<Place> {
 
 fn missing(table: &Table, contract: &Contract, name: &str) -> Diagnostic {
     let message = note!("lint-table-column-missing-which-reads", table = table.id, name = name, row = contract.row);
-    let known =
-        contract.inputs.iter().chain(contract.fields).map(|asked| asked.name).chain(contract.shown.iter().copied());
+    let known = contract
+        .inputs
+        .iter()
+        .chain(contract.fields)
+        .map(|required| required.name)
+        .chain(contract.shown.iter().copied());
     let known: Vec<&str> = known.collect();
     let unread = table.columns.iter().map(|column| column.name.as_str()).filter(|column| !known.contains(column));
     let finding = Diagnostic::error("missing-column", message, super::rows::head_place(table));
@@ -149,33 +158,33 @@ fn missing(table: &Table, contract: &Contract, name: &str) -> Diagnostic {
     }
 }
 
-fn input_faults(column: &Column, asked: &RequiredColumn) -> Vec<Note> {
+fn input_faults(column: &Column, required: &RequiredColumn) -> Vec<Note> {
     let mut faults = Vec::new();
     if column.role != ColumnRole::Input {
         faults.push(note!("lint-gives-input-which"));
     }
-    if asked.shape.optional && column.default.is_none() {
+    if required.shape.optional && column.default.is_none() {
         faults.push(note!("lint-may-leave-out-so-needs"));
     }
-    faults.extend(type_fault(column, asked.shape.holds));
+    faults.extend(type_fault(column, required.shape.holds));
     faults
 }
 
-fn field_faults(table: &Table, column: &Column, asked: &RequiredColumn) -> Vec<Note> {
+fn field_faults(table: &Table, column: &Column, required: &RequiredColumn) -> Vec<Note> {
     let mut faults = Vec::new();
     if column.role == ColumnRole::Input {
         faults.push(note!("lint-reads-input"));
         return faults;
     }
-    if column.list != asked.shape.list {
+    if column.list != required.shape.list {
         faults.push(if column.list { note!("lint-reads-one-value-list") } else { note!("lint-reads-list") });
     }
-    if column.optional && !asked.shape.optional {
+    if column.optional && !required.shape.optional {
         faults.push(note!("lint-needs-every-row-so-cannot"));
     }
-    faults.extend(type_fault(column, asked.shape.holds));
+    faults.extend(type_fault(column, required.shape.holds));
     // A text or unit that must be a known word is one in every row; otherwise the row could not be read.
-    if let (Holds::Word(words), ColumnType::Text | ColumnType::Unit) = (asked.shape.holds, column.ty) {
+    if let (Holds::Word(words), ColumnType::Text | ColumnType::Unit) = (required.shape.holds, column.ty) {
         faults.extend(
             texts(table, column).filter(|text| !words.contains(&text.as_str())).map(|text| unknown(&text, words)),
         );
@@ -237,8 +246,8 @@ fn texts(table: &Table, column: &Column) -> impl Iterator<Item = String> {
 
 /// Each word of a column's type has a row; in a column of names, exactly those for planning are such words.
 fn complete(table: &Table, contract: &Contract, name: &str, findings: &mut Vec<Diagnostic>) {
-    let Some(asked) = contract.fields.iter().find(|asked| asked.name == name) else { return };
-    let (Holds::Word(words) | Holds::Name(words)) = asked.shape.holds else { return };
+    let Some(required) = contract.fields.iter().find(|required| required.name == name) else { return };
+    let (Holds::Word(words) | Holds::Name(words)) = required.shape.holds else { return };
     let Some(column) = table.columns.iter().find(|column| column.name == name) else { return };
     let listed: Vec<String> = texts(table, column).collect();
     for word in words.iter().filter(|word| !listed.iter().any(|text| text == *word)) {
@@ -262,8 +271,8 @@ fn complete(table: &Table, contract: &Contract, name: &str, findings: &mut Vec<D
 /// The names of a table with their purposes; none where the contract has no such columns.
 fn named(table: &Table, contract: &Contract) -> impl Iterator<Item = (String, String)> {
     let of = |is: fn(Holds) -> bool| {
-        let asked = contract.fields.iter().find(|asked| is(asked.shape.holds))?;
-        table.columns.iter().find(|column| column.name == asked.name)
+        let required = contract.fields.iter().find(|required| is(required.shape.holds))?;
+        table.columns.iter().find(|column| column.name == required.name)
     };
     let names = of(|holds| matches!(holds, Holds::Name(_)));
     let columns = names.zip(of(|holds| holds == Holds::Word(Use::WORDS)));

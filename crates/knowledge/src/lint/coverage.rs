@@ -13,7 +13,7 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) -> Vec<Region
     if table.kind != TableKind::Decision || table.inputs().any(|(_, column)| column.is_unbounded()) {
         return Vec::new();
     }
-    let rows = region::of_rows(table);
+    let rows = region::regions_of_rows(table);
     for (index, gap) in table.uncovered.iter().enumerate() {
         let place = gap.place.clone();
         for (row, own) in rows.iter().enumerate() {

@@ -64,7 +64,7 @@ fn plausible_lengths(table: &Table, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-type Broken = Result<Vec<Diagnostic>, Note>;
+type LawFindings = Result<Vec<Diagnostic>, Note>;
 
 fn parameter<'l>(law: &'l Law, name: &str) -> Result<&'l str, Note> {
     law.get(name).ok_or_else(|| note!("lint-parameter-missing", name = name))
@@ -87,7 +87,7 @@ fn broken(table: &Table, row: usize, column: usize, message: Note) -> Diagnostic
     Diagnostic::error("broken-law", message, cell_place(table, row, column))
 }
 
-fn rising(table: &Table, law: &Law) -> Broken {
+fn rising(table: &Table, law: &Law) -> LawFindings {
     let (value, over) = (column(table, law, "column")?, column(table, law, "over")?);
     let by: Vec<usize> = law
         .get("by")
@@ -132,7 +132,7 @@ fn rising(table: &Table, law: &Law) -> Broken {
 }
 
 /// One column is less than another, or at most as large.
-fn less(table: &Table, law: &Law, or_equal: bool) -> Broken {
+fn less(table: &Table, law: &Law, or_equal: bool) -> LawFindings {
     let (small, large) = (column(table, law, "column")?, column(table, law, "than")?);
     Ok((0..table.rows.len())
         .filter_map(|row| {
@@ -152,12 +152,12 @@ fn less(table: &Table, law: &Law, or_equal: bool) -> Broken {
         .collect())
 }
 
-fn between(table: &Table, law: &Law) -> Broken {
+fn between(table: &Table, law: &Law) -> LawFindings {
     let index = column(table, law, "column")?;
-    let of = &table.columns[index];
+    let other = &table.columns[index];
     let bound = |name: &str| -> Result<i64, Note> {
-        let value = of.parse_value(parameter(law, name)?)?;
-        of.rank(&value).ok_or_else(|| note!("lint-has-no-order", of = of.name))
+        let value = other.parse_value(parameter(law, name)?)?;
+        other.rank(&value).ok_or_else(|| note!("lint-has-no-order", of = other.name))
     };
     let (low, high) = (bound("low")?, bound("high")?);
     Ok((0..table.rows.len())
@@ -166,10 +166,10 @@ fn between(table: &Table, law: &Law) -> Broken {
             (value < low || value > high).then(|| {
                 let message = note!(
                     "lint-outside",
-                    of = of.name,
-                    value = of.show_rank(value),
-                    least = of.show_rank(low),
-                    most = of.show_rank(high)
+                    of = other.name,
+                    value = other.show_rank(value),
+                    least = other.show_rank(low),
+                    most = other.show_rank(high)
                 );
                 broken(table, row, index, message)
             })
@@ -177,7 +177,7 @@ fn between(table: &Table, law: &Law) -> Broken {
         .collect())
 }
 
-fn morse(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
+fn morse(table: &Table, law: &Law, knowledge: &Knowledge) -> LawFindings {
     let (length, projection) = (column(table, law, "length")?, column(table, law, "projection")?);
     let number = table.column_index("morse").ok_or(note!("lint-no-column-morse"))?;
     let tapers = knowledge.table("morse-tapers").map_err(|error| Note::from(&error))?;
@@ -206,12 +206,12 @@ fn morse(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
     Ok(found)
 }
 
-fn count(table: &Table, law: &Law) -> Broken {
-    let (number, of) = (column(table, law, "column")?, column(table, law, "of")?);
+fn count(table: &Table, law: &Law) -> LawFindings {
+    let (number, other) = (column(table, law, "column")?, column(table, law, "of")?);
     Ok((0..table.rows.len())
         .filter_map(|row| {
             let stated = rank(table, row, number)?;
-            let listed = match &table.rows[row].cells[of] {
+            let listed = match &table.rows[row].cells[other] {
                 Cell::Value(value) => i64::try_from(value.items().len()).ok()?,
                 _ => 0,
             };
@@ -220,7 +220,7 @@ fn count(table: &Table, law: &Law) -> Broken {
                     "lint-says-but-lists",
                     columns = table.columns[number].name,
                     stated = stated,
-                    of = table.columns[of].name,
+                    of = table.columns[other].name,
                     listed = listed
                 );
                 broken(table, row, number, message)
@@ -231,7 +231,7 @@ fn count(table: &Table, law: &Law) -> Broken {
 
 /// `names` holds `printed_column:transition` pairs. A number in a printed column is the position of that transition;
 /// `true` only says that it occurs.
-fn order(table: &Table, law: &Law) -> Broken {
+fn order(table: &Table, law: &Law) -> LawFindings {
     let list = column(table, law, "column")?;
     let pairs = parameter(law, "names")?
         .split_whitespace()
@@ -265,7 +265,7 @@ fn order(table: &Table, law: &Law) -> Broken {
 }
 
 /// A record table (columns `name`, `unit`) against the schema table (columns `name`, `unit`, `required`).
-fn record(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
+fn record(table: &Table, law: &Law, knowledge: &Knowledge) -> LawFindings {
     let schema = knowledge.table(parameter(law, "schema")?).map_err(|error| Note::from(&error))?;
     let mut found = Vec::new();
     for wanted in schema.all_rows() {

@@ -18,7 +18,7 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
     if table.kind != TableKind::Decision {
         return;
     }
-    let boxes = region::of_rows(table);
+    let boxes = region::regions_of_rows(table);
     for later in 0..boxes.len() {
         for earlier in 0..later {
             if region::is_disjoint(&boxes[earlier], &boxes[later]) {

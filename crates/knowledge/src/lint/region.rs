@@ -13,7 +13,7 @@ pub(super) fn domain(table: &Table) -> Region {
 }
 
 /// The box of a row, inside the domain.
-fn of_row(table: &Table, row: &Row) -> Region {
+fn region_of_row(table: &Table, row: &Row) -> Region {
     table
         .inputs()
         .map(|(index, column)| match &row.cells[index] {
@@ -24,8 +24,8 @@ fn of_row(table: &Table, row: &Row) -> Region {
 }
 
 /// The boxes of all rows, in their order.
-pub(super) fn of_rows(table: &Table) -> Vec<Region> {
-    table.rows.iter().map(|row| of_row(table, row)).collect()
+pub(super) fn regions_of_rows(table: &Table) -> Vec<Region> {
+    table.rows.iter().map(|row| region_of_row(table, row)).collect()
 }
 
 /// Whether a box is empty.

@@ -69,7 +69,7 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
             .help(note!("lint-give-column-domain")),
         );
     }
-    let boxes = region::of_rows(table);
+    let boxes = region::regions_of_rows(table);
     for (row, content) in table.rows.iter().enumerate() {
         for (index, column) in table.inputs() {
             let Cell::Test(set, text) = &content.cells[index] else { continue };

@@ -284,7 +284,7 @@ rows:
     let of = |code: &str| {
         findings
             .iter()
-            .filter(|it| it.code == code)
+            .filter(|problem| problem.code == code)
             .map(|it| technolog_words::Lang::EN.say(&it.message))
             .collect::<Vec<_>>()
     };

@@ -19,7 +19,7 @@ pub(super) fn check(knowledge: &Knowledge, gaps: &[(&Table, Vec<Region>)], findi
             let word = word.to_string();
             let lacking: Vec<&str> = gaps
                 .iter()
-                .filter(|(table, gaps)| lacks(table, gaps, &vocabulary.id, &word))
+                .filter(|(table, gaps)| has_gap_for(table, gaps, &vocabulary.id, &word))
                 .map(|(table, _)| table.id.as_str())
                 .collect();
             if !lacking.is_empty() {
@@ -42,7 +42,7 @@ pub(super) fn check(knowledge: &Knowledge, gaps: &[(&Table, Vec<Region>)], findi
 const WORD: &str = "word";
 
 /// Whether a table uses the words of a vocabulary, has a gap for this one and no row that names it.
-fn lacks(table: &Table, gaps: &[Region], vocabulary: &str, word: &str) -> bool {
+fn has_gap_for(table: &Table, gaps: &[Region], vocabulary: &str, word: &str) -> bool {
     let inputs = table.inputs().enumerate().filter(|(_, (_, column))| column.vocabulary.as_deref() == Some(vocabulary));
     inputs.filter_map(|(position, (index, column))| Some((position, index, column.rank_of_text(word)?))).any(
         |(position, index, rank)| {

@@ -58,7 +58,7 @@ impl fmt::Display for Decimal {
 
 impl Decimal {
     /// Appends the number to a text, as it is shown. Traces write thousands of positions with it.
-    pub fn put(self, text: &mut String) {
+    pub fn append_to(self, text: &mut String) {
         text.push_str(self.written(&mut [0; ROOM]));
     }
 

@@ -111,8 +111,8 @@ impl fmt::Display for Micrometres {
 
 impl Micrometres {
     /// Appends the number of millimetres to a text, as it is shown.
-    pub fn put(self, text: &mut String) {
-        Decimal::from_millionths(self.0.saturating_mul(1000)).put(text);
+    pub fn append_to(self, text: &mut String) {
+        Decimal::from_millionths(self.0.saturating_mul(1000)).append_to(text);
     }
 }
 

@@ -45,12 +45,12 @@ mod tests {
         ] {
             let (_, problems) = parse("t.yaml", text);
             let [problem] = problems.as_slice() else { panic!("{text:?}: {problems:?}") };
-            let told = problem.text(|note| Lang::EN.say(note));
-            assert!(told.contains(what) && told.contains(mend), "{text:?}: {told}");
-            let told = problem.text(|note| Lang::UK.say(note));
-            let letters = |is: fn(&char) -> bool| told.chars().filter(is).count();
+            let message = problem.text(|note| Lang::EN.say(note));
+            assert!(message.contains(what) && message.contains(mend), "{text:?}: {message}");
+            let message = problem.text(|note| Lang::UK.say(note));
+            let letters = |is: fn(&char) -> bool| message.chars().filter(is).count();
             let (latin, cyrillic) = (letters(char::is_ascii_alphabetic), letters(|sign| ('а'..='я').contains(sign)));
-            assert!(cyrillic > 2 * latin, "{text:?}: {told}");
+            assert!(cyrillic > 2 * latin, "{text:?}: {message}");
         }
     }
 }

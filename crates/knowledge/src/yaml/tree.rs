@@ -86,8 +86,8 @@ const OPEN_BRACKET: &str = "flow";
 /// The words for faults in the line itself.
 const OF_LINE: [&str; 5] = ["quoted", "tab", "escape", "anchor", "trailing"];
 
-fn broken(said: &str, place: Place) -> Diagnostic {
-    let known = faults::FAULTS.iter().find(|(words, ..)| words.iter().any(|word| said.contains(word)));
+fn broken(message: &str, place: Place) -> Diagnostic {
+    let known = faults::FAULTS.iter().find(|(words, ..)| words.iter().any(|word| message.contains(word)));
     let (what, mend) = known
         .map_or(("yaml-broken-otherwise", "yaml-indent-with-spaces-quote-values"), |(_, what, mend)| (*what, *mend));
     Diagnostic::error("yaml", note!("yaml-broken", error = Note::new(what)), place).help(Note::new(mend))
@@ -298,7 +298,7 @@ mod tests {
     #[test]
     fn a_duplicate_key_is_found_with_its_place() {
         let (root, problems) = parse("t.yaml", "a: 1\nb: {c: 2, c: 3, d: 4, c: 5}\n");
-        let places: Vec<String> = problems.iter().map(|one| one.place.as_ref().unwrap().to_string()).collect();
+        let places: Vec<String> = problems.iter().map(|problem| problem.place.as_ref().unwrap().to_string()).collect();
         assert_eq!(places, ["t.yaml:2:11", "t.yaml:2:23"]);
         let root = root.unwrap();
         let kept = ["c", "d"].map(|key| root.get("b").unwrap().get(key).unwrap().text());
@@ -328,12 +328,13 @@ mod tests {
                 [format!("a: 1\nb: x{sign}y\n"), format!("a: 1\nb: \"x{sign}y\"\n"), format!("a: 1\nb{sign}: 1\n")]
             {
                 let (_, problems) = parse("t.yaml", &text);
-                let told: Vec<String> = problems.iter().map(|one| one.text(|note| Lang::EN.say(note))).collect();
+                let texts: Vec<String> =
+                    problems.iter().map(|problem| problem.text(|note| Lang::EN.say(note))).collect();
                 assert!(
-                    told[0].starts_with("t.yaml:2:") && told[0].contains("[control-character]"),
-                    "{text:?}: {told:?}"
+                    texts[0].starts_with("t.yaml:2:") && texts[0].contains("[control-character]"),
+                    "{text:?}: {texts:?}"
                 );
-                assert!(told[0].contains(shown) && told.len() == 1, "{told:?}");
+                assert!(texts[0].contains(shown) && texts.len() == 1, "{texts:?}");
             }
         }
         let (_, problems) = parse("t.yaml", "\"a\\nb\": 1\n\"c\\e\": 1\n");
@@ -388,19 +389,19 @@ mod tests {
         // The list itself is one, and keys are.
         for text in ["- 1\n".repeat(99), "a: [1, 1, 1]\n".to_owned() + &"b: {c: 1}\n".repeat(23) + "d:\n"] {
             let (root, problems) = parse_within(100, "t.yaml", &text);
-            assert!(root.is_some() && problems.iter().all(|one| one.code == "duplicate-key"), "{text}");
+            assert!(root.is_some() && problems.iter().all(|problem| problem.code == "duplicate-key"), "{text}");
             let (root, problems) = parse_within(99, "t.yaml", &text);
             assert!(root.is_none());
-            let told = problems.last().unwrap().text(|note| Lang::EN.say(note));
-            assert!(told.contains("the file has more than 99 values [too-many-values]; "), "{told}");
+            let message = problems.last().unwrap().text(|note| Lang::EN.say(note));
+            assert!(message.contains("the file has more than 99 values [too-many-values]; "), "{message}");
             let line = text.lines().count();
-            assert!(told.starts_with(&format!("t.yaml:{line}:")), "{told}");
+            assert!(message.starts_with(&format!("t.yaml:{line}:")), "{message}");
         }
     }
 
     #[test]
     fn a_text_beyond_the_bound_is_not_parsed() {
-        let told = refused(&" ".repeat(MOST_BYTES + 1));
-        assert!(told.starts_with("t.yaml:1:1: the file is larger than 32 MB [too-large]; "), "{told}");
+        let problems = refused(&" ".repeat(MOST_BYTES + 1));
+        assert!(problems.starts_with("t.yaml:1:1: the file is larger than 32 MB [too-large]; "), "{problems}");
     }
 }

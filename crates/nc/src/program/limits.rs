@@ -15,14 +15,14 @@ pub(super) type Floating = Option<u8>;
 pub(super) type Spans = BTreeMap<(u8, usize), (Micrometres, Micrometres)>;
 
 /// The range of each axis in a motion, least and greatest.
-pub(super) type Reached = [(Micrometres, Micrometres); 3];
+pub(super) type AxisRanges = [(Micrometres, Micrometres); 3];
 
 /// The part of a motion outside the travels. If the zero of an axis is set, its machine position is known: X and Y
 /// have their zero in the middle, Z at the upper end (textbook, l. 4719-4728). Otherwise the required length of
 /// travel is.
 pub(super) fn beyond_travel(
     machine: &Machine<'_>,
-    reached: Reached,
+    reached: AxisRanges,
     from: Position,
     floating: [Floating; 3],
     spans: &mut Spans,

@@ -202,7 +202,7 @@ fn in_unit(
 ) -> Result<(f64, Vec<f64>), KnowledgeError> {
     match figures {
         Some(all @ [first, ..]) if stated == Some(unit) => Ok((*first, all.to_vec())),
-        _ => Err(KnowledgeError::lacks(
+        _ => Err(KnowledgeError::missing(
             &row.table.id,
             note!("nc-row-must-hold-figures", row = row.number(), unit = unit),
         )),

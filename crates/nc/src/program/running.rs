@@ -11,7 +11,7 @@ use crate::motion::{MotionStep, Sink};
 pub(super) const BUDGET: usize = 500_000;
 
 /// Makes a fault for a broken rule of one control: its code, its place, the number of the block.
-type Breach = fn(&'static str, TextSpan, Option<u32>) -> Fault;
+type NewFault = fn(&'static str, TextSpan, Option<u32>) -> Fault;
 
 /// Where execution continues after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,9 +27,9 @@ pub(super) enum BlockOutcome {
 /// A run, apart from the language.
 pub(super) struct Running<'a, S> {
     sink: &'a mut S,
-    breach: Breach,
+    breach: NewFault,
     /// Faults already reported for a word: a block may run many times.
-    told: BTreeSet<(u32, u32, &'static str)>,
+    reported: BTreeSet<(u32, u32, &'static str)>,
     faults: Vec<Fault>,
     /// The calls that led to the block that runs.
     pub calls: Vec<Call>,
@@ -42,9 +42,9 @@ pub(super) struct Running<'a, S> {
 
 impl<'a, S: Sink> Running<'a, S> {
     /// At the beginning of a program.
-    pub fn new(sink: &'a mut S, breach: Breach, budget: usize) -> Self {
-        let (told, faults, calls, spans) = (BTreeSet::new(), Vec::new(), Vec::new(), Spans::new());
-        Self { sink, breach, told, faults, calls, spans, budget, left: budget }
+    pub fn new(sink: &'a mut S, breach: NewFault, budget: usize) -> Self {
+        let (reported, faults, calls, spans) = (BTreeSet::new(), Vec::new(), Vec::new(), Spans::new());
+        Self { sink, breach, reported, faults, calls, spans, budget, left: budget }
     }
 
     /// Counts one more block; false, with a fault, where the budget is spent.
@@ -92,7 +92,7 @@ impl<'a, S: Sink> Running<'a, S> {
 
     /// Reports a fault once for each word and rule, with the calls that led there.
     pub fn report(&mut self, mut fault: Fault) {
-        if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
+        if self.reported.insert((fault.span.line, fault.span.column, fault.code)) {
             fault.calls.clone_from(&self.calls);
             self.faults.push(fault);
         }

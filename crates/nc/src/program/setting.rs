@@ -190,7 +190,7 @@ fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting
         zeros(node, &mut setting, limits, problems);
     }
     if let Some(mut entries) = fields.take("correctors").and_then(|node| problems.open_map(node)) {
-        for (key, node) in entries.rest() {
+        for (key, node) in entries.remaining() {
             let number = key.text.parse::<u32>().ok().filter(|n| (1..=limits.correctors).contains(&i64::from(*n)));
             match number {
                 Some(number) => {

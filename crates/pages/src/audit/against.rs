@@ -22,9 +22,13 @@ pub fn page(comparison: &Comparison, lang: Lang) -> Document {
         page.heading(2, heading(first.section, lang));
         let about = [lang.word("audit-column-about"), lang.word("audit-column-what"), a, b];
         let mut table = Table::new(about.map(Column::text));
-        for one in section {
-            let [a, b] = [&one.a, &one.b].map(|said| said.as_ref().map_or_else(none, |said| value(one, said, lang)));
-            table.row([subject(&one.subject, lang), what(one, lang), a, b].map(|cell| Inlines::sentence(&cell)));
+        for difference in section {
+            let [a, b] = [&difference.a, &difference.b]
+                .map(|stated| stated.as_ref().map_or_else(not_stated, |text| value(difference, text, lang)));
+            table.row(
+                [subject(&difference.subject, lang), quantity_text(difference, lang), a, b]
+                    .map(|cell| Inlines::sentence(&cell)),
+            );
         }
         page.push(table);
     }
@@ -43,24 +47,24 @@ pub fn page(comparison: &Comparison, lang: Lang) -> Document {
 }
 
 /// The text where a plan states nothing.
-fn none() -> String {
+fn not_stated() -> String {
     "–".to_owned()
 }
 
-fn value(difference: &Difference, said: &str, lang: Lang) -> String {
-    match difference.what.as_str() {
-        _ if difference.quantity.is_some() => figure(said, lang),
-        "shank" => lang.term("word", said).to_owned(),
-        "scheme" => lang.figure(&Figure::scheme(said)),
+fn value(difference: &Difference, text: &str, lang: Lang) -> String {
+    match difference.key.as_str() {
+        _ if difference.quantity.is_some() => figure(text, lang),
+        "shank" => lang.term("word", text).to_owned(),
+        "scheme" => lang.figure(&Figure::scheme(text)),
         // Points in a designation are no decimal points.
-        _ => said.to_owned(),
+        _ => text.to_owned(),
     }
 }
 
 /// The quantity with its unit.
-fn what(difference: &Difference, lang: Lang) -> String {
+fn quantity_text(difference: &Difference, lang: Lang) -> String {
     let Some(quantity) = difference.quantity else {
-        return keys::words(&difference.what, lang).unwrap_or_else(|| difference.what.clone());
+        return keys::words(&difference.key, lang).unwrap_or_else(|| difference.key.clone());
     };
     let factor = difference.factor.as_ref();
     let what = factor.map_or_else(|| name(quantity, lang), |factor| words::factor(quantity, factor, lang));
@@ -72,12 +76,12 @@ fn what(difference: &Difference, lang: Lang) -> String {
 
 /// The cost in both plans, and the difference.
 fn costs(cost: &Cost, lang: Lang) -> [Inlines; 4] {
-    let said = |value: Option<f64>| value.map_or_else(none, |value| lang.figure(&number(value)));
+    let shown = |value: Option<f64>| value.map_or_else(not_stated, |value| lang.figure(&number(value)));
     let more = match cost.more {
-        None => none(),
+        None => not_stated(),
         Some(0.0) => "=".to_owned(),
         Some(more) => figure(&format!("{more:+}"), lang),
     };
-    let what = lang.find(&format!("audit-cost-{}", cost.what)).unwrap_or(cost.what);
-    [what.into(), Inlines::number(said(cost.a)), Inlines::number(said(cost.b)), Inlines::number(more)]
+    let what = lang.find(&format!("audit-cost-{}", cost.kind)).unwrap_or(cost.kind);
+    [what.into(), Inlines::number(shown(cost.a)), Inlines::number(shown(cost.b)), Inlines::number(more)]
 }

@@ -6,7 +6,7 @@ use technolog_words::say;
 
 use super::super::Lang;
 use super::words::{change, figure, whereabouts};
-use super::{counts, place, said};
+use super::{counts, finding_text, place};
 
 /// The page.
 pub fn page(audited: &[Audited], lang: Lang) -> Document {
@@ -33,7 +33,7 @@ fn table(audited: &[Audited], lang: Lang) -> Table {
     // The columns that decide whether a plan passes are kept longest.
     let keeps = [Keep::Always, Keep::Always, Keep::Useful, Keep::Optional];
     columns.extend(counts::severities(lang).zip(keeps).map(|(column, keep)| column.keep(keep)));
-    columns.push(Column::text(lang.word("audit-column-root")).least(24));
+    columns.push(Column::text(lang.word("audit-column-root")).min_width(24));
     columns.extend(marked.then(|| Column::number(lang.word("audit-column-marks"), "")));
     let mut table = Table::new(columns);
     for one in audited {
@@ -78,11 +78,11 @@ fn unreadable(unread: &Unread, lang: Lang) -> String {
 fn root(audit: &Audit, lang: Lang) -> String {
     let Some(root) = audit.first_root() else { return String::new() };
     let whereabouts = whereabouts(root, lang);
-    let said = match (root.quantity, &root.stated, &root.right) {
+    let text = match (root.quantity, &root.stated, &root.right) {
         (Some(_), Some(stated), Some(right)) => {
             say!(lang, "audit-root", whereabouts = whereabouts, change = change(stated, right, lang))
         }
-        _ => say!(lang, "audit-about", about = whereabouts, said = said(root, lang)),
+        _ => say!(lang, "audit-about", about = whereabouts, said = finding_text(root, lang)),
     };
-    place(root, &audit.file).map_or_else(|| said.clone(), |place| format!("{place} {said}"))
+    place(root, &audit.file).map_or_else(|| text.clone(), |place| format!("{place} {text}"))
 }

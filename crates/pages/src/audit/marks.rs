@@ -12,11 +12,11 @@ use super::{place, severity};
 /// `Курсовий проєкт: 71,5 з 100, зараховано`.
 pub fn headline(marks: &Marks, lang: Lang) -> String {
     let name = if marks.scheme.is_empty() { lang.word("audit-marks") } else { &marks.scheme };
-    let (points, of) = (number(marks.points), number(marks.of));
+    let (points, maximum) = (number(marks.points), number(marks.maximum));
     match marks.passed {
-        Some(true) => say!(lang, "audit-score-passed", name = name, points = points, of = of),
-        Some(false) => say!(lang, "audit-score-failed", name = name, points = points, of = of),
-        None => say!(lang, "audit-score", name = name, points = points, of = of),
+        Some(true) => say!(lang, "audit-score-passed", name = name, points = points, of = maximum),
+        Some(false) => say!(lang, "audit-score-failed", name = name, points = points, of = maximum),
+        None => say!(lang, "audit-score", name = name, points = points, of = maximum),
     }
 }
 
@@ -31,7 +31,7 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
         text("audit-column-ground").keep(Keep::Optional),
     ]);
     // The deductions have the order of the findings, one for each.
-    for (one, finding) in marks.deductions.iter().zip(&audit.findings).filter(|(one, _)| one.points > 0.0) {
+    for (one, finding) in marks.deductions.iter().zip(&audit.findings).filter(|(deduction, _)| deduction.points > 0.0) {
         table.row([
             Inlines::number(figure(&format!("-{}", one.points), lang)),
             severity(one.severity, lang).into(),

@@ -99,9 +99,9 @@ pub(super) fn block(finding: &AuditFinding) -> Option<&str> {
 
 /// The subject of a finding: `свердління A`, `T2`, otherwise its section.
 fn about(finding: &AuditFinding, lang: Lang) -> String {
-    let said = block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
-    if !said.is_empty() {
-        return said;
+    let text = block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
+    if !text.is_empty() {
+        return text;
     }
     // A tool whose name was changed is identified by its place only.
     let tool = finding.field.strip_prefix("tools.").and_then(|rest| rest.split('.').next());
@@ -112,10 +112,10 @@ fn about(finding: &AuditFinding, lang: Lang) -> String {
 }
 
 /// The quantity of a finding: `подача S`, `позначення`; none if it concerns the whole subject.
-pub(super) fn what(finding: &AuditFinding, lang: Lang) -> String {
+pub(super) fn quantity_text(finding: &AuditFinding, lang: Lang) -> String {
     match finding.quantity {
         Some(quantity) => {
-            finding.factor.as_ref().map_or_else(|| name(quantity, lang), |own| factor(quantity, own, lang))
+            finding.factor.as_ref().map_or_else(|| name(quantity, lang), |figure| factor(quantity, figure, lang))
         }
         // About a section as a whole, which is named already; for missing figures, which of them.
         None if finding.section == Section::Program => String::new(),
@@ -131,7 +131,7 @@ pub(super) fn factor(quantity: Quantity, factor: &Figure, lang: Lang) -> String 
 
 /// The place of a finding in words: `T1: довжина комплекту Lк`.
 pub(super) fn whereabouts(finding: &AuditFinding, lang: Lang) -> String {
-    let (about, what) = (about(finding, lang), what(finding, lang));
+    let (about, what) = (about(finding, lang), quantity_text(finding, lang));
     if what.is_empty() { about } else { say!(lang, "audit-about", about = about, said = what) }
 }
 
@@ -139,11 +139,14 @@ pub(super) fn whereabouts(finding: &AuditFinding, lang: Lang) -> String {
 /// виліт lв, довжина lопр; закріплення: nпр 500 → 315`.
 pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit: &Audit, lang: Lang) -> String {
     let mut groups: Vec<(String, Vec<String>)> = Vec::new();
-    for (field, said) in fields {
+    for (field, words) in fields {
         // Causes and consequences of a finding are findings themselves.
         let Some(finding) = audit.findings.iter().find(|one| one.field == field) else { continue };
-        let what =
-            [what(finding, lang), said].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ");
+        let what = [quantity_text(finding, lang), words]
+            .into_iter()
+            .filter(|text| !text.is_empty())
+            .collect::<Vec<_>>()
+            .join(" ");
         let about = about(finding, lang);
         match groups.last_mut() {
             Some((known, list)) if *known == about => list.push(what),
@@ -159,7 +162,7 @@ pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit:
 
 /// The text of a finding; figures of its note that are meant for programs are put into words.
 #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
-pub(super) fn said(finding: &AuditFinding, lang: Lang) -> String {
+pub(super) fn finding_text(finding: &AuditFinding, lang: Lang) -> String {
     let note = match finding.note.code() {
         "audit-missing" => Note::new("audit-missing")
             .with("section", keys::words(&finding.field, lang).unwrap_or_default())
@@ -177,7 +180,7 @@ pub(super) fn said(finding: &AuditFinding, lang: Lang) -> String {
 fn missing(missing: &[MissingKeys], section: &str, lang: Lang) -> String {
     let mut groups: Vec<(&[&str], Vec<String>)> = Vec::new();
     for lack in missing {
-        let whose = if section == "route" { lack.of.clone() } else { subject(&lack.subject, lang) };
+        let whose = if section == "route" { lack.part.clone() } else { subject(&lack.subject, lang) };
         match groups.iter_mut().find(|(keys, _)| *keys == lack.keys) {
             Some((_, known)) => known.push(whose),
             None => groups.push((&lack.keys, vec![whose])),
@@ -186,7 +189,7 @@ fn missing(missing: &[MissingKeys], section: &str, lang: Lang) -> String {
     if matches!(missing, [lack] if lack.keys == [section]) {
         return lang.word("audit-whole-section").to_owned();
     }
-    let whole = missing.iter().all(|lack| lack.of.is_empty());
+    let whole = missing.iter().all(|lack| lack.part.is_empty());
     let group = |(keys, whose): &(&[&str], Vec<String>)| {
         let names: Vec<String> = keys
             .iter()

@@ -98,15 +98,15 @@ impl Labels {
 fn crosses(from: At, to: At, a: At, b: At) -> bool {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for (way, room) in [(-dx, from.0 - a.0), (dx, b.0 - from.0), (-dy, from.1 - a.1), (dy, b.1 - from.1)] {
-        if way == 0.0 {
+    for (along, room) in [(-dx, from.0 - a.0), (dx, b.0 - from.0), (-dy, from.1 - a.1), (dy, b.1 - from.1)] {
+        if along == 0.0 {
             if room < 0.0 {
                 return false;
             }
-        } else if way < 0.0 {
-            enter = enter.max(room / way);
+        } else if along < 0.0 {
+            enter = enter.max(room / along);
         } else {
-            leave = leave.min(room / way);
+            leave = leave.min(room / along);
         }
     }
     enter <= leave

@@ -53,7 +53,7 @@ impl PathSegment {
     }
 
     /// A straight line by its ends, in either order; `None` for an arc.
-    pub(super) fn way(&self) -> Option<[(i64, i64); 2]> {
+    pub(super) fn straight_ends(&self) -> Option<[(i64, i64); 2]> {
         let DrawnShape::Straight = self.shape else { return None };
         let exact = |(x, y): DrawingPoint| [x, y].map(|value| Micrometres::from_mm_rounded(value).micrometres());
         let mut ends = [exact(self.from), exact(self.to)].map(|[x, y]| (x, y));

@@ -42,8 +42,8 @@ impl<'p> HoleSection<'p> {
     /// The section for a cycle: the first hole that it makes.
     pub(super) fn of(plan: &'p Plan, work: &ToolWork, index: usize, corner: At) -> Option<Self> {
         let cycle = work.cycles.get(index)?;
-        let (hole, number, _) = transitions::of_work(work, &[index]).into_iter().next()?;
-        let (hole, transition) = transitions::of_plan(plan, hole, number)?;
+        let (hole, number, _) = transitions::stops_of_work(work, &[index]).into_iter().next()?;
+        let (hole, transition) = transitions::find_in_plan(plan, hole, number)?;
         let (datum, blank) = (plan.part.datum, plan.part.blank);
         let (top, bottom) = (datum.top.to_mm(), (datum.top - blank.thickness).to_mm());
         let (high, end) = (cycle.out.to_mm(), cycle.end.to_mm());
@@ -89,24 +89,24 @@ impl<'p> HoleSection<'p> {
     pub(super) fn hole(&self, canvas: &mut Canvas, lang: Lang) {
         let (left, right) = (self.axis - PLATE, self.axis + PLATE);
         let (face, floor) = (self.y(self.top), self.y(self.bottom.max(self.low)));
-        let whole = self.bottom >= self.low;
+        let is_through = self.bottom >= self.low;
         // The plate, hatched.
         let id = format!("c{:.0}-{:.0}", self.corner.0, self.corner.1);
-        canvas.put(format_args!(
+        canvas.push_element(format_args!(
             "<pattern id=\"{id}\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\"><path d=\"M0 7 L7 0\" \
              stroke=\"#bbb\" stroke-width=\"0.8\"/></pattern>"
         ));
         canvas.rectangle((left, face), (right, floor), &format!("url(#{id})"), None);
         let edge = Pen::solid(INK, 1.2);
         canvas.line(&[(left, face), (right, face)], edge);
-        if whole {
+        if is_through {
             canvas.line(&[(left, floor), (right, floor)], edge);
         } else {
             broken_edge(canvas, left, right, floor);
         }
         // The holes before and after are cut out of the hatching; the old one is dashed.
         let outline = Pen::solid(INK, 1.6);
-        let (after, open) = self.after();
+        let (after, open) = self.outline_after();
         if let Some(before) = self.before {
             let half = self.half_before();
             let end = self.y(before.max(self.low));
@@ -138,7 +138,7 @@ impl<'p> HoleSection<'p> {
         }
         self.tip(canvas);
         let (high, low) = (self.y(self.high) - 14.0, self.y(self.low) + 12.0);
-        canvas.put(format_args!(
+        canvas.push_element(format_args!(
             "<path d=\"M{0:.2} {high:.2} V{low:.2}\" fill=\"none\" stroke=\"{GREY}\" stroke-width=\"0.8\" \
              stroke-dasharray=\"12 3 2 3\"/>",
             self.axis
@@ -155,7 +155,7 @@ impl<'p> HoleSection<'p> {
 
     /// The outline after the transition, from the left edge over the bottom to the right one, and whether it is open
     /// below.
-    fn after(&self) -> (Vec<At>, bool) {
+    fn outline_after(&self) -> (Vec<At>, bool) {
         let t = self.transition;
         let (start, depth) = (self.top - t.start_mm.to_mm(), self.top - t.depth_mm.to_mm());
         let half = self.half(t.diameter_mm);

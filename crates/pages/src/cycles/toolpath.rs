@@ -228,8 +228,9 @@ pub(super) fn from_above(
         canvas.line(&[at, next], FEED);
         canvas.circle(middle, radius, "none", Some(FEED));
         // The arrow head at the top of the circle, in its visible direction.
-        let (top, way) = ((middle.0, middle.1 - radius), if sense == Sense::Counterclockwise { -1.0 } else { 1.0 });
-        canvas.head((top.0 - way * 10.0, top.1), (top.0 + way * 4.0, top.1), FEED);
+        let (top, direction) =
+            ((middle.0, middle.1 - radius), if sense == Sense::Counterclockwise { -1.0 } else { 1.0 });
+        canvas.head((top.0 - direction * 10.0, top.1), (top.0 + direction * 4.0, top.1), FEED);
         at = next;
     }
     if let Some(rounds) = t.conditions.rounds {

@@ -16,7 +16,7 @@ pub(super) enum Word {
 }
 
 /// The words of a line. Nothing is refused: a sheet also shows what its control would reject.
-pub(super) fn of_line(line: &str) -> Vec<Word> {
+pub(super) fn words_of_line(line: &str) -> Vec<Word> {
     let letters: Vec<char> = line.trim().chars().collect();
     let mut words = Vec::new();
     let mut at = 0;
@@ -87,7 +87,7 @@ mod tests {
     use super::*;
 
     fn shown(line: &str) -> Vec<String> {
-        of_line(line)
+        words_of_line(line)
             .into_iter()
             .map(|word| match word {
                 Word::Address(letter, number) => format!("{letter}{number}"),

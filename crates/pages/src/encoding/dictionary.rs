@@ -55,21 +55,21 @@ impl Dictionary {
     /// # Errors
     /// There is no such table, or a row lacks a meaning.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let mut own = Self::default();
+        let mut dictionary = Self::default();
         if control == "2c42-65" {
-            own.take_2c42_65(knowledge)?;
-            return Ok(own);
+            dictionary.take_2c42_65(knowledge)?;
+            return Ok(dictionary);
         }
         let words = format!("{control}-words");
-        let lacks = |_| KnowledgeError::lacks(&words, crate::note::Note::new("table-no-words-of-control"));
+        let lacks = |_| KnowledgeError::missing(&words, crate::note::Note::new("table-no-words-of-control"));
         for row in knowledge.table(&words).map_err(lacks)?.rows() {
             let row: Words<'_> = row?;
             let unit = row.unit.filter(|unit| *unit != AddressUnit::Ones.name()).map(str::to_owned);
             let incremental = row.incremental_uk.zip(row.incremental_en);
             let meaning = Meaning { unit, ..Meaning::new(row.meaning_uk, row.meaning_en, incremental) };
-            own.take(row.word, &row.cycles.unwrap_or_default(), meaning);
+            dictionary.take(row.word, &row.cycles.unwrap_or_default(), meaning);
         }
-        Ok(own)
+        Ok(dictionary)
     }
 
     fn take_2c42_65(&mut self, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
@@ -121,24 +121,24 @@ impl Dictionary {
                 _ => {}
             }
         }
-        let way = !codes.iter().any(|code| NO_WAY.contains(&code.as_str()));
+        let is_motion = !codes.iter().any(|code| NO_WAY.contains(&code.as_str()));
         let mut cycle: Option<String> = None;
-        let mut said = Vec::new();
+        let mut meanings = Vec::new();
         for word in words {
             match word {
                 Word::Address('N', _) if cycle.is_none() => {}
                 Word::Address(letter, number) => {
-                    let text = self.word(*letter, number, cycle.as_deref(), words, *modes, way, lang);
-                    said.push(format!("{letter}{number}: {text}"));
+                    let text = self.word(*letter, number, cycle.as_deref(), words, *modes, is_motion, lang);
+                    meanings.push(format!("{letter}{number}: {text}"));
                     cycle = cycle.or(code(word).filter(|code| self.cycles.contains(code)));
                 }
-                Word::Comment(text) => said.push(say!(lang, "encoding-comment", text = text.as_str())),
-                Word::Skip => said.push(say!(lang, "encoding-skip").to_owned()),
-                Word::Tape => said.push(say!(lang, "encoding-tape").to_owned()),
-                Word::Statement(text) => said.push(say!(lang, "encoding-statement", text = text.as_str())),
+                Word::Comment(text) => meanings.push(say!(lang, "encoding-comment", text = text.as_str())),
+                Word::Skip => meanings.push(say!(lang, "encoding-skip").to_owned()),
+                Word::Tape => meanings.push(say!(lang, "encoding-tape").to_owned()),
+                Word::Statement(text) => meanings.push(say!(lang, "encoding-statement", text = text.as_str())),
             }
         }
-        said.join("; ")
+        meanings.join("; ")
     }
 
     /// The tool and the offset registers in a block, without parameters of a cycle: `T1`, `H01`.
@@ -166,7 +166,7 @@ impl Dictionary {
         cycle: Option<&str>,
         block: &[Word],
         modes: Modes,
-        way: bool,
+        is_motion: bool,
         lang: Lang,
     ) -> String {
         let address = self.words.get(&letter.to_string());
@@ -202,8 +202,8 @@ impl Dictionary {
         let Some(meaning) = address else { return unknown(lang) };
         let text = meaning.text(false, lang);
         let between = match letter {
-            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way && modes.incremental => "encoding-moves-by",
-            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way => "encoding-moves-to",
+            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if is_motion && modes.incremental => "encoding-moves-by",
+            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if is_motion => "encoding-moves-to",
             _ => "encoding-is",
         };
         valued(text, between, number, meaning.unit.as_ref(), meaning.tenths, lang)
@@ -211,7 +211,8 @@ impl Dictionary {
 
     /// The unit of the address with the same meaning in a cycle: H of a retract is a feed, like F.
     fn unit_alike(&self, cycle: &str, meanings: &[Meaning]) -> Option<&String> {
-        let alike = |others: &[Meaning]| others.iter().any(|other| meanings.iter().any(|own| own.uk == other.uk));
+        let alike =
+            |others: &[Meaning]| others.iter().any(|other| meanings.iter().any(|meaning| meaning.uk == other.uk));
         let of_cycle = self.parameters.iter().filter(|((own, _), _)| own == cycle);
         of_cycle.filter(|(_, others)| alike(others)).find_map(|((_, word), _)| self.words.get(word)?.unit.as_ref())
     }
@@ -243,7 +244,7 @@ fn unknown(lang: Lang) -> String {
 }
 
 /// A meaning with its number, if the number has a unit; other meanings are complete.
-fn valued(text: &str, said: &'static str, number: &str, unit: Option<&String>, tenths: bool, lang: Lang) -> String {
+fn valued(text: &str, message: &'static str, number: &str, unit: Option<&String>, tenths: bool, lang: Lang) -> String {
     let Some(unit) = unit else { return text.to_owned() };
     let shown = match number.parse::<f64>() {
         Ok(value) if tenths => Figure::number((value / 10.0).to_string()),
@@ -251,7 +252,7 @@ fn valued(text: &str, said: &'static str, number: &str, unit: Option<&String>, t
         Err(_) => Figure::Text(number.to_owned().into()),
     };
     let unit = lang.find(&format!("unit-{}", unit.replace('/', "-"))).unwrap_or(unit);
-    lang.say(&Note::new(said).with("meaning", text).with("value", shown).with("unit", unit))
+    lang.say(&Note::new(message).with("meaning", text).with("value", shown).with("unit", unit))
 }
 
 /// The code of a function: `G0` is `G00`, `G54.1` stays.

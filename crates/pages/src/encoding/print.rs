@@ -20,9 +20,9 @@ impl EncodingSheet {
         page.paragraph(say!(lang, "encoding-ours"));
         let mut table = Table::new([
             Column::text(say!(lang, "encoding-transition")),
-            Column::text(say!(lang, "encoding-tool")).least(4).keep(Keep::Useful),
-            Column::text(say!(lang, "encoding-block")).least(16),
-            Column::text(say!(lang, "encoding-meaning")).least(30),
+            Column::text(say!(lang, "encoding-tool")).min_width(4).keep(Keep::Useful),
+            Column::text(say!(lang, "encoding-block")).min_width(16),
+            Column::text(say!(lang, "encoding-meaning")).min_width(30),
         ]);
         for row in &self.rows {
             let [transition, tool, code, meaning] = cells(row);

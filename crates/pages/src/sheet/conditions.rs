@@ -43,7 +43,7 @@ pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
 fn table(lang: Lang) -> Table {
     let column = |key, unit| Column::number(heading(key, lang), lang.word(unit));
     Table::new([
-        Column::text(say!(lang, "plan-hole")).least(4),
+        Column::text(say!(lang, "plan-hole")).min_width(4),
         Column::text("T"),
         Column::text(say!(lang, "plan-transition")).keep(Keep::Optional),
         Column::number("Ø", lang.word("unit-mm")),

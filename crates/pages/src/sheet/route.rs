@@ -19,7 +19,7 @@ pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     if rows.len() > 2 {
         let mut table = Table::new([
             Column { align: Align::Right, ..Column::text(lang.word("cli-row-number")) },
-            Column::text(say!(lang, "plan-step-head")).least(22),
+            Column::text(say!(lang, "plan-step-head")).min_width(22),
             Column::text(say!(lang, "plan-scheme")).keep(Keep::Optional),
             Column::text("T"),
             Column::text(say!(lang, "plan-cutter")),
@@ -108,10 +108,10 @@ pub(super) fn place(transition: &Transition) -> String {
     if transition.elsewhere { NONE.to_owned() } else { format!("T{}", transition.tool.number) }
 }
 
-fn step(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> Vec<Inlines> {
+fn step(plan: &Plan, hole: &HolePlan, transition: &Transition, lang: Lang) -> Vec<Inlines> {
     vec![
-        content(plan, own, transition, lang).into(),
-        own.route.as_ref().map_or_else(String::new, |route| of_route(route, lang)).into(),
+        content(plan, hole, transition, lang).into(),
+        hole.route.as_ref().map_or_else(String::new, |route| route_text(route, lang)).into(),
         place(transition).into(),
         format!("{}{}", transition.tool.designation, mark(&transition.because)).into(),
         achieved(transition.achieved.as_ref(), lang).into(),
@@ -119,8 +119,8 @@ fn step(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> Vec
 }
 
 /// The content of a transition, as on a route card.
-fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> String {
-    let Some(hole) = hole(plan, &own.name) else { return String::new() };
+fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lang) -> String {
+    let Some(hole) = hole(plan, &hole_plan.name) else { return String::new() };
     let key = match transition.operation {
         Operation::CentreDrill => "plan-step-spot",
         // A mill that widens nothing levels the floor.
@@ -128,15 +128,15 @@ fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> 
         _ if finishes(hole, transition) => "plan-step",
         _ => "plan-step-to",
     };
-    let mut said = Note::new(key)
+    let mut note = Note::new(key)
         .with("verb", operation_verb(transition.operation.name(), lang))
         .with("count", hole.at.len())
         .with("size", size_of(hole, transition))
-        .with("hole", own.name.as_str());
+        .with("hole", hole_plan.name.as_str());
     if key != "plan-step" {
-        said = said.with("diameter", transition.diameter_mm);
+        note = note.with("diameter", transition.diameter_mm);
     }
-    let mut clauses = vec![lang.say(&said)];
+    let mut clauses = vec![lang.say(&note)];
     if let Some(also) = transition.also_diameter_mm {
         clauses.push(say!(lang, "plan-step-also", diameter = also));
     }
@@ -158,22 +158,22 @@ fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> 
 /// Grade and roughness, as far as the tables say.
 fn achieved(achieved: Option<&Achieved>, lang: Lang) -> String {
     let Some(achieved) = achieved else { return String::new() };
-    let it = achieved.it.map(|it| format!("IT{it}"));
+    let it = achieved.it.map(|grade| format!("IT{grade}"));
     let roughness = achieved.roughness.map(|roughness| lang.figure(&roughness.into_figure()));
     it.into_iter().chain(roughness).collect::<Vec<_>>().join(", ")
 }
 
-fn of_route(route: &Route, lang: Lang) -> String {
-    route_name(route.way, &route.table, &route.scheme, lang)
+fn route_text(route: &Route, lang: Lang) -> String {
+    route_name(route.source, &route.table, &route.scheme, lang)
 }
 
 /// The source of a route: `A.9 07`, `A.5 комплекс 13`, or the search.
-fn route_name(way: RouteSource, table: &str, scheme: &str, lang: Lang) -> String {
+fn route_name(source: RouteSource, table: &str, scheme: &str, lang: Lang) -> String {
     if scheme.is_empty() {
         return table.to_owned();
     }
     let name = Figure::scheme(scheme);
-    match way {
+    match source {
         RouteSource::Tables => say!(lang, "plan-by-table", table = table, scheme = name),
         RouteSource::Complexes => say!(lang, "plan-by-complex", table = table, scheme = name),
         RouteSource::Search if scheme.starts_with(|first: char| first.is_ascii_digit()) => {
@@ -184,27 +184,27 @@ fn route_name(way: RouteSource, table: &str, scheme: &str, lang: Lang) -> String
 }
 
 /// The requirements of a group, the route taken, and the runner-up with its cost.
-fn choice(plan: &Plan, own: &HolePlan, lang: Lang) -> Option<Field> {
-    let route = own.route.as_ref()?;
+fn choice(plan: &Plan, hole_plan: &HolePlan, lang: Lang) -> Option<Field> {
+    let route = hole_plan.route.as_ref()?;
     let against = match route.runner_up() {
         Some(other) => runner_up(other, lang),
         None => say!(lang, "plan-no-runner-up").to_owned(),
     };
-    let said = say!(
+    let text = say!(
         lang,
         "plan-choice",
-        required = requirement(hole(plan, &own.name)?, route.centre_tolerance_mm, lang),
-        route = chosen(own, route, lang),
+        required = requirement(hole(plan, &hole_plan.name)?, route.centre_tolerance_mm, lang),
+        route = chosen(hole_plan, route, lang),
         time = exactly(route.time_min.0, 2),
         against = against
     );
-    Some(Field::new(own.name.as_str(), said))
+    Some(Field::new(hole_plan.name.as_str(), text))
 }
 
 /// The name of the route taken; with its transitions where the runner-up has the same name.
 fn chosen(own: &HolePlan, route: &Route, lang: Lang) -> String {
-    let name = of_route(route, lang);
-    let alike = |other: &Alternative| route_name(other.way, &other.table, &other.scheme, lang) == name;
+    let name = route_text(route, lang);
+    let alike = |other: &Alternative| route_name(other.source, &other.table, &other.scheme, lang) == name;
     if !route.runner_up().is_some_and(alike) {
         return name;
     }
@@ -231,7 +231,7 @@ fn of_main(hole: &Hole, centre: Micrometres, lang: Lang) -> String {
 
 fn runner_up(other: &Alternative, lang: Lang) -> String {
     let operations = Figure::operations(other.operations.iter().map(|made| made.operation.name()));
-    let route = route_name(other.way, &other.table, &other.scheme, lang);
+    let route = route_name(other.source, &other.table, &other.scheme, lang);
     say!(lang, "plan-runner-up", route = route, operations = operations, why = other.why.clone())
 }
 
@@ -244,16 +244,16 @@ pub(crate) fn alternatives(route: &Route, lang: Lang) -> Vec<Item> {
             say!(lang, "explain-made", operation = operation, diameter = made.diameter_mm)
         });
         let operations = operations.collect::<Vec<_>>().join(", ");
-        let name = route_name(other.way, &other.table, &other.scheme, lang);
+        let name = route_name(other.source, &other.table, &other.scheme, lang);
         let name = if operations.is_empty() { name } else { format!("{name} ({operations})") };
-        let said = match other.time_min {
+        let text = match other.time_min {
             Some(time) => {
                 let time = exactly(time.0, 2);
                 say!(lang, "explain-other-route-timed", route = name, time = time, why = other.why.clone())
             }
             None => say!(lang, "explain-other-route", route = name, why = other.why.clone()),
         };
-        Inlines::sentence(&said).into()
+        Inlines::sentence(&text).into()
     };
     route.alternatives.iter().map(item).collect()
 }

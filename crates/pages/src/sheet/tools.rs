@@ -33,7 +33,7 @@ pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
             named(tool, mark(&tool.because), lang).into(),
             tool.table.as_str().into(),
             diameter,
-            does(plan, tool, lang).into(),
+            work_of_tool(plan, tool, lang).into(),
             tool.holder.as_str().into(),
             holder,
             overhang,
@@ -55,7 +55,7 @@ fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
 }
 
 /// The work of a tool, over all holes.
-fn does(plan: &Plan, tool: &ToolPlan, lang: Lang) -> String {
+fn work_of_tool(plan: &Plan, tool: &ToolPlan, lang: Lang) -> String {
     let mut names: Vec<&str> = Vec::new();
     for transition in plan.holes.iter().flat_map(|hole| &hole.transitions) {
         let name = operation_noun(transition.operation.name(), lang);

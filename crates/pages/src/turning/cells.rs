@@ -56,7 +56,7 @@ pub(super) fn table(columns: impl IntoIterator<Item = Column>, rows: Vec<Vec<Cel
 
 /// A column with several figures in a cell, such as `0 → 42`: they stay on one line.
 pub(super) fn span(heading: impl Into<Inlines>, unit: &str) -> Column {
-    Column::number(heading, unit).least(16)
+    Column::number(heading, unit).min_width(16)
 }
 
 /// A figure as people write it.
@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn a_column_has_as_many_decimals_as_its_finest_figure_needs() {
         let rows = [(1.5, "a"), (0.125, ""), (2.0, "")];
-        let rows = rows.map(|(value, said)| vec![Cell::Figure(value, 2), Cell::from(said), Cell::empty()]);
+        let rows = rows.map(|(value, text)| vec![Cell::Figure(value, 2), Cell::from(text), Cell::empty()]);
         let columns = ["t", "why", "nothing"].map(|heading| Column::text(heading).keep(Keep::Optional));
         let table = table(columns, rows.into(), Lang::UK);
         let first: Vec<String> = table.rows().iter().map(|row| row[0].plain()).collect();

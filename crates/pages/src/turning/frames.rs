@@ -58,14 +58,14 @@ fn frame(
     title_at: At,
     place: &impl Fn(Point) -> At,
 ) {
-    let (Some(pass), Some(told)) = (variant.drawn.get(index), variant.passes.get(index)) else { return };
+    let (Some(pass), Some(planned)) = (variant.drawn.get(index), variant.passes.get(index)) else { return };
     let so_far: Half = variant.passes.iter().take(index + 1).map(|pass| pass.length_mm).sum();
     let title = say!(
         lang,
         "turn-frame",
-        number = told.number,
-        kind = word(told.kind.name()),
-        length = rounded(told.length_mm.to_mm(), lang),
+        number = planned.number,
+        kind = word(planned.kind.name()),
+        length = rounded(planned.length_mm.to_mm(), lang),
         sum = rounded(so_far.to_mm(), lang)
     );
     canvas.text(title_at, 12.0, Anchor::Start, &title);

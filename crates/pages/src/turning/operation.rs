@@ -64,7 +64,7 @@ pub fn operation_page(
 pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
     let line = |(index, program): (usize, &OperationProgram)| {
         let tools: Vec<String> = program.places.iter().map(|place| format!("T{place}")).collect();
-        let told = say!(
+        let summary = say!(
             lang,
             "turn-program",
             number = index + 1,
@@ -73,8 +73,10 @@ pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
             tools = tools.join(", ")
         );
         match &program.files {
-            Ok(_) => format!("{told}\n"),
-            Err(error) => format!("{}\n", say!(lang, "turn-program-not-written", program = told, why = error.note())),
+            Ok(_) => format!("{summary}\n"),
+            Err(error) => {
+                format!("{}\n", say!(lang, "turn-program-not-written", program = summary, why = error.note()))
+            }
         }
     };
     programs.iter().enumerate().map(line).collect()
@@ -100,7 +102,7 @@ fn head(page: &mut Document, operation: &Operation, knowledge: &Knowledge, lang:
     };
     let machine = part.machine.as_deref().map_or(say!(lang, "turn-no-lathe"), |id| {
         let record = knowledge.table(&format!("lathe-{id}"));
-        record.map_or(id, |table| table.title.of(lang.tag()))
+        record.map_or(id, |table| table.title.text(lang.tag()))
     });
     page.push(fields([
         (say!(lang, "turn-material").to_owned(), material(&part.material, knowledge)),

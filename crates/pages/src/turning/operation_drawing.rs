@@ -49,7 +49,7 @@ pub fn operation_drawing(operation: &Operation, all: bool, lang: Lang) -> String
 /// The corners of the box around contours and, with `axis`, the axis.
 fn corners(contours: &[&Contour], axis: bool) -> (Point, Point) {
     let points: Vec<Point> =
-        contours.iter().flat_map(|one| one.pieces.iter().flat_map(|piece| piece.extremes())).collect();
+        contours.iter().flat_map(|contour| contour.pieces.iter().flat_map(|piece| piece.extremes())).collect();
     let least = |of: fn(&Point) -> Half| points.iter().map(of).min().unwrap_or_default();
     let most = |of: fn(&Point) -> Half| points.iter().map(of).max().unwrap_or_default();
     let low = if axis { Half::ZERO } else { least(|point| point.radius) };

@@ -12,7 +12,7 @@ use super::super::sheet::MARK;
 use super::cells::figure;
 
 /// A note as a line.
-pub(super) fn said(note: &Note, lang: Lang) -> Inlines {
+pub(super) fn note_line(note: &Note, lang: Lang) -> Inlines {
     Inlines::sentence(&lang.say(note))
 }
 
@@ -22,11 +22,11 @@ pub(super) fn reasoned(because: &Because, lang: Lang) -> Inlines {
 }
 
 /// A sentence with its row.
-pub(super) fn rests_on(said: &str, because: &Because, lang: Lang) -> Inlines {
+pub(super) fn rests_on(text: &str, because: &Because, lang: Lang) -> Inlines {
     let (table, place) = (because.table.as_str(), lang.place(&because.place));
     Inlines::sentence(&match because.row {
-        Some(row) => say!(lang, "turn-by-row", said = said, table = table, row = row, place = place),
-        None => say!(lang, "turn-by-table", said = said, table = table, place = place),
+        Some(row) => say!(lang, "turn-by-row", said = text, table = table, row = row, place = place),
+        None => say!(lang, "turn-by-table", said = text, table = table, place = place),
     })
 }
 
@@ -37,12 +37,12 @@ pub(super) fn finding(finding: &note::Finding, lang: Lang) -> FindingBlock {
         note::Severity::Doubtful => Severity::Doubtful,
         note::Severity::Note => Severity::Note,
     };
-    FindingBlock::new(severity, lang.term("word", finding.severity.name()), said(&finding.note, lang))
+    FindingBlock::new(severity, lang.term("word", finding.severity.name()), note_line(&finding.note, lang))
 }
 
 /// What is said of rows that nothing confirms, under the mark that their figures have.
 pub(super) fn unconfirmed(note: &Note, lang: Lang) -> FindingBlock {
-    FindingBlock::new(Severity::Doubtful, MARK, said(note, lang))
+    FindingBlock::new(Severity::Doubtful, MARK, note_line(note, lang))
 }
 
 /// A word of the general vocabulary, as a figure of a sentence.
@@ -67,5 +67,5 @@ pub(super) fn terms<'i>(ids: impl Iterator<Item = &'i str>, between: &str, lang:
 
 /// A column with the names of schemes; the headings of figures are wrapped before these names.
 pub(super) fn schemes_column(heading: &str) -> Column {
-    Column::text(heading).least(24)
+    Column::text(heading).min_width(24)
 }

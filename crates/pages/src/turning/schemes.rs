@@ -7,7 +7,7 @@ use technolog_words::say;
 
 use super::Lang;
 use super::cells::{Cell, arrow, figure, rounded, span, table};
-use super::phrases::{said, schemes_column, terms, word};
+use super::phrases::{note_line, schemes_column, terms, word};
 use super::section;
 
 /// The sections; none if there is no stock.
@@ -28,7 +28,7 @@ pub(super) fn sections(page: &mut Document, found: &Schemes, lang: Lang) {
         ))
     });
     page.blocks.push(Block::List(what.map(Item::from).collect()));
-    page.paragraph(said(&best.because.note, lang));
+    page.paragraph(note_line(&best.because.note, lang));
     if let Some(scheme) = found.schemes.iter().find(|scheme| scheme.name == best.scheme) {
         let points: Vec<&str> = scheme.points.iter().map(|point| point.name.as_str()).collect();
         page.paragraph(say!(lang, "turn-points", points = points.join(", ")));

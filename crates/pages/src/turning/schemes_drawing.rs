@@ -91,8 +91,8 @@ fn draw_toolpath(canvas: &mut Canvas, scheme: &SchemeEntry, place: &impl Fn(Poin
         }
     }
     let mut named: Vec<(At, &str)> = Vec::new();
-    for (vertex, told) in scheme.path.iter().zip(&scheme.points) {
-        if named.iter().any(|(_, name)| *name == told.name) {
+    for (vertex, point) in scheme.path.iter().zip(&scheme.points) {
+        if named.iter().any(|(_, name)| *name == point.name) {
             continue;
         }
         let (x, y) = place(vertex.at);
@@ -103,8 +103,8 @@ fn draw_toolpath(canvas: &mut Canvas, scheme: &SchemeEntry, place: &impl Fn(Poin
             .map(|(dx, dy)| (x + dx, y + dy))
             .find(|(x, y)| named.iter().all(|((ox, oy), _)| (x - ox).abs() > 1.3 * NAME || (y - oy).abs() > NAME));
         if let Some(at) = free {
-            canvas.text(at, NAME, Anchor::Middle, &told.name);
-            named.push((at, &told.name));
+            canvas.text(at, NAME, Anchor::Middle, &point.name);
+            named.push((at, &point.name));
         }
     }
 }

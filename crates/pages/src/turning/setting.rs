@@ -8,13 +8,13 @@ use technolog_words::say;
 
 use super::Lang;
 use super::cells::{Cell, table};
-use super::phrases::said;
+use super::phrases::note_line;
 
 /// The tool list and setting sheet of an operation.
 pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "setting-title", part = setting.part.as_str()));
     page.paragraph(say!(lang, "turn-setting-zero", control = lang.term("control", &setting.control)));
-    page.push(Block::List(setting.set_ups.iter().map(|stand| stands(stand, lang)).collect()));
+    page.push(Block::List(setting.set_ups.iter().map(|stand| stand_item(stand, lang)).collect()));
     page.heading(2, say!(lang, "turn-setting-tools"));
     page.push(table(columns(lang), setting.tools.iter().map(|tool| row(tool, lang)).collect(), lang));
     page.heading(2, say!(lang, "turn-setting-measured"));
@@ -26,11 +26,11 @@ pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
     page
 }
 
-fn stands(stand: &Stand, lang: Lang) -> Item {
-    let held = lang.say(&stand.held);
+fn stand_item(stand: &Stand, lang: Lang) -> Item {
+    let holding = lang.say(&stand.held);
     let mut item: Item =
-        say!(lang, "turn-setting-stand", number = stand.set_up, held = held, stock = stand.face_stock_mm).into();
-    item.items = stand.notes.iter().map(|note| Item::from(said(note, lang))).collect();
+        say!(lang, "turn-setting-stand", number = stand.set_up, held = holding, stock = stand.face_stock_mm).into();
+    item.items = stand.notes.iter().map(|note| Item::from(note_line(note, lang))).collect();
     item
 }
 
@@ -41,7 +41,7 @@ fn columns(lang: Lang) -> [Column; 10] {
     let text = |key| Column::text(lang.word(key));
     [
         Column::text("T"),
-        text("turn-tool").least(14),
+        text("turn-tool").min_width(14),
         text("turn-setting-insert").keep(Keep::Useful),
         Column::text(Inlines::from(say!(lang, "turn-setting-shank", unit = mm))).keep(Keep::Useful),
         Column::number(say!(lang, "turn-job-nose"), mm),

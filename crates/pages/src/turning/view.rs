@@ -76,7 +76,7 @@ impl View {
     pub(super) fn area(&self, canvas: &mut Canvas, pieces: impl IntoIterator<Item = Piece>, fill: &str) {
         let path = self.path(pieces);
         if !path.is_empty() {
-            canvas.put(format_args!("<path d=\"{path}Z\" fill=\"{fill}\" fill-rule=\"evenodd\"/>"));
+            canvas.push_element(format_args!("<path d=\"{path}Z\" fill=\"{fill}\" fill-rule=\"evenodd\"/>"));
         }
     }
 

@@ -38,7 +38,7 @@ vocabulary! {
     }
 
     /// The effect of a word.
-    pub enum Does {
+    pub enum WordEffect {
         Rapid = "rapid",
         Line = "line",
         Clockwise = "clockwise",
@@ -92,7 +92,7 @@ rows! {
         code: &'t str,
         controls: Vec<LatheReader>,
         group: LatheGroup,
-        does: Does,
+        does: WordEffect,
         power_on: Option<Vec<LatheReader>>,
         must_be_said: Option<Vec<LatheReader>>,
     } shown { meaning_uk, meaning_en }

@@ -47,7 +47,7 @@ impl IntoFigure for SurfaceName {
         match self {
             Self::Given(name) => name.into_figure(),
             Self::Place(side, number) => {
-                let side = Figure::Word(Word { of: "surface", id: side.name().into() });
+                let side = Figure::Word(Word { vocabulary: "surface", id: side.name().into() });
                 Figure::List(vec![side, number.into_figure()], " ")
             }
         }

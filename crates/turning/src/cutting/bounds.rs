@@ -306,7 +306,7 @@ fn constant<T: IntoFigure + Clone>(
     of: impl Fn(&TurningLimits<'_>) -> Option<T>,
 ) -> Result<(T, Because), KnowledgeError> {
     let row = knowledge.need(name.name(), |row: &TurningLimits<'_>| row.name == name)?;
-    let lacks = || KnowledgeError::lacks(&row.row.table.id, note!("turned-has-no-figure-kind", value = name.name()));
+    let lacks = || KnowledgeError::missing(&row.row.table.id, note!("turned-has-no-figure-kind", value = name.name()));
     let value = of(&row).ok_or_else(lacks)?;
     let note = Note::new("turning-limit").with("name", Figure::word(name.name())).with("value", &value);
     Ok((value, Because::row(row.row, note)))

@@ -92,7 +92,7 @@ pub(super) fn force(
     let mut because = figures.because(Note::new("force-coefficients").with("component", component.name()));
     let mut factor = 10.0 * cp * libm::pow(feed.0, *y);
     let mut corrections = Vec::new();
-    if figures.own() {
+    if figures.is_own_group() {
         corrections.push(match own {
             None => of_tables(factors::material_force(Process::Turning, TOOL_MATERIAL, cut))?,
             Some(row) => material(cut, row),

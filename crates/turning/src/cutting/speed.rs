@@ -132,7 +132,7 @@ pub(super) fn speed<'k>(
     because.extend(figures.because(Note::new("speed-coefficients").with("cv", cv)));
     let mut factor = cv / (libm::pow(life.0, m) * libm::pow(feed.0, y));
     let mut corrections = vec![of_tables(factors::surface(cut.surface, cut))?];
-    if figures.own() {
+    if figures.is_own_group() {
         corrections.push(of_tables(factors::material_speed(Process::Turning, TOOL_MATERIAL, cut))?);
     }
     corrections.extend(grade(cut, tool_grade)?);

@@ -36,7 +36,7 @@ impl<'k> Limits<'k> {
     ) -> Result<T, KnowledgeError> {
         let row = self.knowledge.need(name.name(), |row: &JobLimits<'_>| row.name == name)?;
         let lacks =
-            || KnowledgeError::lacks(&row.row.table.id, note!("turned-has-no-figure-kind", value = name.name()));
+            || KnowledgeError::missing(&row.row.table.id, note!("turned-has-no-figure-kind", value = name.name()));
         let value = of(&row).ok_or_else(lacks)?;
         let note = Note::new("job-limit").with("name", Figure::word(name.name())).with("value", value);
         self.because.push(Because::row(row.row, note));

@@ -64,7 +64,7 @@ pub(super) fn before_boring(
     let stock_and_step = match (rule.drilled, rule.least_stock, rule.step, rule.largest) {
         (true, Some(stock), Some(step), Some(largest)) => Some((stock, step, largest)),
         (true, ..) => {
-            return Err(KnowledgeError::lacks(&rule.row.table.id, note!("turned-bore-drilled-has-stock-step")));
+            return Err(KnowledgeError::missing(&rule.row.table.id, note!("turned-bore-drilled-has-stock-step")));
         }
         (false, ..) => None,
     };

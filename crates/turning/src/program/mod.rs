@@ -76,7 +76,7 @@ impl Control {
         let words = match (row.plain, row.comment) {
             (true, Some(comment)) => Some(ControlWords::read(control, comment, row.point.unwrap_or(false), knowledge)?),
             (true, None) => {
-                return Err(KnowledgeError::lacks(&table.id, note!("turned-comment-control-written-for")));
+                return Err(KnowledgeError::missing(&table.id, note!("turned-comment-control-written-for")));
             }
             (false, _) => None,
         };

@@ -49,5 +49,5 @@ fn distance(rule: &TurningMotion<'_>) -> Result<Micrometres, KnowledgeError> {
 }
 
 fn lacks(rule: &TurningMotion<'_>, what: &str) -> KnowledgeError {
-    KnowledgeError::lacks(&rule.row.table.id, note!("turned-row-must-have", row = rule.row.number(), what = what))
+    KnowledgeError::missing(&rule.row.table.id, note!("turned-row-must-have", row = rule.row.number(), what = what))
 }

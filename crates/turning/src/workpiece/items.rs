@@ -1,7 +1,7 @@
 //! The items of a contour as in the file: each value with its place, as far as it could be read.
 
 use crate::knowledge::diagnostic::Place;
-use crate::knowledge::form::{Form, KeyOf, meant};
+use crate::knowledge::form::{Form, KeyOf, similar_key};
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::turning::contour::Side;
 use crate::turning::length::Half;
@@ -159,7 +159,7 @@ impl Reader<'_> {
             let known = ITEMS.map(|(_, main)| main);
             let attributes = FaceItem::ATTRIBUTES.map(KeyOf::name);
             let NodeKind::Map(entries) = &node.kind else { return None };
-            let mistyped = |key: &str| meant(key, &known).filter(|_| !attributes.contains(&key));
+            let mistyped = |key: &str| similar_key(key, &known).filter(|_| !attributes.contains(&key));
             if let Some(main) = entries.iter().find_map(|(key, _)| mistyped(&key.text)) {
                 // The other keys of such an item are no faults.
                 let kind = ITEMS.iter().find(|(_, known)| *known == main);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::knowledge::form::{Form, meant};
+use crate::knowledge::form::{Form, similar_key};
 use crate::knowledge::yaml::{Node, NodeKind, missing_key, parse};
 use crate::knowledge::{Diagnostic, Knowledge};
 use crate::turning::contour::Side;
@@ -39,7 +39,7 @@ fn turned(root: Option<Node>, problems: Vec<Diagnostic>, knowledge: &Knowledge) 
         _ => Vec::new(),
     };
     let has = |key: &str| keys.contains(&key);
-    let nearly = |key: &str| keys.iter().any(|typed| meant(typed, &[key]).is_some());
+    let nearly = |key: &str| keys.iter().any(|typed| similar_key(typed, &[key]).is_some());
     let (outer, steps) = (WorkpieceFile::outer.name(), ShaftFile::steps.name());
     // Keys that only the contour form has: a file with one of them and without `outer` is meant as a contour.
     let shafts: Vec<&str> = ShaftFile::KEYS.iter().map(|key| key.name()).collect();

@@ -27,7 +27,7 @@ impl Reader<'_> {
         let shaped = fields.take(BlankFile::outer);
         let blank = match (kind, shaped) {
             (None, _) => {
-                let _ = fields.rest();
+                let _ = fields.remaining();
                 None
             }
             (Some(kind @ (StockKind::Forging | StockKind::Casting)), Some(outer)) => {

@@ -181,7 +181,10 @@ pub(super) fn hold_part(
         }
     }
     Ok(match best {
-        Some((.., hold, because)) => (Some(hold), because.over(passed)),
-        None => (None, Because::table(knowledge.table_of::<TurningHold>()?, Note::new("hold-nowhere")).over(passed)),
+        Some((.., hold, because)) => (Some(hold), because.with_rejected(passed)),
+        None => (
+            None,
+            Because::table(knowledge.table_of::<TurningHold>()?, Note::new("hold-nowhere")).with_rejected(passed),
+        ),
     })
 }

@@ -28,8 +28,8 @@ rows! {
 /// The last transition of a group of holes says with what they are measured.
 pub fn measured(hole: &mut HolePlan, it: ItGrade, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
     let Some(last) = hole.transitions.last_mut() else { return Ok(()) };
-    let asked = knowledge.ask(&HoleGaugeFor { it, diameter: last.diameter_mm })?;
-    let gauge = asked.need("this hole")?.gauge;
-    last.because.push(Because::answer(&asked.answer, Note::new("hole-gauge").with("gauge", gauge.name())));
+    let answer = knowledge.ask(&HoleGaugeFor { it, diameter: last.diameter_mm })?;
+    let gauge = answer.need("this hole")?.gauge;
+    last.because.push(Because::answer(&answer.answer, Note::new("hole-gauge").with("gauge", gauge.name())));
     Ok(())
 }

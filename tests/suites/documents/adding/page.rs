@@ -79,7 +79,7 @@ pub struct Item {
     /// The files.
     pub paths: Vec<String>,
     /// What is said of them.
-    pub said: String,
+    pub instruction: String,
 }
 
 /// The files that a recipe says it touches.
@@ -99,8 +99,9 @@ pub fn files(title: &str) -> Vec<Item> {
         item |= line.starts_with("- ") && !block;
     }
     let split = |item: &String| {
-        let (head, said) = item.split_once("`: ").unwrap_or_else(|| panic!("{title}: {item}: what is done with it?"));
-        Item { new: head.starts_with("new "), paths: quoted(&format!("{head}`")), said: said.to_owned() }
+        let (head, instruction) =
+            item.split_once("`: ").unwrap_or_else(|| panic!("{title}: {item}: what is done with it?"));
+        Item { new: head.starts_with("new "), paths: quoted(&format!("{head}`")), instruction: instruction.to_owned() }
     };
     items.iter().map(split).collect()
 }

@@ -46,11 +46,11 @@ fn readings(block: &Block) -> Vec<Vec<(&'static str, String)>> {
 /// What the program says where it cannot use a file.
 fn refusal(shell: &mut Shell, command: &str, text: &str) -> Option<String> {
     fs::write(shell.folder.join("example.yaml"), text).unwrap();
-    let said = match command {
+    let faults = match command {
         "marks" => shell.run("technolog audit examples/appendix-g/plan.yaml --marks example.yaml --lang en"),
         command => shell.run(&format!("technolog {command} example.yaml --lang en")),
     };
-    (shell.code == 2).then_some(said)
+    (shell.code == 2).then_some(faults)
 }
 
 fn unread(page: &Page) -> Vec<String> {
@@ -62,8 +62,8 @@ fn unread(page: &Page) -> Vec<String> {
             .map(|files| files.iter().find_map(|(command, text)| refusal(&mut shell, command, text)))
             .collect();
         if refused.iter().all(Option::is_some) {
-            let said: Vec<String> = refused.into_iter().flatten().collect();
-            unread.push(format!("{}:{}:\n{}", page.path, block.line + 1, said.join("\nor\n")));
+            let texts: Vec<String> = refused.into_iter().flatten().collect();
+            unread.push(format!("{}:{}:\n{}", page.path, block.line + 1, texts.join("\nor\n")));
         }
     }
     unread

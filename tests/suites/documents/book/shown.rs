@@ -62,16 +62,16 @@ fn printed(block: &Block, shell: &mut Shell) -> Result<Vec<String>, String> {
         if !is_run(command) {
             return Err(format!("`{command}` is not run"));
         }
-        let told = shell.run(command);
+        let output = shell.run(command);
         let code_is_shown = commands.get(number + 1) == Some(&"echo $?");
         if shell.code > 1 && !code_is_shown {
-            return Err(format!("`{command}` ends with {}:\n{told}", shell.code));
+            return Err(format!("`{command}` ends with {}:\n{output}", shell.code));
         }
         let writes = command.contains(" -o ") || command.contains(" > ");
-        if told.trim().is_empty() && !writes {
+        if output.trim().is_empty() && !writes {
             return Err(format!("`{command}` shows nothing: has a word changed that it looks for?"));
         }
-        lines.extend(told.trim_end().lines().map(str::to_owned));
+        lines.extend(output.trim_end().lines().map(str::to_owned));
     }
     Ok(lines)
 }
@@ -80,9 +80,9 @@ fn printed(block: &Block, shell: &mut Shell) -> Result<Vec<String>, String> {
 fn carry_out(block: &Block, shell: &mut Shell) -> Result<(), String> {
     let text = block.text().replace("\\\n", " ");
     for command in text.lines().filter(|line| is_run(line)) {
-        let told = shell.run(command);
+        let output = shell.run(command);
         if shell.code > 1 {
-            return Err(format!("`{command}` ends with {}:\n{told}", shell.code));
+            return Err(format!("`{command}` ends with {}:\n{output}", shell.code));
         }
     }
     Ok(())
@@ -200,12 +200,12 @@ fn the_page_of_outputs_names_every_format() {
         for row in rows {
             let command = row[1].trim_matches('`');
             let refused = ["junit", "hand"].into_iter().find_map(|format| {
-                let said = shell.run(&format!("{command} --format {format} --lang en"));
-                (shell.code == 2).then_some(said)
+                let output = shell.run(&format!("{command} --format {format} --lang en"));
+                (shell.code == 2).then_some(output)
             });
-            let said = refused.unwrap_or_else(|| panic!("{path}: `{command}` has both formats"));
+            let output = refused.unwrap_or_else(|| panic!("{path}: `{command}` has both formats"));
             let formats = format!("its formats are {}\n", row[2]);
-            assert!(said.ends_with(&formats), "{path}: `{command}`: {said}");
+            assert!(output.ends_with(&formats), "{path}: `{command}`: {output}");
         }
     }
 }

@@ -14,9 +14,9 @@ use super::super::super::finding::AuditFinding;
 
 /// A finding about a program, with the facts by which its cause is found.
 #[derive(Debug)]
-pub(super) struct Seen {
+pub(super) struct FindingFacts {
     pub finding: AuditFinding,
-    who: Who<'static>,
+    who: FindingOrigin<'static>,
     /// The tool in the spindle, where it is known.
     tool: Option<u32>,
     figures: BTreeMap<Name, DeviationFigure>,
@@ -28,7 +28,7 @@ pub(super) struct Seen {
 
 /// Which check found it, and what.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Who<'t> {
+enum FindingOrigin<'t> {
     /// The operator's setting differs from the plan.
     Setting,
     /// The program differs from the plan.
@@ -42,7 +42,7 @@ enum Who<'t> {
 /// The code of a setting that differs from the plan.
 pub(super) const SETTING: &str = "audit-setting-correction";
 
-impl<'t> Who<'t> {
+impl<'t> FindingOrigin<'t> {
     /// As the table names it.
     fn named(name: &'t str) -> Self {
         match name {
@@ -55,7 +55,7 @@ impl<'t> Who<'t> {
 
 /// The facts in which a cause and its consequence agree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Alike {
+enum SharedFactKind {
     Code,
     Line,
     Figure(Name),
@@ -64,21 +64,21 @@ enum Alike {
 /// A fact that two findings may share.
 #[derive(Debug, PartialEq)]
 enum SharedFact<'s> {
-    Who(Who<'s>),
+    Who(FindingOrigin<'s>),
     Function(&'s str),
     Figure(DeviationFigure),
 }
 
-impl Seen {
+impl FindingFacts {
     /// A setting of a tool that differs from the plan.
     pub fn of_setting(finding: AuditFinding, tool: u32) -> Self {
         let figures = BTreeMap::new();
-        Self { finding, who: Who::Setting, tool: Some(tool), figures, function: None, broken: false }
+        Self { finding, who: FindingOrigin::Setting, tool: Some(tool), figures, function: None, broken: false }
     }
 
     /// A deviation of the program, with its tool.
-    pub fn of_deviation(finding: AuditFinding, tool: Option<u32>, said: proof::ProgramFinding) -> Self {
-        let (who, figures) = (Who::Proof(said.code), said.figures);
+    pub fn of_deviation(finding: AuditFinding, tool: Option<u32>, deviation: proof::ProgramFinding) -> Self {
+        let (who, figures) = (FindingOrigin::Proof(deviation.code), deviation.figures);
         Self { finding, who, tool, figures, function: None, broken: false }
     }
 
@@ -90,19 +90,21 @@ impl Seen {
             Some(Subject::Function(name)) => function = Some(name.clone()),
             None => {}
         }
-        Self { finding, who: Who::Control(fault.code), tool, figures, function, broken: fault.is_error() }
+        Self { finding, who: FindingOrigin::Control(fault.code), tool, figures, function, broken: fault.is_error() }
     }
 
-    fn is(&self, who: Who<'_>) -> bool {
-        self.who == who || self.broken && who == Who::AnyError
+    fn is(&self, who: FindingOrigin<'_>) -> bool {
+        self.who == who || self.broken && who == FindingOrigin::AnyError
     }
 
-    fn says(&self, what: Alike) -> Option<SharedFact<'_>> {
+    fn says(&self, what: SharedFactKind) -> Option<SharedFact<'_>> {
         let count = |number: u32| SharedFact::Figure(DeviationFigure::Count(number as usize));
         match what {
-            Alike::Code => Some(self.function.as_deref().map_or(SharedFact::Who(self.who), SharedFact::Function)),
-            Alike::Line => self.finding.line.map(count),
-            Alike::Figure(name) => {
+            SharedFactKind::Code => {
+                Some(self.function.as_deref().map_or(SharedFact::Who(self.who), SharedFact::Function))
+            }
+            SharedFactKind::Line => self.finding.line.map(count),
+            SharedFactKind::Figure(name) => {
                 let own = self.figures.get(&name).cloned().map(SharedFact::Figure);
                 own.or_else(|| self.tool.filter(|_| name == Name::Tool).map(count))
             }
@@ -112,19 +114,19 @@ impl Seen {
 
 /// A row of the table.
 struct Rule<'k> {
-    cause: Who<'k>,
-    consequence: Who<'k>,
+    cause: FindingOrigin<'k>,
+    consequence: FindingOrigin<'k>,
     /// Each pair: the fact of the cause, and that of the consequence.
-    alike: Vec<(Alike, Alike)>,
+    alike: Vec<(SharedFactKind, SharedFactKind)>,
 }
 
 impl<'k> Rule<'k> {
     fn of(row: &ProgramCauses<'k>) -> Result<Self, KnowledgeError> {
         let one = |name: &str| match name {
-            "code" => Ok(Alike::Code),
-            "line" => Ok(Alike::Line),
-            _ => Name::from_name(name).map(Alike::Figure).ok_or_else(|| {
-                KnowledgeError::lacks(&row.row.table.id, note!("planfile-alike-no-figure-finding", name = name))
+            "code" => Ok(SharedFactKind::Code),
+            "line" => Ok(SharedFactKind::Line),
+            _ => Name::from_name(name).map(SharedFactKind::Figure).ok_or_else(|| {
+                KnowledgeError::missing(&row.row.table.id, note!("planfile-alike-no-figure-finding", name = name))
             }),
         };
         let both = |name: &&'k str| {
@@ -132,11 +134,11 @@ impl<'k> Rule<'k> {
             Ok((one(of_cause)?, one(of_consequence)?))
         };
         let alike = row.alike.iter().flatten().map(both).collect::<Result<_, KnowledgeError>>()?;
-        Ok(Self { cause: Who::named(row.cause), consequence: Who::named(row.consequence), alike })
+        Ok(Self { cause: FindingOrigin::named(row.cause), consequence: FindingOrigin::named(row.consequence), alike })
     }
 
     /// Whether two findings agree; a fact that one of them lacks agrees with anything.
-    fn agree(&self, cause: &Seen, consequence: &Seen) -> bool {
+    fn agree(&self, cause: &FindingFacts, consequence: &FindingFacts) -> bool {
         self.alike.iter().all(|(of_cause, of_consequence)| {
             let two = cause.says(*of_cause).zip(consequence.says(*of_consequence));
             two.is_none_or(|(cause, consequence)| cause == consequence)
@@ -148,19 +150,19 @@ impl<'k> Rule<'k> {
 ///
 /// # Errors
 /// The table cannot be read.
-pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<AuditFinding>, KnowledgeError> {
+pub(super) fn together(seen: Vec<FindingFacts>, knowledge: &Knowledge) -> Result<Vec<AuditFinding>, KnowledgeError> {
     let rows = knowledge.rows::<ProgramCauses<'_>>()?;
     let rules: Vec<Rule<'_>> = rows.iter().map(Rule::of).collect::<Result<_, _>>()?;
     let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rules)).collect();
     // The fields that the cause follows from, or else the cause itself.
     let fields: Vec<Vec<String>> = seen
         .iter()
-        .map(|Seen { finding, .. }| match finding.follows_from.is_empty() {
+        .map(|FindingFacts { finding, .. }| match finding.follows_from.is_empty() {
             true => vec![finding.field.clone()],
             false => finding.follows_from.clone(),
         })
         .collect();
-    let mut found: Vec<AuditFinding> = seen.into_iter().map(|one| one.finding).collect();
+    let mut found: Vec<AuditFinding> = seen.into_iter().map(|facts| facts.finding).collect();
     for (at, finding) in found.iter_mut().enumerate() {
         if let Some(fields) = root(at, &causes).and_then(|root| fields.get(root))
             && finding.follows_from.is_empty()
@@ -172,13 +174,13 @@ pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Aud
 }
 
 /// The cause of a finding: the first that a row of the table names.
-fn cause(at: usize, seen: &[Seen], rules: &[Rule<'_>]) -> Option<usize> {
-    let own = seen.get(at)?;
-    for rule in rules.iter().filter(|rule| own.is(rule.consequence)) {
+fn cause(at: usize, seen: &[FindingFacts], rules: &[Rule<'_>]) -> Option<usize> {
+    let facts = seen.get(at)?;
+    for rule in rules.iter().filter(|rule| facts.is(rule.consequence)) {
         for (number, other) in seen.iter().enumerate() {
             // Of two of one id the first is the cause.
-            let later = number >= at && (number == at || other.who == own.who);
-            if !later && other.is(rule.cause) && rule.agree(other, own) {
+            let later = number >= at && (number == at || other.who == facts.who);
+            if !later && other.is(rule.cause) && rule.agree(other, facts) {
                 return Some(number);
             }
         }

@@ -15,11 +15,17 @@ use super::super::super::context::Context;
 use super::super::super::finding::{AuditFinding, Section};
 use super::super::super::graph::{Graph, Status};
 use super::super::super::quantity::{Id, Quantity as Q, Scope};
-use super::causes::{SETTING, Seen};
+use super::causes::{FindingFacts, SETTING};
 use super::{field, holds};
 
 /// Offset registers whose setting differs from the plan.
-pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, setting: &Setting, seen: &mut Vec<Seen>) {
+pub(super) fn setting(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    plan: &Plan,
+    setting: &Setting,
+    seen: &mut Vec<FindingFacts>,
+) {
     let Some((file, text)) = context.stated.program.as_ref().and_then(|program| program.setting.as_ref()) else {
         return;
     };
@@ -43,11 +49,11 @@ pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, set
         if let Some(Node { place, .. }) = node {
             finding = finding.at(place);
         }
-        finding = finding.beside(set, holds(context, tool));
+        finding = finding.with_values(set, holds(context, tool));
         // A correction that is wrong in the plan itself says nothing against the setting.
         let wrong = graph.verdict(id(Q::Correction)).filter(|verdict| !matches!(verdict.status, Status::Fine));
         finding.follows_from.extend(wrong.map(|verdict| context.field(verdict.id)));
-        seen.push(Seen::of_setting(finding, tool.number));
+        seen.push(FindingFacts::of_setting(finding, tool.number));
     }
 }
 
@@ -59,37 +65,37 @@ pub(super) fn deviation(
     context: &Context<'_>,
     graph: &Graph<'_>,
     plan: &Plan,
-    said: proof::ProgramFinding,
+    deviation: proof::ProgramFinding,
     own: bool,
     file: &Arc<str>,
-    seen: &mut Vec<Seen>,
+    seen: &mut Vec<FindingFacts>,
 ) -> Result<(), KnowledgeError> {
-    let row = row(context, said.hole(), said.operation());
+    let row = row(context, deviation.hole(), deviation.operation());
     let of_row = row.and_then(|row| Some(context.stated.rows.get(row)?.tool.as_ref()?.value));
-    let tool = said.tool().or(of_row);
-    let mut severity = said.severity;
-    let quantity = match said.code {
+    let tool = deviation.tool().or(of_row);
+    let mut severity = deviation.severity;
+    let quantity = match deviation.code {
         Code::OtherSpeed => Some(Q::Rpm),
         Code::OtherFeed | Code::OutOtherFeed => Some(Q::MinuteFeed),
         _ => None,
     };
-    if let Some((quantity, made)) = quantity.zip(said.number(Name::Made)) {
-        let planned = transition(plan, said.hole(), said.operation()).map(|transition| match quantity {
+    if let Some((quantity, made)) = quantity.zip(deviation.number(Name::Made)) {
+        let planned = transition(plan, deviation.hole(), deviation.operation()).map(|transition| match quantity {
             Q::Rpm => transition.conditions.spindle_rpm.0,
             _ => transition.conditions.feed_mm_per_min.0,
         });
         let of_quantity = |row: &ProgramTolerance<'_>| row.quantity == quantity;
         let may = context.shop.knowledge.need(quantity.key(), of_quantity)?;
-        let planned = planned.or(said.number(Name::Needed)).unwrap_or(made);
+        let planned = planned.or(deviation.number(Name::Needed)).unwrap_or(made);
         if (made - planned).abs() < may.whole + may.relative.0 / 100.0 * planned {
             return Ok(());
         }
         severity = severity.min(may.severity);
     }
-    let mut place = said.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
-    let mut name = field(said.block);
+    let mut place = deviation.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
+    let mut name = field(deviation.block);
     let mut beside = None;
-    if said.code == Code::OtherCorrector {
+    if deviation.code == Code::OtherCorrector {
         let at = tool.and_then(|tool| context.stated.tool_at(tool));
         let figure = at.and_then(|at| context.stated.tools.get(at)?.figures.get(&Q::Corrector));
         // A plan that gives no number leaves it to the operator.
@@ -97,19 +103,19 @@ pub(super) fn deviation(
         severity = Severity::Error;
         name = format!("tools.T{tool}.corrector");
         place = Some(figure.place.clone());
-        beside = said.count(Name::Corrector).map(|right| (figure.text.clone(), right.to_string()));
+        beside = deviation.count(Name::Corrector).map(|right| (figure.text.clone(), right.to_string()));
     }
     let follows_from = if own { Vec::new() } else { slips(context, graph, row, tool) };
-    let mut finding = AuditFinding::new(severity, Section::Program, name, said.note.clone());
+    let mut finding = AuditFinding::new(severity, Section::Program, name, deviation.note.clone());
     if let Some((stated, right)) = beside {
-        finding = finding.beside(stated, right);
+        finding = finding.with_values(stated, right);
     }
     let place = place.or_else(|| context.stated.program.as_ref().map(|program| program.file.place.clone()));
     if let Some(place) = &place {
         finding = finding.at(place);
     }
     finding.follows_from = follows_from;
-    seen.push(Seen::of_deviation(finding, tool, said));
+    seen.push(FindingFacts::of_deviation(finding, tool, deviation));
     Ok(())
 }
 

@@ -26,8 +26,8 @@ use super::super::context::Context;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::Quantity as Q;
-use causes::Seen;
-use stated_plan::{NotComparable, Reading, held, unordered};
+use causes::FindingFacts;
+use stated_plan::{NotComparable, Reading, comparable_plan, unordered};
 
 /// The transitions of every hole as a plan states them; none if it does not say enough.
 ///
@@ -51,12 +51,12 @@ pub(super) fn check<'a>(
         Some((name, text)) => language.setting(name, text).unwrap_or_default(),
         None => Setting::default(),
     };
-    let as_stated = held(context, graph, &setting, Reading::Stated)?;
+    let as_stated = comparable_plan(context, graph, &setting, Reading::Stated)?;
     let job = as_stated.as_ref().ok().map(|plan| job::make(plan, &context.shop)).transpose()?;
     let set = set(context, setting.clone(), as_stated.as_ref().ok().zip(job.as_ref()));
     let run = context.auditor.run(program, &language, &context.shop.machine, &set);
 
-    let mut seen: Vec<Seen> = run.faults.iter().map(|fault| of_fault(fault, &run.steps, &file)).collect();
+    let mut seen: Vec<FindingFacts> = run.faults.iter().map(|fault| of_fault(fault, &run.steps, &file)).collect();
     let missing = |NotComparable { note, place }: NotComparable| {
         let finding = AuditFinding::new(Severity::Note, Section::Program, "program".to_owned(), note);
         finding.at(place.as_ref().unwrap_or(&program.file.place))
@@ -64,13 +64,14 @@ pub(super) fn check<'a>(
     match (as_stated, job) {
         (Ok(plan), Some(job)) if is_run(&run.faults, &run.steps) => {
             judged::setting(context, graph, &plan, &setting, &mut seen);
-            let told = proven(context, &plan, &job, &set, &run)?;
+            let deviations = proven(context, &plan, &job, &set, &run)?;
             // Where the program agrees with the corrected plan, a deviation follows from the slips of the plan.
             let slips = graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine));
-            let by_right = if slips && !told.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
-            for said in told {
-                let own = by_right.as_ref().is_none_or(|known| known.contains(&key(&said)));
-                judged::deviation(context, graph, &plan, said, own, &file, &mut seen)?;
+            let by_right =
+                if slips && !deviations.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
+            for deviation in deviations {
+                let own = by_right.as_ref().is_none_or(|known| known.contains(&key(&deviation)));
+                judged::deviation(context, graph, &plan, deviation, own, &file, &mut seen)?;
             }
         }
         (Err(why), _) => findings.push(missing(why)),
@@ -123,23 +124,23 @@ fn proven(
     // Offset registers are those of the plan where it states any, otherwise those of the operator.
     let says = |quantity| context.stated.tools.iter().any(|tool| tool.figures.contains_key(&quantity));
     let own_correctors = !says(Q::Corrector) && !says(Q::Correction);
-    let asked = ProofInput { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
-    let mut told = prove(&run.steps, &asked).findings;
+    let input = ProofInput { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
+    let mut findings = prove(&run.steps, &input).findings;
     // A plan as stated says nothing of coolant.
-    told.retain(|said| {
+    findings.retain(|finding| {
         !matches!(
-            said.code,
+            finding.code,
             Code::CoolantMissing | Code::CoolantSuperfluous | Code::CoolantAtChange | Code::CoolantAtEnd
         )
     });
-    Ok(told)
+    Ok(findings)
 }
 
 /// The key by which two deviations are distinguished, whatever the plan says.
 type Key = (Code, Option<crate::motion::BlockRef>, Option<String>, Option<Operation>);
 
-fn key(said: &proof::ProgramFinding) -> Key {
-    (said.code, said.block, said.hole().map(str::to_owned), said.operation())
+fn key(finding: &proof::ProgramFinding) -> Key {
+    (finding.code, finding.block, finding.hole().map(str::to_owned), finding.operation())
 }
 
 /// The differences between the program and the corrected plan.
@@ -159,7 +160,7 @@ fn right(
 }
 
 /// A fault that the control found, with the tool in the spindle.
-fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> Seen {
+fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> FindingFacts {
     let place = Place { file: file.clone(), line: fault.span.line, column: fault.span.column, width: fault.span.width };
     let field = fault.path().map_or_else(|| "program".to_owned(), |path| format!("program.{path}"));
     let finding = AuditFinding::new(fault.severity, Section::Program, field, fault.note.clone()).at(&place);
@@ -172,7 +173,7 @@ fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> Seen {
     // What is written after the end of the main program belongs to no tool.
     let own = ends.is_none_or(|end| main <= end);
     let tool = changes.find(|(line, _)| own && *line <= main).map(|(_, tool)| tool);
-    Seen::of_fault(finding, tool, fault)
+    FindingFacts::of_fault(finding, tool, fault)
 }
 
 /// The path to a block of a program in the plan: `program.N1`.

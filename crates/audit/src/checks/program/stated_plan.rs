@@ -42,7 +42,7 @@ type Comparable<T> = Result<T, NotComparable>;
 ///
 /// # Errors
 /// The knowledge base has no answer.
-pub(super) fn held(
+pub(super) fn comparable_plan(
     context: &Context<'_>,
     graph: &Graph<'_>,
     setting: &Setting,
@@ -71,7 +71,7 @@ pub(super) fn unordered(
         return Ok(Err(NotComparable { note: Note::new("audit-program-no-route"), place: None }));
     }
     if let Some(row) = stated.rows.iter().find(|row| row.hole.is_none() && !row.elsewhere) {
-        return Ok(Err(lacks(row, "audit-program-row-hole")));
+        return Ok(Err(not_comparable(row, "audit-program-row-hole")));
     }
     let making = Making { context, graph, setting, reading };
     let ours = context.plan;
@@ -106,7 +106,7 @@ pub(super) fn unordered(
     Ok(Ok(plan))
 }
 
-fn lacks(row: &Row, code: &'static str) -> NotComparable {
+fn not_comparable(row: &Row, code: &'static str) -> NotComparable {
     let note = Note::new(code).with("row", row.number).with("operation", Figure::operation(row.operation.value.name()));
     NotComparable { note, place: Some(row.place.clone()) }
 }
@@ -145,28 +145,28 @@ impl Making<'_, '_, '_> {
     ) -> Result<Comparable<Transition>, KnowledgeError> {
         let row = &self.context.stated.rows[at];
         let operation = row.operation.value;
-        let ours = self.ours(hole, at);
+        let ours = self.own_transition(hole, at);
         let elsewhere = row.elsewhere || ours.is_some_and(|ours| ours.elsewhere);
         let mut made = ours.cloned().unwrap_or_else(|| blank(row));
         made.elsewhere = elsewhere;
         if elsewhere {
             return Ok(Ok(made));
         }
-        let Some(tool) = &row.tool else { return Ok(Err(lacks(row, "audit-program-row-tool"))) };
+        let Some(tool) = &row.tool else { return Ok(Err(not_comparable(row, "audit-program-row-tool"))) };
         made.tool.number = tool.value;
         let bored = before.filter(|before| !before.operation.is_of_edge()).map(|before| before.diameter_mm);
         let diameter = self.length(at, Q::Diameter).or(ours.map(|ours| ours.diameter_mm));
         let diameter = diameter
             .or_else(|| hole.thread_at(row.step).filter(|_| operation == Operation::Tap).map(|thread| thread.size));
         let Some(diameter) = diameter.filter(|diameter| *diameter > Micrometres::ZERO) else {
-            return Ok(Err(lacks(row, "audit-program-row-diameter")));
+            return Ok(Err(not_comparable(row, "audit-program-row-diameter")));
         };
         let from = self.length(at, Q::From).or(ours.map(|ours| ours.from_diameter_mm)).or(bored).unwrap_or_default();
         // The cone of a centring drill has 90°: its depth is half its width.
         let spot = ours.is_none_or(|ours| ours.diameter_mm != diameter) && operation == Operation::CentreDrill;
         let depth = self.length(at, Q::Depth).or(spot.then(|| diameter.half())).or(ours.map(|ours| ours.depth_mm));
         let depth = depth.or((row.of_main_cylinder() && !operation.is_of_edge()).then_some(hole.depth));
-        let Some(depth) = depth else { return Ok(Err(lacks(row, "audit-program-row-depth"))) };
+        let Some(depth) = depth else { return Ok(Err(not_comparable(row, "audit-program-row-depth"))) };
         made.also_diameter_mm = self.length(at, Q::Also).or(made.also_diameter_mm);
         if let Some(passes) = self.figure(Id::new(Scope::Row(at), Q::Passes)) {
             made.passes = passes.max(1.0) as u32;
@@ -174,23 +174,23 @@ impl Making<'_, '_, '_> {
         let same = ours
             .is_some_and(|ours| (ours.diameter_mm, ours.from_diameter_mm, ours.depth_mm) == (diameter, from, depth));
         if !same {
-            (made.travel_mm, made.approach_mm) = self.way(hole, row, ours, [diameter, from, depth])?;
+            (made.travel_mm, made.approach_mm) = self.travel_and_approach(hole, row, ours, [diameter, from, depth])?;
         }
         (made.diameter_mm, made.from_diameter_mm, made.depth_mm) = (diameter, from, depth);
         if operation == Operation::Tap && hole.thread_at(made.step).is_none() {
-            return Ok(Err(lacks(row, "audit-program-row-thread")));
+            return Ok(Err(not_comparable(row, "audit-program-row-thread")));
         }
         if operation == Operation::Mill {
             let Some(rounds) = self.rounds(row, ours, from) else {
-                return Ok(Err(lacks(row, "audit-program-row-mill")));
+                return Ok(Err(not_comparable(row, "audit-program-row-mill")));
             };
             made.conditions.rounds = Some(rounds);
         }
-        Ok(self.conditions(at, ours.is_some(), made).ok_or_else(|| lacks(row, "audit-program-row-conditions")))
+        Ok(self.conditions(at, ours.is_some(), made).ok_or_else(|| not_comparable(row, "audit-program-row-conditions")))
     }
 
     /// The transition of the program's plan that a row means: of the same operation and place, in order.
-    fn ours(&self, hole: &Hole, at: usize) -> Option<&Transition> {
+    fn own_transition(&self, hole: &Hole, at: usize) -> Option<&Transition> {
         let stated = self.context.stated;
         let row = stated.rows.get(at)?;
         let alike = |operation: Operation, feature: Option<Feature>, step: Option<usize>| {
@@ -201,11 +201,14 @@ impl Making<'_, '_, '_> {
         let earlier = stated.rows_of_hole(&hole.name).take_while(|(other, _)| *other < at);
         let turn = earlier.filter(|(_, other)| alike(other.operation.value, other.feature, other.step)).count();
         let plan = self.context.plan.holes.iter().find(|plan| plan.name == hole.name)?;
-        plan.transitions.iter().filter(|one| alike(one.operation, Some(one.feature), one.step)).nth(turn)
+        plan.transitions
+            .iter()
+            .filter(|transition| alike(transition.operation, Some(transition.feature), transition.step))
+            .nth(turn)
     }
 
     /// Travel and approach of a transition that differs from the program's in a diameter or depth.
-    fn way(
+    fn travel_and_approach(
         &self,
         hole: &Hole,
         row: &Row,
@@ -224,7 +227,7 @@ impl Making<'_, '_, '_> {
             let pitch = hole.thread_at(row.step).map(|thread| thread.pitch);
             RouteStep { pitch, ..RouteStep::plain(row.operation.value, place, diameter, from) }
         };
-        let way = |through, sizes| {
+        let measured = |through, sizes| {
             planner::feed_travel(&step(through, sizes), hole, &self.context.stated.part, &self.context.shop)
         };
         let bores = row.of_main_cylinder() && !row.operation.value.is_of_edge();
@@ -232,9 +235,9 @@ impl Making<'_, '_, '_> {
         if let Some(ours) = ours {
             // An existing transition shows whether this one may run out at the other end.
             let sizes = [ours.diameter_mm, ours.from_diameter_mm, ours.depth_mm];
-            through = way(true, sizes)?.0 == ours.travel_mm;
+            through = measured(true, sizes)?.0 == ours.travel_mm;
         }
-        way(through, [diameter, from, depth])
+        measured(through, [diameter, from, depth])
     }
 
     /// The circles of a mill: those of the program's plan with the stated diameters.
@@ -306,10 +309,10 @@ impl Making<'_, '_, '_> {
             self.figure(id(quantity)).or_else(|| self.graph.right(id(quantity))).map(Micrometres::from_mm_rounded)
         };
         tool.length_mm = length(Q::Assembly).unwrap_or_default();
-        let held = length(Q::Correction).or_else(|| self.setting.correctors.get(&tool.corrector).copied());
-        let held = held.unwrap_or_default();
+        let correction = length(Q::Correction).or_else(|| self.setting.correctors.get(&tool.corrector).copied());
+        let correction = correction.unwrap_or_default();
         // A plan states the value in the register; the correction has the other sign where it is subtracted (3.11.3).
-        tool.correction_mm = if self.context.subtracts(at) { -held } else { held };
+        tool.correction_mm = if self.context.subtracts(at) { -correction } else { correction };
         tool
     }
 

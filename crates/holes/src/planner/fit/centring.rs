@@ -34,7 +34,7 @@ impl<'k> Fitting<'_, 'k> {
                 && edge.start == Micrometres::ZERO
                 && matches!(edge.feature, Feature::Chamfer | Feature::Countersink)
                 && edge.angle_millideg == CENTRING_ANGLE
-                && edge.around == around
+                && edge.cylinder_diameter == around
                 && edge.diameter <= self.widest_spot
         });
         let Some(edge) = edge else { return Ok(None) };
@@ -58,8 +58,9 @@ impl<'k> Fitting<'_, 'k> {
                     rule if rule.spot == Spot::Chamfer => self.spot_rule(false)?,
                     rule => rule,
                 };
-                let share =
-                    rule.share.ok_or_else(|| KnowledgeError::lacks(&rule.row.table.id, note!("order-share-drill")))?;
+                let share = rule
+                    .share
+                    .ok_or_else(|| KnowledgeError::missing(&rule.row.table.id, note!("order-share-drill")))?;
                 let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
                 // The depth of a 90° spot is half its width: in a thin plate it stays within half of the hole.
                 let most = self.hole.depth;
@@ -89,8 +90,8 @@ impl<'k> Fitting<'_, 'k> {
         let mut because = std::mem::take(&mut step.because);
         because.push(Because::row(rule.row, note));
         let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
-        let took = self.took(&step, travel, approach, &conditions)?;
-        Ok(Fitted { step, tool: None, travel, approach, conditions, took, doubts, makes_edge, because })
+        let took = self.pass_time(&step, travel, approach, &conditions)?;
+        Ok(Fitted { step, tool: None, travel, approach, conditions, pass_time: took, doubts, makes_edge, because })
     }
 
     /// The conditions of centring with a drill of the diameter `tool`.

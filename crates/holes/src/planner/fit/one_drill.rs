@@ -51,7 +51,7 @@ impl Fitting<'_, '_> {
 
     /// The result of drilling the second drill's diameter in one pass; none where there are no conditions.
     fn single_drill(&self, second: &RouteStep, follows: Option<Operation>) -> Option<SingleDrill> {
-        let it = second.asks.map(|(it, _)| it);
+        let it = second.required_finish.map(|(grade, _)| grade);
         let key = (second.place, second.diameter, second.also, second.passes, it, follows);
         if let Some(known) = self.single_drills.borrow().get(&key) {
             return *known;

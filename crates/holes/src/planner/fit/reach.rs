@@ -37,11 +37,11 @@ impl Fitting<'_, '_> {
     /// How deep the wide part of a step drill goes: the counterbore or step, or the edge it chamfers.
     pub(super) fn opening_depth(&self) -> Micrometres {
         let edge = || self.edges.iter().find(|edge| edge.face == Face::Entry).map(|edge| edge.depth(Micrometres::ZERO));
-        self.flat_opening().or_else(edge).unwrap_or_default()
+        self.flat_opening_depth().or_else(edge).unwrap_or_default()
     }
 
     /// The depth of the counterbore or step at the entry, if there is one.
-    pub(super) fn flat_opening(&self) -> Option<Micrometres> {
+    pub(super) fn flat_opening_depth(&self) -> Option<Micrometres> {
         let step = self.hole.steps.iter().find(|step| step.face == Face::Entry);
         self.hole.counterbore.map(|counterbore| counterbore.depth).or(step.map(|step| step.depth))
     }
@@ -97,7 +97,7 @@ impl Fitting<'_, '_> {
 
     /// What the tools cut beyond the hole: the point of a drill in the floor of a blind hole, a spot deeper than the
     /// hole.
-    pub fn beyond(&self, fitted: &[Fitted], thickness: Micrometres) -> Vec<Note> {
+    pub fn cut_beyond_hole(&self, fitted: &[Fitted], thickness: Micrometres) -> Vec<Note> {
         let mut notes = Vec::new();
         for one in fitted {
             let step = &one.step;

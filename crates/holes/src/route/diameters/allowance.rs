@@ -105,8 +105,8 @@ pub(super) fn allowance<'k>(
         let stock = previous.is_some().then(|| Because::answer(&answer.answer, note));
         return Ok(Allowance { low, high, aim, row, least_is_ours: true, stock });
     }
-    let low = found.minimum.ok_or_else(|| lacks(&found, "minimum"))?;
-    let high = found.maximum.ok_or_else(|| lacks(&found, "maximum"))?;
+    let low = found.minimum.ok_or_else(|| no_allowance(&found, "minimum"))?;
+    let high = found.maximum.ok_or_else(|| no_allowance(&found, "maximum"))?;
     let aim = within(low, high);
     let Some(practice) = practice else {
         return Ok(Allowance { low, high, aim, row, least_is_ours: false, stock: None });
@@ -118,6 +118,6 @@ pub(super) fn allowance<'k>(
 }
 
 /// The row has neither a share nor a range, and an allowance must be one of them.
-pub(super) fn lacks(row: &Row<'_>, what: &str) -> KnowledgeError {
-    KnowledgeError::lacks(&row.row.table.id, note!("order-has-neither-share-nor", row = row.name, what = what))
+pub(super) fn no_allowance(row: &Row<'_>, what: &str) -> KnowledgeError {
+    KnowledgeError::missing(&row.row.table.id, note!("order-has-neither-share-nor", row = row.name, what = what))
 }

@@ -7,15 +7,15 @@ use crate::reason::Reason;
 use crate::tables::tools::{BoringStage, CutterRow};
 
 use super::super::RouteStep;
-use super::{Backwards, allowance};
+use super::{BackwardStep, allowance};
 
-impl Backwards<'_, '_> {
+impl BackwardStep<'_, '_> {
     /// Rough boring. After a drill it begins at the largest drill that leaves the smallest allowance or more; as the
     /// first transition, at the existing hole; after another roughing it takes one allowance. Where the bar for the
     /// final size cannot enter, thinner bars widen the hole first, one step each. Each step has as many equal passes
     /// as the largest allowance requires.
     pub(super) fn rough_bore(self) -> Tried<Vec<RouteStep>> {
-        let Self { after, previous, bore, sizes, shop, .. } = self;
+        let Self { leaves: after, previous, bore, sizes, shop, .. } = self;
         let allowance = allowance(Operation::RoughBore, after, bore.diameter.nominal, previous, shop)?;
         let largest = after - allowance.low;
         let mut from = match previous {

@@ -9,17 +9,17 @@ use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::super::{RouteStep, accuracy, handbook, openings};
-use super::{Backwards, allowance};
+use super::{BackwardStep, allowance};
 
-impl Backwards<'_, '_> {
+impl BackwardStep<'_, '_> {
     /// A transition that removes an allowance. The diameter before it is that of the handbook where the range of
     /// section 1.2.1 permits it, otherwise the aim of the range; where a drill makes it, the nearest drill.
     pub(super) fn finishing(self) -> Tried<RouteStep> {
-        let Self { operation, after, previous, bore, sizes, shop } = self;
+        let Self { operation, leaves: after, previous, bore, sizes, shop } = self;
         let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
         let (smallest, largest) = (after - allowance.high, after - allowance.low);
         let handbook_row = handbook::row(bore, shop)?;
-        let advised = handbook_row.as_ref().and_then(|row| handbook::before(row, operation, previous));
+        let advised = handbook_row.as_ref().and_then(|row| handbook::diameter_before(row, operation, previous));
         let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
         // At the coarse limit, the rough transition must still leave a narrower hole than this transition.
         let drilled = accuracy::drilled(shop)?;

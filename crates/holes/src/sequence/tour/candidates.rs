@@ -30,7 +30,7 @@ impl Candidates {
         let mut prices = Prices::new(space);
         prices.ascend(i64::MAX, (JOINED / count).clamp(ROUNDS.0, ROUNDS.1));
         let tree = Tree::of(&prices);
-        let beside = space.beside();
+        let beside = space.outside_node();
         let likely = prices.cheapest_beside(if space.free_ends { OF_NO_PLACE } else { MOST });
         let second = likely.get(1).map_or(0, |&(cost, _)| cost);
         let mut all = Self { starts: vec![0], nodes: Vec::with_capacity(count * MOST) };
@@ -78,7 +78,7 @@ impl Tree {
             edges.extend(once.map(|&(cost, other)| (prices.priced(cost, node, other as usize), node as u32, other)));
         }
         edges.sort_unstable();
-        let count = prices.of.len() as u32;
+        let count = prices.by_node.len() as u32;
         let mut tree = Self { above: (0..count).map(|node| (node, i64::MAX)).collect() };
         let mut sizes = vec![1_u32; count as usize];
         for (cost, from, to) in edges {

@@ -103,7 +103,7 @@ impl<'s> Tour<'s> {
     }
 
     #[inline]
-    fn beside(&self, node: u32, before: bool) -> u32 {
+    fn neighbour(&self, node: u32, before: bool) -> u32 {
         let place = self.place[node as usize] as usize;
         let last = self.order.len() - 1;
         match before {
@@ -116,12 +116,12 @@ impl<'s> Tour<'s> {
 
     #[inline]
     pub(super) fn next(&self, node: u32) -> u32 {
-        self.beside(node, self.backwards != self.mirror)
+        self.neighbour(node, self.backwards != self.mirror)
     }
 
     #[inline]
     fn previous(&self, node: u32) -> u32 {
-        self.beside(node, self.backwards == self.mirror)
+        self.neighbour(node, self.backwards == self.mirror)
     }
 
     /// Whether a node lies on the path from one node forward to another.

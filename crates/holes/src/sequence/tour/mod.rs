@@ -74,7 +74,7 @@ impl<'p> Space<'p> {
     }
 
     /// The node outside every tree over the others ([`super::prices`]).
-    pub(super) const fn beside(&self) -> usize {
+    pub(super) const fn outside_node(&self) -> usize {
         if self.free_ends { self.points.len() } else { 0 }
     }
 
@@ -192,7 +192,7 @@ struct Nearest<'s> {
 }
 
 impl Query for Nearest<'_> {
-    fn least(&self, number: usize, bounds: &Bounds) -> Option<i64> {
+    fn lower_bound(&self, number: usize, bounds: &Bounds) -> Option<i64> {
         let here = self.points[self.here];
         let cost = Metric::Euclid.cost(here, bounds.nearest(here));
         let first = (cost, bounds.first as usize);
@@ -210,7 +210,7 @@ impl Query for Nearest<'_> {
 /// The tour opened at its beginning: at point 0, or at the node without position, which is left out. Of the two
 /// directions, the one whose second point is earlier in the list.
 fn from_the_start(space: &Space<'_>, mut tour: Vec<usize>) -> Vec<usize> {
-    let first = space.beside();
+    let first = space.outside_node();
     if let Some(at) = tour.iter().position(|&node| node == first) {
         tour.rotate_left(at);
     }

@@ -14,14 +14,14 @@ const MOST: usize = 12;
 /// The near points of every point with the cost of going there, the cheapest first.
 pub(super) fn near_points(space: &Space<'_>) -> Vec<Vec<(i64, u32)>> {
     let places = PointBoxes::of(space.points);
-    (0..space.points.len()).map(|point| near(space, &places, point)).collect()
+    (0..space.points.len()).map(|point| neighbours_of(space, &places, point)).collect()
 }
 
 /// The nearest points of a point, and those of its quadrants.
-fn near(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec<(i64, u32)> {
+fn neighbours_of(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec<(i64, u32)> {
     let [a, b, c, d] = [const { Shortest::new(OF_QUARTER) }; 4];
     let at = space.points[node];
-    let mut around = Around { space, node, at, nearest: Shortest::new(NEAREST), quarters: [a, b, c, d] };
+    let mut around = NearQuery { space, node, at, nearest: Shortest::new(NEAREST), quarters: [a, b, c, d] };
     places.seek(&mut around);
     let quarters = around.quarters.iter().flat_map(Shortest::iter);
     let mut near: Vec<(i64, u32)> = around.nearest.iter().chain(quarters).collect();
@@ -32,7 +32,7 @@ fn near(space: &Space<'_>, places: &PointBoxes<'_>, node: usize) -> Vec<(i64, u3
 }
 
 /// The query for near points, in all directions and in each quadrant.
-struct Around<'s> {
+struct NearQuery<'s> {
     space: &'s Space<'s>,
     node: usize,
     at: Point,
@@ -40,7 +40,7 @@ struct Around<'s> {
     quarters: [Shortest; 4],
 }
 
-impl Around<'_> {
+impl NearQuery<'_> {
     /// Every direction belongs to one quadrant, an axis to the quadrant that it begins.
     fn quarter(&self, point: Point) -> usize {
         match ((point.x - self.at.x).micrometres(), (point.y - self.at.y).micrometres()) {
@@ -52,8 +52,8 @@ impl Around<'_> {
     }
 }
 
-impl Query for Around<'_> {
-    fn least(&self, _: usize, bounds: &Bounds) -> Option<i64> {
+impl Query for NearQuery<'_> {
+    fn lower_bound(&self, _: usize, bounds: &Bounds) -> Option<i64> {
         let cost = self.space.metric.cost(self.at, bounds.nearest(self.at));
         // A box lies within one quadrant if its corners do; otherwise its best point may be in any of them.
         let Bounds { low, high, first } = *bounds;
@@ -77,13 +77,13 @@ impl Query for Around<'_> {
 /// The few cheapest of many, cheapest first; among equals, the first in the list of points.
 struct Shortest {
     most: usize,
-    held: usize,
+    count: usize,
     list: [(i64, u32); NEAREST],
 }
 
 impl Shortest {
     const fn new(most: usize) -> Self {
-        Self { most, held: 0, list: [(i64::MAX, u32::MAX); NEAREST] }
+        Self { most, count: 0, list: [(i64::MAX, u32::MAX); NEAREST] }
     }
 
     /// The limit: what costs more is not kept.
@@ -96,16 +96,16 @@ impl Shortest {
         if (cost, node) >= self.list[self.most - 1] {
             return;
         }
-        let mut place = self.held.min(self.most - 1);
+        let mut place = self.count.min(self.most - 1);
         while place > 0 && self.list[place - 1] > (cost, node) {
             self.list[place] = self.list[place - 1];
             place -= 1;
         }
         self.list[place] = (cost, node);
-        self.held = (self.held + 1).min(self.most);
+        self.count = (self.count + 1).min(self.most);
     }
 
     fn iter(&self) -> impl Iterator<Item = (i64, u32)> {
-        self.list[..self.held].iter().copied()
+        self.list[..self.count].iter().copied()
     }
 }

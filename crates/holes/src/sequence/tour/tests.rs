@@ -178,7 +178,7 @@ proptest! {
     fn the_shortest_tree_is_that_of_looking_at_all_pairs(points in points(60), prices in prop::collection::vec(-9_000_i64..9_000, 61)) {
         for space in spaces(&points) {
             let cost = |from: usize, to: usize| space.cost(from, to) + prices[from] + prices[to];
-            let mut left: Vec<usize> = (0..points.len()).filter(|&point| point != space.beside()).collect();
+            let mut left: Vec<usize> = (0..points.len()).filter(|&point| point != space.outside_node()).collect();
             let mut tree: Vec<usize> = left.pop().into_iter().collect();
             let mut total = 0;
             while !left.is_empty() {
@@ -193,7 +193,7 @@ proptest! {
             prop_assert_eq!(found.len() + 1, tree.len().max(1));
             prop_assert_eq!(found.iter().map(|&(from, to)| cost(from, to)).sum::<i64>(), total);
             let mut near = neighbours::near_points(&space);
-            near.iter_mut().for_each(|near| near.retain(|&(_, other)| other as usize != space.beside()));
+            near.iter_mut().for_each(|near| near.retain(|&(_, other)| other as usize != space.outside_node()));
             prop_assert_eq!(shortest_tree(&space, &PointBoxes::of(&points), &prices, &near), found);
         }
     }
@@ -201,8 +201,8 @@ proptest! {
     #[test]
     fn as_many_tries_as_a_clock_allowed_give_the_same_path(points in points(60), most in 0_u64..40) {
         for space in spaces(&points) {
-            let mut asked = 0;
-            let timed = path_while(&space, &mut |_| { asked += 1; asked <= most });
+            let mut queries = 0;
+            let timed = path_while(&space, &mut |_| { queries += 1; queries <= most });
             prop_assert_eq!(&timed, &path_while(&space, &mut |tries| tries < timed.tries));
             prop_assert!(timed.cost <= quick_path(&space).cost);
         }

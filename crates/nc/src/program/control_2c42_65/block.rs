@@ -39,7 +39,7 @@ pub(super) struct Maker<'a> {
     /// The calls that led to the block.
     pub calls: &'a [Call],
     /// The number of steps so far, including those that the radius correction delays.
-    pub made: usize,
+    pub step_count: usize,
     /// The most steps that may be made.
     pub budget: usize,
 }
@@ -74,7 +74,7 @@ impl Maker<'_> {
 
     /// Reports a fault, once however often the block is repeated.
     fn tell_fault(&mut self, fault: Fault) {
-        if !self.faults.iter().any(|told| told.code == fault.code && told.span == fault.span) {
+        if !self.faults.iter().any(|reported| reported.code == fault.code && reported.span == fault.span) {
             self.faults.push(fault);
         }
     }
@@ -97,11 +97,11 @@ impl Maker<'_> {
         // With P the repeats are those of the call (3.14.2), else those of the block (3.12.2).
         let repeats = if words.get('P').is_some() { 1 } else { words.get('L').map_or(1, WordValue::number) };
         for _ in 0..repeats {
-            let before = self.made;
+            let before = self.step_count;
             self.motion(words);
             self.cycle(words);
             // A pass without motion would be the same 65535 times.
-            if self.broken() || self.made > self.budget || self.made == before {
+            if self.broken() || self.step_count > self.budget || self.step_count == before {
                 break;
             }
         }
@@ -324,7 +324,7 @@ impl Maker<'_> {
         let active = matches!(function, 41 | 42);
         let changed = words.g[RADIUS].or(words.g[PLANE]).map(|function| function.span);
         let changed = changed.or(words.get('D').filter(|_| active).map(|word| word.span));
-        let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.has(function.code));
+        let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.contains(function.code));
         if let Some(offset) = offset.filter(|_| active && words.g[RADIUS].is_none()) {
             self.report(
                 "offset-with-radius-correction",
@@ -340,11 +340,11 @@ impl Maker<'_> {
         let mirrored = self.state.sign(a, self.setting) * self.state.sign(b, self.setting);
         let side = if function == 41 { mirrored } else { -mirrored };
         let offset = value.to_mm() * side as f64;
-        let told = active || self.state.compensator.active();
+        let changes_side = active || self.state.compensator.active();
         let begin = self.steps.len();
         let flushed = self.state.compensator.set(plane, offset, &mut self.steps);
         self.emit(begin, flushed, span);
-        if told {
+        if changes_side {
             let side = match (active, side > 0) {
                 (false, _) => Side::Off,
                 (true, true) => Side::Left,
@@ -390,7 +390,7 @@ impl Maker<'_> {
 
     /// Whether a cycle is in force.
     pub(super) fn cycle_in_force(&self) -> bool {
-        self.control.cycles.has(self.state.groups[CYCLE])
+        self.control.cycles.contains(self.state.groups[CYCLE])
     }
 
     /// The function of motion in force.

@@ -119,7 +119,7 @@ pub(super) fn blocks(blocks: &[Block], programs: &Programs, control: &Control, f
 fn words(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
     // A bit for every letter; separate bits for letters after a cycle.
     let mut seen = [0_u32; 2];
-    let cycle = block.words.iter().find(|word| word.address == 'G' && control.cycles.has(word.code()));
+    let cycle = block.words.iter().find(|word| word.address == 'G' && control.cycles.contains(word.code()));
     for word in &block.words {
         let many = matches!(word.address, 'G' | 'M') && !word.in_cycle;
         let (seen, bit) = (&mut seen[usize::from(word.in_cycle)], 1 << letter(word.address));
@@ -188,10 +188,10 @@ fn groups(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
             faults.push(fault.about(Subject::Function(name)));
             continue;
         };
-        if control.offsets.has(code) {
+        if control.offsets.contains(code) {
             offset = Some(word);
         }
-        if control.offsets.has(code) || (27..=31).contains(&code) {
+        if control.offsets.contains(code) || (27..=31).contains(&code) {
             no_corrector = Some(word);
         }
         if let Some(dead) = slot.replace(word) {

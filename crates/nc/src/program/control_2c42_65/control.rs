@@ -80,12 +80,12 @@ impl<T> ByCode<T> {
     }
 
     /// Whether there is a value for a code.
-    pub(super) fn has(&self, code: u8) -> bool {
+    pub(super) fn contains(&self, code: u8) -> bool {
         self.get(code).is_some()
     }
 
     /// The value for an address.
-    pub(super) fn of(&self, address: char) -> Option<&T> {
+    pub(super) fn for_address(&self, address: char) -> Option<&T> {
         self.get(u8::try_from(address).ok()?)
     }
 }
@@ -173,7 +173,7 @@ impl Control {
             let code = code(row.code, row.row)?;
             let group: usize = row.group.parse().unwrap_or(GROUPS);
             let Some(slot) = self.power_on.get_mut(group) else {
-                return Err(KnowledgeError::lacks(&row.row.table.id, note!("nc-group-for-every-function")));
+                return Err(KnowledgeError::missing(&row.row.table.id, note!("nc-group-for-every-function")));
             };
             if row.power_on {
                 *slot = code;
@@ -242,7 +242,7 @@ impl Control {
 /// The number of a code such as `G54`.
 fn code(text: &str, row: RowRef<'_>) -> Result<u8, KnowledgeError> {
     let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit());
-    digits.parse().map_err(|_| KnowledgeError::lacks(&row.table.id, note!("nc-code-such-g")))
+    digits.parse().map_err(|_| KnowledgeError::missing(&row.table.id, note!("nc-code-such-g")))
 }
 
 const fn axis(name: AxisName) -> Axis {
@@ -266,7 +266,7 @@ fn addresses(knowledge: &Knowledge, dwell_step: f64) -> Result<ByCode<Address>, 
             decimal: matches!(row.unit, Some(Millimetres | Degrees | MillimetresPerMinute)),
             length: row.unit == Some(Millimetres),
         };
-        let lacks = |_| KnowledgeError::lacks(&row.row.table.id, note!("nc-address-one-letter"));
+        let lacks = |_| KnowledgeError::missing(&row.row.table.id, note!("nc-address-one-letter"));
         addresses.insert(u8::try_from(row.address.0).map_err(lacks)?, address);
     }
     Ok(addresses)

@@ -51,7 +51,7 @@ pub(super) struct Compensator {
     pending: Option<Pending>,
     queue: Vec<MotionStep>,
     /// The position of the centre in the plane, once it has left the programmed path.
-    held: Option<Point>,
+    centre: Option<Point>,
 }
 
 impl Compensator {
@@ -67,7 +67,7 @@ impl Compensator {
     pub(super) fn set(&mut self, plane: Plane, offset: f64, out: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         self.flush(out)?;
         if self.plane.is_some_and(|old| old != plane) {
-            self.held = None;
+            self.centre = None;
         }
         self.plane = Some(plane);
         self.offset = offset;
@@ -81,7 +81,7 @@ impl Compensator {
     /// The path cannot be corrected.
     pub(super) fn flush(&mut self, out: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         if let Some(pending) = self.pending.take() {
-            let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
+            let end = pending.element.offset_point(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
             self.finish(pending, &[end], out)?;
             self.entering = self.offset != 0.0;
         }
@@ -105,10 +105,10 @@ impl Compensator {
         };
         let element = Element::of(&step, from, plane);
         if self.offset == 0.0 {
-            match (element, self.held) {
+            match (element, self.centre) {
                 (Some(element), Some(_)) if element.arc.is_some() => return Err(("correction-by-arc", span)),
-                (Some(_), _) => self.held = None,
-                (None, Some(held)) => step.at = put(step.at, plane, held),
+                (Some(_), _) => self.centre = None,
+                (None, Some(centre)) => step.at = with_point(step.at, plane, centre),
                 (None, None) => {}
             }
             out.push(step);
@@ -119,8 +119,8 @@ impl Compensator {
                 self.queue.push(step);
                 return Ok(());
             }
-            if let Some(held) = self.held {
-                step.at = put(step.at, plane, held);
+            if let Some(centre) = self.centre {
+                step.at = with_point(step.at, plane, centre);
             }
             out.push(step);
             return Ok(());
@@ -130,11 +130,12 @@ impl Compensator {
             return Err(("correction-by-arc", span));
         }
         if let Some(pending) = self.pending.take() {
-            let start = element.beside(self.offset, false).ok_or(("arc-smaller-than-tool", span))?;
+            let start = element.offset_point(self.offset, false).ok_or(("arc-smaller-than-tool", span))?;
             let meeting = if pending.approach {
                 vec![start]
             } else {
-                let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
+                let end =
+                    pending.element.offset_point(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
                 meeting(&pending.element, &element, end, start, self.offset).ok_or(("contour-too-tight", span))?
             };
             self.finish(pending, &meeting, out)?;
@@ -149,12 +150,12 @@ impl Compensator {
     fn finish(&mut self, pending: Pending, points: &[Point], steps: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         let Some(plane) = self.plane else { return Ok(()) };
         let Pending { element, mut step, span, approach } = pending;
-        let begin = self.held.unwrap_or(element.from);
+        let begin = self.centre.unwrap_or(element.from);
         let Some(&end) = points.first() else { return Ok(()) };
         if !approach && element.turned_round(begin, end) {
             return Err(("contour-too-tight", span));
         }
-        step.at = put(step.at, plane, end);
+        step.at = with_point(step.at, plane, end);
         let straight = match &step.motion {
             Motion::Arc { feed_mm_per_min, .. } => Motion::Feed { feed_mm_per_min: *feed_mm_per_min },
             other => other.clone(),
@@ -163,13 +164,13 @@ impl Compensator {
         steps.push(step);
         steps.extend(points[1..].iter().map(|&point| MotionStep {
             motion: straight.clone(),
-            at: put(at, plane, point),
+            at: with_point(at, plane, point),
             block,
         }));
         let last = points.last().copied().unwrap_or(end);
-        self.held = Some(last);
+        self.centre = Some(last);
         for mut waiting in self.queue.drain(..) {
-            waiting.at = put(waiting.at, plane, last);
+            waiting.at = with_point(waiting.at, plane, last);
             steps.push(waiting);
         }
         Ok(())
@@ -216,7 +217,7 @@ impl Element {
     }
 
     /// The point beside its beginning or end; none if the tool is larger than the arc.
-    fn beside(&self, offset: f64, at_end: bool) -> Option<Point> {
+    fn offset_point(&self, offset: f64, at_end: bool) -> Option<Point> {
         if self.parallel_radius(offset).is_some_and(|radius| radius <= 0.0) {
             return None;
         }
@@ -273,15 +274,15 @@ fn meeting(first: &Element, second: &Element, end: Point, start: Point, offset: 
     let radius = offset.abs();
     let past = [end[0] + before[0] * radius, end[1] + before[1] * radius];
     let ahead = [start[0] - behind[0] * radius, start[1] - behind[1] * radius];
-    let mut way = vec![past, ahead];
+    let mut points = vec![past, ahead];
     // Only a line may be extended; an arc keeps its ends.
     if first.arc.is_some() {
-        way.insert(0, end);
+        points.insert(0, end);
     }
     if second.arc.is_some() {
-        way.push(start);
+        points.push(start);
     }
-    Some(way)
+    Some(points)
 }
 
 /// The sine of a turn so small that two elements count as tangent.
@@ -292,8 +293,8 @@ fn lines_meet(a: Point, along_a: Point, b: Point, along_b: Point) -> Option<Poin
     if cross.abs() < 1e-9 {
         return None;
     }
-    let way = ((b[0] - a[0]) * along_b[1] - (b[1] - a[1]) * along_b[0]) / cross;
-    Some([a[0] + along_a[0] * way, a[1] + along_a[1] * way])
+    let distance = ((b[0] - a[0]) * along_b[1] - (b[1] - a[1]) * along_b[0]) / cross;
+    Some([a[0] + along_a[0] * distance, a[1] + along_a[1] * distance])
 }
 
 fn line_meets_circle(point: Point, along: Point, arc: &Element, radius: f64) -> Vec<Point> {
@@ -306,7 +307,7 @@ fn line_meets_circle(point: Point, along: Point, arc: &Element, radius: f64) -> 
         return Vec::new();
     }
     let half = libm::sqrt(half);
-    [foot - half, foot + half].map(|way| [point[0] + along[0] * way, point[1] + along[1] * way]).to_vec()
+    [foot - half, foot + half].map(|distance| [point[0] + along[0] * distance, point[1] + along[1] * distance]).to_vec()
 }
 
 fn circles_meet(first: &Element, one: f64, second: &Element, other: f64) -> Vec<Point> {
@@ -328,7 +329,7 @@ fn circles_meet(first: &Element, one: f64, second: &Element, other: f64) -> Vec<
 }
 
 /// A position with another point of the plane.
-fn put(at: Position, plane: Plane, point: Point) -> Position {
+fn with_point(at: Position, plane: Plane, point: Point) -> Position {
     let [a, b, _] = plane.axes();
     at.with(a, Micrometres::from_mm_rounded(point[0])).with(b, Micrometres::from_mm_rounded(point[1]))
 }

@@ -67,7 +67,7 @@ impl Maker<'_> {
             return;
         }
         let missing: Vec<String> =
-            cycle.required.iter().filter(|it| self.parameter(**it).is_none()).map(ToString::to_string).collect();
+            cycle.required.iter().filter(|sign| self.parameter(**sign).is_none()).map(ToString::to_string).collect();
         if !missing.is_empty() {
             self.report(
                 "cycle-parameter-missing",
@@ -213,7 +213,7 @@ impl Maker<'_> {
         loop {
             done = (done + step).min(whole.abs());
             self.along(axis, levels.one + Micrometres::new(done * inwards), feed.clone(), span);
-            if done >= whole.abs() || self.made > self.budget || self.broken() {
+            if done >= whole.abs() || self.step_count > self.budget || self.broken() {
                 return;
             }
             let back = (done - clearance).max(0);

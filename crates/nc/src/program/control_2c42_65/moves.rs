@@ -132,14 +132,14 @@ impl Maker<'_> {
             let sign = self.state.sign(axis, self.setting);
             if words.axis(axis).is_some() && on.contains(&axis.letter()) {
                 let at = target.base.get(axis);
-                let way = (at - self.state.base.get(axis)).micrometres() * sign;
-                let longer = if way < 0 { -value } else { value };
+                let distance = (at - self.state.base.get(axis)).micrometres() * sign;
+                let longer = if distance < 0 { -value } else { value };
                 target.base = target.base.with(axis, at + Micrometres::new(longer * sign));
             }
             let letter = ['I', 'J', 'K'][axis.index()];
-            if let Some(way) = centre[axis.index()].as_mut().filter(|_| on.contains(&letter)) {
-                let longer = if *way < Micrometres::ZERO { -value } else { value };
-                *way = *way + Micrometres::new(longer);
+            if let Some(offset) = centre[axis.index()].as_mut().filter(|_| on.contains(&letter)) {
+                let longer = if *offset < Micrometres::ZERO { -value } else { value };
+                *offset = *offset + Micrometres::new(longer);
             }
         }
     }
@@ -161,8 +161,8 @@ impl Maker<'_> {
         }
         let signs = [a, b].map(|axis| self.state.sign(axis, self.setting));
         let middle = [(a, signs[0]), (b, signs[1])].map(|(axis, sign)| {
-            let way = centre[axis.index()].unwrap_or_default().micrometres() * sign;
-            self.state.base.get(axis) + Micrometres::new(way)
+            let distance = centre[axis.index()].unwrap_or_default().micrometres() * sign;
+            self.state.base.get(axis) + Micrometres::new(distance)
         });
         let sense = if self.motion_function() == 2 { Sense::Clockwise } else { Sense::Counterclockwise };
         let sense = if signs[0] * signs[1] < 0 { sense.other() } else { sense };

@@ -81,7 +81,7 @@ impl<S: Sink> ProgramRun<'_, S> {
         for block in &blocks[range] {
             match self.block(block, depth) {
                 BlockOutcome::On => {}
-                way => return way,
+                outcome => return outcome,
             }
         }
         BlockOutcome::Out
@@ -106,12 +106,12 @@ impl<S: Sink> ProgramRun<'_, S> {
             spans: &mut self.running.spans,
             holes: &mut self.holes,
             calls: &self.running.calls,
-            made: 0,
+            step_count: 0,
             budget: self.running.left,
         };
         maker.finer_than_machine(&words);
         let after = maker.make(&words);
-        let Maker { mut steps, faults, made, .. } = maker;
+        let Maker { mut steps, faults, step_count: made, .. } = maker;
         // 3. Execute: nothing of a block with an error.
         self.running.carry_out(&steps, faults, made);
         steps.clear();
@@ -119,7 +119,7 @@ impl<S: Sink> ProgramRun<'_, S> {
         match after {
             After::End => BlockOutcome::Out,
             After::Return if depth == 0 => {
-                let span = words.m.iter().find(|it| it.code == 99).map_or(block.span, |it| it.span);
+                let span = words.m.iter().find(|it| it.code == 99).map_or(block.span, |function| function.span);
                 self.running.nowhere_to_return(span, block.number)
             }
             After::Return => BlockOutcome::Back,
@@ -137,15 +137,15 @@ impl<S: Sink> ProgramRun<'_, S> {
         }
         let from = BlockRef { line: block.span.line, number: block.number };
         self.running.calls.push(Call { from, program: number });
-        let mut way = BlockOutcome::On;
+        let mut outcome = BlockOutcome::On;
         for _ in 0..words.get('L').map_or(1, super::words::WordValue::number) {
             if self.program(range.clone(), depth + 1) == BlockOutcome::Out {
-                way = BlockOutcome::Out;
+                outcome = BlockOutcome::Out;
                 break;
             }
         }
         self.running.calls.pop();
-        way
+        outcome
     }
 }
 

@@ -143,7 +143,7 @@ impl SourceLine<'_> {
                 let next = behind + written.len();
                 let places = comma_places(&self.text[next..end], written);
                 let word = written.trim_start_matches(blank);
-                match (places, self.control.addresses.of(character)) {
+                match (places, self.control.addresses.for_address(character)) {
                     (Some(places), Some(known)) => {
                         let span = self.span(at, next + 1 + places.len());
                         self.faults.push(decimal_comma(character, word, places, known.decimal, span, fault));
@@ -184,7 +184,7 @@ impl SourceLine<'_> {
             }
             _ => block.words.push(word),
         }
-        if word.address == 'G' && self.control.cycles.has(word.code()) {
+        if word.address == 'G' && self.control.cycles.contains(word.code()) {
             self.in_cycle = true;
         }
     }
@@ -197,7 +197,7 @@ impl SourceLine<'_> {
     }
 
     fn word(&mut self, address: char, written: &str, span: TextSpan) -> Option<Word> {
-        let Some(&known) = self.control.addresses.of(address) else {
+        let Some(&known) = self.control.addresses.for_address(address) else {
             self.faults.push(match latin(address) {
                 Some(latin) => fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin),
                 None if address.is_ascii_uppercase() => fault("unknown-address", span, None).with("letter", address),
@@ -213,9 +213,9 @@ impl SourceLine<'_> {
         }
         // In a cycle H is a feed (table 3.13).
         let limited = if address == 'H' && self.in_cycle { 'F' } else { address };
-        let limits = self.control.addresses.of(limited).and_then(|it| it.limits).or_else(|| {
+        let limits = self.control.addresses.for_address(limited).and_then(|it| it.limits).or_else(|| {
             // U, V and W are in no table of limits: they are lengths like X.
-            self.control.addresses.of('X').and_then(|it| it.limits).filter(|_| known.length)
+            self.control.addresses.for_address('X').and_then(|it| it.limits).filter(|_| known.length)
         });
         if let Some((low, high)) = limits
             && !(low..=high).contains(&thousandths)
@@ -344,13 +344,13 @@ mod tests {
     /// What a text without any word of its own says, and how.
     #[test]
     fn characters_that_do_not_show_are_named_and_a_mark_of_encoding_is_none() {
-        let told = |text: &str| -> Vec<(String, u32)> {
+        let faults_of = |text: &str| -> Vec<(String, u32)> {
             let figure = |fault: &Fault| {
                 fault.note.figures().next().map(|(_, value)| value.text().into_owned()).unwrap_or_default()
             };
             read(text).1.iter().map(|fault| (format!("{} {}", fault.code, figure(fault)), fault.span.column)).collect()
         };
-        assert_eq!(told("\u{feff}%\r\nN1 X1\r\n"), []);
+        assert_eq!(faults_of("\u{feff}%\r\nN1 X1\r\n"), []);
         assert_eq!(read("\u{feff}N1 X1").0[0].words[0].span.column, 5);
         for (text, says, column) in [
             ("N1 X1\0", "unknown-character U+0000", 6),
@@ -366,7 +366,7 @@ mod tests {
             (":01 :02", "word-twice :", 5),
             (":-01", "number-out-of-range :", 1),
         ] {
-            assert!(told(text).contains(&(says.to_owned(), column)), "{text:?}: {:?}", told(text));
+            assert!(faults_of(text).contains(&(says.to_owned(), column)), "{text:?}: {:?}", faults_of(text));
         }
     }
 

@@ -4,7 +4,7 @@ use super::block::Maker;
 use super::correction::Trouble;
 use crate::motion::{Motion, MotionStep, Position, geometry};
 use crate::program::TextSpan;
-use crate::program::limits::{Reached, beyond_travel};
+use crate::program::limits::{AxisRanges, beyond_travel};
 
 impl Maker<'_> {
     /// Adds a step at the position of the axes.
@@ -15,7 +15,7 @@ impl Maker<'_> {
 
     /// Adds a step from a point of the programmed path to the position of the state.
     pub(super) fn push_from(&mut self, motion: Motion, from: Position, span: TextSpan) {
-        self.made += 1;
+        self.step_count += 1;
         let step = MotionStep { motion, at: self.state.corrected(self.state.base), block: self.block };
         let begin = self.steps.len();
         let taken = self.state.compensator.take(step, from, span, &mut self.steps);
@@ -47,7 +47,7 @@ impl Maker<'_> {
     }
 
     /// An axis may not leave its travel (3.8.3).
-    fn hold_in_travel(&mut self, reached: Reached, span: TextSpan) {
+    fn hold_in_travel(&mut self, reached: AxisRanges, span: TextSpan) {
         let (from, floating) = (self.state.actual, self.state.floating);
         for (code, note) in beyond_travel(self.machine, reached, from, floating, self.spans) {
             self.tell_note(code, span, note);

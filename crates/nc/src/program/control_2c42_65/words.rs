@@ -59,7 +59,7 @@ impl BlockWords {
                     if let Some(slot) = control.groups.get(function.code).and_then(|group| words.g.get_mut(*group)) {
                         *slot = Some(function);
                     }
-                    if control.cycles.has(function.code) {
+                    if control.cycles.contains(function.code) {
                         words.cycle = Some(Box::new([None; 26]));
                     }
                 }

@@ -63,8 +63,8 @@ impl Maker<'_> {
         let inches = self.state.inches();
         let mut middle = [0.0; 2];
         for ((value, axis), given) in middle.iter_mut().zip(axes).zip(centre) {
-            let way = given.map(|word| word.length(inches)).unwrap_or_default();
-            *value = (self.state.at.get(axis) + way).to_mm();
+            let distance = given.map(|word| word.length(inches)).unwrap_or_default();
+            *value = (self.state.at.get(axis) + distance).to_mm();
         }
         let plane = self.state.plane();
         let (radius, other) =

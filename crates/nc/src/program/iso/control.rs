@@ -49,11 +49,11 @@ pub(super) struct Cycle {
 pub(super) struct ActiveComment {
     /// What it begins with, in capitals.
     pub begins: String,
-    pub acts: CommentAct,
+    pub act: CommentAct,
     /// Whether it also acts after a semicolon.
     pub after_semicolon: bool,
     /// Whether it acts only if nothing follows it.
-    pub whole: bool,
+    pub nothing_follows: bool,
 }
 
 /// The language of a control.
@@ -93,7 +93,7 @@ impl Control {
     /// There is no such control, or a table lacks what is needed.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let table = knowledge.table(&format!("control-{control}"))?;
-        let lacks = || KnowledgeError::lacks(&table.id, note!("nc-interpreter", control = control));
+        let lacks = || KnowledgeError::missing(&table.id, note!("nc-interpreter", control = control));
         let kind = IsoControl::from_word(control).ok_or_else(lacks)?;
         let record: Vec<Record<'_>> = table.rows().collect::<Result<_, _>>()?;
         let figures = |name| figures(&record, name, table);
@@ -144,9 +144,9 @@ impl Control {
         for row in knowledge.rows::<ActiveComments<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
             self.active_comments.push(ActiveComment {
                 begins: row.begins.to_owned(),
-                acts: row.acts,
+                act: row.acts,
                 after_semicolon: row.after_semicolon == Some(true),
-                whole: row.whole == Some(true),
+                nothing_follows: row.whole == Some(true),
             });
         }
         for row in knowledge.rows::<GFunctions<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
@@ -189,7 +189,7 @@ fn code(text: &str, row: RowRef<'_>) -> Result<i64, KnowledgeError> {
     let parsed = parsed.filter(|(whole, tenth)| (0..1000).contains(whole) && (0..10).contains(tenth));
     parsed
         .map(|(whole, tenth)| whole * 10 + tenth)
-        .ok_or_else(|| KnowledgeError::lacks(&row.table.id, note!("nc-code-such-g-g")))
+        .ok_or_else(|| KnowledgeError::missing(&row.table.id, note!("nc-code-such-g-g")))
 }
 
 /// The positions of a switch: those listed, or with two figures every whole number between them.

@@ -75,7 +75,7 @@ impl Maker<'_> {
             return;
         }
         let missing: Vec<String> =
-            cycle.required.iter().filter(|it| self.parameter(**it).is_none()).map(ToString::to_string).collect();
+            cycle.required.iter().filter(|sign| self.parameter(**sign).is_none()).map(ToString::to_string).collect();
         if !missing.is_empty() {
             let figures =
                 [("cycle", format!("G{}", code / 10).into_figure()), ("words", missing.join(", ").into_figure())];

@@ -42,7 +42,7 @@ pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control
     for (index, &start) in starts.iter().enumerate() {
         let end = starts.get(index + 1).copied().unwrap_or(blocks.len());
         if let Some(name) = number(&blocks[start]) {
-            put(&mut programs, name, start..end, blocks, faults);
+            insert_program(&mut programs, name, start..end, blocks, faults);
         }
     }
     // Fanuc runs the first program of the text. In LinuxCNC a number alone does not separate programs: the run
@@ -67,7 +67,13 @@ pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control
     programs
 }
 
-fn put(programs: &mut Programs, name: String, range: Range<usize>, blocks: &[Block], faults: &mut Vec<Fault>) {
+fn insert_program(
+    programs: &mut Programs,
+    name: String,
+    range: Range<usize>,
+    blocks: &[Block],
+    faults: &mut Vec<Fault>,
+) {
     let head = &blocks[range.start];
     if let Some(first) = programs.named.insert(name, range) {
         let line = blocks[first.start].span.line;
@@ -83,7 +89,7 @@ fn subs(blocks: &[Block], programs: &mut Programs, faults: &mut Vec<Fault>) {
             (Some(Label::Sub(name)), None) => open = Some((index, name)),
             (Some(Label::EndSub(name)), Some((start, opened))) if name == opened => {
                 programs.passed.insert(start, index + 1);
-                put(programs, name.clone(), start + 1..index + 1, blocks, faults);
+                insert_program(programs, name.clone(), start + 1..index + 1, blocks, faults);
                 open = None;
             }
             (Some(Label::Return(name)), Some((_, opened))) if name == opened => {}

@@ -102,7 +102,7 @@ impl<S: Sink> ProgramRun<'_, S> {
             }
             match self.block(index, depth) {
                 BlockOutcome::On => index += 1,
-                way => return way,
+                outcome => return outcome,
             }
         }
         BlockOutcome::On

@@ -197,10 +197,11 @@ impl SourceLine<'_> {
         let text = text.trim_start().to_ascii_uppercase();
         let acts = |one: &&ActiveComment| {
             let rest = text.strip_prefix(&one.begins);
-            (one.after_semicolon || !after_semicolon) && rest.is_some_and(|rest| rest.is_empty() || !one.whole)
+            (one.after_semicolon || !after_semicolon)
+                && rest.is_some_and(|rest| rest.is_empty() || !one.nothing_follows)
         };
         let Some(active) = self.control.active_comments.iter().find(acts) else { return };
-        let code = if active.acts == CommentAct::Shows { "message-comment" } else { "active-comment" };
+        let code = if active.act == CommentAct::Shows { "message-comment" } else { "active-comment" };
         let begins = active.begins.trim_end_matches(',').to_owned();
         self.faults.push(fault(code, self.span(from, to), None).with("word", begins));
     }

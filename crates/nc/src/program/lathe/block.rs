@@ -13,7 +13,7 @@ use super::words::{BlockWords, Value};
 use crate::motion::{Sense, Turning};
 use crate::note::IntoFigure;
 use crate::program::{Fault, TextSpan};
-use crate::tables::controls::lathe_reading::{Does, LatheGroup};
+use crate::tables::controls::lathe_reading::{LatheGroup, WordEffect};
 use crate::units::{MillimetresPerRev, Seconds};
 
 /// A block during its execution.
@@ -68,20 +68,20 @@ impl Maker<'_> {
     }
 
     /// Outputs a motion of the block.
-    pub fn put(&mut self, act: LatheAct, to: LathePlace) {
+    pub fn push_motion(&mut self, act: LatheAct, to: LathePlace) {
         let (from, modes, line, of_cycle) = (self.state.at, self.state.lathe_modes(), self.span.line, self.of_cycle);
         self.motions.push(LatheMotion { act, from, to, modes, line, of_cycle });
         self.state.at = to;
     }
 
     fn put_here(&mut self, act: LatheAct) {
-        self.put(act, self.state.at);
+        self.push_motion(act, self.state.at);
     }
 
     /// Modes, feed, speed, tool, spindle, coolant and dwell: everything before the motion.
     pub fn before_motion(&mut self, words: &BlockWords) {
         self.modes(words);
-        let limit = words.doing(Does::SpeedLimit).map(|function| function.span);
+        let limit = words.function_for(WordEffect::SpeedLimit).map(|function| function.span);
         if let Some(span) = limit {
             match words.take("S").map(|value| value.value).filter(|value| *value > 0.0) {
                 Some(value) => self.state.limit = Some(value),
@@ -91,10 +91,10 @@ impl Maker<'_> {
         if let Some(value) = words.take("LIMS") {
             self.state.limit = Some(value.value);
         }
-        if words.doing(Does::CuttingSpeed).is_some() && self.is(LatheReader::LinuxCnc) {
+        if words.function_for(WordEffect::CuttingSpeed).is_some() && self.is(LatheReader::LinuxCnc) {
             self.state.limit = words.take("D").map(|value| value.value);
         }
-        if let Some(function) = words.doing(Does::CuttingSpeed)
+        if let Some(function) = words.function_for(WordEffect::CuttingSpeed)
             && self.state.turning != Turning::Stopped
             && self.state.limit.is_none()
         {
@@ -120,30 +120,31 @@ impl Maker<'_> {
                 LatheGroup::Length => {
                     if let Some(tool) = &mut self.state.tool {
                         let given = words.take("H").map(|value| value.value as u32);
-                        tool.offset = (function.does == Does::Offset).then(|| given.unwrap_or(tool.number));
+                        tool.offset = (function.effect == WordEffect::Offset).then(|| given.unwrap_or(tool.number));
                     }
                 }
-                LatheGroup::SpeedMode if !self.state.is(LatheGroup::SpeedMode, function.does) => {
+                LatheGroup::SpeedMode if !self.state.is(LatheGroup::SpeedMode, function.effect) => {
                     self.state.speed = None;
                 }
-                LatheGroup::FeedMode if !self.state.is(LatheGroup::FeedMode, function.does) => self.state.feed = None,
+                LatheGroup::FeedMode if !self.state.is(LatheGroup::FeedMode, function.effect) => self.state.feed = None,
                 _ => {}
             }
-            if function.does == Does::Inches {
+            if function.effect == WordEffect::Inches {
                 self.report("lathe-inches", function.span);
             }
-            if matches!(function.does, Does::CompensationLeft | Does::CompensationRight) {
+            if matches!(function.effect, WordEffect::CompensationLeft | WordEffect::CompensationRight) {
                 self.report_with("lathe-compensation", function.span, "word", function.code.clone());
             }
-            self.state.modes.insert(function.group, function.does);
-            self.state.said.insert(function.group);
+            self.state.modes.insert(function.group, function.effect);
+            self.state.given.insert(function.group);
         }
     }
 
     fn feed_and_speed(&mut self, words: &BlockWords, limit: bool) {
-        let thread = matches!(self.state.modes.get(&LatheGroup::Motion), Some(Does::Thread | Does::ThreadBox))
-            || words.doing(Does::ThreadCycle).is_some();
-        let dwell = words.doing(Does::Dwell).is_some();
+        let thread =
+            matches!(self.state.modes.get(&LatheGroup::Motion), Some(WordEffect::Thread | WordEffect::ThreadBox))
+                || words.function_for(WordEffect::ThreadCycle).is_some();
+        let dwell = words.function_for(WordEffect::Dwell).is_some();
         // The lead of a thread is no feed, and Sinumerik gives the time of G4 as F.
         let is_lead = thread && self.is(LatheReader::Fanuc);
         if !is_lead
@@ -168,7 +169,7 @@ impl Maker<'_> {
     }
 
     fn tool(&mut self, words: &BlockWords) {
-        let change = words.doing(Does::ToolChange).is_some();
+        let change = words.function_for(WordEffect::ToolChange).is_some();
         let given = words.take("T").cloned();
         if let Some(given) = &given {
             let whole = given.value >= 0.0 && given.value < 1e6 && (given.value % 1.0).abs() < 1e-9;
@@ -193,7 +194,7 @@ impl Maker<'_> {
             // Sinumerik activates D1 with a new tool.
             let offset = self.is(LatheReader::Sinumerik).then_some(1);
             self.state.tool = Some(LatheTool { number, offset });
-            let length = words.doing(Does::Offset).is_some();
+            let length = words.function_for(WordEffect::Offset).is_some();
             if length && let Some(tool) = &mut self.state.tool {
                 tool.offset = Some(words.take("H").map_or(number, |value| value.value as u32));
             }
@@ -212,12 +213,12 @@ impl Maker<'_> {
 
     fn machine(&mut self, words: &BlockWords) {
         for function in &words.functions {
-            let turning = match function.does {
-                Does::SpindleClockwise => Turning::Clockwise,
-                Does::SpindleCounterclockwise => Turning::Counterclockwise,
-                Does::SpindleStop => Turning::Stopped,
-                Does::CoolantOn | Does::CoolantOff => {
-                    self.state.coolant = function.does == Does::CoolantOn;
+            let turning = match function.effect {
+                WordEffect::SpindleClockwise => Turning::Clockwise,
+                WordEffect::SpindleCounterclockwise => Turning::Counterclockwise,
+                WordEffect::SpindleStop => Turning::Stopped,
+                WordEffect::CoolantOn | WordEffect::CoolantOff => {
+                    self.state.coolant = function.effect == WordEffect::CoolantOn;
                     self.put_here(LatheAct::Coolant);
                     continue;
                 }
@@ -226,7 +227,7 @@ impl Maker<'_> {
             if turning != Turning::Stopped && self.state.speed.is_none_or(|speed| speed <= 0.0) {
                 self.report("spindle-without-speed", function.span);
             }
-            let cutting = self.state.is(LatheGroup::SpeedMode, Does::CuttingSpeed);
+            let cutting = self.state.is(LatheGroup::SpeedMode, WordEffect::CuttingSpeed);
             if turning != Turning::Stopped && cutting && self.state.limit.is_none() {
                 self.report("lathe-no-limit", function.span);
             }
@@ -236,7 +237,7 @@ impl Maker<'_> {
     }
 
     fn dwell(&mut self, words: &BlockWords) {
-        let Some(function) = words.doing(Does::Dwell) else { return };
+        let Some(function) = words.function_for(WordEffect::Dwell) else { return };
         let span = function.span;
         let time = match self.language.kind {
             LatheReader::LinuxCnc => words.take("P").map(|value| value.value),
@@ -257,14 +258,14 @@ impl Maker<'_> {
     /// Stop, return and end.
     pub fn after_motion(&mut self, words: &BlockWords) -> After {
         for function in &words.functions {
-            match function.does {
-                Does::Stop => self.put_here(LatheAct::Stop),
-                Does::End => {
+            match function.effect {
+                WordEffect::Stop => self.put_here(LatheAct::Stop),
+                WordEffect::End => {
                     self.state.turning = Turning::Stopped;
                     self.put_here(LatheAct::End);
                     return After::End;
                 }
-                Does::Return => return After::Return,
+                WordEffect::Return => return After::Return,
                 _ => {}
             }
         }
@@ -284,7 +285,10 @@ impl Maker<'_> {
     /// A return to a reference point, a move to a machine position, or the active motion.
     pub fn motion(&mut self, words: &BlockWords) {
         let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
-        let away = words.doing(Does::Away).or_else(|| words.doing(Does::MachinePosition)).map(|it| it.span);
+        let away = words
+            .function_for(WordEffect::Away)
+            .or_else(|| words.function_for(WordEffect::MachinePosition))
+            .map(|function| function.span);
         if let Some(span) = away {
             self.away(words, axes, span);
             return;
@@ -295,23 +299,24 @@ impl Maker<'_> {
             }
             return;
         };
-        let asked = words.of_group(LatheGroup::Motion).is_some();
-        let circle = matches!(mode, Does::Clockwise | Does::Counterclockwise)
+        let in_block = words.of_group(LatheGroup::Motion).is_some();
+        let circle = matches!(mode, WordEffect::Clockwise | WordEffect::Counterclockwise)
             && ["I", "K"].into_iter().any(|name| words.look(name).is_some());
         if !axes && !circle {
             return;
         }
-        let span = if asked { words.of_group(LatheGroup::Motion).map_or(self.span, |it| it.span) } else { self.span };
-        if mode == Does::ThreadBox {
+        let span =
+            if in_block { words.of_group(LatheGroup::Motion).map_or(self.span, |it| it.span) } else { self.span };
+        if mode == WordEffect::ThreadBox {
             self.before_moving(span, true);
             self.thread_box(words, span);
             return;
         }
         let Some(shape) = self.shape(words, mode, span) else { return };
-        self.before_moving(span, mode != Does::Rapid);
+        self.before_moving(span, mode != WordEffect::Rapid);
         match mode {
-            Does::Rapid => self.put(LatheAct::Rapid, shape.to),
-            Does::Thread => self.thread(words, shape.to, span),
+            WordEffect::Rapid => self.push_motion(LatheAct::Rapid, shape.to),
+            WordEffect::Thread => self.thread(words, shape.to, span),
             _ => self.cut(shape, span),
         }
     }
@@ -335,14 +340,14 @@ impl Maker<'_> {
         if z || !axes {
             to.z_mm = None;
         }
-        self.put(LatheAct::Away, to);
+        self.push_motion(LatheAct::Away, to);
         self.state.moved = true;
     }
 
     /// Conditions for any motion, and for a cut.
     pub fn before_moving(&mut self, span: TextSpan, cuts: bool) {
         self.start_said(span);
-        if self.state.modes.get(&LatheGroup::Plane).is_some_and(|plane| *plane != Does::PlaneZx) {
+        if self.state.modes.get(&LatheGroup::Plane).is_some_and(|plane| *plane != WordEffect::PlaneZx) {
             self.report("lathe-plane", span);
         }
         if !cuts {
@@ -363,12 +368,12 @@ impl Maker<'_> {
         if std::mem::replace(&mut self.state.moved, true) {
             return;
         }
-        let said = &self.state.said;
+        let given = &self.state.given;
         let unsaid: Vec<String> = self
             .language
             .must_be_said
             .iter()
-            .filter(|(group, _)| !said.contains(group))
+            .filter(|(group, _)| !given.contains(group))
             .map(|(_, code)| code.clone())
             .collect();
         if !unsaid.is_empty() {
@@ -390,7 +395,7 @@ impl Maker<'_> {
             None => LatheAct::Feed { feed },
             Some((centre, ccw)) => LatheAct::Arc { feed, centre: point(centre), sense: sense(ccw) },
         };
-        self.put(act, shape.to);
+        self.push_motion(act, shape.to);
     }
 
     /// G33 with K (and I), G32 with F.
@@ -420,7 +425,7 @@ impl Maker<'_> {
     /// A line synchronised with the spindle; LinuxCNC measures the lead along the line, the others along its longer
     /// axis.
     pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, lead: f64, span: TextSpan) {
-        if self.state.is(LatheGroup::SpeedMode, Does::CuttingSpeed) {
+        if self.state.is(LatheGroup::SpeedMode, WordEffect::CuttingSpeed) {
             self.report("lathe-thread-at-cutting-speed", span);
         }
         let (dx, dz) = ((to.radius_mm - from.radius_mm).abs(), (to.z_mm - from.z_mm).abs());
@@ -429,13 +434,13 @@ impl Maker<'_> {
             _ if dx.max(dz) > 0.0 => lead * libm::hypot(dx, dz) / dx.max(dz),
             _ => lead,
         };
-        self.put(LatheAct::Thread { lead: MillimetresPerRev(along) }, to.into());
+        self.push_motion(LatheAct::Thread { lead: MillimetresPerRev(along) }, to.into());
     }
 
     /// The end of the motion, and for an arc its centre; none if something is wrong.
-    pub fn shape(&mut self, words: &BlockWords, mode: Does, span: TextSpan) -> Option<PathShape> {
+    pub fn shape(&mut self, words: &BlockWords, mode: WordEffect, span: TextSpan) -> Option<PathShape> {
         let to = self.target(words)?;
-        if !matches!(mode, Does::Clockwise | Does::Counterclockwise) {
+        if !matches!(mode, WordEffect::Clockwise | WordEffect::Counterclockwise) {
             return Some(PathShape { to, round: None });
         }
         let (Some(from), Some(end)) = (self.state.at.point(), to.point()) else {
@@ -443,7 +448,7 @@ impl Maker<'_> {
             return None;
         };
         let (from, end) = (spot(from), spot(end));
-        let ccw = mode == Does::Counterclockwise;
+        let ccw = mode == WordEffect::Counterclockwise;
         let radius = words.take(if self.is(LatheReader::Sinumerik) { "CR" } else { "R" }).cloned();
         let centre = match radius {
             Some(radius) => self.centre_of_radius(from, end, ccw, &radius)?,
@@ -498,13 +503,13 @@ impl Maker<'_> {
 
     /// The target of the axis words of a block.
     fn target(&mut self, words: &BlockWords) -> Option<LathePlace> {
-        let incremental = self.state.is(LatheGroup::Distance, Does::Incremental);
+        let incremental = self.state.is(LatheGroup::Distance, WordEffect::Incremental);
         let measure = self.state.modes.get(&LatheGroup::Measure).copied();
         let fanuc = self.is(LatheReader::Fanuc);
         let diameter = match measure {
             _ if fanuc => true,
-            Some(Does::Diameters) => true,
-            Some(Does::DiametersAbsolute) => !incremental,
+            Some(WordEffect::Diameters) => true,
+            Some(WordEffect::DiametersAbsolute) => !incremental,
             _ => false,
         };
         let scale = if diameter { 0.5 } else { 1.0 };

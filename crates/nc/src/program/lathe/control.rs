@@ -6,7 +6,7 @@ use super::LatheReader;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::knowledge::contract::Word;
-use crate::tables::controls::lathe_reading::{Does, Form, LatheFunctions, LatheGroup, LatheReadCycles};
+use crate::tables::controls::lathe_reading::{Form, LatheFunctions, LatheGroup, LatheReadCycles, WordEffect};
 use technolog_note::note;
 
 /// The fields of a cycle: all, and those that must be given.
@@ -20,8 +20,8 @@ pub(super) struct CycleFields {
 #[derive(Clone, Debug)]
 pub struct LatheLanguage {
     pub(super) kind: LatheReader,
-    pub(super) functions: BTreeMap<String, (LatheGroup, Does)>,
-    pub(super) power_on: Vec<(LatheGroup, Does)>,
+    pub(super) functions: BTreeMap<String, (LatheGroup, WordEffect)>,
+    pub(super) power_on: Vec<(LatheGroup, WordEffect)>,
     /// The groups with a function that must be programmed before the first motion, and that function.
     pub(super) must_be_said: Vec<(LatheGroup, String)>,
     cycles: BTreeMap<(String, &'static str), CycleFields>,
@@ -36,7 +36,7 @@ impl LatheLanguage {
     /// # Errors
     /// There is no such control, or a table is missing or lacks what is required of it.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let unknown = || KnowledgeError::lacks("lathe-functions", note!("nc-interpreter", control = control));
+        let unknown = || KnowledgeError::missing("lathe-functions", note!("nc-interpreter", control = control));
         let kind = LatheReader::from_word(control).ok_or_else(unknown)?;
         let mut language = Self {
             kind,
@@ -68,8 +68,8 @@ impl LatheLanguage {
         self.kind
     }
 
-    pub(super) fn cycle(&self, name: &str, of: Form) -> CycleFields {
-        self.cycles.get(&(name.to_owned(), form(of))).cloned().unwrap_or_default()
+    pub(super) fn cycle(&self, name: &str, of_form: Form) -> CycleFields {
+        self.cycles.get(&(name.to_owned(), form(of_form))).cloned().unwrap_or_default()
     }
 }
 

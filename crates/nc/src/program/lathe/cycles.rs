@@ -7,14 +7,14 @@ use super::motion::{LatheAct, LathePlace, LathePoint};
 use super::roughing::{Between, NoPasses, Passes, hollows, levels};
 use super::words::{BlockWords, Value};
 use crate::program::{Subject, TextSpan};
-use crate::tables::controls::lathe_reading::{Does, Form};
+use crate::tables::controls::lathe_reading::{Form, WordEffect};
 
 /// The name of a cycle.
-const fn name(does: Does) -> &'static str {
+const fn name(does: WordEffect) -> &'static str {
     match does {
-        Does::RoughAlong => "G71",
-        Does::RoughAcross => "G72",
-        Does::ThreadCycle => "G76",
+        WordEffect::RoughAlong => "G71",
+        WordEffect::RoughAcross => "G72",
+        WordEffect::ThreadCycle => "G76",
         _ => "G70",
     }
 }
@@ -50,7 +50,8 @@ impl Maker<'_> {
             return;
         }
         let lengths = ["X", "Z", "U", "W", "I", "K", "R"];
-        let thread = words.doing(Does::ThreadCycle).is_some() || words.doing(Does::Dwell).is_some();
+        let thread =
+            words.function_for(WordEffect::ThreadCycle).is_some() || words.function_for(WordEffect::Dwell).is_some();
         let pointless =
             words.all().iter().find(|it| lengths.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
         if let Some(value) = pointless.filter(|_| !thread) {
@@ -61,7 +62,7 @@ impl Maker<'_> {
     /// The start of a cycle of LinuxCNC: its X and Z, or the position of the tool.
     pub(super) fn begin_of_words(&mut self, words: &BlockWords, span: TextSpan) -> Option<LathePoint> {
         let diameter = self.diameters();
-        let x = words.take("X").map(|it| it.value * if diameter { 0.5 } else { 1.0 }).or(self.state.at.radius_mm);
+        let x = words.take("X").map(|value| value.value * if diameter { 0.5 } else { 1.0 }).or(self.state.at.radius_mm);
         let z = words.take("Z").map(|it| it.value).or(self.state.at.z_mm);
         let place = LathePlace { radius_mm: x, z_mm: z };
         if place.point().is_none() || self.state.at.point().is_none() {
@@ -74,15 +75,15 @@ impl Maker<'_> {
     pub(super) fn diameters(&self) -> bool {
         use crate::tables::controls::lathe_reading::LatheGroup::Measure;
         self.is(LatheReader::Fanuc)
-            || self.state.is(Measure, Does::Diameters)
-            || self.state.is(Measure, Does::DiametersAbsolute)
+            || self.state.is(Measure, WordEffect::Diameters)
+            || self.state.is(Measure, WordEffect::DiametersAbsolute)
     }
 
     /// G70, G71, G72 of LinuxCNC.
     pub(super) fn linuxcnc_cycle(
         &mut self,
         words: &BlockWords,
-        does: Does,
+        does: WordEffect,
         span: TextSpan,
         begin: LathePoint,
         legs: Vec<Leg>,
@@ -92,7 +93,7 @@ impl Maker<'_> {
             return;
         }
         for field in ["D", "E"] {
-            if let Some(given) = words.take(field).filter(|it| it.value != 0.0).cloned() {
+            if let Some(given) = words.take(field).filter(|value| value.value != 0.0).cloned() {
                 self.report_with("lathe-cycle-not-read", given.span, "word", format!("{}{}", given.name, given.value));
             }
         }
@@ -107,7 +108,7 @@ impl Maker<'_> {
             self.report("lathe-contour-short", span);
             return;
         }
-        if does == Does::Finish {
+        if does == WordEffect::Finish {
             let passes = words.take("P").map_or(1.0, |it| it.value).clamp(0.0, 1000.0) as usize;
             for _ in 0..passes {
                 self.stroke(Stroke::Rapid(spot(begin)), PassFrame::default(), span);
@@ -117,7 +118,7 @@ impl Maker<'_> {
             let depth = self.above_zero(words.take("I").cloned(), 1.0, span);
             let retract = self.above_zero(words.take("R").cloned(), 0.5, span);
             if !self.broken() {
-                self.rough(&legs, does == Does::RoughAcross, (depth, retract), span);
+                self.rough(&legs, does == WordEffect::RoughAcross, (depth, retract), span);
             }
         }
         // It is not certain which motion the control has active afterwards.
@@ -178,7 +179,7 @@ impl Maker<'_> {
                 LatheAct::Arc { feed, centre, sense: sense(frame.sense(round.ccw)) }
             }
         };
-        self.put(act, to);
+        self.push_motion(act, to);
     }
 
     /// One pass along a contour, its first element at rapid.
@@ -194,14 +195,15 @@ impl Maker<'_> {
     }
 
     /// The first block of G71 and G72 of Fanuc: depth and retract.
-    pub(super) fn first_block(&mut self, words: &BlockWords, does: Does, span: TextSpan) {
+    pub(super) fn first_block(&mut self, words: &BlockWords, does: WordEffect, span: TextSpan) {
         if !self.fields(words, name(does), Form::First, span) {
             return;
         }
-        let depth = words.take(if does == Does::RoughAlong { "U" } else { "W" }).cloned();
+        let depth = words.take(if does == WordEffect::RoughAlong { "U" } else { "W" }).cloned();
         let depth = self.above_zero(depth, 0.0, span);
         let retract = self.above_zero(words.take("R").cloned(), 0.0, span);
-        let kept = if does == Does::RoughAlong { &mut self.state.first.along } else { &mut self.state.first.across };
+        let kept =
+            if does == WordEffect::RoughAlong { &mut self.state.first.along } else { &mut self.state.first.across };
         *kept = Some((depth, retract));
     }
 
@@ -209,7 +211,7 @@ impl Maker<'_> {
     pub(super) fn fanuc_cycle(
         &mut self,
         words: &BlockWords,
-        does: Does,
+        does: WordEffect,
         span: TextSpan,
         begin: LathePoint,
         legs: Vec<Leg>,
@@ -220,20 +222,20 @@ impl Maker<'_> {
             self.report("lathe-contour-short", span);
             return;
         }
-        if does == Does::Finish {
+        if does == WordEffect::Finish {
             self.finish(&legs, begin, span);
             return;
         }
-        let across = does == Does::RoughAcross;
+        let across = does == WordEffect::RoughAcross;
         let Some((depth, retract)) = (if across { self.state.first.across } else { self.state.first.along }) else {
             self.report_with("lathe-cycle-first-block", span, "word", name(does));
             return;
         };
         let allowance = PassPoint {
-            x: words.take("U").map_or(0.0, |it| it.value) / 2.0,
+            x: words.take("U").map_or(0.0, |value| value.value) / 2.0,
             z: words.take("W").map_or(0.0, |it| it.value),
         };
-        let shift = |it: PassPoint| PassPoint { z: it.z + allowance.z, x: it.x + allowance.x };
+        let shift = |point: PassPoint| PassPoint { z: point.z + allowance.z, x: point.x + allowance.x };
         // The rough contour is the finished one, moved by both allowances; so is the start of the passes.
         let moved: Vec<Leg> = legs
             .iter()

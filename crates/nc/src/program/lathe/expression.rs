@@ -74,27 +74,27 @@ impl<'a> Reader<'a> {
     }
 
     fn product(&mut self, depth: usize) -> Option<Expression> {
-        let mut left = self.one(depth)?;
+        let mut left = self.operand(depth)?;
         while let Some(sign @ ('*' | '/')) = self.peek() {
             self.at += 1;
-            left = Expression::Of(sign, Box::new(left), Box::new(self.one(depth)?));
+            left = Expression::Of(sign, Box::new(left), Box::new(self.operand(depth)?));
         }
         Some(left)
     }
 
     /// A number, a parameter, or a sum in brackets, with its sign.
-    pub fn one(&mut self, depth: usize) -> Option<Expression> {
+    pub fn operand(&mut self, depth: usize) -> Option<Expression> {
         if depth >= DEPTH {
             return None;
         }
         match self.peek()? {
             '-' => {
                 self.at += 1;
-                Some(Expression::Minus(Box::new(self.one(depth + 1)?)))
+                Some(Expression::Minus(Box::new(self.operand(depth + 1)?)))
             }
             '+' => {
                 self.at += 1;
-                self.one(depth + 1)
+                self.operand(depth + 1)
             }
             open @ ('[' | '(') => {
                 self.at += 1;

@@ -65,7 +65,7 @@ struct HollowRoughing<'a> {
 }
 
 impl HollowRoughing<'_> {
-    fn put(&mut self, stroke: Stroke) {
+    fn push_stroke(&mut self, stroke: Stroke) {
         self.strokes.push(stroke);
         self.at = stroke.end();
     }
@@ -111,7 +111,7 @@ impl HollowRoughing<'_> {
                 let z = leg.crossings(level).first().copied().ok_or(NoPasses::Above)?;
                 PassPoint { z, x: level }
             };
-            self.put(if index == 0 { Stroke::Rapid(end) } else { Stroke::Line(end) });
+            self.push_stroke(if index == 0 { Stroke::Rapid(end) } else { Stroke::Line(end) });
             return Ok(Down::Fell);
         };
         if self.at.to(leg.to) < 1e-3 {
@@ -147,7 +147,7 @@ impl HollowRoughing<'_> {
             let leg = *self.legs.get(index)?;
             match leg.round {
                 None if leg.to.x < leg.from.x => return Some(index),
-                None => self.put(Stroke::Line(leg.to)),
+                None => self.push_stroke(Stroke::Line(leg.to)),
                 Some(round) if !round.ccw => {
                     if self.at.z > round.centre.z + SAME {
                         return Some(index);
@@ -187,12 +187,12 @@ impl HollowRoughing<'_> {
                 *index += usize::from(at_foot);
                 return !at_foot;
             }
-            self.put(Stroke::Line(PassPoint { z, x: here.x }));
+            self.push_stroke(Stroke::Line(PassPoint { z, x: here.x }));
             // A short pass retracts by at most half its length.
             let back = self.passes.retract * (distance / 2.0 / self.passes.retract).min(1.0);
-            self.put(Stroke::Rapid(PassPoint { z: z + back, x: here.x + back }));
-            self.put(Stroke::Rapid(PassPoint { z: here.z - back, x: here.x + back }));
-            self.put(if *index == 0 { Stroke::Rapid(here) } else { Stroke::Line(here) });
+            self.push_stroke(Stroke::Rapid(PassPoint { z: z + back, x: here.x + back }));
+            self.push_stroke(Stroke::Rapid(PassPoint { z: here.z - back, x: here.x + back }));
+            self.push_stroke(if *index == 0 { Stroke::Rapid(here) } else { Stroke::Line(here) });
             return true;
         }
         // No contour follows: continue with the next element.

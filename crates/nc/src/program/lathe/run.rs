@@ -14,7 +14,7 @@ use super::state::State;
 use super::text::{self, Argument, Block, Head};
 use super::words::BlockWords;
 use crate::program::{Fault, TextSpan};
-use crate::tables::controls::lathe_reading::{Does, LatheGroup};
+use crate::tables::controls::lathe_reading::{LatheGroup, WordEffect};
 
 /// The most blocks and motions of a run.
 const BUDGET: usize = crate::program::running::BUDGET;
@@ -67,7 +67,7 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
         state: State::power_on(language),
         motions: Vec::new(),
         faults: Vec::new(),
-        told: BTreeSet::new(),
+        reported: BTreeSet::new(),
         left: BUDGET,
     };
     if !faults.iter().any(Fault::is_error) {
@@ -170,7 +170,7 @@ struct Run<'a> {
     state: State,
     motions: Vec<LatheMotion>,
     faults: Vec<Fault>,
-    told: BTreeSet<(u32, u32, &'static str)>,
+    reported: BTreeSet<(u32, u32, &'static str)>,
     left: usize,
 }
 
@@ -193,7 +193,7 @@ impl Run<'_> {
     }
 
     fn report(&mut self, fault: Fault) {
-        if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
+        if self.reported.insert((fault.span.line, fault.span.column, fault.code)) {
             self.faults.push(fault);
         }
     }
@@ -208,7 +208,7 @@ impl Run<'_> {
             match self.block(index, depth) {
                 Next::On => index += 1,
                 Next::To(next) => index = next,
-                way => return way,
+                outcome => return outcome,
             }
         }
         Next::On
@@ -247,23 +247,27 @@ impl Run<'_> {
         maker.points(&words);
         maker.before_motion(&words);
         let mut next = Next::On;
-        let cycle = words
-            .functions
-            .iter()
-            .find(|it| matches!(it.does, Does::RoughAlong | Does::RoughAcross | Does::Finish | Does::ThreadCycle));
+        let cycle = words.functions.iter().find(|it| {
+            matches!(
+                it.effect,
+                WordEffect::RoughAlong | WordEffect::RoughAcross | WordEffect::Finish | WordEffect::ThreadCycle
+            )
+        });
         if let Some(function) = cycle {
             maker.of_cycle = true;
-            if function.does == Does::ThreadCycle {
+            if function.effect == WordEffect::ThreadCycle {
                 maker.thread_cycle(&words, function.span);
-            } else if let Some(way) = self.contour_cycle(&mut maker, &words, function.does, function.span, index) {
-                next = way;
+            } else if let Some(after_cycle) =
+                self.contour_cycle(&mut maker, &words, function.effect, function.span, index)
+            {
+                next = after_cycle;
             }
         } else if let Some((name, arguments, span)) = &block.call {
             maker.of_cycle = true;
             self.call_of_siemens(&mut maker, name, arguments, *span);
-        } else if words.doing(Does::SpeedLimit).is_none()
-            && words.doing(Does::Dwell).is_none()
-            && words.doing(Does::Call).is_none()
+        } else if words.function_for(WordEffect::SpeedLimit).is_none()
+            && words.function_for(WordEffect::Dwell).is_none()
+            && words.function_for(WordEffect::Call).is_none()
         {
             maker.motion(&words);
         }
@@ -298,7 +302,7 @@ impl Run<'_> {
         if let Some(Head::Call(name, _)) = &block.head {
             return Some((name.clone(), 1, block.span));
         }
-        if let Some(function) = words.doing(Does::Call) {
+        if let Some(function) = words.function_for(WordEffect::Call) {
             let number = words.take("P").map_or(0.0, |value| value.value).max(0.0) as u64;
             let times = words.take("L").map(|value| value.value.max(0.0) as u32);
             let (number, packed) = if number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
@@ -332,7 +336,7 @@ impl Run<'_> {
         &mut self,
         maker: &mut Maker<'_>,
         words: &BlockWords,
-        does: Does,
+        does: WordEffect,
         span: TextSpan,
         index: usize,
     ) -> Option<Next> {
@@ -348,7 +352,7 @@ impl Run<'_> {
             return None;
         }
         // Fanuc: the first block of G71 and G72 has no P.
-        if words.look("P").is_none() && does != Does::Finish {
+        if words.look("P").is_none() && does != WordEffect::Finish {
             maker.first_block(words, does, span);
             return None;
         }
@@ -370,7 +374,7 @@ impl Run<'_> {
             self.blocks.get(from).is_some_and(|block| names_axis(block, "X", "U") && names_axis(block, "Z", "W"));
         maker.fanuc_cycle(words, does, span, begin, legs, type_two);
         // The control continues after the contour if the call comes before it.
-        (does != Does::Finish && to > index).then_some(Next::To(to + 1))
+        (does != WordEffect::Finish && to > index).then_some(Next::To(to + 1))
     }
 
     /// CYCLE95, CYCLE97 and MSG.
@@ -385,8 +389,9 @@ impl Run<'_> {
                 };
                 let contour = contour.trim_end_matches(".SPF");
                 let marked = contour.split_once(':').and_then(|(from, to)| {
-                    let find =
-                        |name: &str| self.blocks.iter().position(|it| it.head == Some(Head::Mark(name.to_owned())));
+                    let find = |name: &str| {
+                        self.blocks.iter().position(|block| block.head == Some(Head::Mark(name.to_owned())))
+                    };
                     Some(find(from)? + 1..find(to)?)
                 });
                 let range = marked.or_else(|| self.programs.named.get(contour).cloned());
@@ -426,13 +431,13 @@ impl Run<'_> {
             let feed = words.take("F").map(|value| value.value);
             let modes = [LatheGroup::Motion, LatheGroup::Plane, LatheGroup::Distance, LatheGroup::Compensation];
             for function in &words.functions {
-                match function.does {
-                    Does::Return => break,
-                    Does::Thread | Does::ThreadBox => {
+                match function.effect {
+                    WordEffect::Return => break,
+                    WordEffect::Thread | WordEffect::ThreadBox => {
                         inner.report_with("lathe-contour-word", function.span, "word", function.code.clone())
                     }
                     _ if modes.contains(&function.group) => {
-                        inner.state.modes.insert(function.group, function.does);
+                        inner.state.modes.insert(function.group, function.effect);
                     }
                     _ if finite && function.group != LatheGroup::OneShot => {}
                     _ => inner.report_with("lathe-contour-word", function.span, "word", function.code.clone()),
@@ -444,10 +449,10 @@ impl Run<'_> {
             let mode = inner.state.modes.get(&LatheGroup::Motion).copied();
             let axes = ["X", "Z", "U", "W"].into_iter().any(|name| words.look(name).is_some());
             if axes {
-                let said = words.of_group(LatheGroup::Motion).is_some();
-                let round = matches!(mode, Some(Does::Clockwise | Does::Counterclockwise));
+                let in_block = words.of_group(LatheGroup::Motion).is_some();
+                let round = matches!(mode, Some(WordEffect::Clockwise | WordEffect::Counterclockwise));
                 // LinuxCNC takes an arc in a contour without its own function as G2.
-                if round && !said && self.language.kind == LatheReader::LinuxCnc {
+                if round && !in_block && self.language.kind == LatheReader::LinuxCnc {
                     inner.report("lathe-arc-unsaid", block.span);
                 }
                 let Some(mode) = mode else {
@@ -459,7 +464,7 @@ impl Run<'_> {
                         let (from, to) = (super::block::spot(from), super::block::spot(to));
                         if from.to(to) > 0.0 {
                             let round = shape.round.map(|(centre, ccw)| Round { centre, ccw });
-                            let (rapid, line) = (mode == Does::Rapid, block.span.line);
+                            let (rapid, line) = (mode == WordEffect::Rapid, block.span.line);
                             legs.push(Leg { from, to, round, rapid, feed, line });
                         }
                     }

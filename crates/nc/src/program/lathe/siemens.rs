@@ -179,8 +179,8 @@ impl Maker<'_> {
         let (inside, area) = (variant % 2 == 0, variant > 2);
         let out = if inside { -1.0 } else { 1.0 };
         let (begin, end) = (fields.or_zero("SPL"), fields.or_zero("FPL"));
-        let way = if end < begin { -1.0 } else { 1.0 };
-        let (from, to) = (begin - way * fields.or_zero("APP"), end + way * fields.or_zero("ROP"));
+        let direction = if end < begin { -1.0 } else { 1.0 };
+        let (from, to) = (begin - direction * fields.or_zero("APP"), end + direction * fields.or_zero("ROP"));
         let (r1, r2) = (fields.or_zero("DM1") / 2.0, fields.or_zero("DM2") / 2.0);
         // The crest continues over the run-in and the run-out with its slope.
         let crest = |z: f64| r1 + (r2 - r1) * (z - begin) / (end - begin);
@@ -203,7 +203,7 @@ impl Maker<'_> {
         for (pass, depth) in depths.into_iter().enumerate() {
             // Along one flank or, with a minus, along both in turn.
             let side = if angle < 0.0 && pass % 2 == 1 { -1.0 } else { 1.0 };
-            let begin_z = from + way * side * depth * slope;
+            let begin_z = from + direction * side * depth * slope;
             let place = |radius_mm: f64, z_mm: f64| LathePoint { radius_mm, z_mm };
             let a = place(crest(from) - out * depth, begin_z);
             let b = place(crest(to) - out * depth, to);
@@ -220,7 +220,7 @@ impl Maker<'_> {
 
 /// A contour with both allowances.
 fn moved(legs: &[Leg], by: PassPoint) -> Vec<Leg> {
-    let shift = |it: PassPoint| PassPoint { z: it.z + by.z, x: it.x + by.x };
+    let shift = |point: PassPoint| PassPoint { z: point.z + by.z, x: point.x + by.x };
     let moved = |leg: &Leg| {
         let round = leg.round.map(|it| Round { centre: shift(it.centre), ..it });
         Leg { from: shift(leg.from), to: shift(leg.to), round, ..*leg }

@@ -6,7 +6,7 @@ use super::control::LatheLanguage;
 use super::expression::Parameters;
 use super::motion::{LatheFeed, LatheModes, LathePlace, LathePoint, LatheSpeed, LatheTool};
 use crate::motion::{Side, Turning};
-use crate::tables::controls::lathe_reading::{Does, LatheGroup};
+use crate::tables::controls::lathe_reading::{LatheGroup, WordEffect};
 use crate::units::{MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
 
 /// The first block of a cycle of Fanuc, kept for the second.
@@ -24,9 +24,9 @@ pub(super) struct FirstBlocks {
 #[derive(Clone, Debug)]
 pub(super) struct State {
     pub at: LathePlace,
-    pub modes: BTreeMap<LatheGroup, Does>,
+    pub modes: BTreeMap<LatheGroup, WordEffect>,
     /// Groups for which the program has given a function.
-    pub said: BTreeSet<LatheGroup>,
+    pub given: BTreeSet<LatheGroup>,
     /// The active system, by its function.
     pub system: Option<String>,
     pub feed: Option<f64>,
@@ -53,7 +53,7 @@ impl State {
         Self {
             at: LathePlace::default(),
             modes: language.power_on.iter().copied().collect(),
-            said: BTreeSet::new(),
+            given: BTreeSet::new(),
             system: None,
             feed: None,
             speed: None,
@@ -71,14 +71,14 @@ impl State {
         }
     }
 
-    pub fn is(&self, group: LatheGroup, does: Does) -> bool {
+    pub fn is(&self, group: LatheGroup, does: WordEffect) -> bool {
         self.modes.get(&group) == Some(&does)
     }
 
     /// The feed of a line, where one is given.
     pub fn feed(&self) -> Option<LatheFeed> {
         let value = self.feed.filter(|feed| *feed > 0.0)?;
-        let turns = self.is(LatheGroup::FeedMode, Does::PerRevolution);
+        let turns = self.is(LatheGroup::FeedMode, WordEffect::PerRevolution);
         Some(if turns {
             LatheFeed::PerRevolution(MillimetresPerRev(value))
         } else {
@@ -89,15 +89,15 @@ impl State {
     /// The modal state.
     pub fn lathe_modes(&self) -> LatheModes {
         let speed = self.speed.map(|speed| {
-            if self.is(LatheGroup::SpeedMode, Does::CuttingSpeed) {
+            if self.is(LatheGroup::SpeedMode, WordEffect::CuttingSpeed) {
                 LatheSpeed::Cutting { speed: MetresPerMinute(speed), limit: self.limit.map(RevsPerMinute) }
             } else {
                 LatheSpeed::Spindle(RevsPerMinute(speed))
             }
         });
         let compensation = match self.modes.get(&LatheGroup::Compensation) {
-            Some(Does::CompensationLeft) => Side::Left,
-            Some(Does::CompensationRight) => Side::Right,
+            Some(WordEffect::CompensationLeft) => Side::Left,
+            Some(WordEffect::CompensationRight) => Side::Right,
             _ => Side::Off,
         };
         LatheModes { tool: self.tool, turning: self.turning, speed, coolant: self.coolant, compensation }

@@ -36,7 +36,7 @@ fn agree(lines: &[String], expected: &[&str]) -> bool {
 
 #[test]
 fn programs_do_what_was_worked_out_by_hand() {
-    let (mut count, mut wrong, mut told) = (0, Vec::new(), BTreeSet::new());
+    let (mut count, mut wrong, mut codes) = (0, Vec::new(), BTreeSet::new());
     for control in LatheLanguage::NAMES {
         let language = language(control);
         let mut files: Vec<PathBuf> =
@@ -46,7 +46,7 @@ fn programs_do_what_was_worked_out_by_hand() {
             let text = fs::read_to_string(file).unwrap();
             let contour = fs::read_to_string(file.with_file_name("CONTOUR.SPF")).unwrap_or_default();
             let run = read(&text, &language, &[Subprogram { name: "CONTOUR", text: &contour }]);
-            told.extend(run.faults.iter().map(|fault| fault.code));
+            codes.extend(run.faults.iter().map(|fault| fault.code));
             let expected = fs::read_to_string(file.with_extension("expected")).unwrap_or_default();
             let expected: Vec<String> = expected
                 .lines()
@@ -62,7 +62,7 @@ fn programs_do_what_was_worked_out_by_hand() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
     assert!(count > 20, "{count}");
-    let never: Vec<&str> = RULES.iter().map(|rule| rule.0).filter(|code| !told.contains(code)).collect();
+    let never: Vec<&str> = RULES.iter().map(|rule| rule.0).filter(|code| !codes.contains(code)).collect();
     // Limits of size.
     assert_eq!(never, ["too-many-blocks", "run-too-long"]);
 }

@@ -238,7 +238,7 @@ impl Line<'_> {
             reader.at += 1;
             reader.sum(0)
         } else {
-            reader.one(0)
+            reader.operand(0)
         };
         let end = reader.at.max(at + 1).min(characters.len());
         let span = self.span(column(at), column(end - 1) + 1);
@@ -363,7 +363,7 @@ impl Line<'_> {
                 let mut reader = Reader::new(characters, at + 1 + skip + 4, false);
                 let (mut values, mut good) = (Vec::new(), true);
                 while good && reader.at < characters.len() {
-                    let value = reader.one(0);
+                    let value = reader.operand(0);
                     good = value.is_some();
                     values.extend(value);
                 }

@@ -5,7 +5,7 @@ use super::block::{Maker, spot};
 use super::motion::{LatheAct, LathePlace, LathePoint};
 use super::words::{BlockWords, Value};
 use crate::program::TextSpan;
-use crate::tables::controls::lathe_reading::{Does, Form};
+use crate::tables::controls::lathe_reading::{Form, WordEffect};
 use crate::units::MillimetresPerRev;
 
 /// The most passes of a thread.
@@ -46,7 +46,7 @@ impl Maker<'_> {
         let lead = self.above_zero(number("P"), 0.0, span);
         let first = self.above_zero(number("J"), 0.0, span) * scale;
         let full = self.above_zero(number("K"), 0.0, span) * scale;
-        let crest = number("I").map_or(0.0, |it| it.value) * scale;
+        let crest = number("I").map_or(0.0, |value| value.value) * scale;
         let end = number("Z").map_or(0.0, |it| it.value);
         let power = number("R").map_or(1.0, |it| it.value).max(1.0);
         let angle = number("Q").map_or(0.0, |it| it.value);
@@ -92,16 +92,16 @@ impl Maker<'_> {
             self.rapid(at(safe, from));
             let thread = |lead: f64| LatheAct::Thread { lead: MillimetresPerRev(lead) };
             if tapers.entry {
-                self.put(thread(lead_of_taper), at(cut + out * full, from));
-                self.put(thread(lead_of_taper), at(cut, from - tapers.length));
+                self.push_motion(thread(lead_of_taper), at(cut + out * full, from));
+                self.push_motion(thread(lead_of_taper), at(cut, from - tapers.length));
             } else {
                 self.rapid(at(cut, from));
             }
             if tapers.exit {
-                self.put(thread(lead), at(cut, to + tapers.length));
-                self.put(thread(lead_of_taper), at(cut + out * full, to));
+                self.push_motion(thread(lead), at(cut, to + tapers.length));
+                self.push_motion(thread(lead_of_taper), at(cut + out * full, to));
             } else {
-                self.put(thread(lead), at(cut, to));
+                self.push_motion(thread(lead), at(cut, to));
             }
             self.rapid(at(safe, to));
         }
@@ -111,7 +111,7 @@ impl Maker<'_> {
     /// A rapid, if it moves.
     fn rapid(&mut self, to: LathePlace) {
         if self.state.at != to {
-            self.put(LatheAct::Rapid, to);
+            self.push_motion(LatheAct::Rapid, to);
         }
     }
 
@@ -120,7 +120,7 @@ impl Maker<'_> {
         if !self.fields(words, "G76", Form::First, span) {
             return;
         }
-        let code = words.take("P").map_or(0.0, |it| it.value);
+        let code = words.take("P").map_or(0.0, |value| value.value);
         let least = self.thousandths(words.take("Q").cloned());
         let allowance = words.take("R").cloned().map_or(0.0, |it| self.millimetres(&it));
         let whole = code.clamp(0.0, 999_999.0) as u32;
@@ -160,7 +160,7 @@ impl Maker<'_> {
         let lead = self.above_zero(words.take("F").cloned(), 0.0, span);
         let height = self.thousandths(words.take("P").cloned());
         let first = self.thousandths(words.take("Q").cloned());
-        let taper = words.take("R").cloned().map_or(0.0, |it| self.millimetres(&it));
+        let taper = words.take("R").cloned().map_or(0.0, |value| self.millimetres(&value));
         let Some((begin, end)) = self.ends_of_thread(words, None, span) else { return };
         if height <= 0.0 || first <= 0.0 || allowance >= height {
             self.report_with("lathe-cycle-value", span, "field", if first <= 0.0 { "Q" } else { "P" });
@@ -185,10 +185,10 @@ impl Maker<'_> {
             if allowance > 0.0 { finishes as usize } else { finishes as usize - 1 },
         ));
         let slope = libm::tan((angle / 2.0).to_radians());
-        let way = if end.z_mm < begin.z_mm { -1.0 } else { 1.0 };
+        let direction = if end.z_mm < begin.z_mm { -1.0 } else { 1.0 };
         for depth in depths {
             // The root is the target of the block; each pass is above it by the remaining depth.
-            let z = begin.z_mm + way * depth * slope;
+            let z = begin.z_mm + direction * depth * slope;
             self.rapid(at(begin.radius_mm, z));
             self.thread_pass(begin, z, (end, taper), height - depth, (lead, run_out), span);
         }
@@ -208,7 +208,7 @@ impl Maker<'_> {
             self.report("lathe-place-unknown", span);
             return None;
         };
-        let mut end = self.shape(words, Does::Rapid, span)?.to.point()?;
+        let mut end = self.shape(words, WordEffect::Rapid, span)?.to.point()?;
         if let Some((kept, x, z)) = kept {
             end.radius_mm = if x { end.radius_mm } else { kept.radius_mm };
             end.z_mm = if z { end.z_mm } else { kept.z_mm };
@@ -257,8 +257,8 @@ impl Maker<'_> {
             self.report("lathe-no-lead", span);
             return;
         };
-        let said = words.doing(Does::ThreadBox).is_some();
-        let kept = self.state.box_end.filter(|_| !said);
+        let in_block = words.function_for(WordEffect::ThreadBox).is_some();
+        let kept = self.state.box_end.filter(|_| !in_block);
         let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
         let (x, z) = (given("X", "U"), given("Z", "W"));
         let Some((begin, end)) = self.ends_of_thread(words, kept.filter(|_| !x || !z).map(|end| (end, x, z)), span)
@@ -266,7 +266,7 @@ impl Maker<'_> {
             return;
         };
         self.state.box_end = Some(end);
-        if said {
+        if in_block {
             self.state.box_taper = words.look("R").map_or(0.0, |taper| taper.value);
         }
         self.of_cycle = true;

@@ -93,10 +93,10 @@ fn arc(from: LathePoint, to: LathePoint, centre: LathePoint, sense: Sense, share
 }
 
 /// The time along a path, min.
-fn along(modes: &LatheModes, feed: LatheFeed, way: &dyn Fn(f64) -> LathePoint) -> f64 {
+fn along(modes: &LatheModes, feed: LatheFeed, point_at: &dyn Fn(f64) -> LathePoint) -> f64 {
     let mut minutes = 0.0;
     for piece in 0..PIECES {
-        let (a, b) = (way(piece as f64 / PIECES as f64), way((piece + 1) as f64 / PIECES as f64));
+        let (a, b) = (point_at(piece as f64 / PIECES as f64), point_at((piece + 1) as f64 / PIECES as f64));
         let length = libm::hypot(b.radius_mm - a.radius_mm, b.z_mm - a.z_mm);
         let rate = match feed {
             LatheFeed::PerMinute(rate) => rate.0,

@@ -32,11 +32,11 @@ pub fn line_in(motion: &LatheMotion, word: &dyn Fn(&'static str) -> &'static str
         LatheAct::Dwell { seconds } => ("dwell", format!("{} {}", shown(seconds.0), word("s"))),
         LatheAct::Spindle => ("spindle", spindle(motion, word)),
         LatheAct::ToolChange => {
-            let told = motion.modes.tool.map(|tool| {
+            let shown = motion.modes.tool.map(|tool| {
                 let offset = tool.offset.map(|offset| format!(" D{offset}")).unwrap_or_default();
                 format!("T{}{offset}", tool.number)
             });
-            ("tool", told.unwrap_or_default())
+            ("tool", shown.unwrap_or_default())
         }
         LatheAct::Coolant => ("coolant", word(if motion.modes.coolant { "on" } else { "off" }).to_owned()),
         LatheAct::Stop => ("stop", String::new()),

@@ -8,7 +8,7 @@ use super::expression::Parameters;
 use super::rules::fault;
 use super::text::Block;
 use crate::program::{Fault, TextSpan};
-use crate::tables::controls::lathe_reading::{Does, LatheGroup};
+use crate::tables::controls::lathe_reading::{LatheGroup, WordEffect};
 
 /// A word with its value.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ pub(super) struct Value {
 pub(super) struct Function {
     pub code: String,
     pub group: LatheGroup,
-    pub does: Does,
+    pub effect: WordEffect,
     pub span: TextSpan,
 }
 
@@ -88,19 +88,21 @@ impl BlockWords {
             return;
         };
         let free = matches!(group, LatheGroup::Machine | LatheGroup::Free | LatheGroup::OneShot);
-        if let Some(first) = self.functions.iter().find(|it| it.group == group && (!free || it.code == code)) {
+        if let Some(first) =
+            self.functions.iter().find(|function| function.group == group && (!free || function.code == code))
+        {
             let problem = fault("group-exclusive", span, block.number).with("first", first.code.clone());
             faults.push(problem.with("second", code.to_owned()));
         }
-        self.functions.push(Function { code: code.to_owned(), group, does, span });
+        self.functions.push(Function { code: code.to_owned(), group, effect: does, span });
     }
 
     pub fn of_group(&self, group: LatheGroup) -> Option<&Function> {
         self.functions.iter().find(|function| function.group == group)
     }
 
-    pub fn doing(&self, does: Does) -> Option<&Function> {
-        self.functions.iter().find(|function| function.does == does)
+    pub fn function_for(&self, does: WordEffect) -> Option<&Function> {
+        self.functions.iter().find(|function| function.effect == does)
     }
 
     /// A word, marked as used.

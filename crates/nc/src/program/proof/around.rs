@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::cuts::{TOLERANCE, near};
+use super::cuts::{TOLERANCE, same_position};
 use super::matching::Matched;
-use super::walk::{Event, Stay, TipMotion};
+use super::walk::{Event, PointVisit, TipMotion};
 use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask};
 use crate::job::Pause;
 use crate::motion::{BlockRef, Turning};
@@ -16,12 +16,12 @@ pub(super) fn all(
     made: &ObservedCuts,
     matched: &Matched,
     tasks: &[StopTask<'_>],
-    asked: &ProofInput<'_>,
+    input: &ProofInput<'_>,
     turned_over: usize,
     findings: &mut Vec<ProgramFinding>,
 ) {
-    let around = Around { made, matched, tasks, asked };
-    around.stays(findings);
+    let around = Around { made, matched, tasks, input };
+    around.check_stops(findings);
     around.above(findings);
     around.between(findings);
     around.pauses(findings);
@@ -34,7 +34,7 @@ struct Around<'a, 't> {
     made: &'a ObservedCuts,
     matched: &'a Matched,
     tasks: &'a [StopTask<'t>],
-    asked: &'a ProofInput<'t>,
+    input: &'a ProofInput<'t>,
 }
 
 impl<'t> Around<'_, 't> {
@@ -46,22 +46,22 @@ impl<'t> Around<'_, 't> {
     fn tasks_at(&self) -> BTreeMap<usize, (usize, usize)> {
         let mut at: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
         for (number, cut) in self.made.cuts.iter().enumerate() {
-            at.entry(cut.stay).and_modify(|(_, last)| *last = number).or_insert((number, number));
+            at.entry(cut.visit).and_modify(|(_, last)| *last = number).or_insert((number, number));
         }
         at
     }
 
-    fn at_change(&self, stay: &Stay) -> bool {
-        let change = self.asked.job.change_at;
+    fn at_change(&self, stay: &PointVisit) -> bool {
+        let change = self.input.job.change_at;
         stay.machine == [change.x, change.y]
     }
 
     /// Travels from point to point: at rapid, at the height of the cycles or with the quill retracted, to a point
     /// with work, otherwise to the tool-change position.
-    fn stays(&self, findings: &mut Vec<ProgramFinding>) {
+    fn check_stops(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
-        let top = self.asked.plan.part.datum.top;
-        for (number, stay) in self.made.walk.stays.iter().enumerate() {
+        let top = self.input.plan.part.datum.top;
+        for (number, stay) in self.made.walk.visits.iter().enumerate() {
             let Some(travel) = stay.travel else { continue };
             if !cuts.contains_key(&number) && !self.at_change(stay) {
                 findings.push(ProgramFinding::new(Code::IdlePoint, Severity::Note, stay.block).with(Name::At, stay.at));
@@ -75,11 +75,11 @@ impl<'t> Around<'_, 't> {
             }
             let low = travel.from[2].min(travel.to[2]);
             let high = travel.from[2].max(travel.to[2]);
-            let up = travel.machine.z == self.asked.job.change_at.z && low == high;
+            let up = travel.machine.z == self.input.job.change_at.z && low == high;
             if up && self.at_change(stay) && travel.turning != Turning::Stopped {
                 findings.push(ProgramFinding::new(Code::TurnsToChange, Severity::Note, stay.block));
             }
-            let from_change = number.checked_sub(1).and_then(|before| self.made.walk.stays.get(before));
+            let from_change = number.checked_sub(1).and_then(|before| self.made.walk.visits.get(before));
             if self.at_change(stay) || from_change.is_some_and(|stay| self.at_change(stay)) {
                 if up {
                     continue;
@@ -117,19 +117,19 @@ impl<'t> Around<'_, 't> {
     /// Motions above a point: only to the heights of its cycle, at rapid.
     fn above(&self, findings: &mut Vec<ProgramFinding>) {
         let cuts = self.tasks_at();
-        let up = self.asked.job.change_at.z;
+        let up = self.input.job.change_at.z;
         for (stay, leads, made) in &self.made.above {
             let say = |code| ProgramFinding::new(code, Severity::Note, made.block);
-            if let TipMotion::Dwell(seconds) = made.how {
+            if let TipMotion::Dwell(seconds) = made.motion {
                 findings.push(say(Code::DwellInAir).with(Name::Made, seconds));
                 continue;
             }
             if !made.moves() {
                 continue;
             }
-            let of = leads.or_else(|| cuts.get(stay).map(|(_, last)| *last)).and_then(|cut| self.task(cut));
+            let work = leads.or_else(|| cuts.get(stay).map(|(_, last)| *last)).and_then(|cut| self.task(cut));
             // Motion to an unplanned cut is reported with that cut.
-            let Some(task) = of else {
+            let Some(task) = work else {
                 if !cuts.contains_key(stay) && made.machine.z != up {
                     findings.push(say(Code::IdleHeight).with(Name::Z, made.to[2]));
                 }
@@ -139,12 +139,12 @@ impl<'t> Around<'_, 't> {
                 findings.push(say(Code::ApproachStanding).with(Name::Z, made.to[2]));
             }
             let cycle = task.cycle;
-            let metal = self.asked.plan.part.datum.top - task.transition.start_mm;
+            let metal = self.input.plan.part.datum.top - task.transition.start_mm;
             if made.to[2] < cycle.begin && made.to[2] >= task.reached_in_air(metal) && made.turning != Turning::Stopped
             {
                 continue;
             }
-            let known = [cycle.begin, cycle.out].iter().any(|level| near(*level, made.to[2]));
+            let known = [cycle.begin, cycle.out].iter().any(|level| same_position(*level, made.to[2]));
             let up_again = leads.is_none() && made.machine.z == up;
             if !known && !up_again {
                 findings.push(say(Code::IdleHeight).with(Name::Z, made.to[2]));
@@ -158,9 +158,9 @@ impl<'t> Around<'_, 't> {
     /// Between two cuts at one point the tool rises as high as between points.
     fn between(&self, findings: &mut Vec<ProgramFinding>) {
         for (next, pair) in self.made.cuts.windows(2).enumerate().map(|(at, pair)| (at + 1, pair)) {
-            let Some(task) = self.task(next - 1).filter(|_| pair[0].stay == pair[1].stay) else { continue };
+            let Some(task) = self.task(next - 1).filter(|_| pair[0].visit == pair[1].visit) else { continue };
             let above = self.made.above.iter().filter(|(_, leads, made)| *leads == Some(next) && made.moves());
-            let high = above.map(|(.., made)| made.to[2]).fold(pair[0].rose, Micrometres::max);
+            let high = above.map(|(.., made)| made.to[2]).fold(pair[0].retracted_to, Micrometres::max);
             if high < task.cycle.out - TOLERANCE {
                 findings.push(
                     ProgramFinding::new(Code::TravelLow, Severity::Note, pair[1].block)
@@ -227,7 +227,7 @@ impl<'t> Around<'_, 't> {
         let Some(task) = planned.get(at).and_then(|task| self.tasks.get(*task)) else { return };
         let others = made.iter().zip(&planned).filter(|(made, planned)| made != planned).count();
         // The path length by its coordinates distinguishes two orders.
-        let way: f64 = self
+        let length: f64 = self
             .made
             .cuts
             .windows(2)
@@ -241,13 +241,13 @@ impl<'t> Around<'_, 't> {
                 .with(Name::At, cut.at)
                 .with(Name::Needed, [task.stop.at.x, task.stop.at.y])
                 .with(Name::Count, others)
-                .with(Name::Way, crate::units::round_to(way, 1)),
+                .with(Name::Way, crate::units::round_to(length, 1)),
         );
     }
 
     /// Tool changes and the end: spindle and coolant off, the axes at the place of the change.
     fn ends(&self, findings: &mut Vec<ProgramFinding>) {
-        let change = self.asked.job.change_at;
+        let change = self.input.job.change_at;
         let mut ended = false;
         for (_, block, event) in &self.made.walk.events {
             match event {

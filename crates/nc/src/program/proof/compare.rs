@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::cuts::{Descent, TOLERANCE, near};
+use super::cuts::{Descent, TOLERANCE, same_position};
 use super::matching::{Matched, TaskIndex};
 use super::tools::Tools;
 use super::walk::{TipMotion, TipMove};
@@ -22,58 +22,59 @@ pub(super) fn all(
     matched: &Matched,
     tools: &Tools,
     tasks: &[StopTask<'_>],
-    asked: &ProofInput<'_>,
+    input: &ProofInput<'_>,
     findings: &mut Vec<ProgramFinding>,
 ) {
     let places = TaskIndex::of(tasks);
     // The last task made at every point so far, to check the order.
     let mut furthest: BTreeMap<(usize, Micrometres, Micrometres), usize> = BTreeMap::new();
     for (number, cut) in made.cuts.iter().enumerate() {
-        collisions(cut, asked, findings);
+        collisions(cut, input, findings);
         let Some(number) = matched.task_of.get(number).copied().flatten() else {
             superfluous(cut, matched, &places, tools, tasks, findings);
             continue;
         };
         let task = &tasks[number];
-        let say = Say { cut, task };
+        let say = CutAtStop { cut, task };
         if tools.of_section(cut.section) != Some(task.tool.tool) {
             let needed = task.tool.tool;
-            findings
-                .push(say.now(Code::WrongTool, Severity::Error).with(Name::Tool, cut.tool).with(Name::Needed, needed));
+            findings.push(
+                say.finding(Code::WrongTool, Severity::Error).with(Name::Tool, cut.tool).with(Name::Needed, needed),
+            );
         }
         let point = (task.setup, task.stop.at.x, task.stop.at.y);
         match furthest.get(&point) {
             Some(&before) if before > number => {
                 let earlier = tasks[before].cycle.operation;
-                findings.push(say.now(Code::WrongOrder, Severity::Error).with(Name::Instead, earlier));
+                findings.push(say.finding(Code::WrongOrder, Severity::Error).with(Name::Instead, earlier));
             }
             _ => {
                 furthest.insert(point, number);
             }
         }
-        levels(&say, asked, findings);
-        conditions(&say, asked, findings);
+        levels(&say, input, findings);
+        conditions(&say, input, findings);
         match &task.cycle.kind {
             CycleKind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, findings),
             _ => {
-                milled::none(&say, findings);
-                steps(&say, asked, findings);
+                milled::check_no_circles(&say, findings);
+                steps(&say, input, findings);
             }
         }
-        way_out(&say, asked, findings);
+        way_out(&say, input, findings);
     }
     missing(matched, tasks, findings);
 }
 
 /// A cut and its stop, for the findings about them.
-pub(super) struct Say<'a, 't> {
+pub(super) struct CutAtStop<'a, 't> {
     pub cut: &'a Descent,
     pub task: &'a StopTask<'t>,
 }
 
-impl Say<'_, '_> {
+impl CutAtStop<'_, '_> {
     /// A finding about the cut.
-    pub fn now(&self, code: Code, severity: Severity) -> ProgramFinding {
+    pub fn finding(&self, code: Code, severity: Severity) -> ProgramFinding {
         ProgramFinding::new(code, severity, self.cut.block)
             .with(Name::Hole, &self.task.stop.hole)
             .with(Name::Operation, self.task.cycle.operation)
@@ -88,14 +89,14 @@ impl Say<'_, '_> {
         made: impl Into<DeviationFigure>,
         needed: impl Into<DeviationFigure>,
     ) -> ProgramFinding {
-        self.now(code, severity).with(Name::Made, made).with(Name::Needed, needed)
+        self.finding(code, severity).with(Name::Made, made).with(Name::Needed, needed)
     }
 }
 
 /// Motions that no tool may make inside the part: across at rapid, or down at rapid.
-fn collisions(cut: &Descent, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
-    let top = asked.plan.part.datum.top;
-    let across = cut.moves.iter().find(|made| made.how == TipMotion::Rapid && made.across() && made.below(top));
+fn collisions(cut: &Descent, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+    let top = input.plan.part.datum.top;
+    let across = cut.moves.iter().find(|made| made.motion == TipMotion::Rapid && made.across() && made.below(top));
     if let Some(made) = across {
         findings.push(
             ProgramFinding::new(Code::RapidAcross, Severity::Error, made.block)
@@ -114,7 +115,7 @@ fn collisions(cut: &Descent, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
     // No rapid may go deeper than the feed has been.
     let mut deepest: Option<Micrometres> = None;
     for made in cut.moves.iter().filter(|made| made.moves()) {
-        if made.how == TipMotion::Rapid
+        if made.motion == TipMotion::Rapid
             && !made.across()
             && deepest.is_some_and(|deepest| made.to[2] < deepest - TOLERANCE)
         {
@@ -188,9 +189,9 @@ fn missing(matched: &Matched, tasks: &[StopTask<'_>], findings: &mut Vec<Program
 }
 
 /// Where the feed begins and how deep it goes.
-fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn levels(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cycle, transition) = (say.task.cycle, say.task.transition);
-    let part = &asked.plan.part;
+    let part = &input.plan.part;
     if let Some(begin) = say.cut.begin() {
         let metal = part.datum.top - transition.start_mm;
         // A rapid may have been lower before it.
@@ -210,7 +211,7 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
         }
     }
     let deepest = say.cut.deepest();
-    if near(deepest, cycle.end) {
+    if same_position(deepest, cycle.end) {
         return;
     }
     // From the lower face on a hole is through, and anything deeper is overrun.
@@ -221,13 +222,13 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
     let spot = part.datum.top - transition.start_mm - radius;
     let preparing = transition.operation == Operation::CentreDrill && deepest >= spot;
     let finding = if deepest > cycle.end {
-        let enough = through && deepest <= cycle.end + asked.tolerated.overrun + TOLERANCE;
+        let enough = through && deepest <= cycle.end + input.tolerated.overrun + TOLERANCE;
         let (code, severity) =
             if enough { (Code::LessOverrun, Severity::Doubtful) } else { (Code::TooShallow, Severity::Error) };
         say.figure(code, severity, deepest, cycle.end)
     } else {
         // The table is under a through hole.
-        let within = through && deepest >= cycle.end - asked.tolerated.overrun - TOLERANCE;
+        let within = through && deepest >= cycle.end - input.tolerated.overrun - TOLERANCE;
         let severity = if within || preparing { Severity::Doubtful } else { Severity::Wrong };
         say.figure(Code::Deeper, severity, deepest, cycle.end)
     };
@@ -235,12 +236,12 @@ fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramF
 }
 
 /// Speed, feed, dwell, coolant.
-fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn conditions(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let other = |made: f64, needed: f64| (made - needed).abs() > FIGURE;
     // Another choice is acceptable, but not far beyond the load that the tool bears.
     let load = |made: f64, needed: f64| {
-        if made > needed * asked.tolerated.overload { Severity::Wrong } else { Severity::Doubtful }
+        if made > needed * input.tolerated.overload { Severity::Wrong } else { Severity::Doubtful }
     };
     if let Some(made) = cut.cutting().find(|made| other(made.speed, cycle.speed_rpm.0)) {
         let severity = load(made.speed, cycle.speed_rpm.0);
@@ -253,7 +254,7 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Prog
     let turned = cut.cutting().filter(|made| made.speed > 0.0);
     let made = turned.filter_map(|made| Some(per_turn(made.feed()?, made.speed))).fold(0.0, f64::max);
     let spots = cycle.operation == Operation::CentreDrill;
-    let most = if spots { asked.tolerated.spot_overload } else { asked.tolerated.overload };
+    let most = if spots { input.tolerated.spot_overload } else { input.tolerated.overload };
     let mut feeds = cut.cutting().filter_map(TipMove::feed);
     if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
         let beyond = feed > cycle.feed_mm_per_min.0 * most && (made > planned * most || made == 0.0);
@@ -270,24 +271,24 @@ fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Prog
         // A factor this large means another unit of time.
         let severity = match cut.dwell() {
             made if made < needed => Severity::Doubtful,
-            made if made > (asked.tolerated.overlong * needed).max(1.0) => Severity::Wrong,
+            made if made > (input.tolerated.overlong * needed).max(1.0) => Severity::Wrong,
             _ => Severity::Note,
         };
         findings.push(say.figure(Code::OtherDwell, severity, crate::units::round_to(cut.dwell(), 3), needed));
     }
     if cut.other_dwells() > 0.0 {
-        findings.push(say.now(Code::DwellElsewhere, Severity::Note).with(Name::Made, cut.other_dwells()));
+        findings.push(say.finding(Code::DwellElsewhere, Severity::Note).with(Name::Made, cut.other_dwells()));
     }
     let flows = cut.cutting().all(|made| made.coolant);
     if say.task.tool.coolant && !flows {
-        findings.push(say.now(Code::CoolantMissing, Severity::Doubtful));
+        findings.push(say.finding(Code::CoolantMissing, Severity::Doubtful));
     } else if !say.task.tool.coolant && cut.cutting().any(|made| made.coolant) {
-        findings.push(say.now(Code::CoolantSuperfluous, Severity::Note));
+        findings.push(say.finding(Code::CoolantSuperfluous, Severity::Note));
     }
 }
 
 /// The infeed, at once or in steps.
-fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn steps(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let downs = cut.downs();
     let (step, back, leaves) = match cycle.kind {
@@ -295,12 +296,12 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
         CycleKind::ChipBreak { step, retreat } => (step, retreat, false),
         _ => {
             if downs.len() > 1 {
-                findings.push(say.now(Code::StepsNotPlanned, Severity::Note).with(Name::Made, downs.len()));
+                findings.push(say.finding(Code::StepsNotPlanned, Severity::Note).with(Name::Made, downs.len()));
             }
             return;
         }
     };
-    let metal = asked.plan.part.datum.top - say.task.transition.start_mm;
+    let metal = input.plan.part.datum.top - say.task.transition.start_mm;
     let mut reached = cut.begin().unwrap_or(cycle.begin).min(say.task.reached_in_air(metal));
     for (index, (from, to)) in downs.iter().enumerate() {
         let taken = reached - *to;
@@ -312,15 +313,15 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
         }
         // With a step smaller than the retract the tool returns to the beginning.
         let needed = (reached + back).min(cycle.begin);
-        if index > 0 && !near(*from, needed) {
+        if index > 0 && !same_position(*from, needed) {
             findings.push(say.figure(Code::StepClearance, Severity::Note, *from - reached, needed - reached));
         }
         reached = reached.min(*to);
     }
-    let returns = cut.returns(asked.plan.part.datum.top);
+    let returns = cut.returns(input.plan.part.datum.top);
     for (returned, (from, _)) in returns.iter().zip(downs.iter().skip(1)) {
         let needed = if leaves { cycle.begin } else { *from };
-        if near(*returned, needed) {
+        if same_position(*returned, needed) {
             continue;
         }
         let severity = if leaves && *returned < needed { Severity::Doubtful } else { Severity::Note };
@@ -329,7 +330,7 @@ fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFi
 }
 
 /// The retract.
-fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+fn way_out(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let moves: Vec<&TipMove> = cut.way_out().iter().filter(|made| made.moves()).collect();
     let inside: Vec<&&TipMove> = moves.iter().filter(|made| made.from[2] < cycle.begin - TOLERANCE).collect();
@@ -337,7 +338,7 @@ fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Program
     match &cycle.kind {
         CycleKind::FeedOut | CycleKind::Tap { .. } => {
             if inside.iter().any(|made| !at_feed(made)) {
-                findings.push(say.now(Code::OutAtRapid, Severity::Wrong));
+                findings.push(say.finding(Code::OutAtRapid, Severity::Wrong));
             }
             let other = inside.iter().filter_map(|made| made.feed());
             let mut other = other.filter(|feed| (feed - cycle.feed_mm_per_min.0).abs() > FIGURE);
@@ -347,14 +348,16 @@ fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Program
         }
         _ => {
             if let Some(feed) = moves.iter().find_map(|made| made.feed()) {
-                findings.push(say.now(Code::OutAtFeed, Severity::Note).with(Name::Made, feed));
+                findings.push(say.finding(Code::OutAtFeed, Severity::Note).with(Name::Made, feed));
             }
         }
     }
     let turns = |made: &&TipMove| made.turning != Turning::Stopped;
     turning_out(say, cycle, inside.iter().any(|made| turns(made)), inside.iter().any(|made| !turns(made)), findings);
     let known = |made: &&TipMove| {
-        near(made.to[2], cycle.begin) || near(made.to[2], cycle.out) || made.machine.z == asked.job.change_at.z
+        same_position(made.to[2], cycle.begin)
+            || same_position(made.to[2], cycle.out)
+            || made.machine.z == input.job.change_at.z
     };
     if let Some(made) = moves.last().filter(|made| !at_feed(made) && !known(made)) {
         findings.push(say.figure(Code::OutElsewhere, Severity::Note, made.to[2], cycle.out));
@@ -372,12 +375,12 @@ fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Program
     }
 }
 
-fn turning_out(say: &Say<'_, '_>, cycle: &Cycle, turned: bool, stood: bool, findings: &mut Vec<ProgramFinding>) {
+fn turning_out(say: &CutAtStop<'_, '_>, cycle: &Cycle, turned: bool, stood: bool, findings: &mut Vec<ProgramFinding>) {
     if cycle.kind == CycleKind::BoreStop {
         if turned {
-            findings.push(say.now(Code::OutTurning, Severity::Wrong));
+            findings.push(say.finding(Code::OutTurning, Severity::Wrong));
         }
     } else if stood {
-        findings.push(say.now(Code::OutStanding, Severity::Doubtful));
+        findings.push(say.finding(Code::OutStanding, Severity::Doubtful));
     }
 }

@@ -1,6 +1,6 @@
 //! Turns stays into cuts: one path of the tip into the part and out of it, with its pecks and circles together.
 
-use super::walk::{Stay, TipMotion, TipMove};
+use super::walk::{PointVisit, TipMotion, TipMove};
 use crate::motion::{BlockRef, Sense, Turning};
 use crate::units::Micrometres;
 
@@ -8,7 +8,7 @@ use crate::units::Micrometres;
 pub(super) const TOLERANCE: Micrometres = Micrometres::new(10);
 
 /// Whether two positions are the same to a step of the machine.
-pub(super) fn near(a: Micrometres, b: Micrometres) -> bool {
+pub(super) fn same_position(a: Micrometres, b: Micrometres) -> bool {
     (a - b).abs() <= TOLERANCE
 }
 
@@ -16,7 +16,7 @@ pub(super) fn near(a: Micrometres, b: Micrometres) -> bool {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Descent {
     /// Its stay.
-    pub stay: usize,
+    pub visit: usize,
     /// The tool change it follows.
     pub section: usize,
     /// The tool, as the program calls it.
@@ -36,13 +36,17 @@ pub(super) struct Descent {
     /// From the first motion below the face to the last.
     pub moves: Vec<TipMove>,
     /// The height to which the tip rose afterwards, before it went on or down again.
-    pub rose: Micrometres,
+    pub retracted_to: Micrometres,
     /// Z where a feed towards it began above the face: steps of a deep hole that end in the air.
     pub begun_above: Option<Micrometres>,
 }
 
 /// The cuts of a stay, and its motions above the face, each with the cut that follows.
-pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent>, Vec<(Option<usize>, TipMove)>) {
+pub(super) fn cuts(
+    number: usize,
+    stay: &PointVisit,
+    top: Micrometres,
+) -> (Vec<Descent>, Vec<(Option<usize>, TipMove)>) {
     let mut cuts: Vec<Descent> = Vec::new();
     let mut above: Vec<(Option<usize>, TipMove)> = Vec::new();
     // The last motion was below the face.
@@ -53,7 +57,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent
     for (index, made) in stay.moves.iter().enumerate() {
         if !low(made) {
             if let Some(cut) = cuts.last_mut() {
-                cut.rose = cut.rose.max(made.to[2]);
+                cut.retracted_to = cut.retracted_to.max(made.to[2]);
             }
             inside = false;
             if made.feed().is_some() {
@@ -64,13 +68,13 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent
         }
         // A new entry from exactly the face is a new cut too.
         let from_above = made.moves() && made.from[2] >= top;
-        if (!inside || from_above) && !cuts.last().is_some_and(|cut| goes_on(cut, &stay.moves[index..], top)) {
+        if (!inside || from_above) && !cuts.last().is_some_and(|cut| continues_cut(cut, &stay.moves[index..], top)) {
             for (leads, _) in above.iter_mut().rev().take_while(|(leads, _)| leads.is_none()) {
                 *leads = Some(cuts.len());
             }
             let place = if cuts.is_empty() { stay.block } else { made.block };
             cuts.push(Descent {
-                stay: number,
+                visit: number,
                 section: stay.section,
                 tool: stay.tool,
                 setup: stay.setup,
@@ -80,14 +84,14 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent
                 order: made.order,
                 corrector: made.corrector,
                 moves: Vec::new(),
-                rose: Micrometres::new(i64::MIN / 4),
+                retracted_to: Micrometres::new(i64::MIN / 4),
                 begun_above: begun_above.take(),
             });
         }
         inside = true;
         if let Some(cut) = cuts.last_mut() {
             cut.moves.push(*made);
-            cut.rose = cut.rose.max(made.to[2]);
+            cut.retracted_to = cut.retracted_to.max(made.to[2]);
         }
     }
     // A cut begins and ends above the face: motions that lead to no cut belong to the travel.
@@ -96,12 +100,12 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Descent
 
 /// Whether a new entry continues a cut: the tool left it no higher than its feed began, and feeds deeper from below.
 /// So does a drill that comes out to clear its chips.
-fn goes_on(cut: &Descent, rest: &[TipMove], top: Micrometres) -> bool {
+fn continues_cut(cut: &Descent, rest: &[TipMove], top: Micrometres) -> bool {
     let Some(begin) = cut.begin().max(cut.begun_above) else { return false };
     let Some(feed) = rest.iter().find(|made| made.feed().is_some()).filter(|made| made.below(top)) else {
         return false;
     };
-    cut.rose <= begin + TOLERANCE && feed.from[2] < begin - TOLERANCE && feed.to[2] < cut.deepest()
+    cut.retracted_to <= begin + TOLERANCE && feed.from[2] < begin - TOLERANCE && feed.to[2] < cut.deepest()
 }
 
 impl Descent {
@@ -120,7 +124,7 @@ impl Descent {
         let mut downs: Vec<(Micrometres, Micrometres)> = Vec::new();
         let mut goes_on = false;
         for made in self.moves.iter().filter(|made| made.moves()) {
-            let down = matches!(made.how, TipMotion::Feed(_)) && made.to[2] < made.from[2];
+            let down = matches!(made.motion, TipMotion::Feed(_)) && made.to[2] < made.from[2];
             match downs.last_mut() {
                 Some(last) if down && goes_on => last.1 = made.to[2],
                 _ if down => downs.push((made.from[2], made.to[2])),
@@ -136,7 +140,7 @@ impl Descent {
         let mut returns = Vec::new();
         let mut highest: Option<Micrometres> = None;
         for made in self.moves.iter().filter(|made| made.moves()) {
-            if matches!(made.how, TipMotion::Feed(_)) && made.to[2] < made.from[2] {
+            if matches!(made.motion, TipMotion::Feed(_)) && made.to[2] < made.from[2] {
                 returns.extend(highest.take());
                 continue;
             }
@@ -145,7 +149,7 @@ impl Descent {
         }
         // Motions before the first feed downwards are no return.
         let first = self.moves.iter().find(|made| made.moves());
-        if first.is_some_and(|made| made.how == TipMotion::Rapid) && !returns.is_empty() {
+        if first.is_some_and(|made| made.motion == TipMotion::Rapid) && !returns.is_empty() {
             returns.remove(0);
         }
         returns
@@ -162,14 +166,14 @@ impl Descent {
     pub fn dwell(&self) -> f64 {
         let deepest = self.deepest();
         let waits = self.moves.iter().filter(|made| made.to[2] == deepest);
-        waits.map(|made| if let TipMotion::Dwell(seconds) = made.how { seconds } else { 0.0 }).sum()
+        waits.map(|made| if let TipMotion::Dwell(seconds) = made.motion { seconds } else { 0.0 }).sum()
     }
 
     /// Waits elsewhere, s.
     pub fn other_dwells(&self) -> f64 {
         let deepest = self.deepest();
         let waits = self.moves.iter().filter(|made| made.to[2] != deepest);
-        waits.map(|made| if let TipMotion::Dwell(seconds) = made.how { seconds } else { 0.0 }).sum()
+        waits.map(|made| if let TipMotion::Dwell(seconds) = made.motion { seconds } else { 0.0 }).sum()
     }
 
     /// Its circles in order: depth, centre, radius in mm and sense; successive arcs of one circle are joined, with
@@ -178,13 +182,13 @@ impl Descent {
         let mut circles: Vec<Circle> = Vec::new();
         let mut goes_on = false;
         for made in self.moves.iter().filter(|made| made.moves()) {
-            let TipMotion::Round { centre, radius, sense, turned, .. } = made.how else {
+            let TipMotion::Round { centre, radius, sense, turned, .. } = made.motion else {
                 goes_on = false;
                 continue;
             };
             let next = Circle { z: made.to[2], from_z: made.from[2], centre, radius, sense, turned, block: made.block };
             match circles.last_mut() {
-                Some(last) if goes_on && last.same(&next) => last.turned += turned,
+                Some(last) if goes_on && last.same_circle(&next) => last.turned += turned,
                 _ => circles.push(next),
             }
             goes_on = true;
@@ -218,7 +222,7 @@ pub(super) struct Circle {
 }
 
 impl Circle {
-    fn same(&self, other: &Self) -> bool {
+    fn same_circle(&self, other: &Self) -> bool {
         self.z == other.z
             && self.centre == other.centre
             && self.sense == other.sense

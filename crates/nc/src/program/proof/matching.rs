@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::cuts::{Descent, TOLERANCE, near};
+use super::cuts::{Descent, TOLERANCE, same_position};
 use super::tools::Tools;
 use super::walk::SetUpFrame;
 use super::{ObservedCuts, ProofInput, StopTask};
@@ -35,7 +35,7 @@ impl TaskIndex {
         let [x, y] = cut.at;
         let found = self.0.range((cut.setup, x - TOLERANCE)..=(cut.setup, x + TOLERANCE));
         let mut found: Vec<usize> = found.flat_map(|(_, numbers)| numbers.iter().copied()).collect();
-        found.retain(|&number| tasks.get(number).is_some_and(|task| near(task.stop.at.y, y)));
+        found.retain(|&number| tasks.get(number).is_some_and(|task| same_position(task.stop.at.y, y)));
         found.sort_unstable();
         found
     }
@@ -43,7 +43,7 @@ impl TaskIndex {
 
 /// Whether a cut goes as deep as a task asks.
 pub(super) fn fits(cut: &Descent, task: &StopTask<'_>) -> bool {
-    near(cut.deepest(), task.cycle.end)
+    same_position(cut.deepest(), task.cycle.end)
 }
 
 /// Assigns a task to each cut: first by tool, point and depth, in the order of the program; then cuts by another
@@ -77,7 +77,7 @@ pub(super) fn matched(cuts: &[Descent], tools: &Tools, tasks: &[StopTask<'_>]) -
 /// fit. None if the job has one set-up.
 pub(super) fn turned_over(
     steps: &[MotionStep],
-    asked: &ProofInput<'_>,
+    input: &ProofInput<'_>,
     frames: &[SetUpFrame],
     tasks: &[StopTask<'_>],
 ) -> usize {
@@ -87,7 +87,7 @@ pub(super) fn turned_over(
     }
     let places = TaskIndex::of(tasks);
     let score = |at: usize| {
-        let cuts = ObservedCuts::of(steps, asked, frames, at).cuts;
+        let cuts = ObservedCuts::of(steps, input, frames, at).cuts;
         cuts.iter().filter(|cut| places.at(cut, tasks).into_iter().any(|task| fits(cut, &tasks[task]))).count()
     };
     let at = |wanted: fn(&Motion) -> bool| {

@@ -1,7 +1,7 @@
 //! Checks the circles of a mill, and motions across inside the part.
 
-use super::compare::Say;
-use super::cuts::{Circle, TOLERANCE, near};
+use super::compare::CutAtStop;
+use super::cuts::{Circle, TOLERANCE, same_position};
 use super::walk::TipMotion;
 use super::{Code, Name, ProgramFinding};
 use crate::motion::{Sense, geometry};
@@ -9,18 +9,18 @@ use crate::note::Severity;
 use crate::units::Micrometres;
 
 /// A transition without circles: a motion across at feed makes a slot.
-pub(super) fn none(say: &Say<'_, '_>, findings: &mut Vec<ProgramFinding>) {
+pub(super) fn check_no_circles(say: &CutAtStop<'_, '_>, findings: &mut Vec<ProgramFinding>) {
     let across = say.cut.moves.iter().find(|made| made.feed().is_some() && made.across());
     if let Some(made) = across {
         findings.push(
-            say.now(Code::Slot, Severity::Error).with(Name::To, [made.to[0], made.to[1]]).with(Name::Z, made.to[2]),
+            say.finding(Code::Slot, Severity::Error).with(Name::To, [made.to[0], made.to[1]]).with(Name::Z, made.to[2]),
         );
     }
 }
 
 /// Checks the circles of a cycle in their order, and the paths between them.
 pub(super) fn circles(
-    say: &Say<'_, '_>,
+    say: &CutAtStop<'_, '_>,
     levels: &[Micrometres],
     radii: &[Micrometres],
     sense: Sense,
@@ -33,22 +33,23 @@ pub(super) fn circles(
     for (index, (level, radius)) in planned.iter().enumerate() {
         let Some(circle) = made.get(index) else {
             let count = planned.len() - index;
-            findings.push(say.now(Code::CircleMissing, Severity::Error).with(Name::Count, count).with(Name::Z, *level));
+            findings
+                .push(say.finding(Code::CircleMissing, Severity::Error).with(Name::Count, count).with(Name::Z, *level));
             break;
         };
-        one(say, circle, *level, *radius, sense, findings);
+        check_circle(say, circle, *level, *radius, sense, findings);
     }
     if let Some(circle) = made.get(planned.len()) {
-        findings.push(say.now(Code::CircleSuperfluous, Severity::Error).with(Name::Z, circle.z));
+        findings.push(say.finding(Code::CircleSuperfluous, Severity::Error).with(Name::Z, circle.z));
     }
     let centre = say.cut.at.map(Micrometres::to_mm);
     let outside = |to: [Micrometres; 3]| {
         geometry::distance([to[0].to_mm(), to[1].to_mm()], centre) > (widest + TOLERANCE).to_mm()
     };
-    let straight = say.cut.moves.iter().filter(|made| matches!(made.how, TipMotion::Feed(_)));
+    let straight = say.cut.moves.iter().filter(|made| matches!(made.motion, TipMotion::Feed(_)));
     for made in straight.clone().filter(|made| made.across() && outside(made.to)) {
         findings.push(
-            say.now(Code::Slot, Severity::Error).with(Name::To, [made.to[0], made.to[1]]).with(Name::Z, made.to[2]),
+            say.finding(Code::Slot, Severity::Error).with(Name::To, [made.to[0], made.to[1]]).with(Name::Z, made.to[2]),
         );
     }
     // Straight paths: out to every circle of a level, and back to the middle.
@@ -58,15 +59,17 @@ pub(super) fn circles(
         findings.push(say.figure(Code::WaysBetweenCircles, Severity::Note, ways, needed));
     }
     if let Some(oblique) = straight.clone().find(|made| made.across() && made.from[2] != made.to[2]) {
-        findings.push(say.now(Code::Oblique, Severity::Doubtful).with(Name::Z, oblique.to[2]));
+        findings.push(say.finding(Code::Oblique, Severity::Doubtful).with(Name::Z, oblique.to[2]));
     }
     // It enters and leaves in the middle, where there is room.
     let aside = say.cut.moves.iter().find(|made| {
-        !made.across() && made.moves() && !(near(made.to[0], say.cut.at[0]) && near(made.to[1], say.cut.at[1]))
+        !made.across()
+            && made.moves()
+            && !(same_position(made.to[0], say.cut.at[0]) && same_position(made.to[1], say.cut.at[1]))
     });
     if let Some(made) = aside {
         findings.push(
-            say.now(Code::NotInTheMiddle, Severity::Doubtful)
+            say.finding(Code::NotInTheMiddle, Severity::Doubtful)
                 .with(Name::To, [made.to[0], made.to[1]])
                 .with(Name::Z, made.to[2]),
         );
@@ -77,8 +80,8 @@ pub(super) fn circles(
     }
 }
 
-fn one(
-    say: &Say<'_, '_>,
+fn check_circle(
+    say: &CutAtStop<'_, '_>,
     circle: &Circle,
     level: Micrometres,
     radius: Micrometres,
@@ -86,12 +89,12 @@ fn one(
     findings: &mut Vec<ProgramFinding>,
 ) {
     let at = |code, severity| {
-        let mut finding = say.now(code, severity).with(Name::Z, circle.z);
+        let mut finding = say.finding(code, severity).with(Name::Z, circle.z);
         finding.block = Some(circle.block);
         finding
     };
     let step = TOLERANCE.to_mm();
-    if !near(circle.z, level) {
+    if !same_position(circle.z, level) {
         findings.push(at(Code::CircleLevel, Severity::Error).with(Name::Needed, level));
     }
     if circle.from_z != circle.z {
@@ -101,7 +104,7 @@ fn one(
         let made = crate::units::round_to(circle.radius, 3);
         findings.push(at(Code::CircleRadius, Severity::Error).with(Name::Made, made).with(Name::Needed, radius));
     }
-    if !(near(circle.centre[0], say.cut.at[0]) && near(circle.centre[1], say.cut.at[1])) {
+    if !(same_position(circle.centre[0], say.cut.at[0]) && same_position(circle.centre[1], say.cut.at[1])) {
         findings.push(at(Code::CircleCentre, Severity::Error).with(Name::Made, circle.centre));
     }
     if circle.sense != sense {

@@ -189,22 +189,22 @@ impl StopTask<'_> {
 }
 
 /// Compares the steps of a program with a job.
-pub fn prove(steps: &[MotionStep], asked: &ProofInput<'_>) -> Proof {
-    let tasks = tasks(asked);
-    let frame = |zero: &Position| SetUpFrame { zero: *zero, top: asked.plan.part.datum.top };
-    let mut frames: Vec<SetUpFrame> = asked.zeros.iter().map(frame).collect();
+pub fn prove(steps: &[MotionStep], input: &ProofInput<'_>) -> Proof {
+    let tasks = tasks(input);
+    let frame = |zero: &Position| SetUpFrame { zero: *zero, top: input.plan.part.datum.top };
+    let mut frames: Vec<SetUpFrame> = input.zeros.iter().map(frame).collect();
     if frames.is_empty() {
         // A job without work has no set-up, but its program has a beginning and an end.
         frames.push(frame(&Position::default()));
     }
-    let turned_over = matching::turned_over(steps, asked, &frames, &tasks);
-    let made = ObservedCuts::of(steps, asked, &frames, turned_over);
-    let tools = tools::tools(&made, &tasks, asked);
+    let turned_over = matching::turned_over(steps, input, &frames, &tasks);
+    let made = ObservedCuts::of(steps, input, &frames, turned_over);
+    let tools = tools::tools(&made, &tasks, input);
     let matched = matching::matched(&made.cuts, &tools, &tasks);
 
     let mut findings = tools.findings.clone();
-    compare::all(&made, &matched, &tools, &tasks, asked, &mut findings);
-    around::all(&made, &matched, &tasks, asked, turned_over, &mut findings);
+    compare::all(&made, &matched, &tools, &tasks, input, &mut findings);
+    around::all(&made, &matched, &tasks, input, turned_over, &mut findings);
     let mut proof = Proof { findings: folded(findings), ..Proof::default() };
     for (cut, task) in made.cuts.iter().zip(&matched.task_of) {
         let at = Point::from(cut.at);
@@ -247,18 +247,18 @@ struct ObservedCuts {
 }
 
 impl ObservedCuts {
-    fn of(steps: &[MotionStep], asked: &ProofInput<'_>, frames: &[SetUpFrame], turned_over: usize) -> Self {
-        let works = asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|_| !asked.own_correctors);
-        let needs_none = |tool: u32| asked.job.correctors.contains(&(tool, Micrometres::ZERO));
+    fn of(steps: &[MotionStep], input: &ProofInput<'_>, frames: &[SetUpFrame], turned_over: usize) -> Self {
+        let works = input.job.setups.iter().flat_map(|setup| &setup.works).filter(|_| !input.own_correctors);
+        let needs_none = |tool: u32| input.job.correctors.contains(&(tool, Micrometres::ZERO));
         let references = works.filter(|work| needs_none(work.corrector)).map(|work| work.place).collect();
-        let walk = walk::walk(steps, asked.start, frames, turned_over, &references);
-        let faced = faced(asked);
+        let walk = walk::walk(steps, input.start, frames, turned_over, &references);
+        let faced = faced(input);
         let (mut cuts, mut above) = (Vec::new(), Vec::new());
-        for (number, stay) in walk.stays.iter().enumerate() {
+        for (number, stay) in walk.visits.iter().enumerate() {
             let Some(frame) = frames.get(stay.setup) else { continue };
             let before = cuts.len();
             let here = |(setup, at, _): &&(usize, [Micrometres; 2], Micrometres)| {
-                *setup == stay.setup && cuts::near(at[0], stay.at[0]) && cuts::near(at[1], stay.at[1])
+                *setup == stay.setup && cuts::same_position(at[0], stay.at[0]) && cuts::same_position(at[1], stay.at[1])
             };
             let top = faced.iter().find(here).map_or(frame.top, |(.., top)| *top);
             let (mut own, high) = cuts::cuts(number, stay, top);
@@ -271,10 +271,10 @@ impl ObservedCuts {
 
 /// Points where the job cuts the face itself, because its stock is above the drawing: by set-up and point the height
 /// below which a tool cuts there.
-fn faced(asked: &ProofInput<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> {
-    let top = asked.plan.part.datum.top;
+fn faced(input: &ProofInput<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> {
+    let top = input.plan.part.datum.top;
     let mut faced = Vec::new();
-    for (number, setup) in asked.job.setups.iter().enumerate() {
+    for (number, setup) in input.job.setups.iter().enumerate() {
         for work in &setup.works {
             for stop in &work.stops {
                 if let Some(cycle) = work.cycles.get(stop.cycle).filter(|cycle| cycle.end >= top) {
@@ -286,14 +286,14 @@ fn faced(asked: &ProofInput<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> 
     faced
 }
 
-fn tasks<'a>(asked: &ProofInput<'a>) -> Vec<StopTask<'a>> {
+fn tasks<'a>(input: &ProofInput<'a>) -> Vec<StopTask<'a>> {
     let mut tasks = Vec::new();
     let mut work = 0;
-    let setups: &'a [SetUp] = &asked.job.setups;
+    let setups: &'a [SetUp] = &input.job.setups;
     for (setup, of) in setups.iter().enumerate() {
         for tool in &of.works {
             for stop in &tool.stops {
-                let hole = asked.plan.holes.iter().find(|hole| hole.name == stop.hole);
+                let hole = input.plan.holes.iter().find(|hole| hole.name == stop.hole);
                 let transition = hole.and_then(|hole| hole.transitions.get(stop.transition));
                 if let (Some(cycle), Some(transition)) = (tool.cycles.get(stop.cycle), transition) {
                     tasks.push(StopTask { setup, work, tool, stop, cycle, transition });

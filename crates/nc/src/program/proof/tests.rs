@@ -60,7 +60,7 @@ fn cut(text: &str) -> Vec<Descent> {
     let steps = steps(text);
     let start = Position::of([0, 0, 100].map(Micrometres::from_mm));
     let walk = walk(&steps, start, &[frame], steps.len(), &Default::default());
-    walk.stays.iter().enumerate().flat_map(|(number, stay)| cuts(number, stay, frame.top).0).collect()
+    walk.visits.iter().enumerate().flat_map(|(number, stay)| cuts(number, stay, frame.top).0).collect()
 }
 
 fn mm(value: Micrometres) -> f64 {
@@ -76,7 +76,7 @@ fn a_drilled_hole_is_one_cut() {
     let cuts = cut("r10,0 r15 r3 f-20 r3 r15 r20,0 r3 f-20 r3 r15");
     assert_eq!(cuts.len(), 2);
     assert_eq!(cuts[1].at.map(mm), [20.0, 0.0]);
-    assert_eq!((cuts[0].begin().map(mm), mm(cuts[0].deepest()), mm(cuts[0].rose)), (Some(3.0), -20.0, 15.0));
+    assert_eq!((cuts[0].begin().map(mm), mm(cuts[0].deepest()), mm(cuts[0].retracted_to)), (Some(3.0), -20.0, 15.0));
     assert_eq!(downs(&cuts[0]), [(3.0, -20.0)]);
 }
 

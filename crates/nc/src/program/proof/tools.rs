@@ -30,21 +30,21 @@ impl Tools {
 /// T is the plan's place in the magazine. Where the tool of that place would make none of its cuts and another tool
 /// would make most of them, the program has numbers of its own, which is reported. Where a place is loaded several
 /// times, the tool is the one whose work is done, and the operator must have been asked before.
-pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofInput<'_>) -> Tools {
+pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], input: &ProofInput<'_>) -> Tools {
     let mut tools = Tools::default();
     let places = TaskIndex::of(tasks);
     // For every cut, the plan's tools that would make it: the tool of the place, or one whose correction is active.
     let corrected =
-        |tool: u32| asked.plan.tools.iter().find(|known| known.number == tool).map(|known| known.correction_mm);
+        |tool: u32| input.plan.tools.iter().find(|known| known.number == tool).map(|known| known.correction_mm);
     let makes = |cut: &Descent| -> BTreeSet<u32> {
         let fitting = places.at(cut, tasks).into_iter().filter(|&task| fits(cut, &tasks[task]));
         let fitting = fitting.map(|task| tasks[task].tool).filter(|tool| {
-            asked.own_correctors || tool.place == cut.tool || corrected(tool.tool) == Some(cut.corrector.1)
+            input.own_correctors || tool.place == cut.tool || corrected(tool.tool) == Some(cut.corrector.1)
         });
         fitting.map(|tool| tool.tool).collect()
     };
     let mut in_place: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    for tool in asked.job.setups.iter().flat_map(|setup| &setup.works) {
+    for tool in input.job.setups.iter().flat_map(|setup| &setup.works) {
         let known = in_place.entry(tool.place).or_default();
         if !known.contains(&tool.tool) {
             known.push(tool.tool);
@@ -73,7 +73,7 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofIn
             (**score, std::cmp::Reverse(**plan))
         });
         // A program for the plan's magazine uses its numbers; only with own offset registers it may have others.
-        if let Some((&plan, &score)) = best.filter(|_| asked.own_correctors)
+        if let Some((&plan, &score)) = best.filter(|_| input.own_correctors)
             && !works(tool)
             && 2 * score > *count
             && !other.values().any(|known| *known == plan)
@@ -86,11 +86,11 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofIn
             );
         }
     }
-    let sections = made.walk.stays.iter().map(|stay| stay.section).max().unwrap_or_default();
+    let sections = made.walk.visits.iter().map(|stay| stay.section).max().unwrap_or_default();
     let mut loaded: BTreeMap<u32, u32> = BTreeMap::new();
     let mut changed_at = 0;
     for section in 0..=sections {
-        let Some(stay) = made.walk.stays.iter().find(|stay| stay.section == section) else {
+        let Some(stay) = made.walk.visits.iter().find(|stay| stay.section == section) else {
             tools.sections.push(None);
             continue;
         };
@@ -102,7 +102,7 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofIn
             now.or_else(|| known.into_iter().find(|tool| score(tool) == most))
         });
         if let Some(plan) = plan.filter(|_| !other.contains_key(&stay.tool)) {
-            let before = *loaded.entry(stay.tool).or_insert_with(|| first_in(stay.tool, plan, asked));
+            let before = *loaded.entry(stay.tool).or_insert_with(|| first_in(stay.tool, plan, input));
             if before != plan {
                 let asked_for = made.walk.events.iter().any(|(order, _, event)| {
                     *event == Event::Stop && *order >= changed_at && *order < begin_of(made, section)
@@ -122,7 +122,7 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofIn
     }
     for (section, plan) in tools.sections.clone().into_iter().enumerate() {
         if section > 0 && plan.is_none() && made.cuts.iter().any(|cut| cut.section == section) {
-            let stay = made.walk.stays.iter().find(|stay| stay.section == section);
+            let stay = made.walk.visits.iter().find(|stay| stay.section == section);
             if let Some(stay) = stay {
                 tools.findings.push(
                     ProgramFinding::new(Code::ToolUnknown, Severity::Error, stay.block).with(Name::Tool, stay.tool),
@@ -130,13 +130,13 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], asked: &ProofIn
             }
         }
     }
-    correctors(made, &mut tools, asked);
+    correctors(made, &mut tools, input);
     tools
 }
 
 /// The tool in a place when the program begins: the first one with work there, unless a pause loads it.
-fn first_in(place: u32, first: u32, asked: &ProofInput<'_>) -> u32 {
-    let works = || asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|work| work.place == place);
+fn first_in(place: u32, first: u32, input: &ProofInput<'_>) -> u32 {
+    let works = || input.job.setups.iter().flat_map(|setup| &setup.works).filter(|work| work.place == place);
     let loads = |tool: u32| {
         works()
             .flat_map(|work| &work.pauses)
@@ -148,7 +148,7 @@ fn first_in(place: u32, first: u32, asked: &ProofInput<'_>) -> u32 {
 }
 
 fn first(made: &ObservedCuts, tool: u32) -> Option<crate::motion::BlockRef> {
-    made.walk.stays.iter().find(|stay| stay.tool == tool).map(|stay| stay.block)
+    made.walk.visits.iter().find(|stay| stay.tool == tool).map(|stay| stay.block)
 }
 
 /// The step of the tool change that begins a section.
@@ -162,7 +162,7 @@ fn begin_of(made: &ObservedCuts, section: usize) -> usize {
 /// With the plan's offset registers the value and the number must be those of the tool. With the operator's own, the
 /// register of a tool is the one that most of its cuts use, two tools may not share one, and a value other than the
 /// plan's is reported.
-fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
+fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
     let mut used: BTreeMap<u32, BTreeMap<(u32, Micrometres), usize>> = BTreeMap::new();
     for cut in &made.cuts {
         *used.entry(cut.tool).or_default().entry(cut.corrector).or_default() += 1;
@@ -172,10 +172,10 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
         .filter_map(|(tool, counts)| Some((*tool, *counts.iter().max_by_key(|(_, count)| **count)?.0)))
         .collect();
     let mut findings = Vec::new();
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     for cut in &made.cuts {
         let Some(plan) = tools.of_section(cut.section) else { continue };
-        let Some(own) = asked.plan.tools.iter().find(|tool| tool.number == plan) else { continue };
+        let Some(own) = input.plan.tools.iter().find(|tool| tool.number == plan) else { continue };
         let (number, value) = cut.corrector;
         let say = |code, severity| {
             ProgramFinding::new(code, severity, cut.block)
@@ -187,17 +187,17 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
         };
         let wrong = || {
             // The owner of a value shows which number was confused with which.
-            let other = match asked.own_correctors {
-                false => asked.plan.tools.iter().find(|tool| tool.corrector == number).map(|tool| tool.number),
+            let other = match input.own_correctors {
+                false => input.plan.tools.iter().find(|tool| tool.corrector == number).map(|tool| tool.number),
                 true => usual.iter().find(|(_, used)| used.0 == number).map(|(tool, _)| *tool),
             };
-            let said = say(Code::WrongCorrection, Severity::Error);
+            let finding = say(Code::WrongCorrection, Severity::Error);
             match other.filter(|other| number != 0 && *other != plan) {
-                Some(other) => said.with(Name::Whose, "tool".to_owned()).with(Name::Other, other),
-                None => said.with(Name::Whose, "none".to_owned()),
+                Some(other) => finding.with(Name::Whose, "tool".to_owned()).with(Name::Other, other),
+                None => finding.with(Name::Whose, "none".to_owned()),
             }
         };
-        if !asked.own_correctors {
+        if !input.own_correctors {
             if value != own.correction_mm {
                 let none = number == 0 || value == Micrometres::ZERO;
                 findings.push(if none { say(Code::NoCorrection, Severity::Error) } else { wrong() });
@@ -223,7 +223,7 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
             findings.push(say(Code::NoCorrection, Severity::Error));
         } else if value == -own.correction_mm && value != Micrometres::ZERO {
             findings.push(say(Code::WrongSign, Severity::Error));
-        } else if value != own.correction_mm && told.insert(cut.tool) {
+        } else if value != own.correction_mm && reported.insert(cut.tool) {
             findings.push(say(Code::CorrectionOtherwise, Severity::Doubtful));
         }
     }

@@ -40,7 +40,7 @@ pub(super) enum TipMotion {
 /// One motion of the tip, with the state it was made in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TipMove {
-    pub how: TipMotion,
+    pub motion: TipMotion,
     pub from: Tip,
     pub to: Tip,
     /// Where the axes stand after it, machine coordinates.
@@ -59,12 +59,12 @@ pub(super) struct TipMove {
 impl TipMove {
     /// Whether it goes along X or Y.
     pub fn across(&self) -> bool {
-        matches!(self.how, TipMotion::Round { .. }) || self.from[0] != self.to[0] || self.from[1] != self.to[1]
+        matches!(self.motion, TipMotion::Round { .. }) || self.from[0] != self.to[0] || self.from[1] != self.to[1]
     }
 
     /// The feed, of a motion at feed.
     pub const fn feed(&self) -> Option<f64> {
-        match self.how {
+        match self.motion {
             TipMotion::Feed(feed) | TipMotion::Round { feed, .. } => Some(feed),
             _ => None,
         }
@@ -72,7 +72,7 @@ impl TipMove {
 
     /// Whether the axes move.
     pub const fn moves(&self) -> bool {
-        matches!(self.how, TipMotion::Rapid | TipMotion::Feed(_) | TipMotion::Round { .. })
+        matches!(self.motion, TipMotion::Rapid | TipMotion::Feed(_) | TipMotion::Round { .. })
     }
 
     /// Whether it is below the face anywhere.
@@ -83,7 +83,7 @@ impl TipMove {
 
 /// Everything done at a point.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Stay {
+pub(super) struct PointVisit {
     /// The number of the tool change before it, from 1; 0 before the first.
     pub section: usize,
     /// The tool in the spindle, as the program calls it.
@@ -119,7 +119,7 @@ pub(super) enum Event {
 /// A program as stays and events.
 #[derive(Clone, Debug, Default)]
 pub(super) struct TipHistory {
-    pub stays: Vec<Stay>,
+    pub visits: Vec<PointVisit>,
     /// With their place among the steps, and the stay they happened at.
     pub events: Vec<(usize, BlockRef, Event)>,
 }
@@ -247,7 +247,7 @@ fn take(
             state.tool = *tool;
             state.turning = Turning::Stopped;
             let tip = tip(step.at, state, frame);
-            walk.stays.push(stay(state, setup, tip, step, None));
+            walk.visits.push(point_visit(state, setup, tip, step, None));
             return;
         }
         Motion::Stop { .. } => {
@@ -269,7 +269,7 @@ fn take(
     };
     let (from, to) = (tip(state.at, state, frame), tip(step.at, state, frame));
     let made = TipMove {
-        how,
+        motion: how,
         from,
         to,
         machine: step.at,
@@ -284,12 +284,12 @@ fn take(
     if nowhere {
         return;
     }
-    if walk.stays.is_empty() {
-        walk.stays.push(stay(state, setup, from, step, None));
+    if walk.visits.is_empty() {
+        walk.visits.push(point_visit(state, setup, from, step, None));
     }
     if made.across() && !made.below(frame.top) {
-        walk.stays.push(stay(state, setup, to, step, Some(made)));
-    } else if let Some(last) = walk.stays.last_mut() {
+        walk.visits.push(point_visit(state, setup, to, step, Some(made)));
+    } else if let Some(last) = walk.visits.last_mut() {
         // A part turned over at the same point is a new part for the tool.
         if last.setup != setup && last.moves.is_empty() && last.travel.is_none() {
             last.setup = setup;
@@ -304,8 +304,8 @@ fn tip(at: Position, state: &WalkState, frame: &SetUpFrame) -> Tip {
     [at.x - frame.zero.x, at.y - frame.zero.y, at.z - frame.zero.z - longer]
 }
 
-fn stay(state: &WalkState, setup: usize, at: Tip, step: &MotionStep, travel: Option<TipMove>) -> Stay {
-    Stay {
+fn point_visit(state: &WalkState, setup: usize, at: Tip, step: &MotionStep, travel: Option<TipMove>) -> PointVisit {
+    PointVisit {
         section: state.section,
         tool: state.tool,
         setup,

@@ -29,11 +29,11 @@ pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], 
         if let Some(times) = times.iter().find(|times| times.set_up == set_up.set_up.number) {
             page.paragraph(time(times, lang));
         }
-        let told = set_up.jobs.iter().flat_map(|job| {
+        let items = set_up.jobs.iter().flat_map(|job| {
             let place = place(&stations, job).map_or_else(String::new, |place| format!("T{place}: "));
             job.notes.iter().map(move |note| Item::from(format!("{place}{}", lang.say(note))))
         });
-        page.blocks.push(Block::List(told.collect()));
+        page.blocks.push(Block::List(items.collect()));
     }
     if !times.is_empty() {
         page.paragraph(Inlines::sentence(say!(lang, "turn-job-time-without")));

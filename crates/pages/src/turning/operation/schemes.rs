@@ -8,7 +8,7 @@ use technolog_words::say;
 
 use super::super::Lang;
 use super::super::cells::{Cell, figure, fixed, rounded, table};
-use super::super::phrases::{reasoned, said, schemes_column, word, z};
+use super::super::phrases::{note_line, reasoned, schemes_column, word, z};
 use super::zones::place;
 use crate::units::round_to;
 
@@ -25,24 +25,24 @@ pub(super) fn schemes(
     page.paragraph(say!(lang, "turn-depth-of-work", depth = rounded(work.levels.depth.to_mm(), lang)));
     page.paragraph(conditions(work, lang));
     let because = work.pace.conditions.iter().flat_map(|found| &found.because);
-    if let Some(held) = because.into_iter().find(|one| technolog_turning::cutting::is_nose_bound(one)) {
-        page.paragraph(reasoned(held, lang));
+    if let Some(nose_bound) = because.into_iter().find(|reason| technolog_turning::cutting::is_nose_bound(reason)) {
+        page.paragraph(reasoned(nose_bound, lang));
     }
     page.paragraph(reasoned(&work.because, lang));
     page.push(compared(work, lang));
     let even = work.quickest_even.as_ref().filter(|even| Some(*even) != work.quickest.as_ref());
-    let mut told: Vec<Inlines> = Vec::new();
-    told.extend(work.quickest.iter().map(|best| said(&best.note, lang)));
-    told.extend(even.map(|best| Inlines::sentence(&say!(lang, "turn-even", best = &best.note))));
-    told.extend(work.refused.iter().map(|refused| {
+    let mut items: Vec<Inlines> = Vec::new();
+    items.extend(work.quickest.iter().map(|best| note_line(&best.note, lang)));
+    items.extend(even.map(|best| Inlines::sentence(&say!(lang, "turn-even", best = &best.note))));
+    items.extend(work.refused.iter().map(|refused| {
         let scheme = word(refused.scheme.name());
         Inlines::sentence(&say!(lang, "turn-scheme-refused", scheme = scheme, why = &refused.why))
     }));
     if let Some(taken) = work.transition() {
         let points: Vec<&str> = taken.points.iter().map(|point| point.name.as_str()).collect();
-        told.push(say!(lang, "turn-support-points", points = points.join(", ")).into());
+        items.push(say!(lang, "turn-support-points", points = points.join(", ")).into());
     }
-    page.blocks.push(Block::List(told.into_iter().map(Item::from).collect()));
+    page.blocks.push(Block::List(items.into_iter().map(Item::from).collect()));
 }
 
 /// Feed and speed with the loads; empty if they are not known.
@@ -78,19 +78,19 @@ fn compared(work: &Work, lang: Lang) -> Table {
         Column::number(say!(lang, "turn-time"), min),
         Column::number(say!(lang, "turn-ridges"), mm),
     ];
-    let row = |one: &Transition| {
-        let name = lang.term("word", one.scheme.name());
-        let taken = work.taken == Some(one.scheme);
+    let row = |transition: &Transition| {
+        let name = lang.term("word", transition.scheme.name());
+        let taken = work.taken == Some(transition.scheme);
         vec![
             if taken { "+" } else { "" }.into(),
             if taken { Inlines::default().strong(name) } else { name.into() }.into(),
-            Cell::count(one.measures.passes),
-            Cell::Figure(one.measures.cutting_mm, 1),
-            Cell::Figure(one.measures.beside_mm, 1),
-            Cell::Figure(one.measures.rapid_mm, 1),
-            Cell::Figure(one.measures.time_min.0, 3),
+            Cell::count(transition.measures.passes),
+            Cell::Figure(transition.measures.cutting_mm, 1),
+            Cell::Figure(transition.measures.beside_mm, 1),
+            Cell::Figure(transition.measures.rapid_mm, 1),
+            Cell::Figure(transition.measures.time_min.0, 3),
             // With three decimals: 0 means an even allowance.
-            Cell::Figure(one.ridges_mm.to_mm(), 3),
+            Cell::Figure(transition.ridges_mm.to_mm(), 3),
         ]
     };
     table(columns, work.transitions.iter().map(row).collect(), lang)

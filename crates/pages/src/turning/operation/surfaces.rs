@@ -10,16 +10,16 @@ use technolog_words::say;
 
 use super::super::Lang;
 use super::super::cells::{Cell, arrow, figure, span, table};
-use super::super::phrases::{reasoned, said, word, z};
+use super::super::phrases::{note_line, reasoned, word, z};
 
 pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetUpWork, lang: Lang) {
     let one = &set_up.set_up;
     page.heading(3, say!(lang, "turn-set-up", number = one.number));
-    let notes = one.notes.iter().map(|note| said(note, lang)).chain([reasoned(&one.because, lang)]);
-    let notes = notes.chain(set_up.jaws.iter().map(|jaws| said(&jaws.note(), lang)));
-    let notes = notes.chain(set_up.jaws.iter().filter_map(|jaws| jaws.bored()).map(|note| said(&note, lang)));
-    let notes = notes.chain(set_up.grip.iter().map(|grip| said(&grip.note(), lang)));
-    let notes = notes.chain(set_up.tailstock.iter().map(|tailstock| said(&tailstock.note(), lang)));
+    let notes = one.notes.iter().map(|note| note_line(note, lang)).chain([reasoned(&one.because, lang)]);
+    let notes = notes.chain(set_up.jaws.iter().map(|jaws| note_line(&jaws.note(), lang)));
+    let notes = notes.chain(set_up.jaws.iter().filter_map(|jaws| jaws.bored()).map(|note| note_line(&note, lang)));
+    let notes = notes.chain(set_up.grip.iter().map(|grip| note_line(&grip.note(), lang)));
+    let notes = notes.chain(set_up.tailstock.iter().map(|tailstock| note_line(&tailstock.note(), lang)));
     page.blocks.push(Block::List(notes.map(Item::from).collect()));
     for (side, stretch) in [(Side::Outer, &one.outer), (Side::Inner, &one.inner)] {
         let Some(stretch) = stretch else { continue };
@@ -46,7 +46,7 @@ fn elements(page: &mut Document, operation: &Operation, stretch: &TurnedSide, wo
         let (from, to) = ends.map(|(first, last)| (first.from, last.to)).unwrap_or_default();
         let allowance = work.and_then(|work| work.layers.allowances.get(index)).and_then(|one| one.allowance_mm);
         // The reason, if it is not a main element.
-        under.extend((class.element != Element::Main).then(|| said(&class.because.note, lang)));
+        under.extend((class.element != Element::Main).then(|| note_line(&class.because.note, lang)));
         if let Some(later) = operation.elsewhere.iter().find(|one| one.surface == surface.name) {
             let (operation, allowance) = (word(later.operation.name()), later.allowance_mm);
             under.push(

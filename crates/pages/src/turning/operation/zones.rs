@@ -17,14 +17,14 @@ use super::super::{Lang, section};
 pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
     let mm = say!(lang, "unit-mm");
     let columns = [
-        Column::text(say!(lang, "turn-zone")).least(6),
+        Column::text(say!(lang, "turn-zone")).min_width(6),
         Column::text(say!(lang, "turn-zone-kind")).keep(Keep::Useful),
         span("Z", mm),
         span("Ø", mm),
         span("φ", "°").keep(Keep::Optional),
         span("φ1", "°").keep(Keep::Optional),
         // A designation stays on one line.
-        Column::text(say!(lang, "turn-tool")).least(14),
+        Column::text(say!(lang, "turn-tool")).min_width(14),
         Column::number(lang.say(&Note::new("turn-limit")), mm).keep(Keep::Useful),
         span(lang.say(&Note::new("turn-depth-of-pass")), mm),
         Column::text(say!(lang, "turn-scheme")),
@@ -48,21 +48,21 @@ pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
     let mut zones = table(columns, operation.zones().map(row).collect(), lang);
     zones.notes.push(lang.say(&Note::new("turn-zones-key")).into());
     page.push(zones);
-    let mut told: Vec<Item> = Vec::new();
+    let mut items: Vec<Item> = Vec::new();
     for (set_up, side, one) in operation.zones() {
         let name = place(set_up, side, one, lang);
         if let Some(limit) = one.depth.as_ref().and_then(|depth| depth.limit.as_ref()) {
-            told.push(limits(&name, limit, lang).into());
+            items.push(limits(&name, limit, lang).into());
         }
         if let Some(returns) = one.returns.filter(|returns| returns.saved > 0) {
             let note = Note::new("returns-saved").with("depth", returns.depth_mm);
             let note = note.with("joined", returns.joined).with("split", returns.split);
-            told.push(say!(lang, "turn-of-zone", zone = name.as_str(), said = note).into());
+            items.push(say!(lang, "turn-of-zone", zone = name.as_str(), said = note).into());
         }
-        told.extend(one.fit.refused.iter().map(|one| refused_tool(&name, &one.tool, &one.why, lang)));
+        items.extend(one.fit.refused.iter().map(|refused| refused_tool(&name, &refused.tool, &refused.why, lang)));
     }
-    if !told.is_empty() {
-        page.blocks.push(Block::List(told));
+    if !items.is_empty() {
+        page.blocks.push(Block::List(items));
     }
 }
 
@@ -78,43 +78,45 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
         span("φ", "°").keep(Keep::Optional),
         span("φ1", "°").keep(Keep::Optional),
         // A designation stays on one line.
-        Column::text(say!(lang, "turn-tool")).least(14),
+        Column::text(say!(lang, "turn-tool")).min_width(14),
         Column::number(lang.say(&Note::new("turn-limit")), mm).keep(Keep::Useful),
         span(lang.say(&Note::new("turn-depth-of-pass")), mm),
         Column::text(say!(lang, "turn-scheme")),
     ];
-    let (mut rows, mut told) = (Vec::new(), Vec::new());
+    let (mut rows, mut items) = (Vec::new(), Vec::new());
     let sides = operation.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)));
     for (set_up, side) in sides {
-        for one in side.hollows.iter().flat_map(|hollow| &hollow.zones) {
+        for zone in side.hollows.iter().flat_map(|hollow| &hollow.zones) {
             let span = say!(
                 lang,
                 "turn-closed-zone",
                 number = set_up.set_up.number,
-                from = z(one.zone.from_z, lang),
-                to = z(one.zone.to_z, lang)
+                from = z(zone.zone.from_z, lang),
+                to = z(zone.zone.to_z, lang)
             );
-            if one.tool.is_none() {
-                told.extend(one.fit.refused.iter().map(|one| refused_tool(&span, &one.tool, &one.why, lang)));
+            if zone.tool.is_none() {
+                items.extend(
+                    zone.fit.refused.iter().map(|refused| refused_tool(&span, &refused.tool, &refused.why, lang)),
+                );
             }
-            let depth = one.depth.as_ref();
+            let depth = zone.depth.as_ref();
             if let Some(limit) = depth.and_then(|depth| depth.limit.as_ref()) {
-                told.push(limits(&span, limit, lang).into());
+                items.push(limits(&span, limit, lang).into());
             }
-            for work in &one.works {
+            for work in &zone.works {
                 let because = work.pace.conditions.iter().flat_map(|found| &found.because);
-                let held = because.into_iter().find(|one| is_nose_bound(one));
-                told.extend(held.map(|held| Item::from(reasoned(held, lang))));
+                let nose_bound = because.into_iter().find(|reason| is_nose_bound(reason));
+                items.extend(nose_bound.map(|nose_bound| Item::from(reasoned(nose_bound, lang))));
             }
-            told.dedup();
+            items.dedup();
             let mut row: Vec<Cell> =
                 vec![Cell::count(usize::from(set_up.set_up.number)), lang.term("turn-side", side.side.name()).into()];
-            row.extend(bounds(one, lang));
+            row.extend(bounds(zone, lang));
             row.extend([
-                one.tool.as_ref().map_or(say!(lang, "turn-no-tool"), |tool| tool.designation.as_str()).into(),
+                zone.tool.as_ref().map_or(say!(lang, "turn-no-tool"), |tool| tool.designation.as_str()).into(),
                 depth.map_or_else(Cell::empty, |depth| Cell::Figure(depth.limiting_depth_mm.to_mm(), 2)),
-                depths(one, lang).into(),
-                schemes(one, lang).into(),
+                depths(zone, lang).into(),
+                schemes(zone, lang).into(),
             ]);
             rows.push(row);
         }
@@ -126,20 +128,20 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
     let mut zones = table(columns, rows, lang);
     zones.notes.push(lang.say(&Note::new("turn-zones-key")).into());
     page.push(zones);
-    if !told.is_empty() {
-        page.blocks.push(Block::List(told));
+    if !items.is_empty() {
+        page.blocks.push(Block::List(items));
     }
 }
 
 /// The position of a zone, and the angles it requires, before those of its tool.
-fn bounds(one: &ZoneWork, lang: Lang) -> [Cell; 4] {
-    let zone = &one.zone;
+fn bounds(work: &ZoneWork, lang: Lang) -> [Cell; 4] {
+    let zone = &work.zone;
     let diameter = |radius: Half| rounded(2.0 * radius.to_mm(), lang);
     let angle = |needs: f64, has: Option<f64>| match has {
         Some(has) => format!("{} ≤ {}", rounded(needs, lang), rounded(has, lang)),
         None => rounded(needs, lang),
     };
-    let has = one.tool.as_ref().filter(|tool| tool.width_mm.is_none());
+    let has = work.tool.as_ref().filter(|tool| tool.width_mm.is_none());
     [
         format!("{} → {}", z(zone.from_z, lang), z(zone.to_z, lang)).into(),
         // The nose passes the axis, but there is no metal beyond it.
@@ -150,13 +152,13 @@ fn bounds(one: &ZoneWork, lang: Lang) -> [Cell; 4] {
 }
 
 /// The depth of the passes of each work.
-fn depths(one: &ZoneWork, lang: Lang) -> String {
-    let depths: Vec<String> = one.works.iter().map(|work| fixed(work.levels.depth.to_mm(), 2, lang)).collect();
+fn depths(zone: &ZoneWork, lang: Lang) -> String {
+    let depths: Vec<String> = zone.works.iter().map(|work| fixed(work.levels.depth.to_mm(), 2, lang)).collect();
     depths.join("; ")
 }
 
-fn schemes(one: &ZoneWork, lang: Lang) -> String {
-    terms(one.works.iter().filter_map(|work| Some(work.taken?.name())), " + ", lang)
+fn schemes(zone: &ZoneWork, lang: Lang) -> String {
+    terms(zone.works.iter().filter_map(|work| Some(work.taken?.name())), " + ", lang)
 }
 
 /// The depth that each limit permits.

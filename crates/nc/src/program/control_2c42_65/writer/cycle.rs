@@ -6,7 +6,7 @@ use crate::job::{Cycle, CycleKind};
 use crate::motion::Sense;
 use crate::units::{Micrometres, Seconds};
 
-use super::program_writer::{BlockPurpose, Called, ProgramWriter};
+use super::program_writer::{BlockGroup, BlockPurpose, ProgramWriter};
 use crate::program::block::Block;
 use crate::program::written::Form;
 
@@ -52,7 +52,7 @@ pub(super) fn contour(
     sense: Sense,
     sheet: &mut ProgramWriter,
     place: BlockPurpose,
-) -> Called {
+) -> BlockGroup {
     let form = sheet.form;
     let feed = cycle.feed_mm_per_min.0;
     let mut blocks = vec![Block::new().g(90).g(0).axis('Z', form.grid(cycle.begin))];
@@ -61,7 +61,7 @@ pub(super) fn contour(
     for (index, level) in levels.iter().enumerate() {
         let down = Block::new().g(90).g(1).axis('Z', form.grid(*level));
         let down = if index == 0 { down.word('F', feed) } else { down };
-        match rounds.as_ref().and_then(Called::number) {
+        match rounds.as_ref().and_then(BlockGroup::number) {
             Some(number) => blocks.push(down.calls(number, 1)),
             None => {
                 blocks.push(down);

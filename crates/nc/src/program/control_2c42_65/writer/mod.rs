@@ -22,7 +22,7 @@ use crate::program::written::{Form, LineRole, WorkRef, WrittenProgram};
 
 use crate::program::block::Block;
 use points::PointRun;
-use program_writer::{BlockPurpose, Called, ProgramWriter};
+use program_writer::{BlockGroup, BlockPurpose, ProgramWriter};
 
 /// The program of a job.
 pub fn write(job: &Job, form: Form) -> WrittenProgram {
@@ -38,7 +38,7 @@ pub fn write(job: &Job, form: Form) -> WrittenProgram {
             sheet.call(call, None, BlockPurpose { role: LineRole::Withdrawal, ..place });
         }
     };
-    sheet.put(Block::new().g(17).g(40).g(49).g(80).g(90), BlockPurpose::of(LineRole::Frame));
+    sheet.push_block(Block::new().g(17).g(40).g(49).g(80).g(90), BlockPurpose::of(LineRole::Frame));
     away(&mut sheet, BlockPurpose::of(LineRole::Withdrawal));
     let runs: Runs =
         job.setups.iter().map(|setup| setup.works.iter().map(|work| points::runs(work, form)).collect()).collect();
@@ -49,20 +49,20 @@ pub fn write(job: &Job, form: Form) -> WrittenProgram {
             let work_ref = WorkRef { setup: setup_index, work: work_index };
             let place = |role| BlockPurpose { role, work: Some(work_ref), cycle: None };
             for pause in &work.pauses {
-                sheet.put(Block::new().m(0), place(LineRole::Pause));
+                sheet.push_block(Block::new().m(0), place(LineRole::Pause));
                 if matches!(pause, Pause::LoadTool { .. }) {
                     in_spindle = None;
                 }
             }
             if in_spindle != Some(work.place) {
-                sheet.put(Block::new().word('T', work.place).m(6), place(LineRole::ToolChange));
+                sheet.push_block(Block::new().word('T', work.place).m(6), place(LineRole::ToolChange));
                 in_spindle = Some(work.place);
             }
             one_tool(&mut sheet, work, work_ref, &runs[setup_index][work_index], &shared);
             away(&mut sheet, place(LineRole::Withdrawal));
         }
     }
-    sheet.put(Block::new().m(2), BlockPurpose::of(LineRole::End));
+    sheet.push_block(Block::new().m(2), BlockPurpose::of(LineRole::End));
     sheet.finish()
 }
 
@@ -100,9 +100,9 @@ fn one_tool(
             None => {
                 let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
                 let turning = if work.coolant { turning.m(8) } else { turning };
-                sheet.put(turning, place(LineRole::Spindle));
-                sheet.put(to(Block::new().g(0).g(work_ref.system())), place(LineRole::Approach));
-                sheet.put(down.g(43).word('H', work.corrector), place(LineRole::Approach));
+                sheet.push_block(turning, place(LineRole::Spindle));
+                sheet.push_block(to(Block::new().g(0).g(work_ref.system())), place(LineRole::Approach));
+                sheet.push_block(down.g(43).word('H', work.corrector), place(LineRole::Approach));
             }
             Some((last, known)) => {
                 let mut block = Block::new();
@@ -120,10 +120,10 @@ fn one_tool(
                     block = block.word('S', cycle.speed_rpm.0);
                 }
                 if block != Block::new() {
-                    sheet.put(block, place(LineRole::Point));
+                    sheet.push_block(block, place(LineRole::Point));
                 }
                 if known.out != cycle.out {
-                    sheet.put(down, place(LineRole::Approach));
+                    sheet.push_block(down, place(LineRole::Approach));
                 }
             }
         }
@@ -160,7 +160,7 @@ fn put_run(
         sheet.call(&points, None, point);
     } else {
         for block in blocks {
-            sheet.put(block, point);
+            sheet.push_block(block, point);
         }
     }
 }
@@ -173,8 +173,8 @@ fn drawn_together(sheet: &mut ProgramWriter, blocks: &[Block]) -> Vec<Block> {
             points::Repeat::Once(block) => drawn.push(block),
             points::Repeat::Times(group, times) => {
                 match sheet.subprogram(group.clone(), BlockPurpose::of(LineRole::Point)) {
-                    Called::Subprogram(number) => drawn.push(Block::new().calls(number, times)),
-                    Called::Blocks(_) => drawn.extend(std::iter::repeat_n(group, times).flatten()),
+                    BlockGroup::Subprogram(number) => drawn.push(Block::new().calls(number, times)),
+                    BlockGroup::Blocks(_) => drawn.extend(std::iter::repeat_n(group, times).flatten()),
                 }
             }
         }

@@ -20,12 +20,12 @@ impl BlockPurpose {
 
 /// A group of blocks: a subprogram or, where the numbers are used up, the blocks themselves.
 #[derive(Clone, Debug)]
-pub(super) enum Called {
+pub(super) enum BlockGroup {
     Subprogram(u32),
     Blocks(Vec<Block>),
 }
 
-impl Called {
+impl BlockGroup {
     pub(super) const fn number(&self) -> Option<u32> {
         match self {
             Self::Subprogram(number) => Some(*number),
@@ -54,18 +54,18 @@ impl ProgramWriter {
     }
 
     /// One more block of the main program.
-    pub(super) fn put(&mut self, block: Block, place: BlockPurpose) {
+    pub(super) fn push_block(&mut self, block: Block, place: BlockPurpose) {
         self.main.push((block, place));
     }
 
     /// Blocks as a subprogram; equal ones are one. It belongs to the work of its only caller, or to none when several
     /// works call it.
-    pub(super) fn subprogram(&mut self, blocks: Vec<Block>, place: BlockPurpose) -> Called {
+    pub(super) fn subprogram(&mut self, blocks: Vec<Block>, place: BlockPurpose) -> BlockGroup {
         let known = self.subprograms.iter().position(|(known, _)| *known == blocks);
         let index = known.unwrap_or(self.subprograms.len());
         let number = u32::try_from(index).unwrap_or(u32::MAX).saturating_add(MAIN + 1);
         if number > LAST {
-            return Called::Blocks(blocks);
+            return BlockGroup::Blocks(blocks);
         }
         match self.subprograms.get_mut(index) {
             Some((_, served)) if served.work != place.work => {
@@ -74,16 +74,16 @@ impl ProgramWriter {
             Some(_) => {}
             None => self.subprograms.push((blocks, place)),
         }
-        Called::Subprogram(number)
+        BlockGroup::Subprogram(number)
     }
 
     /// Calls a group once, after the motion of a block if one is given.
-    pub(super) fn call(&mut self, group: &Called, motion: Option<Block>, place: BlockPurpose) {
+    pub(super) fn call(&mut self, group: &BlockGroup, motion: Option<Block>, place: BlockPurpose) {
         match group {
-            Called::Subprogram(number) => self.put(motion.unwrap_or_default().calls(*number, 1), place),
-            Called::Blocks(blocks) => {
+            BlockGroup::Subprogram(number) => self.push_block(motion.unwrap_or_default().calls(*number, 1), place),
+            BlockGroup::Blocks(blocks) => {
                 for block in motion.into_iter().chain(blocks.iter().cloned()) {
-                    self.put(block, place);
+                    self.push_block(block, place);
                 }
             }
         }

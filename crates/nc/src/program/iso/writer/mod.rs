@@ -59,7 +59,7 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
     ];
     let away = sheet.subprogram(withdrawal, None);
     for block in dialect.beginning() {
-        sheet.put(block, LineRole::Frame, None, None);
+        sheet.push_block(block, LineRole::Frame, None, None);
     }
     sheet.call(away, LineRole::Withdrawal, None, None);
     let shared = tool::shared_points(job, form, dialect);
@@ -89,7 +89,7 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
             sheet.call(away, LineRole::Withdrawal, place, None);
         }
     }
-    sheet.put(Block::new().m(30), LineRole::End, None, None);
+    sheet.push_block(Block::new().m(30), LineRole::End, None, None);
     sheet.finish(&ascii(&job.part))
 }
 
@@ -103,7 +103,7 @@ fn remark(pause: Pause, designation: &str) -> String {
 }
 
 impl ProgramWriter {
-    fn put(&mut self, block: Block, role: LineRole, work: Option<WorkRef>, cycle: Option<usize>) {
+    fn push_block(&mut self, block: Block, role: LineRole, work: Option<WorkRef>, cycle: Option<usize>) {
         self.main.push((MainLine::Block(block), role, work, cycle));
     }
 

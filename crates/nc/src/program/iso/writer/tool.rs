@@ -58,16 +58,16 @@ impl ProgramWriter {
             if speed != Some(cycle.speed_rpm) {
                 let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
                 let turning = if index == 0 && work.coolant { turning.m(8) } else { turning };
-                self.put(turning, LineRole::Spindle, place, number);
+                self.push_block(turning, LineRole::Spindle, place, number);
             }
             if index == 0 {
-                self.put(to.clone().g(0).g(work_ref.system()), LineRole::Approach, place, number);
+                self.push_block(to.clone().g(0).g(work_ref.system()), LineRole::Approach, place, number);
                 let down = Block::new().g(0).g(43).word('Z', length(cycle.out)).word('H', work.corrector);
-                self.put(down, LineRole::Approach, place, number);
+                self.push_block(down, LineRole::Approach, place, number);
             } else {
-                self.put(to.clone().g(0), LineRole::Point, place, number);
+                self.push_block(to.clone().g(0), LineRole::Point, place, number);
                 if height != Some(cycle.out) {
-                    self.put(Block::new().g(0).word('Z', length(cycle.out)), LineRole::Approach, place, number);
+                    self.push_block(Block::new().g(0).word('Z', length(cycle.out)), LineRole::Approach, place, number);
                 }
             }
             (speed, height) = (Some(cycle.speed_rpm), Some(cycle.out));
@@ -77,7 +77,7 @@ impl ProgramWriter {
                     let contour = self.subprogram(contour, place);
                     self.call(contour, LineRole::Cycle, place, number);
                     for block in further(stops, form, dialect) {
-                        self.put(block.g(0), LineRole::Point, place, number);
+                        self.push_block(block.g(0), LineRole::Point, place, number);
                         self.call(contour, LineRole::Cycle, place, number);
                     }
                 }
@@ -92,7 +92,7 @@ impl ProgramWriter {
         let number = stops.first().map(|stop| stop.cycle);
         let words = dialect.cycle(cycle, |value| form.grid(value));
         // The point is in the block itself, because the cycle would not run there otherwise.
-        self.put(words.with(&to), LineRole::Cycle, place, number);
+        self.push_block(words.with(&to), LineRole::Cycle, place, number);
         let further = further(stops, form, dialect);
         let again = shared.get(&further).copied().unwrap_or(1);
         let once: usize = further.iter().map(|block| block.text().len() + 6).sum();
@@ -101,10 +101,10 @@ impl ProgramWriter {
             self.call(points, LineRole::Point, place, number);
         } else {
             for block in further {
-                self.put(block, LineRole::Point, place, number);
+                self.push_block(block, LineRole::Point, place, number);
             }
         }
-        self.put(Block::new().g(80), LineRole::Cycle, place, number);
+        self.push_block(Block::new().g(80), LineRole::Cycle, place, number);
     }
 }
 

@@ -15,14 +15,14 @@ use technolog_note::{Note, note};
 
 use super::file::CaseForm;
 use super::question::{Program, Question};
-use super::read::{Around, Reader};
+use super::read::{ReadContext, Reader};
 use super::{merge, table};
 
 /// Keys of a case that belong together.
 type Keys = &'static [KeyOf<CaseForm>];
 
 /// Keys of a case about a part, and of one without a question yet.
-const ASKED: Keys = &[
+const PLAN_KEYS: Keys = &[
     CaseForm::part,
     CaseForm::hole,
     CaseForm::cutting,
@@ -34,7 +34,7 @@ const ASKED: Keys = &[
 
 /// A key that determines the kind of question.
 #[derive(Clone, Copy)]
-enum Asking {
+enum QuestionKind {
     Table,
     Turn,
     Program,
@@ -42,11 +42,14 @@ enum Asking {
 }
 
 /// These keys first, each with its companions; `part` also goes with `program`.
-const ASKING: [(Asking, Keys); 4] = [
-    (Asking::Table, &[CaseForm::table, CaseForm::given]),
-    (Asking::Turn, &[CaseForm::turn, CaseForm::show, CaseForm::objective]),
-    (Asking::Program, &[CaseForm::program, CaseForm::control, CaseForm::machine, CaseForm::setting, CaseForm::part]),
-    (Asking::Audit, &[CaseForm::audit]),
+const QUESTION_KEYS: [(QuestionKind, Keys); 4] = [
+    (QuestionKind::Table, &[CaseForm::table, CaseForm::given]),
+    (QuestionKind::Turn, &[CaseForm::turn, CaseForm::show, CaseForm::objective]),
+    (
+        QuestionKind::Program,
+        &[CaseForm::program, CaseForm::control, CaseForm::machine, CaseForm::setting, CaseForm::part],
+    ),
+    (QuestionKind::Audit, &[CaseForm::audit]),
 ];
 
 /// The input of a question: a named file, or inline content.
@@ -58,26 +61,28 @@ enum Input<'n> {
 impl Reader<'_> {
     /// The question of a case, with its keys.
     pub(super) fn question(&mut self, fields: &mut Fields<'_, CaseForm>) -> (Option<Question>, Keys) {
-        let asked: Vec<(&Node, Asking, Keys)> =
-            ASKING.iter().filter_map(|(asking, keys)| Some((fields.take(*keys.first()?)?, *asking, *keys))).collect();
-        if let [(.., first), (second, _, other), ..] = asked.as_slice() {
+        let questions: Vec<(&Node, QuestionKind, Keys)> = QUESTION_KEYS
+            .iter()
+            .filter_map(|(kind, keys)| Some((fields.take(*keys.first()?)?, *kind, *keys)))
+            .collect();
+        if let [(.., first), (second, _, other), ..] = questions.as_slice() {
             let name = |keys: Keys| keys.first().map(|key| key.name()).unwrap_or_default();
             let message = note!("case-two-questions-one-case", first = name(first), name = name(other));
             return (
                 self.problems.error_help("two-questions", message, &second.place, note!("case-make-two-cases")),
-                ASKED,
+                PLAN_KEYS,
             );
         }
-        let Some((node, asking, keys)) = asked.first() else { return (self.planned(fields), ASKED) };
-        let question = match asking {
-            Asking::Table => {
+        let Some((node, kind, keys)) = questions.first() else { return (self.planned(fields), PLAN_KEYS) };
+        let question = match kind {
+            QuestionKind::Table => {
                 let given = fields.take(CaseForm::given);
-                let knowledge = self.around.knowledge;
+                let knowledge = self.context.knowledge;
                 table::Question::read(node, given, knowledge, &mut self.problems).map(Question::Table)
             }
-            Asking::Turn => self.turned(node, fields),
-            Asking::Program => self.program(node, fields),
-            Asking::Audit => self.audit(node).map(Box::new).map(Question::Audit),
+            QuestionKind::Turn => self.turned(node, fields),
+            QuestionKind::Program => self.program(node, fields),
+            QuestionKind::Audit => self.audit(node).map(Box::new).map(Question::Audit),
         };
         (question, keys)
     }
@@ -91,8 +96,8 @@ impl Reader<'_> {
             (None, None) => None,
             (Some(part), None) => self.part(part),
             (part, Some(hole)) => {
-                let whole = self.part_of_hole(part, hole);
-                whole.and_then(|whole| self.part(&whole))
+                let merged = self.part_of_hole(part, hole);
+                merged.and_then(|whole| self.part(&whole))
             }
         };
         part.zip(method).map(|(part, method)| Question::Part { part: Box::new(part), method })
@@ -132,7 +137,7 @@ impl Reader<'_> {
     }
 
     fn part(&mut self, node: &Node) -> Option<Part> {
-        let knowledge = self.around.knowledge;
+        let knowledge = self.context.knowledge;
         match self.input(node)? {
             Input::Here(node) => read_part_node(node, knowledge, &mut self.problems),
             Input::File(path, text) => match read_part(&path, &text, knowledge) {
@@ -143,7 +148,7 @@ impl Reader<'_> {
     }
 
     fn turned(&mut self, node: &Node, fields: &mut Fields<'_, CaseForm>) -> Option<Question> {
-        let knowledge = self.around.knowledge;
+        let knowledge = self.context.knowledge;
         let show = fields.take(CaseForm::show);
         let operation = match show {
             None => Some(false),
@@ -157,7 +162,7 @@ impl Reader<'_> {
         let part = match read {
             Ok(part) => part,
             Err(mistakes) => {
-                self.meant.extend(mistakes);
+                self.mistakes.extend(mistakes);
                 return None;
             }
         };
@@ -187,7 +192,7 @@ impl Reader<'_> {
     }
 
     fn program(&mut self, node: &Node, fields: &mut Fields<'_, CaseForm>) -> Option<Question> {
-        let knowledge = self.around.knowledge;
+        let knowledge = self.context.knowledge;
         let control = fields.need(CaseForm::control, &mut self.problems);
         let names = Language::NAMES.map(|name| (name, name));
         let control = control.and_then(|node| self.choice(node, &names));
@@ -227,7 +232,7 @@ impl Reader<'_> {
 
     fn machine(&mut self, node: &Node, part: Option<&Part>) -> Option<String> {
         let id = self.problems.text(node)?;
-        if let Err(error) = Machine::find(self.around.knowledge, id) {
+        if let Err(error) = Machine::find(self.context.knowledge, id) {
             return self.problems.error("unknown-machine", Note::from(&error), &node.place);
         }
         match part.filter(|part| part.machine != id) {
@@ -240,12 +245,12 @@ impl Reader<'_> {
     }
 
     fn audit(&mut self, node: &Node) -> Option<Stated> {
-        let Around { knowledge, files, .. } = self.around;
+        let ReadContext { knowledge, files, .. } = self.context;
         let read = match self.input(node)? {
             Input::Here(node) => read_plan_node(node, self.file, knowledge, files),
             Input::File(path, text) => {
                 // Files named by the plan are relative to the plan.
-                let beside = |name: &str| files(&beside(&path, name));
+                let beside = |name: &str| files(&relative_to(&path, name));
                 read_plan(&path, &text, knowledge, &beside)
             }
         };
@@ -283,7 +288,7 @@ impl Reader<'_> {
     }
 
     fn named(&mut self, path: &str, place: &Place) -> Option<String> {
-        match (self.around.files)(path) {
+        match (self.context.files)(path) {
             Ok(text) => {
                 self.texts.push((path.to_owned(), text.clone()));
                 Some(text)
@@ -307,7 +312,7 @@ impl Reader<'_> {
 }
 
 /// A name relative to the folder of a file.
-fn beside(path: &str, name: &str) -> String {
+fn relative_to(path: &str, name: &str) -> String {
     match path.rsplit_once('/') {
         Some((folder, _)) if !name.starts_with('/') => format!("{folder}/{name}"),
         _ => name.to_owned(),
