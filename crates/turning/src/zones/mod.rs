@@ -14,7 +14,7 @@ mod hold;
 pub mod join;
 pub mod kind;
 pub mod parts;
-mod setup;
+pub mod setup;
 
 use serde::Serialize;
 
