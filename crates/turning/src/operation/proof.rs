@@ -4,7 +4,7 @@
 use technolog_turning_proof as proof;
 
 use crate::note::{Figure, Finding, IntoFigure, Note, Severity};
-use crate::turning::contour::{Contour, Curve, Piece, Profile, Surface, SurfaceKind, Turn};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Surface, SurfaceKind, Turn};
 use crate::turning::jobs::{Body, JobTool, UNKNOWN_EDGE};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -198,27 +198,30 @@ pub fn rejected(operation: &Operation, proven: &Proven) -> Option<Note> {
 /// slope beside that surface, goes on through it.
 fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) -> bool {
     let Some(surface) = surface else { return false };
-    let profiles = operation.set_ups.iter().flat_map(|set_up| [&set_up.set_up.outer, &set_up.set_up.inner]).flatten();
-    let mut later = operation.elsewhere.iter().flat_map(|one| {
-        let allowance = one.allowance_mm.to_mm();
-        let near = BESIDE * allowance + 0.01;
-        let ends = profiles.clone().flat_map(move |side| {
-            let found = side.profile.surfaces.iter().position(|other| other.name == one.surface);
-            let beside = found.map(|index| index.saturating_sub(1)..index + 2);
-            let neighbours = beside
-                .and_then(|range| side.profile.surfaces.get(range.start..range.end.min(side.profile.surfaces.len())));
-            let is_one =
-                neighbours.iter().flat_map(|all| all.iter()).any(|other| (&other.name).into_figure() == *surface);
-            let own = found.filter(|_| is_one).and_then(|index| side.profile.surfaces.get(index));
-            own.into_iter().flat_map(|own| own.pieces.iter().flat_map(|piece| [piece.from, piece.to]))
-        });
-        ends.map(move |end| (end, allowance, near))
-    });
-    later.any(|(end, allowance, near)| {
-        depth.0 <= allowance + ROUNDING
-            && (end.z.to_mm() + at.z.0).abs() < near
-            && (end.radius.to_mm() - at.radius.0).abs() < near
+    let sides = operation.set_ups.iter().flat_map(|set_up| [&set_up.set_up.outer, &set_up.set_up.inner]).flatten();
+    sides.map(|side| &side.profile).any(|profile| {
+        operation.elsewhere.iter().any(|one| {
+            let allowance = one.allowance_mm.to_mm();
+            let near = BESIDE * allowance + 0.01;
+            let Some(index) = profile.surfaces.iter().position(|other| other.name == one.surface) else { return false };
+            let beside = profile.surfaces.iter().skip(index.saturating_sub(1)).take(if index == 0 { 2 } else { 3 });
+            let mut ends = profile.surfaces[index].pieces.iter().flat_map(|piece| [piece.from, piece.to]);
+            depth.0 <= allowance + ROUNDING
+                && beside.into_iter().any(|other| (&other.name).into_figure() == *surface)
+                && ends
+                    .any(|end| (end.z.to_mm() + at.z.0).abs() < near && (end.radius.to_mm() - at.radius.0).abs() < near)
+                && is_outside(profile, at)
+        })
     })
+}
+
+/// Whether a place lies outside of the finished part, so that what is cut there is allowance.
+fn is_outside(profile: &Profile, at: At) -> bool {
+    let Some((least, most)) = profile.contour().radii_at(Half::from(-at.z.0)) else { return true };
+    match profile.side {
+        Side::Outer => at.radius.0 >= least.to_mm() - ROUNDING,
+        Side::Inner => at.radius.0 <= most.to_mm() + ROUNDING,
+    }
 }
 
 /// How far along a slope of 15° goes on through an allowance, in allowances.
