@@ -126,6 +126,7 @@ rows! {
         grades: Option<Vec<&'t str>>,
         width: Option<Micrometres>,
         groove_depth: Option<Micrometres>,
+        own_width: Option<bool>,
         face_diameter_min: Option<Micrometres>,
         shank_height: Option<Micrometres>,
         shank_width: Option<Micrometres>,

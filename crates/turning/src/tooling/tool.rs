@@ -59,6 +59,8 @@ pub struct TurningTool<'k> {
     pub width: Option<Micrometres>,
     /// The deepest groove.
     pub groove_depth: Option<Micrometres>,
+    /// Whether a blade is made for grooves of its own width, as for retaining rings; elsewhere it comes after the others.
+    pub own_width: bool,
     /// The smallest outer diameter of a groove in a face.
     pub face_diameter: Option<Micrometres>,
     /// Least and largest pitch of a threading tool.
@@ -114,6 +116,7 @@ impl<'k> TurningTool<'k> {
             min_bore: tool.min_bore,
             width: tool.width,
             groove_depth: tool.groove_depth,
+            own_width: tool.own_width.unwrap_or_default(),
             face_diameter: tool.face_diameter_min,
             pitch: tool.pitch_min.zip(tool.pitch_max),
             insert_side: side.filter(|_| tool.kind == ToolKind::Threading),

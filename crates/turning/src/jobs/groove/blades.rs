@@ -87,15 +87,10 @@ fn blades<'k>(
         let room = edge(tool).and_then(|edge| valley.centres(edge.corner).map(|way| edge.room(&way)));
         room.is_some_and(|room| room < 0.002)
     };
-    // Short blades are for grooves of retaining rings, which are as wide as they.
-    let short = |tool: &TurningTool<'_>| {
-        let (width, depth) = (tool.width.unwrap_or_default(), tool.groove_depth.unwrap_or_default());
-        2 * depth.micrometres() <= 3 * width.micrometres()
-    };
     tools.sort_by_key(|tool| {
         let (width, at_once) = (tool.width.unwrap_or_default(), at_once(tool));
         let exact = surface.grade.is_some() && at_once;
-        (exact, short(tool) && !at_once, std::cmp::Reverse(width), tool.hand == Hand::L)
+        (exact, tool.own_width && !at_once, std::cmp::Reverse(width), tool.hand == Hand::L)
     });
     Ok(tools)
 }
