@@ -54,3 +54,19 @@ fn rings_have_blades_of_their_width() {
     let names: Vec<&str> = blades.iter().map(|job| job.tool.designation.as_str()).collect();
     assert_eq!(names, ["CGR-1.3", "CGR-2.15"]);
 }
+
+/// Nothing of the stub is long enough for jaws (4 mm of Ø34, 8 are the least): it is parted to length, and its rough face is told.
+#[test]
+fn what_nothing_holds_is_parted_to_length_and_told() {
+    let stub = planned("stub");
+    assert_eq!((stub.set_ups.len(), wrong(&stub)), (1, vec![]));
+    assert_eq!(stub.set_ups[0].parted_mm.map(|z| z.to_mm()), Some(27.0));
+    assert!(stub.findings.iter().any(|finding| finding.note.code() == "far-face-as-parted"));
+}
+
+/// The shaft of 238 mm comes as 244 mm of bar, of which 2 + 4 are faced off before; its page must not tell to saw it shorter.
+#[test]
+fn a_blank_between_centres_is_that_of_the_file() {
+    let shaft = planned("shaft");
+    assert_eq!(shaft.blank_before.map(|blank| blank.length().to_mm()), Some(244.0));
+}

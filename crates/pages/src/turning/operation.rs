@@ -84,7 +84,7 @@ pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
 
 fn head(page: &mut Document, operation: &Operation, knowledge: &Knowledge, lang: Lang) {
     let part = &operation.workpiece;
-    let blank = &part.blank;
+    let blank = operation.blank_before.as_ref().unwrap_or(&part.blank);
     let kind = word(blank.kind.name());
     let holding = word(part.holding.name());
     let (diameter, length) = (blank.largest_diameter(), blank.length());

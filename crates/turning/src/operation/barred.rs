@@ -49,8 +49,8 @@ impl Stage {
 impl Barred {
     /// Whether another bars the same tool from the same work, whatever the proof found.
     pub fn is_same(&self, other: &Self) -> bool {
-        let own = |one: &Self| (one.set_up, one.side, one.stage, one.tool.clone(), one.surfaces.clone());
-        own(self) == own(other)
+        (self.set_up, self.side, self.stage) == (other.set_up, other.side, other.stage)
+            && (&self.tool, &self.surfaces) == (&other.tool, &other.surfaces)
     }
 
     /// The finding for the page.

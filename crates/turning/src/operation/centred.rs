@@ -3,8 +3,8 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
-use crate::tables::turning::jobs::CentreHole;
 use crate::turning::contour::{Contour, Piece, Side};
+use crate::turning::jobs::hole::centre_hole_for;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::shaft::Holding;
@@ -37,8 +37,7 @@ pub(super) fn centred(
     let thinnest = [made.blank.outer.pieces.iter().find(|piece| !piece.is_face()), made.blank.outer.pieces.last()];
     let thinnest = thinnest.into_iter().flatten().map(|piece| piece.from.radius.min(piece.to.radius)).min();
     let diameter = thinnest.unwrap_or_default().diameter();
-    let rows = knowledge.rows::<CentreHole<'_>>()?;
-    let hole = rows.into_iter().filter(|row| row.part_diameter <= diameter).max_by_key(|row| row.pilot);
+    let hole = centre_hole_for(diameter, knowledge)?;
     let note = Note::new(if hole.is_some() { "ends-centred-before" } else { "ends-faced-before" });
     let note = note.with("near", near.max(Half::ZERO)).with("far", far.max(Half::ZERO));
     let note = match hole {

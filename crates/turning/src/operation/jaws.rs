@@ -86,11 +86,9 @@ impl Jaws {
         let (from, to, grips_mm, touches) = match &set_up.holds_at {
             None | Some(Hold::Centres) => return Ok(None),
             Some(Hold::Blank { diameter_mm, length_mm, from }) => (*from, *from + *length_mm, *diameter_mm, *length_mm),
-            Some(Hold::Surface { diameter_mm, length_mm, over: (from, to), .. }) if set_up.turned_over => {
-                (length - *to, length - *from, *diameter_mm, *length_mm)
-            }
+            // A cylinder that the first set-up made holds the part turned over.
             Some(Hold::Surface { diameter_mm, length_mm, over: (from, to), .. }) => {
-                (*from, *to, *diameter_mm, *length_mm)
+                (length - *to, length - *from, *diameter_mm, *length_mm)
             }
         };
         let least = JawLengths::of(grips_mm, knowledge)?.least;

@@ -53,7 +53,7 @@ use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
 use crate::turning::jobs::{Body, Job, Work as JobWork};
 use crate::turning::length::Half;
-use crate::turning::workpiece::{Advice, Workpiece, advice};
+use crate::turning::workpiece::{Advice, Blank, Workpiece, advice};
 use crate::turning::zones::{self, SetUp};
 use layers::Layers;
 use parted::Parted;
@@ -71,6 +71,9 @@ pub struct Operation {
     /// The part.
     #[serde(flatten)]
     pub workpiece: Workpiece,
+    /// The blank of the file, where its ends are faced before it comes between the centres. That of the part is the faced one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blank_before: Option<Blank>,
     /// The advice of the rules about the blank.
     pub blank_advice: Vec<Advice>,
     /// The surfaces finished on another machine.
@@ -159,6 +162,7 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     if let Some((centred, finding)) = centred::centred(workpiece, knowledge)? {
         let mut operation = plan_best(&centred, knowledge)?;
         operation.findings.insert(0, finding);
+        operation.blank_before = Some(workpiece.blank.clone());
         return Ok(operation);
     }
     plan_best(workpiece, knowledge)
@@ -229,6 +233,7 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
     if parted.is_some() && set_ups.get(1).is_some_and(only_faced) {
         parted = parted.map(Parted::to_length);
         set_ups.truncate(1);
+        findings.push(Finding::of_part(Severity::Doubtful, Note::new("far-face-as-parted")));
     }
     let cut_off = parted.map(|parted| parted.workpiece(workpiece));
     let mut done = Vec::new();
@@ -267,6 +272,7 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
     }
     let mut operation = Operation {
         workpiece: workpiece.clone(),
+        blank_before: None,
         blank_advice,
         elsewhere,
         set_ups: done,

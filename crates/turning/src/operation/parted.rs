@@ -38,10 +38,11 @@ impl Parted {
         if workpiece.holding != Holding::Chuck || !bar || bench.lathe.is_none() {
             return Ok(None);
         }
-        let (length, stock) = (workpiece.length(), Half::of(face_stock(bench)?));
-        let task = Self { stock, width: Half::ZERO, gap: Half::of(jaw_gap(bench)?), length }.task(workpiece, None);
+        let (stock, gap) = (Half::of(face_stock(bench)?), Half::of(jaw_gap(bench)?));
+        let mut parted = Self { stock, width: Half::ZERO, gap, length: workpiece.length() };
+        let task = parted.task(workpiece, None);
         let Ok(blade) = Refusal::split(width(&task, bench))? else { return Ok(None) };
-        let parted = Self { stock, width: Half::of(blade), gap: Half::of(jaw_gap(bench)?), length };
+        parted.width = Half::of(blade);
         let least = JawLengths::of(task.bar, bench.knowledge)?.least;
         Ok((workpiece.blank.end() - parted.jaws_from() >= least).then_some(parted))
     }

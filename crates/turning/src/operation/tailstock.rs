@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::Note;
-use crate::tables::turning::jobs::CentreHole;
+use crate::turning::jobs::hole::centre_hole_for;
 use crate::turning::length::Half;
 use crate::turning::tooling::{Lathe, Workholding};
 use crate::turning::workpiece::Workpiece;
@@ -51,10 +51,7 @@ impl Tailstock {
         let blank = if set_up.turned_over { blank.turned_over(workpiece.length()) } else { blank };
         let first = blank.pieces.iter().find(|piece| piece.from.z != piece.to.z);
         let Some(end) = first.map(|piece| piece.from) else { return Ok(None) };
-        let diameter = end.radius.diameter();
-        let rows = knowledge.rows::<CentreHole<'_>>()?;
-        let fitting = rows.into_iter().filter(|row| row.part_diameter <= diameter).max_by_key(|row| row.cone);
-        let mouth_mm = fitting.map_or(Micrometres::ZERO, |row| row.cone);
+        let mouth_mm = centre_hole_for(end.radius.diameter(), knowledge)?.map_or(Micrometres::ZERO, |row| row.cone);
         Ok(Some(Self {
             face_mm: end.z,
             mouth_mm,

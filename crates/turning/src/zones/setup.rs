@@ -95,10 +95,10 @@ pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Resu
         .filter(|_| part.holding == Holding::Chuck && part.lends)
         .and_then(|near| lent(near, far.as_ref()));
     let made = set_ups_of(part, Division { near, far, lent: None }, tool, knowledge)?;
-    let held = |set_ups: &[SetUp]| set_ups.iter().filter(|one| one.holds_at.is_none()).count();
+    let unheld = |set_ups: &[SetUp]| set_ups.iter().filter(|one| one.holds_at.is_none()).count();
     if let (Some(lent), true) = (lent, made.first().is_some_and(|first| first.holds_at.is_none())) {
         let other = set_ups_of(part, lent, tool, knowledge)?;
-        if held(&other) < held(&made) {
+        if unheld(&other) < unheld(&made) {
             return Ok(other);
         }
     }

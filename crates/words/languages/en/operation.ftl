@@ -3,6 +3,7 @@ no-intermediate-contour = the intermediate allowance cannot be applied: { $why }
 no-rough-contour = the rough contour cannot be built: { $why }
 no-contour-of-nose = { $tool }: the contour cannot be offset for its nose: { $why }; its toolpaths are those of a sharp tip
 set-up-not-held = set-up { $number }: no part of it is long enough for the jaws; hold it between centres or leave a longer blank
+far-face-as-parted = nothing of the part is long enough to hold it turned over, so its far face stays as the blade leaves it: rough, hollow by some tenths, perhaps with a pip
 far-face-cut-away = set-up { $number }: { $length } mm of the blank are left behind the part; they are faced away: it is cheaper to saw them off before this set-up down to a facing allowance; they are not parted off: no blade of the catalog reaches the axis with room for the jaws behind it, or the blank is no bar
 face-frees-slug = set-up { $number }: the hole of Ø{ $diameter } is there already, so the last passes over the face set a disc free, which may jam: saw or part the end off before this set-up, or stop and take the disc out
 bore-drilled-first = the bore is drilled first: Ø{ $diameter }, { $depth } mm deep; the diameter is our choice: a multiple of { $step } mm, at least { $stock } mm a side below the rough bore, and not above { $largest } mm

@@ -7,7 +7,8 @@ mod pace;
 #[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests;
 
-use crate::error::{Refusal, Tried};
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::Knowledge;
 use crate::knowledge::table::ToolHead;
 use crate::knowledge::vocabulary::{Operation, Surface, ToolMaterial};
 use crate::note::{Because, Note};
@@ -285,15 +286,25 @@ impl Steps {
     }
 }
 
+/// The centre hole for an end of a diameter (`centre-holes`); none if it is too thin for any.
+///
+/// # Errors
+/// The knowledge base lacks the table.
+pub fn centre_hole_for(end: Micrometres, knowledge: &Knowledge) -> Result<Option<CentreHole<'_>>, KnowledgeError> {
+    let rows = knowledge.rows::<CentreHole<'_>>()?;
+    Ok(rows.into_iter().filter(|row| row.part_diameter <= end).max_by_key(|row| row.pilot))
+}
+
 /// The job of a centre hole in a face of a diameter.
 ///
 /// # Errors
 /// The face is too small for any; or the knowledge base lacks a table.
 pub fn centre_hole(form: CentreForm, end: Micrometres, face: Half, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
-    let rows = bench.knowledge.rows::<CentreHole<'_>>()?;
-    let least = rows.iter().map(|row| row.part_diameter).min().unwrap_or_default();
-    let fitting = rows.into_iter().filter(|row| row.part_diameter <= end).max_by_key(|row| row.pilot);
-    let Some(row) = fitting else { return Err(Refusal::Not(NoJob::NoCentreHole { diameter: end, least })) };
+    let Some(row) = centre_hole_for(end, bench.knowledge)? else {
+        let rows = bench.knowledge.rows::<CentreHole<'_>>()?;
+        let least = rows.iter().map(|row| row.part_diameter).min().unwrap_or_default();
+        return Err(Refusal::Not(NoJob::NoCentreHole { diameter: end, least }));
+    };
     centred(&row, form, face, Note::new("job-centre-hole").with("diameter", end), bench)
 }
 
