@@ -94,9 +94,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let machine = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
     let machine = control::machine(machine, knowledge, context)?;
     let id = machine.id();
-    if let Some(own) = of_part.as_deref().filter(|own| *own != id) {
-        let message = say!(context.lang, "cli-other-machine", asked = id, own = own);
-        return Err(Diagnostic::error("other-machine", message, None).help(context.word("cli-leave-machine")).into());
+    if let Some(own) = of_part.as_deref() {
+        control::same_machine(id, own, context)?;
     }
     let control = control::chosen(args.control.as_deref(), &machine, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;

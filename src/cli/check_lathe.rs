@@ -42,9 +42,12 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
     let language = LatheLanguage::read(control, knowledge).map_err(at_fault)?;
     let part = args.part.as_ref().map(|part| turn::read(part, knowledge, context)).transpose()?;
     let part = part.map(Turned::into_workpiece);
-    // As for a mill, the machine of the part is meant where none is named.
-    let id = args.machine.as_deref().or_else(|| part.as_ref().and_then(|part| part.machine.as_deref()));
-    let lathe = id.map(|id| control::lathe(id, knowledge, context)).transpose()?;
+    // As for a mill, the machine of the part is meant where none is named, and no other than it.
+    let of_part = part.as_ref().and_then(|part| part.machine.as_deref());
+    let lathe = args.machine.as_deref().or(of_part).map(|id| control::lathe(id, knowledge, context)).transpose()?;
+    if let Some((lathe, own)) = lathe.as_ref().zip(of_part) {
+        control::same_machine(lathe.id(), own, context)?;
+    }
     let rates = lathe.map(|lathe| LatheRates { rapid_z: lathe.rapid_z, rapid_x: None });
     let shown = args.program.display().to_string();
     let text = context.text(&args.program)?;

@@ -45,6 +45,18 @@ pub fn lathe<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Resul
     Lathe::find(knowledge, id).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
+/// Holds the machine of the command line against that of the part.
+///
+/// # Errors
+/// They differ.
+pub fn same_machine(named: &str, of_part: &str, context: &Context) -> Result<(), CliError> {
+    if named == of_part {
+        return Ok(());
+    }
+    let message = say!(context.lang, "cli-other-machine", asked = named, own = of_part);
+    Err(Diagnostic::error("other-machine", message, None).help(context.word("cli-leave-machine")).into())
+}
+
 /// The id that a user means: as it is, or as the machine is called, `ГФ2171`.
 fn known<'k>(typed: &str, known: &[&'k str], context: &Context) -> Result<&'k str, CliError> {
     let id = machine::id_of(typed);

@@ -8,6 +8,7 @@ use crate::material::{self, MaterialState};
 use crate::note::Note;
 use crate::turning::tooling::Lathe;
 use crate::units::Micrometres;
+use technolog_core::machine;
 use technolog_core::part::stated;
 
 /// The largest length or diameter of a file, mm: sums of passes stay exact.
@@ -122,12 +123,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The id of a lathe.
+    /// The id of a lathe, from the id itself or as the workshop calls it: `16К20Ф3`.
     pub(super) fn lathe(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.to_owned();
         let known = Lathe::ids(self.knowledge);
-        if known.contains(&text.as_str()) {
-            return Some(text);
+        let id = machine::id_of(&text);
+        if known.contains(&id.as_str()) {
+            return Some(id);
         }
         let known = known.iter().map(|id| format!("`{id}`")).collect::<Vec<_>>().join(", ");
         self.fault(mistake!("unknown-lathe", lathe = text, known = known), &node.place)

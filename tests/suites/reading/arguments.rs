@@ -27,6 +27,11 @@ fn what_is_not_there_is_told_with_what_is() {
         ("check program.nc --machine foo", "[unknown-machine]", "there are: gf2171"),
         ("check program.nc --control linuxcnc-lathe --machine gf2171", "[unknown-machine]", "16k20f3"),
         ("check program.nc --control linuxcnc-lathe --machine 16К21Ф3", "[unknown-machine]", "16k20f3"),
+        (
+            "check program.nc --control fanuc-lathe --part pin.yaml --machine 16А20Ф3",
+            "[other-machine]",
+            "leave out --machine",
+        ),
         ("plan plate.yaml --format pdf", "pdf", "text, markdown, html, json, yaml, hand"),
         ("lookup A.8 it=7 roughness=Ra2,5", "a decimal part stands after a point, `Ra 2.5`", "Ra 2.5 or Ra 1.25"),
         ("program foo.yaml", "--> foo.yaml:5:10", "gf2171, ir500pmf4"),

@@ -210,7 +210,7 @@ impl Reader<'_> {
                 ItemShape::Arc { to, radius, hollow }
             }),
             ItemKind::Thread => self.surface(at, ThreadItem::thread, |reader, value, fields| ItemShape::Thread {
-                size: value.and_then(|node| reader.thread(node)),
+                size: value.and_then(|node| reader.thread(node, side)),
                 along: reader.thread_end(fields, owner),
             }),
             ItemKind::Groove => self.surface(at, GrooveItem::groove, |reader, value, fields| {
@@ -332,9 +332,18 @@ impl Reader<'_> {
         }
     }
 
-    fn thread(&mut self, node: &Node) -> Option<Placed<ThreadSize>> {
+    fn thread(&mut self, node: &Node, side: Side) -> Option<Placed<ThreadSize>> {
         let text = self.problems.text(node)?;
         match thread::read(text, self.knowledge) {
+            Ok(named) if named.has_class_of_other_side(side) => {
+                let code = match side {
+                    Side::Outer => "outer-thread-with-class-of-bores",
+                    Side::Inner => "inner-thread-with-class-of-shafts",
+                };
+                // What follows from its size, its relief for one, is still right.
+                self.fault::<()>(mistake!(code, thread = text), &node.place);
+                Some((named, node.place.clone()))
+            }
             Ok(named) => Some((named, node.place.clone())),
             Err(code) => self.fault(mistake!(code, thread = text), &node.place),
         }

@@ -19,6 +19,16 @@ pub(super) struct ThreadSize {
 }
 
 impl ThreadSize {
+    /// Whether its tolerance class is one of the other side: by ISO 965-1 a lower-case letter is of a thread outside, a
+    /// capital letter of one in a bore.
+    pub fn has_class_of_other_side(&self, side: Side) -> bool {
+        let class = self.written.split_once('-').map_or("", |(_, class)| class);
+        class.chars().any(|letter| match side {
+            Side::Outer => letter.is_ascii_uppercase(),
+            Side::Inner => letter.is_ascii_lowercase(),
+        })
+    }
+
     /// The least and the largest diameter that a thread may be cut on: outside the nominal one; in a bore from the minor
     /// diameter D1 = d − 1.0825 P (ISO 724) to the drill, by the tables or d − P.
     pub fn diameters(&self, side: Side) -> (Micrometres, Micrometres) {
@@ -73,6 +83,23 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadSize, &'st
 mod tests {
     use super::*;
     use crate::shipped;
+
+    /// By ISO 965-1, clause 5: capital letters are of threads in bores.
+    #[test]
+    fn a_class_belongs_to_one_side() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (text, outside, inside) in [
+            ("M30x2-6g", true, false),
+            ("M30x2-6H", false, true),
+            ("М30х2-6Н", false, true),
+            ("M10-4g6g", true, false),
+            ("M10", true, true),
+        ] {
+            let thread = read(text, &knowledge).unwrap();
+            let fits = |side| !thread.has_class_of_other_side(side);
+            assert_eq!((fits(Side::Outer), fits(Side::Inner)), (outside, inside), "{text}");
+        }
+    }
 
     #[test]
     fn threads_are_read() {
