@@ -56,9 +56,33 @@ pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, doubts:
     let taken = found.recommended.variant.unwrap_or("no-variant");
     let why = say!(lang, "turn-take", variant = word(taken), why = &because.note);
     page.paragraph(rests_on(&why, because, lang));
+    if let Some(sentence) = quicker_scheme(found, schemes, lang) {
+        page.paragraph(sentence);
+    }
     schemes::sections(&mut page, schemes, lang);
     findings(&mut page, found.findings.iter().chain(&schemes.findings), doubts, lang);
     page
+}
+
+/// The scheme of the lecture that takes less time than the recommended variant: the variant is only the best on
+/// the grid of levels and slices, so a page that names both must say which is meant when.
+fn quicker_scheme(found: &Sequences, schemes: &Schemes, lang: Lang) -> Option<String> {
+    let variant = found.variants.iter().find(|variant| Some(variant.name) == found.recommended.variant)?;
+    let best = schemes.best_scheme.as_ref()?;
+    let scheme = schemes.schemes.iter().find(|scheme| scheme.name == best.scheme)?;
+    let (time, taken) = (scheme.measures.time_min.0, variant.time_min?.0);
+    (time < taken).then(|| {
+        let minutes = |time: f64| cells::fixed(time, 3, lang);
+        say!(
+            lang,
+            "turn-scheme-is-quicker",
+            scheme = word(scheme.name),
+            section = say!(lang, "turn-schemes"),
+            time = minutes(time),
+            variant = word(variant.name),
+            taken = minutes(taken)
+        )
+    })
 }
 
 /// A drawing as a block of its page.

@@ -49,6 +49,7 @@ turn-direction = Direction
 turn-why = Why
 turn-recommended = Recommendation
 turn-take = { $variant }: { $why }
+turn-scheme-is-quicker = { $scheme } (section “{ $section }”): the same stock in { $time } min; { $variant }: { $taken } min. Where time counts, take the scheme. The variant is the best only among passes on the levels and slices listed above.
 word-no-variant = none of these variants
 turn-levels-and-zones = Levels and zones (lecture 12.4)
 turn-limiting-depth = Limiting depth of cut { $limit } mm; all passes are { $depth } mm deep.

@@ -51,6 +51,7 @@ turn-direction = Напрям
 turn-why = Чому
 turn-recommended = Рекомендація
 turn-take = { $variant }: { $why }
+turn-scheme-is-quicker = { $scheme } (розділ «{ $section }»): той самий припуск за { $time } хв; варіант «{ $variant }»: { $taken } хв. Якщо важить час, беріть схему. Варіант найкращий лише серед ходів за переліченими вгорі рівнями та шарами.
 word-no-variant = жоден із цих варіантів
 turn-levels-and-zones = Рівні та зони (лекція 12.4)
 turn-limiting-depth = Гранична глибина різання { $limit } мм; єдина глибина робочого ходу { $depth } мм.
