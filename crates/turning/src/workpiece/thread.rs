@@ -5,6 +5,8 @@ use crate::tables::standards::CoarseThread;
 use crate::turning::contour::Side;
 use crate::units::Micrometres;
 
+use super::thread_limits::class_of;
+
 /// A thread by its name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ThreadSize {
@@ -22,8 +24,7 @@ impl ThreadSize {
     /// Whether its tolerance class is one of the other side: by ISO 965-1 a lower-case letter is of a thread outside, a
     /// capital letter of one in a bore.
     pub fn has_class_of_other_side(&self, side: Side) -> bool {
-        let class = self.written.split_once('-').map_or("", |(_, class)| class);
-        class.chars().any(|letter| match side {
+        class_of(&self.written).unwrap_or_default().chars().any(|letter| match side {
             Side::Outer => letter.is_ascii_uppercase(),
             Side::Inner => letter.is_ascii_lowercase(),
         })
@@ -84,7 +85,7 @@ mod tests {
     use super::*;
     use crate::shipped;
 
-    /// By ISO 965-1, clause 5: capital letters are of threads in bores.
+    /// By ISO 965-1 capital letters are of threads in bores; the hand or the length of engagement may follow the class.
     #[test]
     fn a_class_belongs_to_one_side() {
         let knowledge = shipped::knowledge().unwrap();
@@ -93,6 +94,8 @@ mod tests {
             ("M30x2-6H", false, true),
             ("М30х2-6Н", false, true),
             ("M10-4g6g", true, false),
+            ("M36x2-6g-LH", true, false),
+            ("M12-6H-30", false, true),
             ("M10", true, true),
         ] {
             let thread = read(text, &knowledge).unwrap();

@@ -102,12 +102,16 @@ fn pitch_tolerances(size: Micrometres, pitch: Micrometres, knowledge: &Knowledge
     knowledge.find(is_of).ok().flatten()
 }
 
-/// The classes of the pitch diameter and of the crests: `5g6g` has two, `6g` one for both. The length of engagement or the
-/// hand, which may follow, are left out.
+/// The tolerance class of a designation: `6g` of `M36x2-6g-LH`. The length of engagement or the hand, which may follow, are
+/// left out.
+pub(super) fn class_of(written: &str) -> Option<&str> {
+    written.split('-').nth(1)
+}
+
+/// The classes of the pitch diameter and of the crests: `5g6g` has two, `6g` one for both.
 fn classes(written: &str, side: Side) -> (Option<&str>, Option<&str>) {
     let medium = if side == Side::Outer { "6g" } else { "6H" };
-    let field = written.split_once('-').map_or(medium, |(_, classes)| classes);
-    let field = field.split_once('-').map_or(field, |(classes, _)| classes);
+    let field = class_of(written).unwrap_or(medium);
     match field.len() {
         2 => (Some(field), Some(field)),
         4 => (field.get(..2), field.get(2..)),
