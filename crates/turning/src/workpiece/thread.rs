@@ -47,7 +47,7 @@ impl ThreadSize {
 /// Reads `M36x2`, `M36x2-6g`, `M36`: the coarse pitch and the drill are those of the table `tap-drills`.
 ///
 /// # Errors
-/// The code of the mistake: it is no metric thread, or its coarse pitch is not known.
+/// The code of the mistake: it is no metric thread, a left-hand one, or its coarse pitch is not known.
 pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadSize, &'static str> {
     let latin = |letter: char| match letter {
         'х' | 'Х' | 'X' | '×' | '*' => 'x',
@@ -64,6 +64,10 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadSize, &'st
     let (sizes, field) = rest.split_once('-').map_or((rest, None), |(sizes, field)| (sizes, Some(field)));
     if field.is_some_and(|field| !field.starts_with(|first: char| first.is_ascii_digit())) {
         return Err("bad-turned-thread");
+    }
+    // Passes are planned for right-hand threads alone.
+    if rest.split('-').any(|mark| mark.ends_with("LH")) {
+        return Err("left-hand-turned-thread");
     }
     let (size, pitch) = sizes.split_once('x').map_or((sizes, None), |(size, pitch)| (size, Some(pitch)));
     let length = |figure: &str| figure.parse::<Micrometres>().map_err(|_| "bad-turned-thread");
@@ -94,7 +98,7 @@ mod tests {
             ("M30x2-6H", false, true),
             ("М30х2-6Н", false, true),
             ("M10-4g6g", true, false),
-            ("M36x2-6g-LH", true, false),
+            ("M36x2-6g-30", true, false),
             ("M12-6H-30", false, true),
             ("M10", true, true),
         ] {
@@ -127,6 +131,8 @@ mod tests {
             ("M8-g", "bad-turned-thread"),
             ("M30x2,5-6g", "turned-thread-comma"),
             ("M201", "no-coarse-pitch"),
+            ("M36x2-6g-LH", "left-hand-turned-thread"),
+            ("М36х2LH-6g", "left-hand-turned-thread"),
         ] {
             assert_eq!(read(text, &knowledge).unwrap_err(), code, "{text}");
         }
