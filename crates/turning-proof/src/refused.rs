@@ -86,6 +86,9 @@ fn is_possible(tool: &Tool) -> bool {
         Cutter::Drill { diameter, point_angle, flute } => {
             point_angle.0 > 0.0 && point_angle.0 <= 180.0 && lengths(&[diameter, flute])
         }
+        Cutter::Reamer { diameter, front, lead, reach } => {
+            lengths(&[diameter, front, lead, reach]) && front.0 <= diameter.0 && lead.0 <= reach.0
+        }
         Cutter::CentreDrill { pilot, pilot_length, body } => lengths(&[pilot, pilot_length, body]),
     };
     let holder = match tool.holder {

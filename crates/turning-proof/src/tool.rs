@@ -94,6 +94,17 @@ pub enum Cutter {
         /// Its usable depth.
         flute: Mm,
     },
+    /// A core drill or a reamer on the axis: its front is narrower by its lead.
+    Reamer {
+        /// Its diameter.
+        diameter: Mm,
+        /// The diameter of its front.
+        front: Mm,
+        /// The length of its lead.
+        lead: Mm,
+        /// Its usable depth.
+        reach: Mm,
+    },
     /// A centre drill with its 60° cone.
     CentreDrill {
         /// The diameter of its pilot.
@@ -111,12 +122,12 @@ impl Cutter {
         match *self {
             Self::Insert { nose_radius, .. } => nose_radius,
             Self::Blade { corner_radius, .. } | Self::FaceBlade { corner_radius, .. } => corner_radius,
-            Self::Thread { .. } | Self::Drill { .. } | Self::CentreDrill { .. } => Mm(0.0),
+            Self::Thread { .. } | Self::Drill { .. } | Self::Reamer { .. } | Self::CentreDrill { .. } => Mm(0.0),
         }
     }
 
     pub(crate) const fn turns_on_axis(&self) -> bool {
-        matches!(self, Self::Drill { .. } | Self::CentreDrill { .. })
+        matches!(self, Self::Drill { .. } | Self::Reamer { .. } | Self::CentreDrill { .. })
     }
 }
 

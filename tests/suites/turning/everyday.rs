@@ -1,7 +1,8 @@
 //! Parts as they stand on everyday drawings: planned whole, or told why not.
 
 use technolog::note::Severity;
-use technolog::turning::jobs::Work;
+use technolog::turning::contour::Side;
+use technolog::turning::jobs::{Body, Work};
 use technolog::turning::operation::{Operation, plan};
 use technolog::turning::workpiece::read_turned;
 use technolog_testing::KNOWLEDGE;
@@ -28,12 +29,61 @@ fn everyday_parts_are_made_whole() {
     }
 }
 
-/// The cup has one cylinder and 9 mm of bar behind it: nothing holds it, and its flat bottom is beyond a bar.
+/// The cup has one cylinder and 9 mm of bar behind it: nothing holds it. Its bore is made whole.
 #[test]
 fn a_cup_on_a_stub_is_told() {
     let operation = planned("cup");
-    let wrong = wrong(&operation);
-    assert!(wrong.contains(&"set-up-not-held") && wrong.contains(&"bore-bottom-stands"), "{wrong:?}");
+    assert_eq!(wrong(&operation), ["set-up-not-held"], "{:?}", operation.findings);
+}
+
+/// Holes that no bar enters, and flat bottoms: a reamed bushing, a hole behind a bored seat, a blind hole with the cone of its drill,
+/// a pot.
+#[test]
+fn holes_on_the_axis_are_made_whole() {
+    for name in ["reamed", "nozzle", "blind", "pot"] {
+        let operation = planned(name);
+        assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
+    }
+}
+
+/// The handbook's way to 12H7: drill 11, core drill 11.85, rough reamer 11.95, reamer 12. The drill goes past the blade that parts
+/// the bushing off: 30 of the part, 1 of stock, 3 of blade, 3.3 of its point, 2 beyond.
+#[test]
+fn a_hole_is_reamed_by_the_handbook_and_parted() {
+    let operation = planned("reamed");
+    let jobs = &operation.set_ups[0].jobs;
+    let sizes: Vec<(Work, String)> = jobs
+        .iter()
+        .filter_map(|job| match job.tool.body {
+            Body::Drill { diameter_mm, .. } if job.work == Work::Drill => Some((job.work, diameter_mm.to_string())),
+            Body::Reamer { diameter_mm, .. } => Some((job.work, diameter_mm.to_string())),
+            _ => None,
+        })
+        .collect();
+    let size = |work, size: &str| (work, size.to_owned());
+    let expected =
+        [size(Work::Drill, "11"), size(Work::CoreDrill, "11.85"), size(Work::Ream, "11.95"), size(Work::Ream, "12")];
+    assert_eq!(sizes, expected);
+    let drill = jobs.iter().find(|job| job.work == Work::Drill).unwrap();
+    let tip = drill.path.moves.iter().map(|one| one.to.z.to_mm()).fold(0.0, f64::max);
+    assert!((tip - (30.0 + 1.0 + 3.0 + 5.5 / 59_f64.to_radians().tan() + 2.0)).abs() < 0.001, "{tip}");
+    assert_eq!(operation.set_ups[0].parted_mm.map(|z| z.to_mm()), Some(31.0));
+}
+
+/// A bore of Ø36: a drill of 30 to the bottom, then a flat one. What the bar faces of the bottom is left as thin as its edge takes:
+/// half of 6·sin 5° = 0.26.
+#[test]
+fn a_flat_bottom_is_made_flat_before_it_is_bored() {
+    let operation = planned("pot");
+    let jobs = &operation.set_ups[0].jobs;
+    let deepest = |work| {
+        let job = jobs.iter().find(|job| job.work == work && job.side == Side::Inner).unwrap();
+        job.path.moves.iter().map(|one| one.to.z.to_mm()).fold(0.0, f64::max)
+    };
+    let stock = 30.0 - deepest(Work::Flatten);
+    assert!((stock - 0.5 * 6.0 * 5_f64.to_radians().sin()).abs() < 0.001, "{stock}");
+    assert_eq!(deepest(Work::Drill), deepest(Work::Flatten));
+    assert_eq!(deepest(Work::Finish), 30.0);
 }
 
 /// A bar of Ø28 with 49 mm behind the stud is parted with 1 mm for the face; one of Ø65 is too thick for any blade of the catalog.

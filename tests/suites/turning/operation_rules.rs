@@ -64,8 +64,8 @@ fn the_drill_before_boring_is_a_row() {
         drilled.diameter_mm.to_string()
     };
     assert_eq!(drilled(&shipped_knowledge()), "21");
-    assert_eq!(drilled(&with("bore-drill", "least_stock: 1, step: 1", "least_stock: 1.5, step: 1")), "20");
-    assert_eq!(drilled(&with("bore-drill", "least_stock: 1, step: 1", "least_stock: 1.5, step: 3")), "18");
+    assert_eq!(drilled(&with("bore-drill", "least_stock: 1, stock_for_bar", "least_stock: 1.5, stock_for_bar")), "20");
+    assert_eq!(drilled(&with("bore-drill", "stock_for_bar: 0.5, step: 1", "stock_for_bar: 0.5, step: 6")), "18");
     let none = planned("bar", &with("bore-drill", "drilled: true", "drilled: false"));
     assert!(none.findings.iter().any(|finding| finding.note.code() == "bore-too-narrow-to-drill"));
 }

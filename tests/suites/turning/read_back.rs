@@ -104,14 +104,14 @@ fn a_rapid_through_metal_is_told() {
     assert!(grave(&faults).contains(&("swept-rapid", Severity::Wrong, line)), "{faults:?}");
 }
 
-/// The sleeve's bar of Ø60 is turned to Z-44, so that the jaws close at Z-49: their front is 5 mm behind.
+/// The sleeve is parted off at Z-45 by a blade of 4 mm, so that the jaws close at Z-54: their front is 5 mm behind the blade.
 #[test]
 fn a_way_into_the_jaws_is_told() {
     let (operation, text) = sleeve();
     let line = line_of(&text, "rough)", "G0 X58.1 Z-45.5") + 1;
-    let faults = found(&operation, &changed(&text, line, "X64\nZ-48.9\nX64 Z2.6"));
+    let faults = found(&operation, &changed(&text, line, "X64\nZ-53.9\nX64 Z2.6"));
     assert_eq!(grave(&faults), [], "{faults:?}");
-    let faults = found(&operation, &changed(&text, line, "X64\nZ-49.1\nX64 Z2.6"));
+    let faults = found(&operation, &changed(&text, line, "X64\nZ-54.1\nX64 Z2.6"));
     assert_eq!(grave(&faults), [("swept-struck", Severity::Wrong, line + 1)]);
 }
 

@@ -79,6 +79,6 @@ fn shank(tool: &JobTool) -> String {
     match &tool.body {
         Body::Insert { shank_mm: Some((height, width)), .. } => format!("{height}×{width}"),
         Body::Insert { bar_mm: Some(bar), .. } => format!("Ø{bar}"),
-        Body::Insert { .. } | Body::Drill { .. } | Body::CentreDrill { .. } => String::new(),
+        Body::Insert { .. } | Body::Drill { .. } | Body::Reamer { .. } | Body::CentreDrill { .. } => String::new(),
     }
 }

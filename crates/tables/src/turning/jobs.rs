@@ -54,6 +54,8 @@ vocabulary! {
         DrillBreakthrough = "drill-breakthrough",
         /// The diameter of a centring spot, divided by that of the next drill.
         SpotShare = "spot-share",
+        /// The diameter by which a countersink is fed and run, as a share of the way from the hole to its widest.
+        CountersinkShare = "countersink-share",
     }
 }
 

@@ -2,11 +2,27 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use technolog_knowledge::units::{Degrees, Megapascals, Micrometres, Microns};
+use technolog_knowledge::units::{Degrees, ItGrade, Megapascals, Micrometres, Microns, Roughness};
 pub use technolog_knowledge::vocabulary::{Place, StockKind};
 use technolog_knowledge::{rows, vocabulary};
 
 use crate::cutting::Surface;
+
+vocabulary! {
+    /// How a hole on the axis is made.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum AxialWay {
+        /// With a boring bar.
+        Bored = "bored",
+        /// To size with a drill.
+        Drilled = "drilled",
+        /// With one reamer.
+        Reamed = "reamed",
+        /// With a rough and a finish reamer.
+        ReamedTwice = "reamed-twice",
+    }
+}
 
 vocabulary! {
     /// The side of a contour where the metal is.
@@ -228,8 +244,19 @@ rows! {
     } {
         drilled: bool,
         least_stock: Option<Micrometres>,
+        stock_for_bar: Option<Micrometres>,
         step: Option<Micrometres>,
         largest: Option<Micrometres>,
+    }
+
+    /// Whether a hole on the axis is bored, or how tools on the axis make it to size.
+    pub struct AxialHole of One("axial-hole") asked by AxialHoleFor {
+        diameter: Micrometres,
+        it: Option<ItGrade>,
+        roughness: Option<Roughness>,
+    } {
+        made: AxialWay,
+        core_drilled: bool,
     }
 
     /// Allowances for finish turning after rough turning.

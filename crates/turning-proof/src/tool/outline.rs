@@ -51,6 +51,13 @@ impl Outline {
                 let (cuts, shank) = drill(diameter.0 / 2.0, point_angle.0, flute.0);
                 (vec![cuts], vec![shank], Side::Outside, Hand::Right)
             }
+            Cutter::Reamer { diameter, front, lead, reach } => {
+                let (radius, front) = (diameter.0 / 2.0, front.0 / 2.0);
+                let edges = [(0.0, 0.0), (0.0, front), (lead.0, radius), (reach.0, radius), (reach.0, 0.0)];
+                let cuts = edges.map(|(z, r)| Vector::new(z, r)).to_vec();
+                let shank = Convex::rectangle(Vector::new(reach.0, 0.0), Vector::new(reach.0 + FAR, radius));
+                (vec![cuts], vec![shank.to_vec()], Side::Outside, Hand::Right)
+            }
             Cutter::CentreDrill { pilot, pilot_length, body } => {
                 let (pilot, length, body) = (pilot.0 / 2.0, pilot_length.0, body.0 / 2.0);
                 let (cuts, _) = drill(pilot, CENTRE_POINT, length);

@@ -14,6 +14,8 @@ pub struct Clearance {
     pub retract: Half,
     /// The greatest height of a wall that the edge may cut while it rises.
     pub wall: Half,
+    /// The least distance of the tool from the axis, in a bore: its bar must not touch the wall on the other side.
+    pub nearest: Half,
 }
 
 /// The toolpath along a contour through the stock above it, both offset for the reference point of the tool
@@ -27,13 +29,15 @@ pub struct Clearance {
 ///
 /// For a bore the same, inside out.
 pub fn along(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
-    seen_outside(contour, standing, |contour, standing, ceiling| outside(contour, standing, ceiling, clearance))
+    seen_outside(contour, standing, clearance.nearest, |contour, standing, ceiling| {
+        outside(contour, standing, ceiling, clearance)
+    })
 }
 
 /// The toolpath along a hollow from lip to lip, down to its beginning and up from its end. It begins and ends above
 /// the metal beside it, at a home point outside the whole side.
 pub fn dip(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
-    seen_outside(contour, standing, |contour, standing, ceiling| {
+    seen_outside(contour, standing, clearance.nearest, |contour, standing, ceiling| {
         let Clearance { approach, .. } = clearance;
         let limited = |radius: Half| ceiling.map_or(radius, |ceiling: Half| radius.min(ceiling));
         let (Some(start), Some(end), Some(first)) = (contour.start(), contour.end(), standing.start()) else {
@@ -59,6 +63,7 @@ pub fn dip(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolp
 fn seen_outside(
     contour: &Contour,
     standing: &Contour,
+    nearest: Half,
     make_path: impl FnOnce(&Contour, &Contour, Option<Half>) -> Toolpath,
 ) -> Toolpath {
     if contour.side == Side::Outer {
@@ -66,7 +71,7 @@ fn seen_outside(
     }
     let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
     let top = most(contour).max(most(standing));
-    let seen = make_path(&contour.inside_out(top), &standing.inside_out(top), Some(top));
+    let seen = make_path(&contour.inside_out(top), &standing.inside_out(top), Some(top - nearest));
     let moves = seen.pieces().map(|(piece, purpose)| {
         let piece = piece.inside_out(top);
         Move { to: piece.to, curve: piece.curve, purpose }
@@ -74,9 +79,9 @@ fn seen_outside(
     Toolpath { from: seen.from.inside_out(top), moves: moves.collect() }
 }
 
-/// The toolpath outside; `ceiling` is where the axis is, for a bore seen inside out.
+/// The toolpath outside; `ceiling` is as near to the axis as the tool may come, for a bore seen inside out.
 fn outside(contour: &Contour, standing: &Contour, ceiling: Option<Half>, clearance: Clearance) -> Toolpath {
-    let Clearance { approach, retract, wall } = clearance;
+    let Clearance { approach, retract, wall, .. } = clearance;
     let limited = |radius: Half| ceiling.map_or(radius, |ceiling| radius.min(ceiling));
     let (Some(start), Some(end)) = (contour.start(), contour.end()) else { return Toolpath::default() };
     let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
@@ -167,7 +172,7 @@ mod tests {
     }
 
     const CLEARANCE: Clearance =
-        Clearance { approach: Half::new(4000), retract: Half::new(1000), wall: Half::new(20_000) };
+        Clearance { approach: Half::new(4000), retract: Half::new(1000), wall: Half::new(20_000), nearest: Half::ZERO };
 
     /// A pin of radius 10 with a flange of 15, 0.5 to finish everywhere; the nose has 0.8.
     #[test]

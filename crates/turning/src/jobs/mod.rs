@@ -11,6 +11,7 @@
 //! | face grooving | the corner of the blade towards the axis, as a theoretical point |
 //! | threading | the sharp point of the profile |
 //! | centre drill, drill | its point on the axis |
+//! | core drill, reamer | the middle of its front |
 
 pub mod along;
 mod clock;
@@ -49,10 +50,18 @@ pub enum Work {
     Centre,
     /// A hole on the axis.
     Drill,
+    /// The bottom of a hole is made flat.
+    Flatten,
+    /// The chamfer at the mouth of a hole.
+    Countersink,
+    /// A drilled hole is made wider and truer before it is reamed.
+    CoreDrill,
     /// Stock is removed down to the rough contour.
     Rough,
     /// The finished contour.
     Finish,
+    /// A hole on the axis is reamed to size.
+    Ream,
     /// A groove or a relief, with its sides.
     Groove,
     /// A thread, pass by pass.
@@ -68,8 +77,12 @@ impl Work {
             Self::Face => "face",
             Self::Centre => "centre",
             Self::Drill => "drill",
+            Self::Flatten => "flatten",
+            Self::Countersink => "countersink",
+            Self::CoreDrill => "core-drill",
             Self::Rough => "rough",
             Self::Finish => "finish",
+            Self::Ream => "ream",
             Self::Groove => "groove",
             Self::Thread => "thread",
             Self::PartOff => "part-off",
@@ -182,6 +195,17 @@ pub enum Body {
         /// The usable length of its flutes, mm.
         flute_mm: Option<Micrometres>,
     },
+    /// A core drill or a reamer.
+    Reamer {
+        /// Its diameter, mm.
+        diameter_mm: Micrometres,
+        /// The diameter of its front, where its lead begins, mm.
+        front_mm: Micrometres,
+        /// The length of its lead, mm.
+        lead_mm: Micrometres,
+        /// How deep it enters, mm.
+        reach_mm: Micrometres,
+    },
     /// A centre drill of ГОСТ 14034.
     CentreDrill {
         /// Its pilot diameter d, mm.
@@ -252,7 +276,7 @@ impl JobTool {
     pub const fn nose_radius(&self) -> Micrometres {
         match self.body {
             Body::Insert { nose_radius_mm, .. } => nose_radius_mm,
-            Body::Drill { .. } | Body::CentreDrill { .. } => Micrometres::ZERO,
+            Body::Drill { .. } | Body::Reamer { .. } | Body::CentreDrill { .. } => Micrometres::ZERO,
         }
     }
 }

@@ -175,6 +175,7 @@ mod tests {
             elsewhere: &[],
             held: None,
             grip: None,
+            through: None,
             barred: Vec::new(),
             knowledge: &knowledge,
         };

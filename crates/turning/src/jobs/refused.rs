@@ -75,6 +75,8 @@ pub enum NoJob {
     ThreadOnNoCylinder { surface: SurfaceName },
     /// No drill of the catalogs is so small, or reaches so deep.
     NoDrill { diameter: Micrometres, depth: Half },
+    /// No other cutter for the axis is of that size and reaches so deep.
+    NoCutter { operation: crate::knowledge::vocabulary::Operation, diameter: Micrometres, depth: Half },
     /// The drill exceeds the spindle or the drive of Z even at the least feed.
     DrillTooStrong { diameter: Micrometres, force: Newtons, most: Newtons },
     /// No centre hole is so small.
@@ -138,6 +140,10 @@ impl NoJob {
             }
             Self::ThreadOnNoCylinder { surface } => new("thread-on-no-cylinder").with("surface", surface),
             Self::NoDrill { diameter, depth } => new("job-no-drill").with("diameter", diameter).with("depth", depth),
+            Self::NoCutter { operation, diameter, depth } => new("job-no-cutter")
+                .with("operation", Figure::operation(operation.name()))
+                .with("diameter", diameter)
+                .with("depth", depth),
             Self::DrillTooStrong { diameter, force, most } => new("job-drill-too-strong")
                 .with("diameter", diameter)
                 .with("force", round_to(force.0, 0))

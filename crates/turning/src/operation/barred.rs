@@ -41,7 +41,13 @@ impl Stage {
             JobWork::Face | JobWork::Rough => Some(Self::Roughing),
             JobWork::Finish => Some(Self::Finishing),
             JobWork::Groove | JobWork::Thread => Some(Self::Cutting),
-            JobWork::Centre | JobWork::Drill | JobWork::PartOff => None,
+            JobWork::Centre
+            | JobWork::Drill
+            | JobWork::Flatten
+            | JobWork::Countersink
+            | JobWork::CoreDrill
+            | JobWork::Ream
+            | JobWork::PartOff => None,
         }
     }
 }

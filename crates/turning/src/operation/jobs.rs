@@ -24,7 +24,7 @@ use super::depth::{self, ZoneCut};
 use super::layers::Layers;
 use super::tools::{self, Bench};
 use super::work::{Hollow, Work, ZoneWork};
-use super::{SideWork, Stage, clip, crests, features};
+use super::{Axial, SideWork, Stage, clip, crests, features};
 use crate::turning::cutting::{Direction, TurningConditions, unsaid_roughness, wall_share};
 use technolog_core::part::tolerance_width;
 
@@ -35,10 +35,19 @@ use technolog_core::part::tolerance_width;
 pub(super) fn jobs(
     set_up: &SetUp,
     sides: &[SideWork],
+    axial: Option<&Axial>,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
     let mut jobs = Vec::new();
+    if let Some(axial) = axial {
+        jobs.extend(axial.jobs(rough_face(sides), bench, findings)?);
+    }
+    let there = jobs.iter().filter_map(|job| match job.tool.body {
+        Body::Drill { diameter_mm, .. } if job.work == JobWork::Drill => Some(diameter_mm),
+        _ => None,
+    });
+    let there = there.max().unwrap_or_default();
     for side in sides {
         for zone in &side.zones {
             for (index, work) in zone.works.iter().enumerate() {
@@ -52,8 +61,9 @@ pub(super) fn jobs(
         }
     }
     for side in sides {
-        let drilled = drilled(set_up, side, sides, bench, findings)?;
-        if side.layers.drilled_first.is_some() && !drilled.iter().any(|job| job.work == JobWork::Drill) {
+        let drilled = drilled(set_up, side, sides, there, bench, findings)?;
+        let own = side.layers.drilled_first.as_ref().is_some_and(|first| first.own);
+        if own && !drilled.iter().any(|job| job.work == JobWork::Drill) {
             // No bar enters solid metal; the findings say why there is no hole, and which surfaces of the bore are
             // not made.
             jobs.retain(|job| job.side != side.side);
@@ -79,38 +89,58 @@ const fn order(work: JobWork) -> u8 {
     match work {
         JobWork::Face => 0,
         JobWork::Centre => 1,
-        JobWork::Drill => 2,
+        JobWork::Drill | JobWork::Flatten | JobWork::CoreDrill => 2,
         JobWork::Rough => 3,
         JobWork::Finish => 4,
-        JobWork::Groove => 5,
-        JobWork::Thread => 6,
-        JobWork::PartOff => 7,
+        // A reamer follows the bar that makes its mouth true, and the countersink leaves its burr to the reamer.
+        JobWork::Countersink => 5,
+        JobWork::Ream => 6,
+        JobWork::Groove => 7,
+        JobWork::Thread => 8,
+        JobWork::PartOff => 9,
     }
 }
 
-/// The spot and the hole that is drilled before a bore into solid metal.
+/// Z of the rough face of the free end.
+fn rough_face(sides: &[SideWork]) -> Half {
+    let outside = sides.iter().find(|other| other.side == Side::Outer);
+    outside.and_then(|outer| outer.layers.rough.start()).map_or(Half::ZERO, |outer| outer.z)
+}
+
+/// The spot and the hole that is drilled before a bore, with its bottom; `there` is the diameter of the hole behind it that is made
+/// to size.
 fn drilled(
     set_up: &SetUp,
     side: &SideWork,
     sides: &[SideWork],
+    there: Micrometres,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
-    let (Some(drilled), Some(start)) = (&side.layers.drilled_first, side.layers.rough.start()) else {
+    let Some(drilled) = side.layers.drilled_first.as_ref().filter(|drilled| drilled.own || drilled.flat) else {
         return Ok(Vec::new());
     };
-    let outside = sides.iter().find(|other| other.side == Side::Outer);
-    let face = outside.and_then(|outer| outer.layers.rough.start()).map_or(start.z, |outer| outer.z);
+    let face = rough_face(sides);
     let end = match narrower(set_up, drilled.depth_mm, Half::radius_of(drilled.diameter_mm), bench) {
         Some(Half::ZERO) => HoleEnd::Blind(drilled.depth_mm),
         Some(radius) => HoleEnd::Blind(drilled.depth_mm + super::drill::point_length(radius)),
-        None => HoleEnd::Through(drilled.depth_mm),
+        None => HoleEnd::Through(bench.through(drilled.depth_mm)),
     };
-    let (diameter, from) = (drilled.diameter_mm, Micrometres::ZERO);
-    let task = Hole { diameter, from, face, end, surfaces: Vec::new() };
+    let raw = bench.workpiece.blank.inner.as_ref().and_then(Contour::radii).map_or(Half::ZERO, |(least, _)| least);
+    let (diameter, from) = (drilled.diameter_mm, there.max(raw.diameter()));
+    let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false, flat: false };
     let mut jobs = Vec::new();
-    for made in [hole::spot(diameter, face, drilled.depth_mm, bench), hole::drill(&task, bench)] {
-        jobs.extend(features::made(made, findings)?);
+    if drilled.own {
+        if from == Micrometres::ZERO {
+            jobs.extend(features::made(hole::spot(diameter, face, drilled.depth_mm, bench), findings)?);
+        }
+        jobs.extend(features::made(hole::drill(&task, bench), findings)?);
+        if drilled.flat && !jobs.is_empty() {
+            let bottom = stretch(set_up, side.side).and_then(|stretch| stretch.profile.surfaces.last());
+            let surfaces = bottom.map(|surface| surface.name.clone()).into_iter().collect();
+            let task = Hole { end: HoleEnd::Blind(drilled.depth_mm), surfaces, flat: true, ..task };
+            jobs.extend(features::made(hole::drill(&task, bench), findings)?);
+        }
     }
     Ok(jobs)
 }
@@ -376,19 +406,19 @@ impl Finishing<'_> {
         self.surfaces.iter().filter_map(of).min()
     }
 
-    /// The narrowest diameter of a bore. The bottom of a blind one is no passage.
-    fn narrowest(&self) -> Option<Micrometres> {
-        let walls = self.contour.pieces.iter().filter(|piece| self.side == Side::Inner && !piece.is_face());
-        walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min().map(Half::diameter)
-    }
-
     /// Its tool: the first that reaches everything; a nose that fits into the hollows is preferred to one that leaves
     /// metal in them.
     fn tool<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Option<TurningTool<'k>>, KnowledgeError> {
-        let passage = self.narrowest();
+        let passage = narrowest(self.contour);
         let mut candidates = tools::candidates(self.side, Stage::Finishing, bench)?;
         candidates.retain(|tool| reaches(self.needs, passage, &tools::angles(tool)));
         let tight = tightest(self.contour);
+        // A bar that faces a bottom as far as it must goes before one that leaves the middle of it.
+        let bottom = self.contour.pieces.last().filter(|last| last.is_face()).map(|last| last.to.radius);
+        if let (Some(bore), Some(bottom)) = (passage, bottom) {
+            let stops = |tool: &TurningTool<'_>| tools::nearest_to_axis(tool, Half::radius_of(bore)).max(Some(bottom));
+            candidates.sort_by_key(stops);
+        }
         let fits = |tool: &TurningTool<'_>| tight.is_none_or(|tight| tools::nose(tool).radius <= tight);
         let least = candidates.iter().map(|tool| tools::nose(tool).radius).min();
         let found = candidates.iter().position(fits);
@@ -414,7 +444,8 @@ impl Finishing<'_> {
         let seen = nose.seen(self.contour).and_then(|contour| Ok((contour, nose.seen(self.standing)?)));
         let (seen, standing) = match seen {
             Ok((seen, standing)) => {
-                let bore = self.narrowest().and_then(|bore| tools::nearest_to_axis(&tool, Half::radius_of(bore)));
+                let bore =
+                    narrowest(self.contour).and_then(|bore| tools::nearest_to_axis(&tool, Half::radius_of(bore)));
                 (up_to(seen, bore), standing)
             }
             Err(error) => {
@@ -437,7 +468,10 @@ impl Finishing<'_> {
         }
         let made = JobTool::of(&tool);
         let wall = wall(&made, bench.knowledge)?;
-        let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm, wall };
+        // Before the pass the wall on the other side stands nearer by the allowance.
+        let nearest = narrowest(self.standing).and_then(|bore| tools::nearest_to_axis(&tool, Half::radius_of(bore)));
+        let nearest = nearest.unwrap_or_default().max(Half::ZERO);
+        let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm, wall, nearest };
         let Some(path) = make_path(&seen, &standing, clearance) else { return Ok(None) };
         let pace = finishing(pace_of(&paced, bench), bench);
         let pace = constant_speed(pace, paced.conditions.as_ref(), bench);
@@ -486,6 +520,12 @@ impl Finishing<'_> {
         let best = bench.lathe.and_then(|lathe| lathe.best_roughness);
         Ok((best.map_or(asked, |best| asked.max(best)), because))
     }
+}
+
+/// The narrowest diameter of a bore. The bottom of a blind one is no passage.
+fn narrowest(contour: &Contour) -> Option<Micrometres> {
+    let walls = contour.pieces.iter().filter(|piece| contour.side == Side::Inner && !piece.is_face());
+    walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min().map(Half::diameter)
 }
 
 /// The greatest height of a wall that a tool finishes upwards, so that its holder stays clear of the metal above:

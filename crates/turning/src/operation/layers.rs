@@ -9,16 +9,19 @@ use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
 use crate::turning::contour::{Contour, Curve, Piece, Side};
+use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
+use crate::turning::tooling::TurningTool;
 use crate::turning::workpiece::{Allowances, Workpiece};
 use crate::turning::zones::{SetUp, TurnedSide};
 use crate::units::Micrometres;
 
+use super::Stage;
 use super::drill::{self, Drilled};
 use super::intermediate::left;
-use super::tools::Bench;
+use super::tools::{self, Bench};
 
 /// The layers of one side in a set-up, in its coordinates: Z = 0 at the end that is free in it.
 #[derive(Clone, Debug, Serialize)]
@@ -64,15 +67,23 @@ fn sizes<S: serde::Serializer>(areas: &Areas, serializer: S) -> Result<S::Ok, S:
         .serialize(serializer)
 }
 
-/// The layers of a side; `face` is Z of the rough face of the free end, from which a bore is bored. None, with a
-/// finding, if they cannot be made.
+/// What is there before a side is turned.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Before {
+    /// Z of the rough face of the free end, from which a bore is bored.
+    pub face: Option<Half>,
+    /// The drill of the hole that is made to size behind a bore.
+    pub axial: Option<Micrometres>,
+}
+
+/// The layers of a side. None, with a finding, if they cannot be made.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
 pub fn layers(
     stretch: &TurnedSide,
     set_up: &SetUp,
-    face: Option<Half>,
+    Before { face, axial }: Before,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Layers>, KnowledgeError> {
@@ -106,6 +117,19 @@ pub fn layers(
         distances.push(distance);
     }
     let left = Contour { side: main.side, pieces: left.into_iter().map(|(piece, _)| piece).collect() };
+    // A bottom that no bar faces is left to its final depth by the flat drill; one that a bar faces, with no more on it than the
+    // edge behind the nose takes.
+    if main.side == Side::Inner
+        && let (Some(bottom), Some(distance)) =
+            (left.pieces.last().filter(|last| is_bottom(last)), distances.last_mut())
+    {
+        let most = faced_by_bar(bottom, &left, bench)?.unwrap_or(Half::ZERO);
+        if *distance > most {
+            let note = Note::new("bottom-allowance-less").with("wanted", *distance).with("left", most);
+            findings.push(Finding::of_part(Severity::Note, note));
+            *distance = most;
+        }
+    }
     let rough = match equidistant(&left, &distances) {
         Ok(rough) => rough,
         Err(error) => {
@@ -118,22 +142,15 @@ pub fn layers(
     // A face without an allowance in the file is already made: a missing allowance of a chamfer beside it is no
     // finding.
     let face_is_made = left.pieces.first().is_some_and(|face| face.is_face()) && distances.first() == Some(&Half::ZERO);
-    let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, face_is_made, set_up, bench, findings)?
+    let Some(SideStock { blank, rough, drilled_first }) =
+        standing(&rough, face_is_made, axial, set_up, bench, findings)?
     else {
         return Ok(None);
     };
     let part = stretch.profile.contour();
     let mut areas = areas(&blank, &rough, main, &part);
     areas.finish = finish;
-    if let Some(drilled) = drilled_first.as_ref().filter(|_| left.end().is_some_and(|end| end.radius == Half::ZERO)) {
-        let bottom = drilled.full_depth();
-        let note = Note::new("bore-bottom-stands").with("diameter", drilled.diameter_mm).with("z", Half::ZERO - bottom);
-        findings.push(Finding::of_part(Severity::Wrong, note));
-        let short = |contour: &Contour| match contour.start() {
-            Some(start) => super::clip::between(contour, start.z, bottom),
-            None => contour.clone(),
-        };
-        let (blank, rough, left) = (short(&blank), short(&rough), short(&left));
+    if main.side == Side::Inner && left.pieces.last().is_some_and(is_bottom) {
         return Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }));
     }
     let by = run_out(&left, bench)?;
@@ -143,6 +160,36 @@ pub fn layers(
         None => (longer(blank, by), longer(rough, by), longer(left, by)),
     };
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
+}
+
+/// Whether a piece is the bottom of a bore, or its shoulder around a narrower hole.
+fn is_bottom(last: &Piece) -> bool {
+    last.is_face() && last.to.radius < last.from.radius
+}
+
+/// The smallest hole that a bar of the catalog enters; none if one enters every hole, or if there is none.
+fn least_bar(bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, KnowledgeError> {
+    let bars = tools::candidates(Side::Inner, Stage::Roughing, bench)?;
+    Ok(bars.iter().map(|bar| bar.min_bore.unwrap_or_default()).min())
+}
+
+/// The most that a bar takes off the bottom of a bore as it faces it to its inner end; none if every bar would touch the wall on
+/// the other side. Towards the axis the secondary edge cuts, which rises by φ1 to its end, where the bar begins.
+fn faced_by_bar(bottom: &Piece, bore: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Half>, KnowledgeError> {
+    /// The share of that rise that is used.
+    const SHARE: f64 = 0.5;
+    let walls = bore.pieces.iter().filter(|piece| !piece.is_face());
+    let Some(narrow) = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min() else { return Ok(None) };
+    let bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
+    let reaching = bars.iter().filter(|bar| {
+        let enters = bar.min_bore.is_none_or(|least| least <= narrow.diameter());
+        enters && tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius)
+    });
+    let rise = |bar: &TurningTool<'_>| {
+        let edge = bar.edge.unwrap_or(UNKNOWN_EDGE).to_mm();
+        Half::from(SHARE * edge * libm::sin(bar.trail_angle.to_f64().to_radians()))
+    };
+    Ok(reaching.map(rise).min())
 }
 
 /// The overrun at the end of a set-up's range: the round nose of the tool must leave no metal that the other set-up does not
@@ -218,7 +265,8 @@ pub fn before_face(
     let at = |point: Point| Point { radius: point.radius, z: point.z - distance };
     let rough = Contour { side: Side::Outer, pieces: vec![face.mapped(false, at)] };
     let finish = between(&rough, &main);
-    let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, false, set_up, bench, findings)? else {
+    let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, false, None, set_up, bench, findings)?
+    else {
         return Ok(None);
     };
     let mut areas = areas(&blank, &rough, &main, &main);
@@ -255,6 +303,7 @@ struct SideStock {
 fn standing(
     rough: &Contour,
     face_is_made: bool,
+    axial: Option<Micrometres>,
     set_up: &SetUp,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
@@ -281,10 +330,16 @@ fn standing(
         let rough = behind_blank(rough, &blank, face_is_made, findings);
         return Ok(Some(SideStock { blank, rough, drilled_first: None }));
     }
-    if let Some(inner) = &workpiece.blank.inner {
+    let raw = workpiece.blank.inner.as_ref();
+    let there = raw.and_then(|inner| inner.radii()).map_or(Half::ZERO, |(least, _)| least).diameter();
+    let least_bar = least_bar(bench)?;
+    if let Some(inner) = raw.filter(|_| axial.is_none_or(|axial| axial <= there))
+        && least_bar.is_none_or(|least| least <= there)
+    {
         return Ok(Some(SideStock { blank: reach(&seen(inner)), rough: rough.clone(), drilled_first: None }));
     }
-    let drilled = drill::before_boring(rough, bench.knowledge, findings)?;
+    let there = axial.unwrap_or_default().max(there);
+    let drilled = drill::before_boring(rough, there, least_bar, bench.knowledge, findings)?;
     Ok(drilled.map(|(drilled, rough)| SideStock {
         blank: drilled.contour(&rough),
         rough,

@@ -13,6 +13,7 @@
 //!
 //! Decisions by rules and tables are not made here: the rules are evaluated in this order and their reasons kept.
 
+mod axial;
 mod barred;
 pub mod by_passes;
 mod centred;
@@ -60,6 +61,7 @@ use parted::Parted;
 use tools::Bench;
 use work::{Hollow, ZoneWork};
 
+pub use axial::{Axial, AxialHole};
 pub use barred::{Barred, Stage};
 pub use grip::Grip;
 pub use jaws::{ChuckBody, Jaws};
@@ -102,6 +104,9 @@ pub struct SetUpWork {
     /// The tailstock before the free end, between centres.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tailstock: Option<Tailstock>,
+    /// The narrow end of its bore, which tools on the axis make to size.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial: Option<Axial>,
     /// Its roughing outside and inside, in the order of work.
     pub sides: Vec<SideWork>,
     /// The work of its tools, in order.
@@ -210,6 +215,7 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         material: stated(workpiece, knowledge)?,
         held: None,
         grip: None,
+        through: None,
         elsewhere: &elsewhere,
         barred: Vec::new(),
         knowledge,
@@ -256,19 +262,29 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         let held = held::Held::of(&set_up, jaws.as_ref(), workpiece, &bench.material, knowledge)?;
         let own = barred.iter().filter(|one| one.set_up == set_up.number).cloned().collect();
         let grip = Grip::limit(jaws.as_ref(), knowledge)?;
-        let bench = Bench { workpiece, held, grip, barred: own, ..bench.clone() };
-        let sides = sides(&set_up, &bench, &mut findings)?;
-        let mut jobs = jobs::jobs(&set_up, &sides, &bench, &mut findings)?;
         let parts = parted.filter(|_| !set_up.turned_over);
+        let through = parts.and_then(Parted::drilled_to);
+        let bench = Bench { workpiece, held, grip, through, barred: own, ..bench.clone() };
+        let axial = match &set_up.inner {
+            Some(inner) => Axial::of(inner, &bench)?,
+            None => None,
+        };
+        // The set-up as turning tools see it: its bore ends where the hole that is made to size begins.
+        let turned = match &axial {
+            Some(axial) => &SetUp { inner: axial.bored.clone(), ..set_up.clone() },
+            None => &set_up,
+        };
+        let sides = sides(turned, axial.as_ref(), &bench, &mut findings)?;
+        let mut jobs = jobs::jobs(turned, &sides, axial.as_ref(), &bench, &mut findings)?;
         if let Some(parted) = parts {
             set_up.notes.push(Note::new("setup-parts-off").with("z", Half::ZERO - parted.face()));
-            jobs.extend(parted.job(jaws.as_ref(), &bench, &mut findings)?);
+            jobs.extend(parted.job(jaws.as_ref(), &jobs, &bench, &mut findings)?);
         }
         let grip = Grip::of(jaws.as_ref(), &jobs, knowledge)?;
         findings.extend(grip.as_ref().and_then(|grip| grip.finding(set_up.number)));
         findings.extend(slug(&set_up, &done, &jobs, workpiece));
         let parted_mm = parts.map(Parted::face);
-        done.push(SetUpWork { set_up, jaws, grip, tailstock, sides, jobs, parted_mm });
+        done.push(SetUpWork { set_up, jaws, grip, tailstock, axial, sides, jobs, parted_mm });
     }
     let mut operation = Operation {
         workpiece: workpiece.clone(),
@@ -295,7 +311,12 @@ fn slug(set_up: &SetUp, before: &[SetUpWork], jobs: &[Job], workpiece: &Workpiec
         return None;
     }
     let earlier = before.iter().flat_map(|one| &one.jobs).filter(|job| job.work == JobWork::Drill);
-    let deep = earlier.filter(|job| job.path.moves.iter().any(|one| one.to.z >= workpiece.length()));
+    let to = |job: &&Job, z: Half| job.path.moves.iter().any(|one| one.to.z >= z);
+    // Parted behind a hole that goes on: nothing is left in it.
+    if workpiece.blank.end() > workpiece.length() && earlier.clone().any(|job| to(&job, workpiece.blank.end())) {
+        return None;
+    }
+    let deep = earlier.filter(|job| to(job, workpiece.length()));
     let diameters = deep.filter_map(|job| match job.tool.body {
         Body::Drill { diameter_mm, .. } => Some(diameter_mm),
         _ => None,
@@ -314,8 +335,14 @@ fn stated<'k>(workpiece: &Workpiece, knowledge: &'k Knowledge) -> Result<Materia
 }
 
 /// The outside of a set-up, then its bore: the part is faced before it is bored.
-fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Result<Vec<SideWork>, KnowledgeError> {
+fn sides(
+    set_up: &SetUp,
+    axial: Option<&Axial>,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<SideWork>, KnowledgeError> {
     let mut sides = Vec::new();
+    let axial = axial.map(|axial| axial.drill(bench)).transpose()?;
     if set_up.faces
         && set_up.outer.is_none()
         && let Some(layers) = layers::before_face(set_up, bench, findings)?
@@ -326,7 +353,8 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
     for (side, stretch) in [(Side::Outer, &set_up.outer), (Side::Inner, &set_up.inner)] {
         let Some(stretch) = stretch else { continue };
         let face = sides.first().and_then(|outer: &SideWork| outer.layers.rough.start()).map(|start| start.z);
-        let Some(layers) = layers::layers(stretch, set_up, face, bench, findings)? else { continue };
+        let before = layers::Before { face, axial: axial.filter(|_| side == Side::Inner) };
+        let Some(layers) = layers::layers(stretch, set_up, before, bench, findings)? else { continue };
         let zones = work::zones(&layers, bench, findings)?;
         work::finishing_after(&zones, &stretch.profile, bench, findings)?;
         let hollows = work::hollows(stretch, set_up, &layers, bench, findings)?;

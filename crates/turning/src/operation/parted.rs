@@ -3,8 +3,8 @@
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Finding, Severity};
 use crate::turning::contour::{Contour, SurfaceName};
-use crate::turning::jobs::Job;
 use crate::turning::jobs::part_off::{Parting, face_stock, jaw_gap, part_off, width};
+use crate::turning::jobs::{Body, Job, Work};
 use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
 use crate::turning::workpiece::{StockKind, Workpiece};
@@ -25,6 +25,8 @@ pub(super) struct Parted {
     gap: Half,
     /// The length of the part.
     length: Half,
+    /// The hole that is drilled through to where the blade goes: at least that wide; zero in solid metal.
+    drilled: Micrometres,
 }
 
 impl Parted {
@@ -39,8 +41,9 @@ impl Parted {
             return Ok(None);
         }
         let (stock, gap) = (Half::of(face_stock(bench)?), Half::of(jaw_gap(bench)?));
-        let mut parted = Self { stock, width: Half::ZERO, gap, length: workpiece.length() };
-        let task = parted.task(workpiece, None);
+        let mut parted =
+            Self { stock, width: Half::ZERO, gap, length: workpiece.length(), drilled: drilled_through(workpiece) };
+        let task = parted.task(workpiece, None, parted.drilled);
         let Ok(blade) = Refusal::split(width(&task, bench))? else { return Ok(None) };
         parted.width = Half::of(blade);
         let least = JawLengths::of(task.bar, bench.knowledge)?.least;
@@ -55,6 +58,11 @@ impl Parted {
     /// Z from which the jaws may stand.
     pub fn jaws_from(self) -> Half {
         self.face() + self.width + self.gap
+    }
+
+    /// How deep a through hole is drilled for it: past the blade. None where nothing is drilled through.
+    pub fn drilled_to(self) -> Option<Half> {
+        (self.drilled > Micrometres::ZERO).then(|| self.face() + self.width)
     }
 
     /// Without stock: nothing follows.
@@ -80,7 +88,7 @@ impl Parted {
         cut
     }
 
-    fn task(self, workpiece: &Workpiece, jaws: Option<&Jaws>) -> Parting {
+    fn task(self, workpiece: &Workpiece, jaws: Option<&Jaws>, drilled: Micrometres) -> Parting {
         let at = workpiece.blank.outer.radii().map_or(Half::ZERO, |(_, most)| most);
         let bore = workpiece.blank.inner.as_ref().and_then(Contour::radii).map_or(Half::ZERO, |(least, _)| least);
         let ends = workpiece
@@ -91,7 +99,7 @@ impl Parted {
         let surfaces: Vec<SurfaceName> = ends.map(|surface| surface.name.clone()).collect();
         Parting {
             bar: at.diameter(),
-            bore: bore.diameter(),
+            bore: bore.diameter().max(drilled),
             face: self.face(),
             jaws: jaws.map(|jaws| jaws.front_mm),
             clear: at + Half::of(CLEAR),
@@ -99,17 +107,28 @@ impl Parted {
         }
     }
 
-    /// The job; none, with a finding, if it cannot be made.
+    /// The job after those before it; none, with a finding, if it cannot be made.
     ///
     /// # Errors
     /// The knowledge base lacks a table.
     pub fn job(
         self,
         jaws: Option<&Jaws>,
+        before: &[Job],
         bench: &Bench<'_, '_>,
         findings: &mut Vec<Finding>,
     ) -> Result<Option<Job>, KnowledgeError> {
-        match Refusal::split(part_off(&self.task(bench.workpiece, jaws), bench))? {
+        let past = self.drilled_to();
+        let drilled = before.iter().filter_map(|job| match job.tool.body {
+            Body::Drill { diameter_mm, .. }
+                if job.work == Work::Drill && past.is_some_and(|past| reaches(job, past)) =>
+            {
+                Some(diameter_mm)
+            }
+            _ => None,
+        });
+        let drilled = drilled.max().unwrap_or_default();
+        match Refusal::split(part_off(&self.task(bench.workpiece, jaws, drilled), bench))? {
             Ok(job) => Ok(Some(job)),
             Err(why) => {
                 findings.push(Finding::of_part(Severity::Wrong, why.note()));
@@ -117,6 +136,25 @@ impl Parted {
             }
         }
     }
+}
+
+/// Whether the tool of a job comes to a Z.
+fn reaches(job: &Job, z: Half) -> bool {
+    job.path.moves.iter().any(|one| one.to.z >= z)
+}
+
+/// The least diameter of the hole that is drilled from the free end through the whole part; zero where the bore of the part does
+/// not end with its narrowest cylinder, or a blank has a bore of its own.
+fn drilled_through(workpiece: &Workpiece) -> Micrometres {
+    /// The most by which a drill is narrower than the bore that follows it, mm: 2 × 1 of stock, the allowance, and whole millimetres.
+    const UNDER_BORE: Micrometres = Micrometres::from_mm(4);
+    let Some(inner) = workpiece.inner.as_ref().filter(|_| workpiece.blank.inner.is_none()) else {
+        return Micrometres::ZERO;
+    };
+    let contour = inner.contour();
+    let (Some(end), Some((least, _))) = (contour.end(), contour.radii()) else { return Micrometres::ZERO };
+    let through = end.z == workpiece.length() && end.radius == least;
+    if through { (least.diameter() - UNDER_BORE).max(Micrometres::ZERO) } else { Micrometres::ZERO }
 }
 
 /// How far off the bar the blade comes and goes.

@@ -13,7 +13,8 @@ use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Degrees, Micrometres};
 use proof::{At, Block, Cutter, Fault, Holder, Mm, Motion, MotionKind, Sense, SetUp, Stock};
 
-use super::unfinished::undone;
+use super::drill::point_length;
+use super::unfinished::{undone, undone_on_axis};
 use super::{Operation, SetUpWork, Tailstock};
 
 /// The result of the proof for each set-up, in the order of work.
@@ -143,7 +144,8 @@ pub fn told<'a>(
     proof: &'a proof::Proof,
 ) -> impl Iterator<Item = (Severity, &'a Fault)> {
     let works: Vec<&SetUpWork> = operation.set_ups.iter().filter(|one| one.set_up.number == set_up).collect();
-    let undone: Vec<_> = works.iter().flat_map(|work| work.sides.iter().flat_map(|side| undone(work, side))).collect();
+    let of_sides = |work: &&&'a SetUpWork| work.sides.iter().flat_map(|side| undone(work, side)).collect::<Vec<_>>();
+    let undone: Vec<_> = works.iter().flat_map(|work| [of_sides(&work), undone_on_axis(work)]).flatten().collect();
     let stretches = works.iter().flat_map(|work| [&work.set_up.outer, &work.set_up.inner]).flatten();
     let own: Vec<Figure> = stretches
         .flat_map(|stretch| &stretch.profile.surfaces)
@@ -320,7 +322,25 @@ fn surface_pieces(surface: &Surface, operation: &Operation) -> Vec<proof::Profil
         allowance: Mm(later.map_or(0.0, |one| one.allowance_mm.to_mm())),
         thread,
     };
+    // A drawn cone at the bottom of a drilled hole stands for the point of the drill, whatever its angle.
+    let axial = operation.set_ups.iter().filter_map(|set_up| set_up.axial.as_ref());
+    if axial.into_iter().any(|axial| axial.is_point(&surface.name)) {
+        return surface.pieces.iter().map(|one| piece(&as_drilled(one))).collect();
+    }
     surface.pieces.iter().map(piece).collect()
+}
+
+/// A cone to the axis as the point of a drill leaves it.
+fn as_drilled(cone: &Piece) -> Piece {
+    let tip = |wall: Point, axis: Point| {
+        let length = point_length(wall.radius);
+        Point { z: if axis.z > wall.z { wall.z + length } else { wall.z - length }, ..axis }
+    };
+    match (cone.from.radius, cone.to.radius) {
+        (_, Half::ZERO) => Piece::line(cone.from, tip(cone.from, cone.to)),
+        (Half::ZERO, _) => Piece::line(tip(cone.to, cone.from), cone.to),
+        _ => *cone,
+    }
 }
 
 /// The crests of a thread are its surface as it is turned. Its passes must come between the limits of the pitch diameter: the
@@ -363,6 +383,10 @@ fn tool(tool: &JobTool) -> proof::Tool {
             let flute = flute_mm.map_or(Mm(1000.0), mm);
             let point_angle = degrees(*point_angle_deg);
             (Cutter::Drill { diameter: mm(*diameter_mm), point_angle, flute }, Holder::None)
+        }
+        Body::Reamer { diameter_mm, front_mm, lead_mm, reach_mm } => {
+            let (diameter, front, lead, reach) = (mm(*diameter_mm), mm(*front_mm), mm(*lead_mm), mm(*reach_mm));
+            (Cutter::Reamer { diameter, front, lead, reach }, Holder::None)
         }
         Body::CentreDrill { pilot_mm, pilot_length_mm, body_mm } => (
             Cutter::CentreDrill { pilot: mm(*pilot_mm), pilot_length: mm(*pilot_length_mm), body: mm(*body_mm) },

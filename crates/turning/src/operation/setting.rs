@@ -147,7 +147,7 @@ const fn along_x(tool: &JobTool) -> &'static str {
     match tool.body {
         Body::Insert { works: Place::Inner, .. } => "set-x-bore",
         Body::Insert { .. } => "set-x-diameter",
-        Body::Drill { .. } | Body::CentreDrill { .. } => "set-x-axis",
+        Body::Drill { .. } | Body::Reamer { .. } | Body::CentreDrill { .. } => "set-x-axis",
     }
 }
 
@@ -155,7 +155,7 @@ const fn along_x(tool: &JobTool) -> &'static str {
 /// that is from φ = 90° on.
 fn along_z(tool: &JobTool) -> &'static str {
     match tool.body {
-        Body::Drill { .. } | Body::CentreDrill { .. } => "set-z-point",
+        Body::Drill { .. } | Body::Reamer { .. } | Body::CentreDrill { .. } => "set-z-point",
         Body::Insert { kind: ToolKind::Threading, .. } => "set-z-thread",
         Body::Insert { kind: ToolKind::Grooving, .. } => "set-z-blade",
         Body::Insert { kind: ToolKind::FaceGrooving, .. } => "set-z-face",

@@ -39,6 +39,8 @@ pub struct Bench<'a, 'k> {
     pub grip: Option<GripLimit>,
     /// The surfaces finished on another machine.
     pub elsewhere: &'a [Elsewhere],
+    /// How deep a through hole is drilled, where the part is parted off behind its end: past the blade.
+    pub through: Option<Half>,
     /// The tools that the proof rejected in this set-up.
     pub barred: Vec<Barred>,
     /// Every table.
@@ -46,6 +48,11 @@ pub struct Bench<'a, 'k> {
 }
 
 impl Bench<'_, '_> {
+    /// How deep a hole is drilled that ends at a Z: past the blade, if it ends with the part and the part is parted there.
+    pub fn through(&self, end: Half) -> Half {
+        self.through.filter(|_| end >= self.workpiece.length()).map_or(end, |past| past.max(end))
+    }
+
     /// Whether a groove or a thread must be left, because the proof rejected its toolpath.
     pub fn leaves(&self, surface: &SurfaceName) -> bool {
         self.barred.iter().any(|one| one.stage == Stage::Cutting && one.surfaces.contains(surface))

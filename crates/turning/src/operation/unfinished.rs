@@ -18,6 +18,7 @@ pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
         for side in &set_up.sides {
             findings.extend(left_undone(set_up, side));
         }
+        findings.extend(told(undone_on_axis(set_up)));
     }
     let holding = operation.workpiece.holding;
     let not_proven = if holding == Holding::Centres { "centre-not-proven" } else { "jaws-not-proven" };
@@ -54,8 +55,21 @@ fn over_driver(set_up: &SetUpWork, length: Half) -> Option<Finding> {
 
 /// Surfaces that no job finishes, and threads and grooves that nothing cuts.
 fn left_undone(set_up: &SetUpWork, side: &SideWork) -> Vec<Finding> {
-    let undone = undone(set_up, side).into_iter();
-    undone.map(|(name, code)| Finding::of_part(Severity::Wrong, Note::new(code).with("surface", name))).collect()
+    told(undone(set_up, side)).collect()
+}
+
+fn told(undone: Vec<(&SurfaceName, &'static str)>) -> impl Iterator<Item = Finding> {
+    undone.into_iter().map(|(name, code)| Finding::of_part(Severity::Wrong, Note::new(code).with("surface", name)))
+}
+
+/// The surfaces of the hole on the axis that nothing makes, each with the code of its finding.
+pub(super) fn undone_on_axis(set_up: &SetUpWork) -> Vec<(&SurfaceName, &'static str)> {
+    let made = |name: &SurfaceName| set_up.jobs.iter().any(|job| job.surfaces.contains(name));
+    let all = set_up.axial.iter().flat_map(|axial| {
+        let threads = axial.threads().map(|name| (name, "thread-not-cut"));
+        threads.chain(axial.surfaces().map(|name| (name, "surface-not-finished")))
+    });
+    all.filter(|(name, _)| !made(name)).collect()
 }
 
 /// The names of these surfaces, each with the code of its finding.
@@ -63,9 +77,13 @@ pub(super) fn undone<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> Vec<(&'a 
     let finished = |surface: &Surface| {
         set_up.jobs.iter().any(|job| job.work != JobWork::Rough && job.surfaces.contains(&surface.name))
     };
+    let on_axis = |surface: &Surface| {
+        let axial = set_up.axial.as_ref();
+        axial.is_some_and(|axial| axial.surfaces().chain(axial.threads()).any(|name| *name == surface.name))
+    };
     let undone = surfaces(set_up, side).filter_map(|(surface, allowance)| {
         let code = match surface.kind {
-            _ if finished(surface) => return None,
+            _ if finished(surface) || on_axis(surface) => return None,
             SurfaceKind::Thread => "thread-not-cut",
             kind if kind.is_additional() => "groove-not-cut",
             // Without an allowance the rough contour is that of the part.

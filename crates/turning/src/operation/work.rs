@@ -204,7 +204,7 @@ pub fn hollows(
         let main = Main { contour, valleys: Vec::new() };
         let stretch = TurnedSide { main, ..stretch.clone() };
         let mut found = Vec::new();
-        let Some(layers) = layers::layers(&stretch, set_up, None, bench, &mut found)? else {
+        let Some(layers) = layers::layers(&stretch, set_up, layers::Before::default(), bench, &mut found)? else {
             findings.extend(found);
             continue;
         };

@@ -44,8 +44,13 @@ thread-speed = { $wanted } m/min wanted, { $speed } m/min at { $spindle } 1/min
 thread-feed-follows = the feed goes to { $most } mm/min, so a pitch of { $pitch } mm is cut at { $spindle } 1/min at most
 threading-passes = passes for a pitch of { $pitch } mm: { $passes }
 threading-first-pass = the first pass at most { $depth } mm deep, passes more: { $more }
+job-flattened = the bottom is made flat: a drill of Ø{ $diameter } reground to 2φ = 180° takes away the cone down to { $tip } mm; that drills are reground is our choice: the catalogs have none with a flat end
+job-ground = ground down from Ø{ $nominal } to Ø{ $size }
+job-no-cutter = no cutter of the catalogs ({ $operation }) is of Ø{ $diameter } and reaches { $depth } mm deep
+axial-hole = { $surface }, Ø{ $diameter }: made to size on the axis ({ $way }), because no boring bar enters it
+axial-steps = the diameters before the last reamer of Ø{ $diameter }
 job-drilled = drilled to Ø{ $diameter }, the point to { $tip } mm, in steps: { $steps }
-job-drill-point = full diameter to { $full } mm; the cone of the point, { $point } mm, is left to boring
+job-drill-point = full diameter to { $full } mm, then the cone of the point, { $point } mm
 job-drill-steps = { $ratio } diameters deep, steps: { $steps }
 job-drill-loads = feed { $feed } mm/rev: thrust { $thrust } N, torque { $torque } N·m
 job-drill-speed = { $wanted } m/min wanted, { $speed } m/min at { $spindle } 1/min

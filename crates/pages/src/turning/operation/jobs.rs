@@ -90,7 +90,14 @@ fn row(job: &Job, set_up: &SetUpWork, place: Option<u32>, lang: Lang) -> Vec<Cel
 fn main_feed(job: &Job) -> Option<MillimetresPerRev> {
     let feeds = job.pace.feeds()?;
     Some(match job.work {
-        Work::Centre | Work::Drill | Work::Groove | Work::PartOff => feeds.plunge,
+        Work::Centre
+        | Work::Drill
+        | Work::Flatten
+        | Work::Countersink
+        | Work::CoreDrill
+        | Work::Ream
+        | Work::Groove
+        | Work::PartOff => feeds.plunge,
         Work::Thread => feeds.thread,
         Work::Face | Work::Rough => feeds.cut,
         Work::Finish => feeds.finish,
@@ -100,7 +107,8 @@ fn main_feed(job: &Job) -> Option<MillimetresPerRev> {
 /// The largest diameter cut by such a job; none for a centre hole, which has several.
 fn diameter(job: &Job, set_up: &SetUpWork) -> Option<Micrometres> {
     match (job.work, &job.tool.body, &job.thread) {
-        (Work::Drill, Body::Drill { diameter_mm, .. }, _) => Some(*diameter_mm),
+        (Work::Drill | Work::Flatten, Body::Drill { diameter_mm, .. }, _)
+        | (_, Body::Reamer { diameter_mm, .. }, _) => Some(*diameter_mm),
         (Work::Thread, _, Some(thread)) => Some(thread.crest_radius_mm.max(thread.root_radius_mm).diameter()),
         (Work::PartOff, ..) => match set_up.set_up.holds_at {
             Some(Hold::Blank { diameter_mm, .. }) => Some(diameter_mm),

@@ -26,6 +26,11 @@ pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetU
         let work = set_up.sides.iter().find(|work| work.side == side);
         page.heading(4, lang.term("turn-contour", side.name()));
         elements(page, operation, stretch, work, lang);
+        let axial = set_up.axial.iter().filter(|_| side == Side::Inner).flat_map(|axial| &axial.holes);
+        let axial: Vec<Item> = axial.map(|hole| Item::from(reasoned(&hole.because, lang))).collect();
+        if !axial.is_empty() {
+            page.blocks.push(Block::List(axial));
+        }
     }
 }
 

@@ -29,6 +29,7 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
         elsewhere: &[],
         held: None,
         grip: None,
+        through: None,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

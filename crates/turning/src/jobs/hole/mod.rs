@@ -2,6 +2,7 @@
 //! thrust follow the same tables and formulas as for holes in plates, within the limits of the lathe.
 
 mod pace;
+mod widen;
 
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
@@ -31,6 +32,7 @@ use super::refused::NoJob;
 use super::site;
 use super::{Body, Job, JobTool, Work};
 use pace::AxialConditions;
+pub use widen::{Mouth, Widening, countersink, widen};
 
 /// The end of a drilled hole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,8 +54,12 @@ pub struct Hole {
     pub face: Half,
     /// Its end.
     pub end: HoleEnd,
-    /// The surfaces that it prepares.
+    /// The surfaces that it prepares, or makes to size.
     pub surfaces: Vec<SurfaceName>,
+    /// Whether only a drill of its very diameter will do.
+    pub exact: bool,
+    /// Whether the drill is reground flat, and takes away the cone that the point of the drill before it has left.
+    pub flat: bool,
 }
 
 /// The form of a centre hole.
@@ -119,21 +125,29 @@ pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         HoleEnd::Through(end) => end + drill.point() + beyond,
         HoleEnd::Blind(end) => end,
     };
-    let all = drills(hole.diameter, bench)?;
+    let mut all = drills(hole.diameter, bench)?;
+    if hole.flat {
+        all.iter_mut().for_each(|drill| drill.point_angle = FLAT);
+    }
     let reaches = |drill: &&Drill<'_>| Half::of(drill.flute) >= tip_of(drill) - hole.face;
-    let chosen = all.iter().find(|drill| reaches(drill) && drill.diameter > hole.from);
+    let fits =
+        |drill: &&Drill<'_>| if hole.exact { drill.diameter == hole.diameter } else { drill.diameter > hole.from };
+    let chosen = all.iter().find(|drill| reaches(drill) && fits(drill));
     let Some(drill) = chosen else {
         let (HoleEnd::Through(end) | HoleEnd::Blind(end)) = hole.end;
         return Err(Refusal::Not(NoJob::NoDrill { diameter: hole.diameter, depth: end - hole.face }));
     };
     let (tip, point) = (tip_of(drill), drill.point());
-    let operation = if hole.from > Micrometres::ZERO { Operation::DrillOut } else { Operation::Drill };
+    // A flat drill takes a cone away, as wide at its mouth as itself: it is fed like a drill in solid metal.
+    let opens = hole.from > Micrometres::ZERO && !hole.flat;
+    let (operation, from) =
+        if opens { (Operation::DrillOut, hole.from) } else { (Operation::Drill, Micrometres::ZERO) };
     let depth = (tip - hole.face).rounded_up();
     let (rates, _) = rates::of_table(bench.knowledge)?;
     let approach = Half::of(rates.approach);
     let cut = Cut {
         blind: matches!(hole.end, HoleEnd::Blind(_)),
-        ..cut(operation, drill.diameter, hole.from, depth, drill.material)
+        ..cut(operation, drill.diameter, from, depth, drill.material)
     };
     let AxialConditions { speed, feed, because: of_pace } = pace::pace(&cut, lathe, bench)?;
     let mut because = vec![Because::row(drill.row.row, Note::new("job-tool-taken").with("tool", drill.designation))];
@@ -147,23 +161,30 @@ pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         step: Half::from(cycle.step.unwrap_or(1.0) * drill.diameter.to_mm()),
         back: Half::of(cycle.clearance.unwrap_or_default()),
     };
-    let (path, count) = steps.toolpath(hole.face - approach, hole.face, tip);
-    let note = Note::new("job-drilled").with("diameter", drill.diameter).with("tip", tip).with("steps", count);
+    // The hole is there down to the cone: a flat drill comes to it at rapid, and takes it away in one stroke.
+    let cone = hole.flat.then(|| tip - Half::from(drill.diameter.to_mm() / 2.0 / libm::tan(HALF_POINT.to_radians())));
+    let (path, count) = match cone {
+        Some(cone) => (flattening(hole.face - approach, cone - approach, tip), 1),
+        None => steps.toolpath(hole.face - approach, hole.face, tip),
+    };
+    let code = if hole.flat { "job-flattened" } else { "job-drilled" };
+    let note = Note::new(code).with("diameter", drill.diameter).with("tip", tip).with("steps", count);
     because.push(Because::answer(
         &asked.answer,
         Note::new("job-drill-steps").with("ratio", crate::units::round_to(ratio, 2)).with("steps", count),
     ));
     let mut notes = vec![note];
-    if matches!(hole.end, HoleEnd::Blind(_)) {
+    if matches!(hole.end, HoleEnd::Blind(_)) && !hole.flat {
         notes.push(Note::new("job-drill-point").with("full", tip - point).with("point", point));
     }
     because.extend(limits.because);
     let body =
         Body::Drill { diameter_mm: drill.diameter, point_angle_deg: drill.point_angle, flute_mm: Some(drill.flute) };
-    let tool = JobTool { designation: drill.designation.to_owned(), body };
+    let designation = if hole.flat { format!("{}/180", drill.designation) } else { drill.designation.to_owned() };
+    let tool = JobTool { designation, body };
     let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
     Ok(Job {
-        work: Work::Drill,
+        work: if hole.flat { Work::Flatten } else { Work::Drill },
         side: Side::Inner,
         tool,
         surfaces: hole.surfaces.clone(),
@@ -176,6 +197,24 @@ pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         notes,
         because,
     })
+}
+
+/// The point angle of a drill that is reground flat.
+const FLAT: Degrees = Degrees(180.0);
+
+/// Half the angle of a twist drill's point, degrees (ГОСТ 10903).
+const HALF_POINT: f64 = 59.0;
+
+/// The path of a flat drill: to the cone at rapid, through it at feed.
+fn flattening(from: Half, cone: Half, tip: Half) -> Toolpath {
+    let at = |z: Half| Point { radius: Half::ZERO, z };
+    let mut path = Toolpath::at(at(from));
+    if cone > from {
+        path.go(at(cone), Purpose::Rapid);
+    }
+    path.go(at(tip), Purpose::Plunge);
+    path.go(at(from), Purpose::Rapid);
+    path
 }
 
 /// A cut on the axis with default values.
@@ -205,6 +244,15 @@ fn cut(
         pitch: None,
         cutter: None,
     }
+}
+
+/// Whether the catalogs have a twist drill of a diameter.
+///
+/// # Errors
+/// A table of tools is broken.
+pub fn has_drill(diameter: Micrometres, bench: &Bench<'_, '_>) -> Result<bool, KnowledgeError> {
+    let found = Refusal::split(drills(diameter, bench))?;
+    Ok(found.is_ok_and(|drills| drills.first().is_some_and(|widest| widest.diameter == diameter)))
 }
 
 /// The twist drills that are not wider than a diameter, the widest first; of one diameter in the order of the rule

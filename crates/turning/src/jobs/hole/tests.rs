@@ -22,6 +22,7 @@ fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
         elsewhere: &[],
         held: None,
         grip: None,
+        through: None,
         barred: Vec::new(),
         knowledge: &knowledge,
     };
@@ -35,6 +36,8 @@ fn drilled(diameter: i64, end: HoleEnd) -> Result<Job, NoJob> {
         face: Half::ZERO,
         end,
         surfaces: Vec::new(),
+        exact: false,
+        flat: false,
     };
     with_bench("steel-45", |bench| Refusal::split(drill(&hole, bench)).unwrap())
 }
@@ -134,6 +137,8 @@ fn wide_holes_are_drilled_in_two_passes() {
         face: Half::ZERO,
         end: HoleEnd::Blind(Half::from(60.0)),
         surfaces: Vec::new(),
+        exact: false,
+        flat: false,
     };
     with_bench("steel-45", |bench| {
         let widths = |diameter: i64| -> Vec<f64> {

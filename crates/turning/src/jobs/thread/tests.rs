@@ -26,6 +26,7 @@ fn job(workpiece: &Workpiece, side: Side, passes: Passes) -> Result<Job, NoJob> 
         elsewhere: &[],
         held: None,
         grip: None,
+        through: None,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

@@ -1,0 +1,405 @@
+//! The narrow end of a bore, which tools on the axis make to size: no boring bar enters it (rule `axial-hole`).
+//!
+//! It is found on the bore of a set-up before anything is bored. What is left of the bore is bored as if it ended there.
+
+use serde::Serialize;
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::vocabulary::Operation;
+use crate::note::{Because, Figure, Finding, Note, Severity};
+use crate::tables::holes::StepDiameters;
+use crate::tables::practice::StockBeforeReamingFor;
+use crate::tables::rules::{DrillBeforeCoreDrillFor, ReamingCase};
+use crate::tables::turning::part::{AxialHoleFor, AxialWay};
+use crate::turning::contour::{Contour, Profile, Surface, SurfaceKind, SurfaceName};
+use crate::turning::elements::Main;
+use crate::turning::jobs::hole::{self, Hole, HoleEnd, Mouth, Widening};
+use crate::turning::jobs::thread::{Passes, thread};
+use crate::turning::jobs::{Job, NoJob, Site};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::schemes::rates;
+use crate::turning::zones::TurnedSide;
+use crate::units::{Degrees, ItGrade, Micrometres, Roughness};
+
+use super::drill::point_length;
+use super::features::made;
+use super::tools::Bench;
+
+/// A cylinder that is made on the axis, with what ends it.
+#[derive(Clone, Debug, Serialize)]
+pub struct AxialHole {
+    /// Its diameter, mm.
+    pub diameter_mm: Micrometres,
+    /// How it is made.
+    pub way: AxialWay,
+    /// Whether a core drill goes before the reamer.
+    pub core_drilled: bool,
+    /// Its surfaces: the cylinder, and its bottom or its cone.
+    pub surfaces: Vec<SurfaceName>,
+    /// The thread on the cylinder, which the drill does not make.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thread: Option<SurfaceName>,
+    /// Z where it begins in the set-up, mm.
+    #[serde(skip)]
+    pub begins: Half,
+    /// Its end.
+    #[serde(skip)]
+    pub end: AxialEnd,
+    /// The grade and the roughness that it must have.
+    #[serde(skip)]
+    pub asked: (Option<ItGrade>, Option<Roughness>),
+    /// The row.
+    pub because: Because,
+}
+
+/// The end of such a cylinder, at a Z.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxialEnd {
+    /// The metal ends there, or a wider bore begins.
+    Through(Half),
+    /// The cone of a drill's point begins there.
+    Point(Half),
+    /// A flat bottom, or a shoulder around a narrower hole.
+    Flat(Half),
+}
+
+impl AxialEnd {
+    /// Z of the end of the cylinder.
+    const fn z(self) -> Half {
+        match self {
+            Self::Through(z) | Self::Point(z) | Self::Flat(z) => z,
+        }
+    }
+}
+
+/// The narrow end of a bore.
+#[derive(Clone, Debug, Serialize)]
+pub struct Axial {
+    /// Its cylinders, from the widest.
+    pub holes: Vec<AxialHole>,
+    /// The chamfer at its mouth, if nothing before it is bored.
+    #[serde(skip)]
+    pub mouth: Option<(SurfaceName, Micrometres, Degrees)>,
+    /// What is bored before it; none if it is the whole bore.
+    #[serde(skip)]
+    pub bored: Option<TurnedSide>,
+    /// The whole bore, for the threads in it.
+    #[serde(skip)]
+    whole: Profile,
+}
+
+impl Axial {
+    /// The narrow end of a bore; none if a bar makes all of it.
+    ///
+    /// # Errors
+    /// The knowledge base lacks the rule `axial-hole`, or a row of it.
+    pub fn of(stretch: &TurnedSide, bench: &Bench<'_, '_>) -> Result<Option<Self>, KnowledgeError> {
+        let surfaces = &stretch.profile.surfaces;
+        let mut holes: Vec<AxialHole> = Vec::new();
+        let mut first = surfaces.len();
+        while let Some((index, end)) = next(surfaces, first, holes.last()) {
+            let Some(hole) = axial(surfaces, index, first, end, bench)? else { break };
+            holes.push(hole);
+            first = index;
+        }
+        if holes.is_empty() {
+            return Ok(None);
+        }
+        holes.reverse();
+        let mouth = mouth(surfaces, first, &holes);
+        let bored = if first == 0 || mouth.is_some() { None } else { Some(before(stretch, first, &holes)) };
+        Ok(Some(Self { holes, mouth, bored, whole: stretch.profile.clone() }))
+    }
+
+    /// The names of the surfaces that it makes.
+    pub fn surfaces(&self) -> impl Iterator<Item = &SurfaceName> {
+        self.holes.iter().flat_map(|hole| &hole.surfaces).chain(self.mouth.iter().map(|mouth| &mouth.0))
+    }
+
+    /// The names of the threads in it, under which it is drilled.
+    pub fn threads(&self) -> impl Iterator<Item = &SurfaceName> {
+        self.holes.iter().filter_map(|hole| hole.thread.as_ref())
+    }
+
+    /// Whether a surface is the cone that the point of its drill leaves.
+    pub fn is_point(&self, name: &SurfaceName) -> bool {
+        self.holes.iter().any(|hole| matches!(hole.end, AxialEnd::Point(_)) && hole.surfaces.last() == Some(name))
+    }
+
+    /// The diameter of the drill at its beginning, where the bored part ends.
+    ///
+    /// # Errors
+    /// The knowledge base lacks a table.
+    pub fn drill(&self, bench: &Bench<'_, '_>) -> Result<Micrometres, KnowledgeError> {
+        match self.holes.first() {
+            Some(hole) => Ok(Sizes::of(hole, bench)?.drill),
+            None => Ok(Micrometres::ZERO),
+        }
+    }
+
+    /// Its jobs, from the narrowest hole, which guides the others; `face` is Z of the rough face. A job that cannot be made is a
+    /// finding, and ends the list.
+    ///
+    /// # Errors
+    /// The knowledge base lacks a table.
+    pub fn jobs(
+        &self,
+        face: Half,
+        bench: &Bench<'_, '_>,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Vec<Job>, KnowledgeError> {
+        let mut jobs = Vec::new();
+        let mut from = Micrometres::ZERO;
+        for hole in self.holes.iter().rev() {
+            let sizes = Sizes::of(hole, bench)?;
+            match Refusal::split(hole.jobs(&sizes, from, face, bench))? {
+                Ok(own) => jobs.extend(own),
+                Err(why) => {
+                    findings.push(Finding::of_part(Severity::Wrong, why.note()));
+                    return Ok(jobs);
+                }
+            }
+            from = sizes.drill;
+        }
+        for surface in self.whole.surfaces.iter().filter(|surface| self.threads().any(|name| *name == surface.name)) {
+            let name = surface.name.to_string();
+            let (Some(cut), Some((radius, _))) =
+                (bench.workpiece.threads.iter().find(|thread| thread.surface == name), cylinder(surface))
+            else {
+                continue;
+            };
+            let (table, _) = rates::of_table(bench.knowledge)?;
+            let own = bench.workpiece.rates.map_or(table, |rates| rates.main);
+            let clear = Point { radius: radius - Half::of(own.retract), z: face - Half::of(own.approach) };
+            let site = Site { profile: &self.whole, clear };
+            jobs.extend(made(thread(site, surface, cut, Passes::Area, bench), findings)?);
+        }
+        if let (Some((surface, wide, angle)), Some(hole)) = (&self.mouth, self.holes.first()) {
+            let mouth = Mouth {
+                wide: *wide,
+                hole: hole.diameter_mm,
+                angle: *angle,
+                face: Half::ZERO,
+                rough_face: face,
+                surface: surface.clone(),
+            };
+            jobs.extend(made(hole::countersink(&mouth, bench), findings)?);
+        }
+        Ok(jobs)
+    }
+}
+
+/// The next cylinder towards the free end that could be made on the axis: its index, and its end. `first` is the index of the
+/// first surface behind it that is taken, `behind` the hole there.
+fn next(surfaces: &[Surface], first: usize, behind: Option<&AxialHole>) -> Option<(usize, AxialEnd)> {
+    let before = surfaces.get(..first)?;
+    let (last, others) = before.split_last()?;
+    let index = others.len();
+    if let Some(cylinder) = cylinder(last) {
+        // Straight to the end of the metal; a wider cylinder that is made to size needs a shoulder.
+        return behind.is_none().then_some((index, AxialEnd::Through(cylinder.1)));
+    }
+    let (wide, z) = cylinder(others.last()?)?;
+    let [piece] = last.pieces.as_slice() else { return None };
+    let within = behind.map_or(Half::ZERO, |hole| Half::radius_of(hole.diameter_mm));
+    if piece.is_face() && piece.to.radius == within {
+        return Some((index - 1, AxialEnd::Flat(z)));
+    }
+    let to_axis = behind.is_none() && piece.to.radius == Half::ZERO && piece.from.radius == wide;
+    let is_point = (piece.to.z - piece.from.z - point_length(wide)).to_mm().abs() <= POINT_TOLERANCE * wide.to_mm();
+    (to_axis && last.kind == SurfaceKind::Cone && is_point).then_some((index - 1, AxialEnd::Point(z)))
+}
+
+/// How far the drawn cone of a hole's bottom may differ from that of a drill of 118°, in radii: drawings have it at 120°, which is
+/// 0.024 of the radius shorter.
+const POINT_TOLERANCE: f64 = 0.03;
+
+/// The radius of a plain cylinder, and Z of its end.
+fn cylinder(surface: &Surface) -> Option<(Half, Half)> {
+    let [piece] = surface.pieces.as_slice() else { return None };
+    let plain = matches!(surface.kind, SurfaceKind::Cylinder | SurfaceKind::Thread);
+    (plain && piece.is_cylinder()).then_some((piece.from.radius, piece.to.z))
+}
+
+/// The cylinder as the rule has it made; none if it is bored.
+fn axial(
+    surfaces: &[Surface],
+    index: usize,
+    first: usize,
+    end: AxialEnd,
+    bench: &Bench<'_, '_>,
+) -> Result<Option<AxialHole>, KnowledgeError> {
+    let Some(surface) = surfaces.get(index) else { return Ok(None) };
+    let Some(begin) = surface.pieces.first().map(|piece| piece.from) else { return Ok(None) };
+    // What a thread asks for is of its flanks; the hole under it is drilled.
+    let is_thread = surface.kind == SurfaceKind::Thread;
+    let (it, roughness) = if is_thread { (None, None) } else { (surface.grade, surface.roughness) };
+    let diameter = begin.radius.diameter();
+    if diameter <= Micrometres::ZERO {
+        return Ok(None);
+    }
+    let asked = bench.knowledge.ask(&AxialHoleFor { diameter, it, roughness })?;
+    let rule = asked.need(&diameter.to_string())?;
+    // Without a drill of its very size a drilled hole is bored, as far as a bar enters.
+    let no_drill = rule.made == AxialWay::Drilled && !hole::has_drill(diameter, bench)?;
+    if rule.made == AxialWay::Bored || no_drill {
+        return Ok(None);
+    }
+    let note = Note::new("axial-hole").with("surface", &surface.name).with("diameter", diameter);
+    let note = note.with("way", Figure::word(rule.made.name()));
+    Ok(Some(AxialHole {
+        diameter_mm: diameter,
+        way: rule.made,
+        core_drilled: rule.core_drilled,
+        surfaces: surfaces
+            .iter()
+            .take(first)
+            .skip(if is_thread { index + 1 } else { index })
+            .map(|surface| surface.name.clone())
+            .collect(),
+        thread: is_thread.then(|| surface.name.clone()),
+        begins: begin.z,
+        end,
+        asked: (it, roughness),
+        because: Because::answer(&asked.answer, note),
+    }))
+}
+
+/// The chamfer at the mouth, where only it is before the first hole.
+fn mouth(surfaces: &[Surface], first: usize, holes: &[AxialHole]) -> Option<(SurfaceName, Micrometres, Degrees)> {
+    let ([surface], Some(hole)) = (surfaces.get(..first)?, holes.first()) else { return None };
+    let [piece] = surface.pieces.as_slice() else { return None };
+    let along = piece.chord();
+    let narrows = !piece.is_face() && !piece.is_cylinder() && piece.to.radius == Half::radius_of(hole.diameter_mm);
+    let angle = Degrees(2.0 * libm::atan2(-along.radius, along.z).to_degrees());
+    (narrows && angle.0 > 0.0).then(|| (surface.name.clone(), piece.from.radius.diameter(), angle))
+}
+
+/// The bore before the first hole, which begins with it.
+fn before(stretch: &TurnedSide, first: usize, holes: &[AxialHole]) -> TurnedSide {
+    let begin = holes.first().map_or(Half::ZERO, |hole| hole.begins);
+    let kept = stretch.profile.surfaces.iter().take(first).cloned().collect();
+    let pieces = stretch.main.contour.pieces.iter().filter(|piece| piece.from.z <= begin && piece.to.z <= begin);
+    TurnedSide {
+        profile: Profile { side: stretch.profile.side, surfaces: kept },
+        classes: stretch.classes.iter().take(first).cloned().collect(),
+        main: Main {
+            contour: Contour { side: stretch.main.contour.side, pieces: pieces.copied().collect() },
+            valleys: stretch.main.valleys.iter().filter(|valley| valley.lips.1.z <= begin).cloned().collect(),
+        },
+    }
+}
+
+/// The diameters on the way to the size of a hole.
+struct Sizes {
+    drill: Micrometres,
+    core_drill: Option<Micrometres>,
+    rough_ream: Option<Micrometres>,
+    because: Vec<Because>,
+}
+
+impl Sizes {
+    /// Those of the handbook, where it has the hole; otherwise the least stock of the tables under the last reamer, and what a core
+    /// drill or a rough reamer takes.
+    fn of(hole: &AxialHole, bench: &Bench<'_, '_>) -> Result<Self, KnowledgeError> {
+        let (diameter, twice) = (hole.diameter_mm, hole.way == AxialWay::ReamedTwice);
+        if hole.way == AxialWay::Drilled {
+            return Ok(Self { drill: diameter, core_drill: None, rough_ream: None, because: Vec::new() });
+        }
+        let known = bench.knowledge.find(|row: &StepDiameters<'_>| row.diameter == diameter)?;
+        if let Some(row) = known.filter(|row| row.core_drill.is_some() == hole.core_drilled) {
+            let note = Note::new("axial-steps").with("diameter", diameter);
+            return Ok(Self {
+                drill: row.drill_1,
+                core_drill: row.core_drill,
+                rough_ream: row.rough_ream.filter(|_| twice),
+                because: vec![Because::row(row.row, note)],
+            });
+        }
+        let mut because = Vec::new();
+        let mut stock = |case| -> Result<Micrometres, KnowledgeError> {
+            let asked = bench.knowledge.ask(&StockBeforeReamingFor { case, diameter })?;
+            let row = asked.need(&diameter.to_string())?;
+            because.push(Because::answer(&asked.answer, Note::new("axial-steps").with("diameter", diameter)));
+            Ok(row.stock_min)
+        };
+        let rough_ream = match twice {
+            true => Some(diameter - stock(ReamingCase::FinishAfterRough)?),
+            false => None,
+        };
+        let case = match (twice, hole.core_drilled) {
+            (true, true) => ReamingCase::RoughAfterCoreDrill,
+            (true, false) => ReamingCase::RoughAfterDrill,
+            (false, true) => ReamingCase::OneAfterCoreDrill,
+            (false, false) => ReamingCase::OneAfterDrill,
+        };
+        let before = rough_ream.unwrap_or(diameter) - stock(case)?;
+        if !hole.core_drilled {
+            return Ok(Self { drill: tenths(before), core_drill: None, rough_ream, because });
+        }
+        let asked = bench.knowledge.ask(&DrillBeforeCoreDrillFor { diameter })?;
+        let drill = diameter - asked.need(&diameter.to_string())?.stock;
+        Ok(Self { drill, core_drill: Some(before), rough_ream, because })
+    }
+}
+
+/// Down to whole tenths of a millimetre, as drills are made.
+fn tenths(length: Micrometres) -> Micrometres {
+    Micrometres::new(length.micrometres() / 100 * 100)
+}
+
+impl AxialHole {
+    /// Its jobs; `from` is the diameter of the hole that is there.
+    fn jobs(&self, sizes: &Sizes, from: Micrometres, face: Half, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
+        let mut jobs = Vec::new();
+        let last = self.way == AxialWay::Drilled;
+        let own = |is_last: bool| if is_last { self.surfaces.clone() } else { Vec::new() };
+        let end = match self.end {
+            AxialEnd::Through(z) => HoleEnd::Through(bench.through(z)),
+            // The point of a narrower drill ends where that of the hole does.
+            AxialEnd::Point(z) => HoleEnd::Blind(z + point_length(Half::radius_of(self.diameter_mm))),
+            AxialEnd::Flat(z) => HoleEnd::Blind(z + point_length(Half::radius_of(from))),
+        };
+        let flat = matches!(self.end, AxialEnd::Flat(_));
+        if from == Micrometres::ZERO {
+            jobs.push(hole::spot(sizes.drill, face, self.end.z(), bench)?);
+        }
+        let drill = Hole {
+            diameter: sizes.drill,
+            from,
+            face,
+            end,
+            surfaces: own(last && !flat),
+            exact: last || sizes.core_drill.is_none(),
+            flat: false,
+        };
+        let mut drilled = hole::drill(&drill, bench)?;
+        drilled.because.push(self.because.clone());
+        drilled.because.extend(sizes.because.clone());
+        jobs.push(drilled);
+        if flat {
+            let end = HoleEnd::Blind(self.end.z());
+            jobs.push(hole::drill(&Hole { end, surfaces: own(last), flat: true, ..drill }, bench)?);
+        }
+        let mut before = sizes.drill;
+        let after = [
+            (Operation::CoreDrill, sizes.core_drill),
+            (Operation::RoughReam, sizes.rough_ream),
+            (Operation::FinishReam, (!last).then_some(self.diameter_mm)),
+        ];
+        for (operation, diameter) in after.into_iter().filter_map(|(operation, size)| Some((operation, size?))) {
+            let is_last = operation == Operation::FinishReam;
+            // The front of the tool is narrower than the drill, whose cone begins where its wall ends.
+            let end = match self.end {
+                AxialEnd::Through(z) => HoleEnd::Through(z),
+                AxialEnd::Point(z) | AxialEnd::Flat(z) => HoleEnd::Blind(z),
+            };
+            let (it, roughness) = if is_last { self.asked } else { (None, None) };
+            let task = Widening { operation, diameter, from: before, face, end, surfaces: own(is_last), it, roughness };
+            jobs.push(hole::widen(&task, bench)?);
+            before = diameter;
+        }
+        Ok(jobs)
+    }
+}
