@@ -57,6 +57,8 @@ pub struct Target {
     surfaces: Vec<Option<Figure>>,
     /// Lines behind which the metal belongs to another set-up.
     open: Vec<[Vector; 2]>,
+    /// The straight extension of the shorter of outside and bore, along which the set-up makes nothing.
+    extended: Vec<[Vector; 2]>,
 }
 
 /// The chords of a piece with their normals and offsets.
@@ -105,6 +107,18 @@ fn alike_long(mut outer: Vec<Vector>, mut bore: Vec<Vector>) -> (Vec<Vector>, Ve
     (outer, bore)
 }
 
+/// The metal behind the wall with which a set-up's contour ends: what is behind it is made elsewhere, but the wall has an inner
+/// corner like any other.
+fn behind_wall(chain: &[Vector], outwards: f64) -> Option<Convex> {
+    /// More than any nose.
+    const DEEP: f64 = 5.0;
+    let [.., foot, end] = chain else { return None };
+    let rises = (end.r - foot.r) * outwards > 0.0 && (end.z - foot.z).abs() < 1e-6;
+    let inwards = if outwards > 0.0 { 0.0 } else { foot.r + DEEP };
+    let corners = [Vector::new(end.z - DEEP, inwards.min(end.r)), Vector::new(end.z, inwards.max(end.r))];
+    rises.then(|| Convex::hull(Convex::rectangle(corners[0], corners[1]))).flatten()
+}
+
 fn normal(from: Vector, to: Vector, outwards: f64) -> Vector {
     to.minus(from).unit().right().times(outwards)
 }
@@ -122,14 +136,19 @@ impl Target {
         };
         let (outer, bore) = (whole(&chains[0]), whole(&chains[1]));
         let open = open(&outer, &bore);
+        let walls = [behind_wall(&outer, 1.0), behind_wall(&bore, -1.0)];
+        let made = [outer.len(), bore.len()];
         let (outer, bore) = alike_long(outer, bore);
+        let extended = [(&outer, made[0]), (&bore, made[1])].into_iter().filter(|(chain, made)| chain.len() > *made);
+        let extended = extended.filter_map(|(chain, _)| chain.last_chunk().copied()).collect();
         let bands = |wanted: fn(f64) -> bool| -> Vec<Convex> {
             chains.iter().flatten().filter(|chain| wanted(chain.moved)).flat_map(Chain::bands).collect()
         };
         let sunk = Region::pieces(&bands(|moved| moved < 0.0));
         let stays = Region::pieces(&bands(|moved| moved > 0.0));
         let part = between(&outer, &bore).made(&sunk, Rule::Without).made(&stays, Rule::Either);
-        let corners: Vec<Convex> = chains.iter().flat_map(|chain| chain.windows(2).filter_map(corner)).collect();
+        let corners = chains.iter().flat_map(|chain| chain.windows(2).filter_map(corner));
+        let corners: Vec<Convex> = corners.chain(walls.into_iter().flatten()).collect();
         let may_stay = part.made(&Region::pieces(&corners), Rule::Either);
 
         let threads = threads(profile);
@@ -143,7 +162,7 @@ impl Target {
         });
         let edges = edges.collect();
         let surfaces = profile.outside.iter().chain(&profile.bore).map(|piece| piece.surface.clone()).collect();
-        Self { keep, keep_thread, may_stay, threads, edges, surfaces, open }
+        Self { keep, keep_thread, may_stay, threads, edges, surfaces, open, extended }
     }
 
     pub fn surface(&self, piece: usize) -> Option<Figure> {
@@ -166,7 +185,7 @@ impl Target {
 
     /// Whether metal at a point, at that distance from the contour, belongs to another set-up.
     pub fn is_elsewhere(&self, spot: Vector, distance: f64) -> bool {
-        self.open.iter().any(|[from, to]| spot.distance(*from, *to) <= distance)
+        self.open.iter().chain(&self.extended).any(|[from, to]| spot.distance(*from, *to) <= distance)
     }
 
     /// The range along the axis that the set-up makes, mm.

@@ -19,10 +19,13 @@ fn wrong(operation: &Operation) -> Vec<&str> {
 }
 
 /// A spool with a neck between two collars, a stud, a flanged bushing, a shaft with a collar in the middle between centres, a flange,
-/// a plug, axles with grooves for retaining rings, the first example of the book.
+/// a plug, axles with grooves for retaining rings, the first example of the book, a waist before a wall whose other side is turned
+/// in the second set-up, a rounding at the end of the second set-up.
 #[test]
 fn everyday_parts_are_made_whole() {
-    for name in ["spool", "bolt", "bushing", "shaft", "flange", "plug", "axle", "circlip", "stud", "capfa"] {
+    for name in
+        ["spool", "bolt", "bushing", "shaft", "flange", "plug", "axle", "circlip", "stud", "capfa", "waist", "rounded"]
+    {
         let operation = planned(name);
         assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
         assert!(operation.set_ups.iter().all(|set_up| set_up.set_up.holds_at.is_some()) || name == "plug", "{name}");
@@ -37,10 +40,10 @@ fn a_cup_on_a_stub_is_told() {
 }
 
 /// Holes that no bar enters, and flat bottoms: a reamed bushing, a hole behind a bored seat, a blind hole with the cone of its drill,
-/// a pot.
+/// a pot, a sleeve bored from both ends.
 #[test]
 fn holes_on_the_axis_are_made_whole() {
-    for name in ["reamed", "nozzle", "blind", "pot"] {
+    for name in ["reamed", "nozzle", "blind", "pot", "two-bores"] {
         let operation = planned(name);
         assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
     }

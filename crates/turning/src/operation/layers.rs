@@ -8,7 +8,7 @@ use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
-use crate::turning::contour::{Contour, Curve, Piece, Side};
+use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -205,13 +205,16 @@ fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError
 }
 
 /// How far a contour rises at its end along the axis, in its own lengths; none where it ends with a cylinder, a face or a fall.
-/// In the second set-up a chamfer goes on into the air over the cylinder that was made before, or the round nose leaves metal at
-/// its end.
+/// In the second set-up a chamfer or a rounding goes on into the air over the cylinder that was made before, or the round nose
+/// leaves metal at its end.
 fn slope_at_end(left: &Contour) -> Option<f64> {
-    let last = left.pieces.last().filter(|last| last.curve == Curve::Line && left.side == Side::Outer)?;
-    let along = last.chord();
-    (along.z > 0.0 && along.radius > 0.0).then(|| along.radius / along.z)
+    let last = left.pieces.last().filter(|last| !last.is_cylinder() && left.side == Side::Outer)?;
+    let along = last.direction_at_end();
+    (along.z > LEAST_RUN && along.radius >= -1e-9).then(|| along.radius.max(0.0) / along.z)
 }
+
+/// A contour that rises more steeply at its end, nearly as a wall, is not led on.
+const LEAST_RUN: f64 = 0.2;
 
 /// A contour led on along a slope at its end.
 fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour {

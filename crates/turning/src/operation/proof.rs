@@ -153,6 +153,12 @@ pub fn told<'a>(
         .map(|surface| (&surface.name).into_figure())
         .collect();
     let is_told = move |fault: &&Fault| match fault {
+        // The end of an allowance for another machine lies on the slope beside it.
+        Fault::Stands { surface, thickness, at, .. }
+            if beside_allowance(operation, surface.as_ref(), *thickness, *at).is_some() =>
+        {
+            false
+        }
         Fault::Stands { surface, .. } | Fault::Corner { surface, .. } | Fault::ThreadShallow { surface, .. } => {
             surface.as_ref().is_none_or(|surface| own.contains(surface))
         }
@@ -199,9 +205,15 @@ pub fn rejected(operation: &Operation, proven: &Proven) -> Option<Note> {
 /// Whether the cut removes only the end of an allowance that is left for another machine: the wall of a groove or a thread, or a
 /// slope beside that surface, goes on through it.
 fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) -> bool {
-    let Some(surface) = surface else { return false };
+    beside_allowance(operation, surface, depth, at).is_some_and(|profile| is_outside(profile, at))
+}
+
+/// The profile of a surface beside one with an allowance for another machine, if a place on it is near the end of that allowance
+/// and what stands or is cut there is no thicker.
+fn beside_allowance<'a>(operation: &'a Operation, surface: Option<&Figure>, depth: Mm, at: At) -> Option<&'a Profile> {
+    let surface = surface?;
     let sides = operation.set_ups.iter().flat_map(|set_up| [&set_up.set_up.outer, &set_up.set_up.inner]).flatten();
-    sides.map(|side| &side.profile).any(|profile| {
+    sides.map(|side| &side.profile).find(|profile| {
         operation.elsewhere.iter().any(|one| {
             let allowance = one.allowance_mm.to_mm();
             let near = BESIDE * allowance + 0.01;
@@ -212,7 +224,6 @@ fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) 
                 && beside.into_iter().any(|other| (&other.name).into_figure() == *surface)
                 && ends
                     .any(|end| (end.z.to_mm() + at.z.0).abs() < near && (end.radius.to_mm() - at.radius.0).abs() < near)
-                && is_outside(profile, at)
         })
     })
 }
