@@ -10,7 +10,7 @@ use crate::tables::cutting::{Coefficients, Process};
 
 use super::figures::Asking;
 use super::laws::{self, LoadLaw, SpeedLaw};
-use super::{Cut, drilling, factors, feed};
+use super::{Cut, drilling, factors, feed, reaming};
 
 /// The formulas of one transition, with the corrections for its material, surface and depth.
 #[derive(Clone, Debug)]
@@ -86,6 +86,7 @@ pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) 
 /// # Errors
 /// As for [`tool_life`].
 pub fn feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<(MillimetresPerRev, Vec<Because>), Uncut> {
-    let found = feed::tabulated(cut, shop)?;
+    let found =
+        if cut.operation.is_reaming() { reaming::corrected_feed(cut, shop)? } else { feed::tabulated(cut, shop)? };
     Ok((found.feed, found.because))
 }

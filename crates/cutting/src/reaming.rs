@@ -2,18 +2,19 @@
 
 use crate::error::Tried;
 use crate::knowledge::Question;
+use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
 use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::{
     BoringForceFor, Coefficients, Process, ReamerTeethFor, ReamingCondition, ReamingFeedFactorFor,
 };
-use crate::tables::practice::StockBeforeReamingFor;
+use crate::tables::practice::{PracticeFeedFor, PracticeWork, StockBeforeReamingFor};
 use crate::tables::rules::{ReamingCase, ReamingFeedConditionFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
 use super::feed::Feed;
-use super::figures::{self, missing};
+use super::figures::{self, Asking, missing};
 use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors, feed, laws};
 
 /// Conditions of a reamer (Косилова/Мещеряков т.2 table 29; facts 1, 1.2).
@@ -74,25 +75,43 @@ pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &S
 }
 
 /// The tabulated feed with the factors of `reaming-feed-factor`. The rule `reaming-feed-condition` says which of them
-/// apply; in a blind hole the feed stays within the limits of the same table.
-fn corrected_feed(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
+/// apply; in a blind hole the feed stays within the limits of the same table. A reamer of high-speed steel that leaves the
+/// surface is fed no faster than practice feeds it (`practice-feed`): the handbook's feeds are for holes that another tool
+/// finishes.
+pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Uncut> {
+    let knowledge = shop.knowledge();
     let Feed { feed, mut because, doubts } = feed::tabulated(cut, shop)?;
     let mut feed = feed.0;
     // Only the last pass needs a roughness.
-    let rule = shop.knowledge.ask(&ReamingFeedConditionFor {
+    let rule = knowledge.ask(&ReamingFeedConditionFor {
         tool_material: cut.tool_material,
         final_: cut.roughness.map(|_| true),
         roughness: cut.roughness,
     })?;
     let rule = rule.winner()?.ok_or_else(|| missing(ReamingFeedConditionFor::TABLE, shop))?;
     let mut blind = None;
+    let finishes = rule.conditions.iter().any(|condition| *condition != ReamingCondition::AsTabulated);
     for condition in rule.conditions {
-        let row = shop.knowledge.ask(&ReamingFeedFactorFor { condition })?.need(condition.name())?;
+        let row = knowledge.ask(&ReamingFeedFactorFor { condition })?.need(condition.name())?;
         feed *= row.factor;
         if condition != ReamingCondition::AsTabulated {
             because.push(Because::row(row.row, Note::new("reaming-feed").with("factor", row.factor)));
         }
         blind = Some(row);
+    }
+    if finishes && cut.tool_material == ToolMaterial::HighSpeedSteel {
+        let question = PracticeFeedFor {
+            operation: PracticeWork::Ream,
+            material_group: shop.material().group,
+            diameter: cut.diameter,
+        };
+        let practice = knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten();
+        if let Some(row) = practice.filter(|row| row.feed_high.0 < feed) {
+            let note =
+                Note::new("reaming-feed-practice").with("table", round_to(feed, 3)).with("feed", row.feed_high.0);
+            because.push(Because::row(row.row, note));
+            feed = row.feed_high.0;
+        }
     }
     if let Some(row) = blind.filter(|_| cut.blind) {
         let (low, high) = (row.blind_feed_min.0, row.blind_feed_max.0);

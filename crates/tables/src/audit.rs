@@ -29,6 +29,7 @@ vocabulary! {
         Feed = "feed",
         /// A feed of centring.
         SpotFeed = "spot-feed",
+        ReamerFeed = "reamer-feed",
         /// A point of the cards.
         Card = "card",
         /// A factor of the cards.

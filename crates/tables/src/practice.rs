@@ -1,10 +1,23 @@
 //! Row types: shop practice, whatever a drawing requires.
 
 use technolog_knowledge::contract::Named;
-use technolog_knowledge::units::{Brinell, ItGrade, Megapascals, MetresPerMinute, Micrometres, Microns};
+use technolog_knowledge::units::{
+    Brinell, ItGrade, Megapascals, MetresPerMinute, Micrometres, Microns, MillimetresPerRev,
+};
 use technolog_knowledge::{rows, vocabulary};
 
 use crate::rules::ReamingCase;
+
+vocabulary! {
+    /// What practice has feeds for.
+    pub enum PracticeWork {
+        Drill = "drill",
+        CoreDrill = "core-drill",
+        Ream = "ream",
+        FinishBore = "finish-bore",
+        RoughBore = "rough-bore",
+    }
+}
 
 rows! {
     /// The accuracy of a method on an ordinary machine tool.
@@ -127,9 +140,14 @@ rows! {
     } shown { used }
 
     /// Feeds in practice.
-    pub struct PracticeFeed of One("practice-feed") {} shown {
-        operation, material_group, diameter, feed_low, feed_high, pages,
-    }
+    pub struct PracticeFeed of One("practice-feed") asked by PracticeFeedFor<'t> {
+        operation: PracticeWork,
+        material_group: &'t str,
+        diameter: Micrometres,
+    } {
+        feed_low: MillimetresPerRev,
+        feed_high: MillimetresPerRev,
+    } shown { pages }
 
     /// The pages of the tables of practice.
     pub struct PracticeSource of One("practice-sources") {} shown { id, page, read }

@@ -119,6 +119,7 @@ const NAMES: &[&str] = &[
     "Robur",
     "HSMWorks",
     "Pramet",
+    "Somta",
     "Tormach",
     "Widia",
     // Before an address.

@@ -30,8 +30,14 @@ pub(crate) fn planned(workpiece: &Workpiece) -> Operation {
 }
 
 /// Codes of findings that say why a zone has no way: those that name it by its number, and those of the part.
-const NAMED: [&str; 5] =
-    ["no-tool-for-zone", "zone-behind-standing", "scheme-not-possible", "zone-not-cleared", "too-many-passes"];
+const NAMED: [&str; 6] = [
+    "no-tool-for-zone",
+    "no-bar-for-bore",
+    "zone-behind-standing",
+    "scheme-not-possible",
+    "zone-not-cleared",
+    "too-many-passes",
+];
 const OF_THE_PART: [&str; 5] =
     ["no-limiting-depth", "no-depth-allowed", "no-figure", "flank-too-steep", "bar-too-long"];
 /// The same for a side without layers.

@@ -81,6 +81,7 @@ pub(super) fn feed(context: &Context<'_>, at: usize) -> Result<Option<f64>, Know
 fn kind(context: &Context<'_>, id: Id) -> Option<Tabulated> {
     match id.quantity {
         Q::Feed if operation(context, id) == Some(Operation::CentreDrill) => Some(Tabulated::SpotFeed),
+        Q::Feed if operation(context, id) == Some(Operation::FinishReam) => Some(Tabulated::ReamerFeed),
         Q::Feed => Some(Tabulated::Feed),
         Q::CardFeed | Q::CardSpeed | Q::CardForce | Q::CardPower => Some(Tabulated::Card),
         Q::FactorFeed | Q::FactorSpeed | Q::FactorForce | Q::FactorPower => Some(Tabulated::Factor),

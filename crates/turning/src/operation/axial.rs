@@ -12,6 +12,7 @@ use crate::tables::practice::StockBeforeReamingFor;
 use crate::tables::rules::{DrillBeforeCoreDrillFor, ReamingCase};
 use crate::tables::turning::part::{AxialHoleFor, AxialWay};
 use crate::turning::contour::{Contour, Profile, Surface, SurfaceKind, SurfaceName};
+use crate::turning::cutting::unsaid_roughness;
 use crate::turning::elements::Main;
 use crate::turning::jobs::hole::{self, Hole, HoleEnd, Mouth, Widening};
 use crate::turning::jobs::thread::{Passes, thread};
@@ -395,7 +396,13 @@ impl AxialHole {
                 AxialEnd::Through(z) => HoleEnd::Through(z),
                 AxialEnd::Point(z) | AxialEnd::Flat(z) => HoleEnd::Blind(z),
             };
-            let (it, roughness) = if is_last { self.asked } else { (None, None) };
+            // A grade asks for a surface even where the drawing gives none.
+            let (it, roughness) = match self.asked {
+                (it, asked) if is_last => {
+                    (it, Some(asked.map_or_else(|| unsaid_roughness(it, bench.knowledge).map(|one| one.0), Ok)?))
+                }
+                _ => (None, None),
+            };
             let task = Widening { operation, diameter, from: before, face, end, surfaces: own(is_last), it, roughness };
             jobs.push(hole::widen(&task, bench)?);
             before = diameter;

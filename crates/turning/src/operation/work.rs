@@ -289,7 +289,7 @@ fn zone_work(
     };
     work.tool = Some(tools::chosen(tool, count, bench)?);
     let (direction, mut stocks) = match zone.feed {
-        Feed::Across => (Direction::Transverse, vec![(facing(zone, ground, Half::ZERO), 0)]),
+        Feed::Across => (Direction::Transverse, vec![(facing(zone, ground, Overrun::default()), 0)]),
         Feed::Along => {
             let all = pieceworks(zone, &ground.rough, &ground.blank).into_iter();
             (Direction::Longitudinal, all.map(|one| (one.stock, one.scheme)).collect())
@@ -313,7 +313,8 @@ fn zone_work(
         return Ok(work);
     }
     if zone.feed == Feed::Across {
-        stocks = vec![(facing(zone, ground, past_axis(tool, limit.min(stock))), 0)];
+        let hollow = bench.workpiece.blank.inner.is_some();
+        stocks = vec![(facing(zone, ground, Overrun::of(tool, limit.min(stock), hollow)), 0)];
     }
     let mut left: Option<Contour> = None;
     for (mut stock, scheme) in stocks {
@@ -332,13 +333,13 @@ fn zone_work(
 }
 
 /// The stock before the face of the free end: all of it is removed, down to the part. The tool goes as far as the
-/// face of the blank, offset for its nose: beyond the axis if the face reaches it, and then at least by `past`.
-fn facing(zone: &Zone, ground: &ZoneContours, past: Half) -> Stock {
+/// face of the blank, offset for its nose: beyond the axis if the face reaches it, and by the overrun.
+fn facing(zone: &Zone, ground: &ZoneContours, overrun: Overrun) -> Stock {
     let (from, to) = (zone.from_z, zone.to_z);
     let at = |radius, z| Point { radius, z };
     let high = zone.greatest_radius;
     let low = ground.blank.start().map_or(zone.least_radius, |start| start.radius.min(zone.least_radius));
-    let low = if low < Half::ZERO { low.min(Half::ZERO - past) } else { low };
+    let low = if low < Half::ZERO { low.min(Half::ZERO - overrun.past_axis) } else { low - overrun.into_bore };
     let side = ground.rough.side;
     Stock {
         rough: Contour::through(side, &[at(low, from), at(low, to), at(high, to)]),
@@ -348,10 +349,20 @@ fn facing(zone: &Zone, ground: &ZoneContours, past: Half) -> Stock {
     }
 }
 
-/// The overrun of a tool past the axis, so that its secondary edge, which cuts a face of that depth, leaves no pip.
-fn past_axis(tool: &TurningTool<'_>, depth: Half) -> Half {
-    Half::from(depth.to_mm() * libm::tan(tool.trail_angle.to_f64().to_radians()))
-        + Half::of(tool.nose_radius.unwrap_or_default())
+/// The overrun of a tool that faces, so that its secondary edge, which cuts a face of some depth, leaves no pip on the axis and no
+/// ring around a bore.
+#[derive(Clone, Copy, Default)]
+struct Overrun {
+    past_axis: Half,
+    into_bore: Half,
+}
+
+impl Overrun {
+    fn of(tool: &TurningTool<'_>, depth: Half, hollow: bool) -> Self {
+        let leans = Half::from(depth.to_mm() * libm::tan(tool.trail_angle.to_f64().to_radians()));
+        let past_axis = leans + Half::of(tool.nose_radius.unwrap_or_default());
+        Self { past_axis, into_bore: if hollow { leans } else { Half::ZERO } }
+    }
 }
 
 /// A work, and the surface that its scheme leaves.

@@ -45,6 +45,7 @@ spindle-step-below = computed speed { $computed }; the step not above it: { $ste
 no-step-below = { $operation }: no spindle step up to { $computed } rpm has the power and the feed rate
 torque-beyond-spindle = { $operation }: torque { $torque } N·m, and the spindle has { $limit } N·m
 reaming-feed = reaming feed × { $factor }
+reaming-feed-practice = the last reamer leaves the surface: the handbook has { $table } mm/rev, practice at most { $feed } mm/rev, which is taken
 reaming-feed-blind = blind hole: feed within { $low }–{ $high } mm/rev
 reaming-load-coefficients = force coefficients of a reamer's tooth
 reamer-teeth = teeth of the reamer { $teeth }

@@ -45,6 +45,7 @@ spindle-step-below = розрахункова частота { $computed }; ст
 no-step-below = { $operation }: жоден ступінь шпинделя не нижчий за { $computed } об/хв з достатньою потужністю й подачею
 torque-beyond-spindle = { $operation }: момент { $torque } Н·м, а шпиндель дає { $limit } Н·м
 reaming-feed = подача розвертання × { $factor }
+reaming-feed-practice = остання розвертка лишає поверхню: довідник дає { $table } мм/об, практика щонайбільше { $feed } мм/об, її й узято
 reaming-feed-blind = глухий отвір: подача в межах { $low }–{ $high } мм/об
 reaming-load-coefficients = коефіцієнти сили різання зуба розвертки
 reamer-teeth = зубів розвертки { $teeth }
