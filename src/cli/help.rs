@@ -1,5 +1,7 @@
 //! The help of the program in the language of the answers.
 
+use std::ffi::OsString;
+
 use clap::{Arg, Command, CommandFactory};
 
 use technolog::words::say;
@@ -27,6 +29,21 @@ pub fn language(default: Lang) -> Lang {
 /// The same, from the arguments and the environment alone.
 pub fn requested_language() -> Lang {
     language(Lang::of_environment(std::env::var("LANG").ok().as_deref()))
+}
+
+/// The arguments with the word `help` before a command, which people type too, as the option that it stands for.
+pub fn asked_for(mut arguments: Vec<OsString>) -> Vec<OsString> {
+    let is_option = |argument: &OsString| argument.to_string_lossy().starts_with('-');
+    // The value of an option before it, `--lang en`, is not a command.
+    let mut after = arguments.iter().zip(arguments.iter().skip(1));
+    let first = after.position(|(before, argument)| !is_option(argument) && before.as_os_str() != "--lang");
+    if let Some(place) =
+        first.map(|place| place + 1).filter(|place| arguments.get(*place).is_some_and(|own| own == "help"))
+    {
+        arguments.remove(place);
+        arguments.push(OsString::from("--help"));
+    }
+    arguments
 }
 
 /// The command without any texts, for parsing arguments.

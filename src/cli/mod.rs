@@ -299,7 +299,9 @@ pub fn main() -> ExitCode {
     let default = Lang::of_environment(environment.as_deref());
     let lang = help::language(default);
     // The texts of the help are looked up only if it is shown.
-    let matches = match help::bare().try_get_matches().or_else(|_| help::command(lang).try_get_matches()) {
+    let arguments = help::asked_for(std::env::args_os().collect());
+    let parsed = help::bare().try_get_matches_from(&arguments);
+    let matches = match parsed.or_else(|_| help::command(lang).try_get_matches_from(&arguments)) {
         Ok(matches) => matches,
         Err(error) => return refused(&error, lang),
     };

@@ -178,3 +178,17 @@ fn a_finding_of_the_plan_shows_no_code() {
         answer.answer
     );
 }
+
+/// People type `help` as a word.
+#[test]
+fn the_word_help_is_the_option() {
+    let folder = folder("help");
+    for (word, option) in
+        [("help", "--help"), ("help turn", "turn --help"), ("--lang en help plan", "--lang en plan --help")]
+    {
+        let of = |arguments: &str| command(&folder, &arguments.split(' ').collect::<Vec<_>>(), b"");
+        let (said, asked) = (of(word), of(option));
+        assert_eq!((said.code, &said.answer), (Some(0), &asked.answer), "{word}: {}", said.beside);
+        assert!(!said.answer.is_empty(), "{word}");
+    }
+}
