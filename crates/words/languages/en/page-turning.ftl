@@ -114,6 +114,7 @@ turn-conditions = f = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } rpm, 
 turn-conditions-with-force = f = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } rpm, { $rate } mm/min; Pz = { $force } N, N = { $power } kW.
 turn-even = with an even allowance: { $best }
 turn-scheme-refused = scheme “{ $scheme }” refused: { $why }
+turn-support-point = { $name }: Ø{ $diameter }, Z { $z }
 turn-support-points = support points: { $points }
 turn-taken = Taken
 turn-beside = Feed in air

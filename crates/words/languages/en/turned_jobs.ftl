@@ -25,7 +25,8 @@ job-no-centre-hole = for Ø{ $diameter } there is no centre drill: the smallest 
 part-off-near-jaws = the blade would cut { $gap } mm before the jaws, and must stay { $least } mm away
 part-off-too-deep = the wall is { $depth } mm thick, and no blade reaches further than { $reach } mm
 # What is done.
-groove-plunges = { $surface }: plunges of the blade: { $count }, its leading corner at { $places }; then both sides and the floor ({ $tool })
+groove-plunges-face = { $surface }: plunges of the blade: { $count }, its leading corner at Ø { $places }; then both sides and the floor ({ $tool })
+groove-plunges = { $surface }: plunges of the blade: { $count }, its leading corner at Z { $places }; then both sides and the floor ({ $tool })
 groove-one-plunge = { $surface }: one plunge, because the blade is as wide as the floor; the tool does not wait at the floor, because the toolpath has no dwell ({ $tool })
 groove-by-nose = { $surface }: no blade is narrow enough, so { $tool } goes along its contour
 groove-pecked = { $surface }: a deep groove, so the blade goes in step by step ({ $steps }) and draws back after each

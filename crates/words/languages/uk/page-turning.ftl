@@ -116,6 +116,7 @@ turn-conditions = S = { $feed } мм/об, V = { $speed } м/хв, n = { $rpm } 
 turn-conditions-with-force = S = { $feed } мм/об, V = { $speed } м/хв, n = { $rpm } об/хв, S{"хв"} = { $rate } мм/хв; Pz = { $force } Н, N = { $power } кВт.
 turn-even = з рівномірним припуском – { $best }
 turn-scheme-refused = схему «{ $scheme }» відхилено: { $why }
+turn-support-point = { $name }: Ø{ $diameter }, Z { $z }
 turn-support-points = опорні точки: { $points }
 turn-taken = Взято
 turn-beside = Робоча подача поза металом

@@ -4,6 +4,7 @@ use crate::document::{Block, Column, Document, Inlines, Item, Keep, Table};
 use technolog_turning::operation::work::{Work, ZoneWork};
 use technolog_turning::operation::{SetUpWork, SideWork};
 use technolog_turning::transitions::Transition;
+use technolog_turning::transitions::support_points::SupportPoint;
 use technolog_words::say;
 
 use super::super::Lang;
@@ -41,8 +42,31 @@ pub(super) fn schemes(
     if let Some(taken) = work.transition() {
         let points: Vec<&str> = taken.points.iter().map(|point| point.name.as_str()).collect();
         items.push(say!(lang, "turn-support-points", points = points.join(", ")).into());
+        items.extend(coordinates(&taken.points, lang).map(Inlines::from));
     }
     page.blocks.push(Block::List(items.into_iter().map(Item::from).collect()));
+}
+
+/// Where the support points are, each once; none where a path has more of them than a reader wants to see.
+fn coordinates(points: &[SupportPoint], lang: Lang) -> Option<String> {
+    const MOST: usize = 12;
+    let mut each: Vec<&SupportPoint> = Vec::new();
+    for point in points {
+        if each.iter().all(|known| known.name != point.name) {
+            each.push(point);
+        }
+    }
+    let shown = |point: &&SupportPoint| {
+        let (diameter, z) = (round_to(point.diameter_mm.to_mm(), 2), round_to(point.z_mm.to_mm(), 2));
+        say!(
+            lang,
+            "turn-support-point",
+            name = point.name.as_str(),
+            diameter = figure(diameter, lang),
+            z = figure(z, lang)
+        )
+    };
+    (each.len() <= MOST).then(|| each.iter().map(shown).collect::<Vec<_>>().join("; "))
 }
 
 /// Feed and speed with the loads; empty if they are not known.

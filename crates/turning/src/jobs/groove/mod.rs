@@ -18,7 +18,7 @@ mod tests;
 
 use crate::error::{Refusal, Tried};
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Figure, Note};
+use crate::note::{Because, Figure, IntoFigure, Note};
 use crate::tables::turning::jobs::JobLimit;
 use crate::turning::contour::Surface;
 use crate::turning::length::Half;
@@ -26,6 +26,7 @@ use crate::turning::operation::tools::Bench;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
 use crate::turning::toolpath::{Move, Purpose, Toolpath};
+use crate::units::round_to;
 
 use super::clock::time;
 use super::limits::Limits;
@@ -53,7 +54,8 @@ pub fn groove(site: Site<'_>, surface: &Surface, bench: &Bench<'_, '_>) -> Tried
     because.extend(limits.because);
     let corner = Half::of(tool.nose_radius.unwrap_or_default());
     let name = &surface.name;
-    let mut notes = vec![division_note(&ways, by_nose).with("surface", name).with("tool", tool.designation)];
+    let mut notes =
+        vec![division_note(&ways, valley.lie, by_nose).with("surface", name).with("tool", tool.designation)];
     if ways.steps > 1 {
         notes.push(Note::new("groove-pecked").with("surface", name).with("steps", ways.steps));
     }
@@ -80,16 +82,21 @@ pub fn groove(site: Site<'_>, surface: &Surface, bench: &Bench<'_, '_>) -> Tried
     })
 }
 
-/// The note about the cutting of the groove.
-fn division_note(ways: &Ways, by_nose: bool) -> Note {
+/// The note about the cutting of the groove. Plunges stand where the operator sees them: along Z, or at a diameter of a face.
+fn division_note(ways: &Ways, lie: Lie, by_nose: bool) -> Note {
     if by_nose {
         return Note::new("groove-by-nose");
     }
     if ways.at_once {
         return Note::new("groove-one-plunge");
     }
-    let places = ways.plunges.iter().map(|place| Figure::number(place.to_string()));
-    Note::new("groove-plunges").with("count", ways.plunges.len()).with("places", Figure::list(places))
+    let shown = |place: &Half| match lie {
+        Lie::Outside | Lie::Inside => -place.to_mm(),
+        Lie::Face => -2.0 * place.to_mm(),
+    };
+    let places = ways.plunges.iter().map(|place| round_to(shown(place), 2).into_figure());
+    let code = if lie == Lie::Face { "groove-plunges-face" } else { "groove-plunges" };
+    Note::new(code).with("count", ways.plunges.len()).with("places", Figure::list(places))
 }
 
 /// The constants of the tables for a division; `corner` is that of the blade.
