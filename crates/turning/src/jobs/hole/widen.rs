@@ -4,17 +4,20 @@ use crate::error::{Refusal, Tried};
 use crate::knowledge::vocabulary::{Operation, ToolMaterial};
 use crate::note::{Because, Note};
 use crate::tables::holes::{HoleConvention, HoleDefault};
-use crate::tables::rules::{Lead, ReamerLeadFor, ToolTablesFor};
+use crate::tables::practice::StockBeforeReamingFor;
+use crate::tables::rules::{Lead, ReamerLeadFor, ReamingCase, ToolTablesFor};
 use crate::tables::tools::CutterRow;
 use crate::tables::turning::jobs::JobLimit;
 use crate::turning::contour::{Side, SurfaceName};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::point::Point;
+use crate::turning::program::Speed;
 use crate::turning::schemes::rates;
+use crate::turning::tooling::Lathe;
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Degrees, ItGrade, Micrometres, Roughness};
-use technolog_cutting::Cut;
+use technolog_cutting::{Cut, speed_at};
 
 use super::super::clock::time;
 use super::super::limits::Limits;
@@ -90,7 +93,9 @@ pub fn widen(task: &Widening, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         roughness: task.roughness,
         ..cut(task.operation, task.diameter, task.from, depth, tool.material)
     };
-    let AxialConditions { speed, feed, because: of_pace } = pace::pace(&cut, lathe, bench)?;
+    let AxialConditions { speed, feed, because: mut of_pace } = pace::pace(&cut, lathe, bench)?;
+    let (speed, slower) = no_faster_than_rough(speed, &cut, lathe, bench)?;
+    of_pace.extend(slower);
     let (rates, _) = rates::of_table(bench.knowledge)?;
     let at = |z: Half| Point { radius: Half::ZERO, z };
     let from = task.face - Half::of(rates.approach);
@@ -129,6 +134,32 @@ pub fn widen(task: &Widening, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         zone: None,
         notes,
         because,
+    })
+}
+
+/// The speed of the last reamer, which serves the surface, at most that of a rough one with the largest stock of
+/// `stock-before-reaming`: the formula alone would make it faster for its smaller stock and feed. As for holes in plates.
+fn no_faster_than_rough(
+    speed: Speed,
+    cut: &Cut,
+    lathe: &Lathe<'_>,
+    bench: &Bench<'_, '_>,
+) -> Tried<(Speed, Option<Because>), NoJob> {
+    if cut.operation != Operation::FinishReam {
+        return Ok((speed, None));
+    }
+    let asked =
+        bench.knowledge.ask(&StockBeforeReamingFor { case: ReamingCase::RoughAfterDrill, diameter: cut.diameter })?;
+    let stock = asked.need(&cut.diameter.to_string())?;
+    let rough = Cut { operation: Operation::RoughReam, from: cut.diameter - stock.stock_max, roughness: None, ..*cut };
+    let rough = pace::pace(&rough, lathe, bench)?.speed;
+    Ok(match (speed, rough) {
+        (Speed::Spindle(own), Speed::Spindle(most)) if most.0 < own.0 => {
+            let used = speed_at(most, cut.diameter).rounded(1);
+            let note = Note::new("reamed-for-surface").with("stock", stock.stock_max).with("speed", used.0);
+            (rough, Some(Because::answer(&asked.answer, note)))
+        }
+        _ => (speed, None),
     })
 }
 
