@@ -132,3 +132,10 @@ fn a_blank_between_centres_is_that_of_the_file() {
     let shaft = planned("shaft");
     assert_eq!(shaft.blank_before.map(|blank| blank.length().to_mm()), Some(244.0));
 }
+
+/// The rounding is not led on into the cone behind it, which rises from there (found at random, seed 29).
+#[test]
+fn a_rounding_does_not_run_into_a_cone() {
+    let operation = planned("cone-and-rounding");
+    assert!(!wrong(&operation).contains(&"swept-gouge"), "{:?}", operation.findings);
+}

@@ -154,7 +154,8 @@ pub fn layers(
         return Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }));
     }
     let by = run_out(&left, bench)?;
-    let (blank, rough, left) = match slope_at_end(&left).filter(|_| set_up.turned_over && by > Half::ZERO) {
+    let (blank, rough, left) = match slope_at_end(&left).filter(|slope| leads_on(&left, *slope, by, set_up, workpiece))
+    {
         Some(slope) => (blank, rough, leading_on(left, by, slope)),
         None if set_up.turned_over => (blank, rough, left),
         None => (longer(blank, by), longer(rough, by), longer(left, by)),
@@ -211,6 +212,19 @@ fn slope_at_end(left: &Contour) -> Option<f64> {
     let last = left.pieces.last().filter(|last| !last.is_cylinder() && left.side == Side::Outer)?;
     let along = last.direction_at_end();
     (along.z > LEAST_RUN && along.radius >= -1e-9).then(|| along.radius.max(0.0) / along.z)
+}
+
+/// Whether a contour of the second set-up may be led on along a slope: the part behind its end, which was made before, must not rise
+/// above it.
+fn leads_on(left: &Contour, slope: f64, by: Half, set_up: &SetUp, workpiece: &Workpiece) -> bool {
+    const STEPS: i64 = 8;
+    let Some(end) = left.end().filter(|_| set_up.turned_over && by > Half::ZERO) else { return false };
+    let part = workpiece.outer.contour().turned_over(workpiece.length());
+    (1..=STEPS).all(|step| {
+        let along = Half::new(by.halves() * step / STEPS);
+        let radius = end.radius + Half::from(along.to_mm() * slope);
+        part.radii_at(end.z + along).is_none_or(|(_, most)| most <= radius)
+    })
 }
 
 /// A contour that rises more steeply at its end, nearly as a wall, is not led on.
