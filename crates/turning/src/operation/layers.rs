@@ -157,7 +157,10 @@ pub fn layers(
     let (blank, rough, left) = match slope_at_end(&left).filter(|slope| leads_on(&left, *slope, by, set_up, workpiece))
     {
         Some(slope) => (blank, rough, leading_on(left, by, slope)),
-        None if set_up.turned_over => (blank, rough, left),
+        None if set_up.turned_over => {
+            let on = following(&left, by, set_up, bench);
+            (blank, rough, on.unwrap_or(left))
+        }
         None => (longer(blank, by), longer(rough, by), longer(left, by)),
     };
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
@@ -224,6 +227,21 @@ fn leads_on(left: &Contour, slope: f64, by: Half, set_up: &SetUp, workpiece: &Wo
         let along = Half::new(by.halves() * step / STEPS);
         let radius = end.radius + Half::from(along.to_mm() * slope);
         part.radii_at(end.z + along).is_none_or(|(_, most)| most <= radius)
+    })
+}
+
+/// A contour of the second set-up led on along the part behind its end, which was finished before and rises from there: the round
+/// nose would leave metal in the corner. None where the part falls, or where it still has an allowance for another machine.
+fn following(left: &Contour, by: Half, set_up: &SetUp, bench: &Bench<'_, '_>) -> Option<Contour> {
+    let end = left.end().filter(|_| set_up.turned_over && by > Half::ZERO && bench.elsewhere.is_empty())?;
+    slope_at_end(left)?;
+    let part = bench.workpiece.outer.contour().turned_over(bench.workpiece.length());
+    let beyond = super::clip::between(&part, end.z, end.z + by);
+    let sloping = beyond.pieces.iter().all(|piece| !piece.is_face() && piece.to.radius >= piece.from.radius);
+    let begins = beyond.start() == Some(end) && beyond.end().is_some_and(|last| last.radius > end.radius);
+    (sloping && begins).then(|| {
+        let pieces = left.pieces.iter().chain(&beyond.pieces).copied().collect();
+        Contour { side: left.side, pieces }
     })
 }
 
