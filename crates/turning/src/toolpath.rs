@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::contour::{Curve, Piece};
 use super::point::Point;
+use crate::units::MillimetresPerRev;
 
 /// The purpose of a move. It decides the rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -33,7 +34,7 @@ pub enum Purpose {
 }
 
 /// A move.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Move {
     /// Its end.
     pub to: Point,
@@ -41,10 +42,20 @@ pub struct Move {
     pub curve: Curve,
     /// Its purpose.
     pub purpose: Purpose,
+    /// The feed of this move, where it is not that of its purpose.
+    #[serde(rename = "feed_mm_per_rev", skip_serializing_if = "Option::is_none")]
+    pub feed: Option<MillimetresPerRev>,
+}
+
+impl Move {
+    /// A move along a piece at the feed of its purpose.
+    pub const fn along(piece: Piece, purpose: Purpose) -> Self {
+        Self { to: piece.to, curve: piece.curve, purpose, feed: None }
+    }
 }
 
 /// A toolpath: a start point and the moves from there.
-#[derive(Clone, Debug, PartialEq, Eq, Default, Serialize)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize)]
 pub struct Toolpath {
     /// Where it begins.
     pub from: Point,
@@ -66,15 +77,20 @@ impl Toolpath {
     /// Adds a straight move to a point. A move without length is left out.
     pub fn go(&mut self, to: Point, purpose: Purpose) {
         if to != self.end() {
-            self.moves.push(Move { to, curve: Curve::Line, purpose });
+            self.moves.push(Move { to, curve: Curve::Line, purpose, feed: None });
         }
     }
 
     /// Follows a piece, which begins where the toolpath ends.
     pub fn follow(&mut self, piece: Piece, purpose: Purpose) {
         if !piece.is_nothing() {
-            self.moves.push(Move { to: piece.to, curve: piece.curve, purpose });
+            self.moves.push(Move::along(piece, purpose));
         }
+    }
+
+    /// Its moves as pieces, each with its purpose and, where it has one, its own feed.
+    pub fn paced(&self) -> impl Iterator<Item = (Piece, Purpose, Option<MillimetresPerRev>)> + '_ {
+        self.pieces().zip(&self.moves).map(|((piece, purpose), one)| (piece, purpose, one.feed))
     }
 
     /// Its moves as pieces, each with its purpose.

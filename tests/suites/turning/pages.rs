@@ -32,7 +32,7 @@ fn grooves_tell_feed_and_speed() {
         let line = page.lines().find(|line| line.split('|').nth(1).is_some_and(|cell| cell.trim() == work));
         line.map(|line| line.split('|').map(str::trim).collect()).unwrap_or_default()
     };
-    assert_eq!(row("groove").get(5..8), Some(&["0.10", "131.9", "1400"][..]), "{page}");
+    assert_eq!(row("groove").get(5..8), Some(&["0.100", "131.9", "1400"][..]), "{page}");
 }
 
 /// Eight parts of every day: seven are made whole, and their programs are written for three controls. The slender shaft

@@ -13,6 +13,8 @@ pub(super) enum Cell {
     Words(Inlines),
     /// A figure, and its largest number of decimals.
     Figure(f64, usize),
+    /// From one figure to another, with the decimals of its column.
+    Range(f64, f64, usize),
 }
 
 impl<T: Into<Inlines>> From<T> for Cell {
@@ -49,6 +51,10 @@ pub(super) fn table(columns: impl IntoIterator<Item = Column>, rows: Vec<Vec<Cel
         table.row(cells.map(|(at, cell)| match cell {
             Cell::Words(words) => words,
             Cell::Figure(value, most) => Inlines::number(fixed(value, decimals[at].min(most), lang)),
+            Cell::Range(from, to, most) => {
+                let shown = |value| fixed(value, decimals[at].min(most), lang);
+                arrow(shown(from), shown(to)).into()
+            }
         }));
     }
     table
@@ -82,9 +88,15 @@ pub(super) fn arrow(from: String, to: String) -> String {
 }
 
 fn decimals(cell: &Cell) -> usize {
-    let Cell::Figure(value, most) = cell else { return 0 };
-    let shown = round_to(*value, u32::try_from(*most).unwrap_or_default()).to_string();
-    shown.split_once('.').map_or(0, |(_, decimals)| decimals.len().min(*most))
+    let of = |value: f64, most: usize| {
+        let shown = round_to(value, u32::try_from(most).unwrap_or_default()).to_string();
+        shown.split_once('.').map_or(0, |(_, decimals)| decimals.len().min(most))
+    };
+    match cell {
+        Cell::Words(_) => 0,
+        Cell::Figure(value, most) => of(*value, *most),
+        Cell::Range(from, to, most) => of(*from, *most).max(of(*to, *most)),
+    }
 }
 
 #[cfg(test)]

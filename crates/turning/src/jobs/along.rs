@@ -72,10 +72,7 @@ fn seen_outside(
     let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
     let top = most(contour).max(most(standing));
     let seen = make_path(&contour.inside_out(top), &standing.inside_out(top), Some(top - nearest));
-    let moves = seen.pieces().map(|(piece, purpose)| {
-        let piece = piece.inside_out(top);
-        Move { to: piece.to, curve: piece.curve, purpose }
-    });
+    let moves = seen.pieces().map(|(piece, purpose)| Move::along(piece.inside_out(top), purpose));
     Toolpath { from: seen.from.inside_out(top), moves: moves.collect() }
 }
 

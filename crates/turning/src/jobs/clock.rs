@@ -11,7 +11,7 @@ use crate::turning::length::Half;
 /// The time of a toolpath, min: path over feed times spindle speed, rapids at one rate. At a constant cutting speed
 /// the spindle follows the radius up to its limit.
 pub fn time(path: &Toolpath, speed: Speed, feeds: &Feeds, rapid: MillimetresPerMinute) -> Minutes {
-    let times = path.pieces().map(|(piece, purpose)| match feeds.of(purpose) {
+    let times = path.paced().map(|(piece, purpose, own)| match own.or_else(|| feeds.of(purpose)) {
         None => piece.length_mm() / rapid.0,
         Some(feed) => piece.length_mm() / feed.0 * minutes_per_turn(piece, speed),
     });

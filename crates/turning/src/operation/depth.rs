@@ -199,8 +199,7 @@ fn cut<'a, 'k>(
     Ok(Some((cut, because)))
 }
 
-/// Rates and distances at a depth of passes, for finishing with the roughness that the pass must leave: from the file, otherwise from the conditions, otherwise from the table
-/// `turning-motion`. A motion for which the file has no rate goes at the main feed, and a finding says so.
+/// Rates and distances at a depth of passes, for finishing with the roughness that the pass must leave.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
@@ -211,28 +210,54 @@ pub fn pace(
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Pace, KnowledgeError> {
+    let conditions = found(task, depth, roughness, bench, findings)?;
+    with_rates(task.direction, conditions, bench, findings)
+}
+
+/// The conditions at a depth of passes; none without a lathe, and, with a finding, where the tables have none.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn found(
+    task: ZoneCut<'_, '_>,
+    depth: Half,
+    roughness: Option<Roughness>,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<TurningConditions>, KnowledgeError> {
+    let Some((cut, skin)) = cut(task, bench)? else { return Ok(None) };
+    match Refusal::split(conditions(&cut, depth.rounded_up(), roughness))? {
+        Ok(mut conditions) => {
+            conditions.because.push(skin);
+            findings.extend(conditions.findings());
+            // The grip of the jaws is a finding of the set-up.
+            let exceeded: Vec<_> = conditions.exceeded.iter().filter(|bound| **bound != Bound::Grip).collect();
+            if !exceeded.is_empty() {
+                let bounds = Figure::list(exceeded.into_iter().map(|bound| Figure::word(bound.name())));
+                let note = Note::new("bounds-exceeded").with("tool", task.tool.designation).with("depth", depth);
+                findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", bounds)));
+            }
+            Ok(Some(conditions))
+        }
+        Err(why) => {
+            findings.push(Finding::of_part(Severity::Doubtful, why.note()));
+            Ok(None)
+        }
+    }
+}
+
+/// Rates and distances: from the file, otherwise from the conditions, otherwise from the table `turning-motion`. A motion for
+/// which the file has no rate goes at the main feed, and a finding says so.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn with_rates(
+    direction: Direction,
+    conditions: Option<TurningConditions>,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Pace, KnowledgeError> {
     let given = bench.workpiece.rates;
-    let conditions = match cut(task, bench)? {
-        None => None,
-        Some((cut, skin)) => match Refusal::split(conditions(&cut, depth.rounded_up(), roughness))? {
-            Ok(mut conditions) => {
-                conditions.because.push(skin);
-                findings.extend(conditions.findings());
-                // The grip of the jaws is a finding of the set-up.
-                let exceeded: Vec<_> = conditions.exceeded.iter().filter(|bound| **bound != Bound::Grip).collect();
-                if !exceeded.is_empty() {
-                    let bounds = Figure::list(exceeded.into_iter().map(|bound| Figure::word(bound.name())));
-                    let note = Note::new("bounds-exceeded").with("tool", task.tool.designation).with("depth", depth);
-                    findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", bounds)));
-                }
-                Some(conditions)
-            }
-            Err(why) => {
-                findings.push(Finding::of_part(Severity::Doubtful, why.note()));
-                None
-            }
-        },
-    };
     let (table, unconfirmed) = rates::of_table(bench.knowledge)?;
     let shaft::Rates { longitudinal_feed, transverse_feed, rapid, approach, retract } = match given {
         Some(given) => given.main,
@@ -243,7 +268,7 @@ pub fn pace(
             shaft::Rates { rapid: bench.lathe.map_or(table.rapid, |lathe| lathe.rapid_z), ..table }
         }
     };
-    let stated = match task.direction {
+    let stated = match direction {
         Direction::Longitudinal => longitudinal_feed,
         Direction::Transverse => transverse_feed,
     };

@@ -2,31 +2,27 @@
 //! grooves and threads in them.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Knowledge;
-use crate::note::{Because, Finding, Note, Severity};
-use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind, SurfaceName};
-use crate::turning::elements::{Element, steepness};
-use crate::turning::jobs::along::{Clearance, along, dip};
+use crate::note::Finding;
+use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind};
+use crate::turning::elements::Element;
+use crate::turning::jobs::along::{along, dip};
 use crate::turning::jobs::hole::{self, Hole, HoleEnd};
-use crate::turning::jobs::{Body, Job, JobTool, Pace, UNKNOWN_EDGE, Work as JobWork};
+use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
-use crate::turning::nose::{tightest, up_to};
 use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::shaft::Holding;
 use crate::turning::tooling::{Spindle, TurningTool};
 use crate::turning::toolpath::{Purpose, Toolpath};
-use crate::turning::zones::fit::reaches;
-use crate::turning::zones::{Feed, Needs, SetUp, TurnedSide};
-use crate::units::{Degrees, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
+use crate::turning::zones::{Feed, SetUp, TurnedSide};
+use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
 
-use super::depth::{self, ZoneCut};
-use super::layers::Layers;
-use super::tools::{self, Bench};
+use super::depth;
+use super::finishing::{Finishing, allowance, needs};
+use super::tools::Bench;
 use super::work::{Hollow, Work, ZoneWork};
-use super::{Axial, SideWork, Stage, clip, crests, features};
-use crate::turning::cutting::{Direction, TurningConditions, unsaid_roughness, wall_share};
-use technolog_core::part::tolerance_width;
+use super::{Axial, SideWork, clip, crests, features};
+use crate::turning::cutting::TurningConditions;
 
 /// The jobs of a set-up.
 ///
@@ -215,7 +211,7 @@ fn eased(path: &Toolpath, height: Half) -> Toolpath {
 
 /// The conditions of a job from those of its passes: the spindle step with feeds per revolution, or rates if the file
 /// gives them or nothing else is known.
-fn pace_of(pace: &depth::Pace, bench: &Bench<'_, '_>) -> Pace {
+pub(super) fn pace_of(pace: &depth::Pace, bench: &Bench<'_, '_>) -> Pace {
     let rates = pace.feeds;
     let rpm = pace.conditions.as_ref().map(|conditions| conditions.spindle_rpm);
     match rpm.filter(|_| bench.workpiece.rates.is_none()) {
@@ -226,7 +222,7 @@ fn pace_of(pace: &depth::Pace, bench: &Bench<'_, '_>) -> Pace {
 
 /// Conditions with a constant cutting speed, if the diameter changes along the path and the spindle is stepless: a
 /// face and a contour are then cut at the same speed everywhere, up to the highest speed of the spindle.
-fn constant_speed(pace: Pace, conditions: Option<&TurningConditions>, bench: &Bench<'_, '_>) -> Pace {
+pub(super) fn constant_speed(pace: Pace, conditions: Option<&TurningConditions>, bench: &Bench<'_, '_>) -> Pace {
     let stepless = bench.lathe.and_then(|lathe| match lathe.spindle {
         Spindle::Range { max, .. } => Some(max),
         Spindle::Steps(_) => None,
@@ -285,6 +281,7 @@ fn finish(
         contour,
         standing,
         allowance: allowance(&side.layers, &surfaces),
+        allowances: &side.layers.allowances,
         surfaces,
         needs: needs(contour),
     };
@@ -335,6 +332,7 @@ fn finish_hollow(
             standing: &side.layers.left,
             surfaces: surfaces.clone(),
             allowance: allowance(&hollow.layers, &surfaces),
+            allowances: &hollow.layers.allowances,
             needs: needs(&clip::between(contour, own.0, own.1)),
         };
         let (from_z, to_z) = within(SEAM);
@@ -372,210 +370,8 @@ fn split_at_face(contour: &Contour) -> (Contour, Contour) {
     (of(face), of(rest))
 }
 
-/// The largest finishing allowance of the surfaces of a pass; for a far face alone, which is no surface of the
-/// set-up, the one over it. If none of them is known, the largest of the side.
-fn allowance(layers: &Layers, surfaces: &[&Surface]) -> Half {
-    let start = |contour: &Contour| contour.start().map_or(Half::ZERO, |start| start.z);
-    let over_face = start(&layers.left) - start(&layers.rough);
-    let known = layers.allowances.iter().filter_map(|one| Some((&one.surface, one.allowance_mm?)));
-    let own = known.clone().filter(|(name, _)| surfaces.iter().any(|surface| surface.name == **name));
-    own.map(|one| one.1).max().or_else(|| known.map(|one| one.1).max()).unwrap_or(over_face)
-}
-
-/// The task of a finishing pass.
-struct Finishing<'a> {
-    side: Side,
-    /// The contour after it.
-    contour: &'a Contour,
-    /// The contour before it.
-    standing: &'a Contour,
-    /// The surfaces that it finishes.
-    surfaces: Vec<&'a Surface>,
-    /// The largest stock that it removes.
-    allowance: Half,
-    needs: Needs,
-}
-
-impl Finishing<'_> {
-    /// The tightest tolerance of the diameters that it finishes.
-    fn tolerance(&self, bench: &Bench<'_, '_>) -> Option<Micrometres> {
-        let of = |surface: &&Surface| {
-            let radius = surface.pieces.iter().map(|piece| piece.from.radius.max(piece.to.radius)).max()?;
-            tolerance_width(surface.grade?, radius.diameter(), bench.knowledge).ok()
-        };
-        self.surfaces.iter().filter_map(of).min()
-    }
-
-    /// Its tool: the first that reaches everything; a nose that fits into the hollows is preferred to one that leaves
-    /// metal in them.
-    fn tool<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Option<TurningTool<'k>>, KnowledgeError> {
-        let passage = narrowest(self.contour);
-        let mut candidates = tools::candidates(self.side, Stage::Finishing, bench)?;
-        candidates.retain(|tool| reaches(self.needs, passage, &tools::angles(tool)));
-        let tight = tightest(self.contour);
-        // A bar that faces a bottom as far as it must goes before one that leaves the middle of it.
-        let bottom = self.contour.pieces.last().filter(|last| last.is_face()).map(|last| last.to.radius);
-        if let (Some(bore), Some(bottom)) = (passage, bottom) {
-            let stops = |tool: &TurningTool<'_>| tools::nearest_to_axis(tool, Half::radius_of(bore)).max(Some(bottom));
-            candidates.sort_by_key(stops);
-        }
-        let fits = |tool: &TurningTool<'_>| tight.is_none_or(|tight| tools::nose(tool).radius <= tight);
-        let least = candidates.iter().map(|tool| tools::nose(tool).radius).min();
-        let found = candidates.iter().position(fits);
-        let found = found.or_else(|| candidates.iter().position(|tool| Some(tools::nose(tool).radius) == least));
-        Ok(found.map(|index| candidates.swap_remove(index)))
-    }
-
-    /// The job; `make_path` makes its toolpath from the contours after and before, both as the nose meets them.
-    fn job(
-        &self,
-        bench: &Bench<'_, '_>,
-        findings: &mut Vec<Finding>,
-        make_path: impl FnOnce(&Contour, &Contour, Clearance) -> Option<Toolpath>,
-    ) -> Result<Option<Job>, KnowledgeError> {
-        let Some(tool) = self.tool(bench)? else {
-            let note = Note::new("no-tool-to-finish").with("side", self.side.name());
-            let angle = |degrees: Degrees| round_to(degrees.0, 1);
-            let note = note.with("main", angle(self.needs.main)).with("secondary", angle(self.needs.secondary));
-            findings.push(Finding::of_part(Severity::Wrong, note));
-            return Ok(None);
-        };
-        let nose = tools::nose(&tool);
-        let seen = nose.seen(self.contour).and_then(|contour| Ok((contour, nose.seen(self.standing)?)));
-        let (seen, standing) = match seen {
-            Ok((seen, standing)) => {
-                let bore =
-                    narrowest(self.contour).and_then(|bore| tools::nearest_to_axis(&tool, Half::radius_of(bore)));
-                (up_to(seen, bore), standing)
-            }
-            Err(error) => {
-                let note = Note::new("no-contour-of-nose").with("tool", tool.designation).with("why", error);
-                findings.push(Finding::of_part(Severity::Wrong, note));
-                return Ok(None);
-            }
-        };
-        let (roughness, mut because) = self.roughness(bench)?;
-        let direction = Direction::Longitudinal;
-        let (from, to) = ends(self.contour);
-        let part = bench.held.as_ref().map(|held| held.over(from, to, self.tolerance(bench)));
-        let bore_depth = (self.side == Side::Inner).then(|| to.rounded_up());
-        let (diameter, stock) = (largest(self.contour), self.allowance);
-        let task = ZoneCut { tool: &tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
-        let paced = depth::pace(task, self.allowance, Some(roughness), bench, findings)?;
-        let mut notes = Vec::new();
-        if let Some(tight) = tightest(self.contour).filter(|tight| nose.radius > *tight) {
-            notes.push(Note::new("nose-fills-hollow").with("nose", nose.radius).with("hollow", tight));
-        }
-        let made = JobTool::of(&tool);
-        let wall = wall(&made, bench.knowledge)?;
-        // Before the pass the wall on the other side stands nearer by the allowance.
-        let nearest = narrowest(self.standing).and_then(|bore| tools::nearest_to_axis(&tool, Half::radius_of(bore)));
-        let nearest = nearest.unwrap_or_default().max(Half::ZERO);
-        let clearance = Clearance { approach: paced.approach_mm, retract: paced.retract_mm, wall, nearest };
-        let Some(path) = make_path(&seen, &standing, clearance) else { return Ok(None) };
-        let pace = finishing(pace_of(&paced, bench), bench);
-        let pace = constant_speed(pace, paced.conditions.as_ref(), bench);
-        let chosen = tools::chosen(&tool, 1, bench)?;
-        Ok(Some(Job {
-            work: JobWork::Finish,
-            side: self.side,
-            tool: made,
-            surfaces: self.surfaces.iter().map(|surface| surface.name.clone()).collect::<Vec<SurfaceName>>(),
-            time_min: pace.time(&path, paced.feeds.rapid),
-            path,
-            conditions: paced.conditions.clone(),
-            pace,
-            thread: None,
-            zone: None,
-            notes,
-            because: {
-                because.extend([chosen.because, chosen.because_order]);
-                because
-            },
-        }))
-    }
-
-    /// The finest roughness that the pass must leave, with the rows of roughnesses that the drawing does not give.
-    /// Surfaces finished on another machine, or finer than the lathe can make, do not count.
-    fn roughness(&self, bench: &Bench<'_, '_>) -> Result<(Roughness, Vec<Because>), KnowledgeError> {
-        let (mut finest, mut because): (Option<Roughness>, Vec<Because>) = (None, Vec::new());
-        let here = self.surfaces.iter().filter(|surface| bench.elsewhere.iter().all(|one| one.surface != surface.name));
-        for surface in here {
-            let asked = match surface.roughness {
-                Some(asked) => asked,
-                None => {
-                    let (unsaid, row) = unsaid_roughness(surface.grade, bench.knowledge)?;
-                    because.push(row);
-                    unsaid
-                }
-            };
-            finest = Some(finest.map_or(asked, |finest| finest.min(asked)));
-        }
-        because.dedup();
-        let (unsaid, row) = unsaid_roughness(None, bench.knowledge)?;
-        if finest.is_none() {
-            because.push(row);
-        }
-        let asked = finest.unwrap_or(unsaid);
-        let best = bench.lathe.and_then(|lathe| lathe.best_roughness);
-        Ok((best.map_or(asked, |best| asked.max(best)), because))
-    }
-}
-
-/// The narrowest diameter of a bore. The bottom of a blind one is no passage.
-fn narrowest(contour: &Contour) -> Option<Micrometres> {
-    let walls = contour.pieces.iter().filter(|piece| contour.side == Side::Inner && !piece.is_face());
-    walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min().map(Half::diameter)
-}
-
-/// The greatest height of a wall that a tool finishes upwards, so that its holder stays clear of the metal above:
-/// `wall-share` of its edge.
-fn wall(tool: &JobTool, knowledge: &Knowledge) -> Result<Half, KnowledgeError> {
-    let edge = match tool.body {
-        Body::Insert { edge_mm, .. } => edge_mm,
-        _ => None,
-    };
-    Ok(Half::from(edge.unwrap_or(UNKNOWN_EDGE).to_mm() * wall_share(knowledge)?))
-}
-
-/// The feed of finishing is the main feed of its conditions, or the one in the file.
-fn finishing(mut pace: Pace, bench: &Bench<'_, '_>) -> Pace {
-    match &mut pace {
-        Pace::PerRev { feeds, .. } => feeds.finish = feeds.cut,
-        Pace::PerMinute { rates, .. } => {
-            if bench.workpiece.rates.is_none_or(|rates| rates.finishing_feed.is_none()) {
-                rates.finish = rates.main;
-            }
-        }
-    }
-    pace
-}
-
 /// The main elements of a turned side.
 fn main_surfaces(stretch: &TurnedSide) -> Vec<&Surface> {
     let both = stretch.profile.surfaces.iter().zip(&stretch.classes);
     both.filter(|(_, class)| class.element == Element::Main).map(|(surface, _)| surface).collect()
-}
-
-/// Z of the ends of a contour.
-fn ends(contour: &Contour) -> (Half, Half) {
-    let z = |end: Option<Point>| end.map_or(Half::ZERO, |end| end.z);
-    (z(contour.start()), z(contour.end()))
-}
-
-/// The largest diameter of a contour.
-fn largest(contour: &Contour) -> Micrometres {
-    contour.radii().map_or(Half::ZERO, |(_, most)| most).diameter()
-}
-
-/// The angles that a contour requires of a tool that follows it. The face at the free end is cut towards the axis,
-/// and the main edge must not lean over it.
-fn needs(contour: &Contour) -> Needs {
-    let outer = |piece: &Piece| match contour.side {
-        Side::Outer => *piece,
-        Side::Inner => piece.inside_out(Half::ZERO),
-    };
-    let pieces = contour.pieces.iter().map(outer);
-    let steepest = pieces.map(steepness).fold((0.0_f64, 0.0_f64), |most, one| (most.0.max(one.0), most.1.max(one.1)));
-    Needs { main: Degrees(steepest.0), secondary: Degrees(steepest.1) }
 }

@@ -23,6 +23,8 @@ pub mod depth;
 mod doubts;
 pub mod drill;
 mod features;
+mod feeds;
+mod finishing;
 pub mod grip;
 mod held;
 mod intermediate;

@@ -72,6 +72,11 @@ impl Feeds {
     }
 }
 
+/// Whether a figure is above 0 and is not written as 0.
+pub(super) fn is_written(value: f64, places: u32) -> bool {
+    value.is_finite() && value > 0.0 && number(value, places) != "0"
+}
+
 /// The settings of a program besides its toolpath.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
@@ -93,7 +98,6 @@ impl Setting {
     /// # Errors
     /// A tool, a speed or a feed that is not above 0, or so small that it is written as 0.
     pub(super) fn check(&self) -> Result<(), NotWritten> {
-        let written = |value: f64, places| value.is_finite() && value > 0.0 && number(value, places) != "0";
         let speeds = match self.speed {
             Speed::Cutting { speed, limit } => [speed.0, limit.0],
             Speed::Spindle(speed) => [speed.0, speed.0],
@@ -101,13 +105,13 @@ impl Setting {
         if self.tool == 0 {
             return Err(NotWritten::NoTool);
         }
-        if !speeds.iter().all(|speed| written(*speed, 1)) {
+        if !speeds.iter().all(|speed| is_written(*speed, 1)) {
             return Err(NotWritten::NoSpeed);
         }
         let feeds = &self.feeds;
         let rough = [feeds.cut, feeds.infeed, feeds.pick_up, feeds.semi_finish, feeds.finish, feeds.back];
         let all = rough.into_iter().chain([feeds.plunge, feeds.thread]);
-        match all.into_iter().find(|feed| !written(feed.0, 4)) {
+        match all.into_iter().find(|feed| !is_written(feed.0, 4)) {
             Some(feed) => Err(NotWritten::NoFeed { feed }),
             None => Ok(()),
         }

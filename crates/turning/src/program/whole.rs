@@ -152,8 +152,8 @@ fn leave(sheet: &mut ProgramWriter<'_>, end_of_part: FreeEnd) {
 /// The motions of a section.
 fn along(sheet: &mut ProgramWriter<'_>, section: &ToolSection, end_of_part: FreeEnd) {
     sheet.approach(section.path.from, end_of_part);
-    for (piece, purpose) in section.path.pieces() {
-        let pace = match (purpose, section.feeds.of(purpose)) {
+    for (piece, purpose, own) in section.path.paced() {
+        let pace = match (purpose, own.or_else(|| section.feeds.of(purpose))) {
             (Purpose::Thread, Some(lead)) => Pace::Thread(lead),
             (_, Some(feed)) => Pace::Feed(feed),
             (_, None) => Pace::Rapid,
@@ -169,8 +169,11 @@ fn check(section: &ToolSection, name: &str) -> Result<(), NotWritten> {
     if section.path.moves.is_empty() {
         return Err(NotWritten::EmptyWay);
     }
-    for (number, (piece, purpose)) in (1..).zip(section.path.pieces()) {
+    for (number, (piece, purpose, own)) in (1..).zip(section.path.paced()) {
         check_arc(piece, number)?;
+        if let Some(feed) = own.filter(|feed| !super::setting::is_written(feed.0, 4)) {
+            return Err(NotWritten::NoFeed { feed });
+        }
         let feed: Option<MillimetresPerRev> = feeds.of(purpose);
         if feed.is_none() && piece.curve != Curve::Line {
             return Err(NotWritten::RapidArc { piece: number });

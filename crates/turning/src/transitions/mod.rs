@@ -246,7 +246,7 @@ pub fn work(
 fn path_inside_out(path: &Toolpath, top: Half) -> Toolpath {
     let moves = path.pieces().map(|(piece, purpose)| {
         let piece = piece.inside_out(top);
-        Move { to: piece.to, curve: piece.curve, purpose }
+        Move::along(piece, purpose)
     });
     Toolpath { from: path.from.inside_out(top), moves: moves.collect() }
 }

@@ -8,6 +8,7 @@ use technolog_turning::operation::programs::{place, stations};
 use technolog_turning::operation::times::Times;
 use technolog_turning::operation::{Operation, SetUpWork};
 use technolog_turning::program::Speed;
+use technolog_turning::toolpath::Purpose;
 use technolog_turning::zones::Hold;
 use technolog_words::say;
 
@@ -79,11 +80,24 @@ fn row(job: &Job, set_up: &SetUpWork, place: Option<u32>, lang: Lang) -> Vec<Cel
         lang.term("turn-side", job.side.name()).into(),
         job.tool.designation.as_str().into(),
         if nose > 0.0 { Cell::Figure(nose, 2) } else { Cell::empty() },
-        or_empty(feed.map(|feed| feed.0), 3),
+        match feeds(job) {
+            Some((least, most)) => Cell::Range(least.0, most.0, 3),
+            None => or_empty(feed.map(|feed| feed.0), 3),
+        },
         or_empty(speed.map(|speed| speed.0), 1),
         or_empty(rpm.map(|rpm| rpm.0), 1),
         Cell::Figure(job.time_min.0, 2),
     ]
+}
+
+/// The least and the greatest feed of a finishing pass whose surfaces have different ones.
+fn feeds(job: &Job) -> Option<(MillimetresPerRev, MillimetresPerRev)> {
+    let base = job.pace.feeds()?;
+    let own = job.path.moves.iter().filter(|one| one.purpose == Purpose::Finish);
+    let all = own.map(|one| one.feed.unwrap_or(base.finish)).collect::<Vec<_>>();
+    let least = all.iter().copied().min_by(|one, other| one.0.total_cmp(&other.0))?;
+    let most = all.iter().copied().max_by(|one, other| one.0.total_cmp(&other.0))?;
+    (job.work == Work::Finish && least != most).then_some((least, most))
 }
 
 /// The feed of a job without conditions of its own: that of the plunge, or the pitch.

@@ -133,7 +133,7 @@ fn in_set_up(ways: &Toolpath, valley: &Valley, site: Site<'_>, approach: Half) -
     path.go(from, Purpose::Rapid);
     for (piece, purpose) in ways.pieces() {
         let piece = lie.piece(piece);
-        path.moves.push(Move { to: piece.to, curve: piece.curve, purpose });
+        path.moves.push(Move::along(piece, purpose));
     }
     path.go(over(to), Purpose::Rapid);
     path.go(path.from, Purpose::Rapid);

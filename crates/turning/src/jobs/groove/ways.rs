@@ -232,7 +232,7 @@ impl Builder {
         self.path.go(Point { radius: self.above(), z: start.z }, Purpose::Return);
         self.path.go(start, Purpose::Return);
         for piece in pieces {
-            self.path.moves.push(Move { to: piece.to, curve: piece.curve, purpose: Purpose::Finish });
+            self.path.moves.push(Move::along(*piece, Purpose::Finish));
         }
         self.path.go(to, Purpose::Finish);
         self.over_from(to.z);
