@@ -61,6 +61,7 @@ impl<'k> Case<'k> {
             bore_depth: None,
             part: None,
             grip: None,
+            spindle_most: None,
         }
     }
 }

@@ -35,35 +35,44 @@ fn grooves_tell_feed_and_speed() {
     assert_eq!(row("groove").get(5..8), Some(&["0.100", "131.9", "1400"][..]), "{page}");
 }
 
-/// Eight parts of every day: seven are made whole, and their programs are written for three controls. The slender shaft
-/// bends, which its page says.
+/// Eight parts of every day are made whole, and their programs are written for three controls.
 #[test]
-fn parts_of_every_day_are_made_or_say_why_not() {
-    let (whole, bent) = (vec![], vec!["bounds-exceeded"]);
-    let parts = [
-        ("stepped", &whole, 0),
-        ("sleeve", &whole, 0),
-        ("cone", &whole, 0),
-        ("neck", &whole, 0),
-        ("nose", &whole, 0),
-        ("dowel", &whole, 0),
-        ("disc", &whole, 0),
-        ("slender", &bent, 1),
-    ];
-    for (name, expected, written) in parts {
+fn parts_of_every_day_are_made() {
+    for name in ["stepped", "sleeve", "cone", "neck", "nose", "dowel", "disc", "slender"] {
         let file = format!("examples/turned-{name}.yaml");
         let (code, json) = turn(&[&file, "--format", "json"]);
         let answer: serde_json::Value = serde_json::from_str(&json).unwrap();
         let findings = answer["findings"].as_array().unwrap().iter();
         let wrong = findings.filter(|one| one["severity"] == "wrong").map(|one| one["code"].as_str().unwrap());
-        let mut wrong: Vec<&str> = wrong.collect();
-        wrong.dedup();
-        assert_eq!((&wrong, code), (expected, i32::from(!expected.is_empty())), "{name}");
+        let wrong: Vec<&str> = wrong.collect();
+        assert_eq!((wrong, code), (vec![], 0), "{name}");
         for control in ["linuxcnc", "fanuc", "sinumerik"] {
             let (code, program) = turn(&[&file, "--show", "program", "--control", control]);
-            assert_eq!((code, program.is_empty()), (written, written == 2), "{name} {control}");
+            assert_eq!((code, program.is_empty()), (0, false), "{name} {control}");
         }
     }
+}
+
+/// By hand, between centres 375 mm, Ø25: I = π·25⁴/64 = 19175 mm⁴, c = 375³/(48·E·I). A negative insert presses twice as hard as
+/// a positive one (`turning-force-rake`: 2 at −6°, 1 at 0°), so it bends the shaft by more than a fifth of h9 (0.0104 mm) even at
+/// the least feed of finishing; the positive one does not.
+#[test]
+fn a_slender_shaft_is_finished_by_what_presses_least() {
+    let (_, json) = turn(&["examples/turned-slender.yaml", "--format", "json"]);
+    let answer: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let jobs = answer["set_ups"][0]["jobs"].as_array().unwrap();
+    let finish = jobs.iter().find(|job| job["work"] == "finish").unwrap();
+    assert_eq!(finish["tool"]["designation"], "SVJBR 2525M16");
+    let conditions = &finish["conditions"];
+    let (force, feed) =
+        (conditions["radial_force_n"].as_f64().unwrap(), conditions["feed_mm_per_rev"].as_f64().unwrap());
+    // The heaviest stretch is told; that of the body has the least feed.
+    let feeds = finish["path"]["moves"].as_array().unwrap().iter().filter_map(|one| one["feed_mm_per_rev"].as_f64());
+    let body = feeds.fold(feed, f64::min);
+    let exponent = 0.6;
+    let on_body = force * libm::pow(body / feed, exponent);
+    let bends = on_body * 375.0_f64.powi(3) / (48.0 * 200_000.0 * 19_175.0);
+    assert!(body >= 0.08 && bends < 0.2 * 0.052 * 1.05, "{body} {bends}");
 }
 
 /// Each way is drawn under its own title, each arc as an arc, and JSON tells every zone with its ways.

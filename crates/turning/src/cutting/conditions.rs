@@ -176,7 +176,9 @@ fn within_part(
         let forces = Forces::of(cut, held)?;
         let (checks, _) = bounds::checks(cut, &forces)?;
         let law = of_figures(cut.named(speed::speed(cut, held, RoughOrFinish::Finish)))?;
-        let speed = law.at(depth.to_mm(), cut)?.speed;
+        // The speed that the spindle has: a slower cut presses harder.
+        let (rpm, _) = first_speed(cut, rpm_at(law.at(depth.to_mm(), cut)?.speed, cut.diameter), false);
+        let speed = speed_at(rpm, cut.diameter);
         let Some(check) = checks.into_iter().find(|check| check.bound == Bound::PartStiffness) else {
             return Ok(feed);
         };
@@ -233,7 +235,8 @@ fn first_speed(cut: &TurningCut<'_, '_>, wanted: RevsPerMinute, practice: bool) 
     } else {
         "tool-life"
     };
-    (cut.lathe.spindle.at_most(wanted), limited_by)
+    let most = cut.spindle_most.filter(|most| most.0 < wanted.0).unwrap_or(wanted);
+    (cut.lathe.spindle.at_most(most), limited_by)
 }
 
 /// The fastest speed below a given one for which the power is enough; none if it is enough already.

@@ -63,6 +63,8 @@ pub struct TurningCut<'a, 'k> {
     pub part: Option<&'a Flexibility>,
     /// What the jaws hold; none if it is unknown or does not matter.
     pub grip: Option<&'a GripLimit>,
+    /// The spindle speed of the pass that the cut is a part of: it turns no faster. None for a cut of its own.
+    pub spindle_most: Option<RevsPerMinute>,
 }
 
 /// The direction of the feed.

@@ -64,6 +64,7 @@ pub(super) fn cut<'a, 'k>(
         bore_depth: None,
         part: None,
         grip: None,
+        spindle_most: None,
     })
 }
 

@@ -14,7 +14,7 @@ use crate::turning::schemes::rates;
 use crate::turning::shaft;
 use crate::turning::tooling::TurningTool;
 use crate::turning::transitions::Feeds;
-use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerRev, Roughness};
+use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness};
 
 use super::tools::Bench;
 
@@ -59,6 +59,8 @@ pub struct ZoneCut<'a, 'k> {
     pub bore_depth: Option<Micrometres>,
     /// The deflection of the part there.
     pub part: Option<&'a Flexibility>,
+    /// The spindle speed of the pass that it is a part of; none for a cut of its own.
+    pub spindle_most: Option<RevsPerMinute>,
 }
 
 /// The limiting depth of a zone; none, with a finding, if no source gives it.
@@ -195,7 +197,20 @@ fn cut<'a, 'k>(
     let (tool, material) = (task.tool, &bench.material);
     let (diameter, direction, bore_depth, part) = (task.diameter, task.direction, task.bore_depth, task.part);
     let grip = bench.grip.as_ref();
-    let cut = TurningCut { knowledge, lathe, tool, material, diameter, direction, surface, bore_depth, part, grip };
+    let spindle_most = task.spindle_most;
+    let cut = TurningCut {
+        knowledge,
+        lathe,
+        tool,
+        material,
+        diameter,
+        direction,
+        surface,
+        bore_depth,
+        part,
+        grip,
+        spindle_most,
+    };
     Ok(Some((cut, because)))
 }
 

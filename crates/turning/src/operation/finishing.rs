@@ -5,7 +5,7 @@ use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::turning::allowances::finishing::Allowance;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceName};
-use crate::turning::cutting::{Direction, TurningConditions, unsaid_roughness, wall_share};
+use crate::turning::cutting::{Bound, Direction, Flexibility, TurningConditions, unsaid_roughness, wall_share};
 use crate::turning::elements::steepness;
 use crate::turning::jobs::along::Clearance;
 use crate::turning::jobs::{Body, Job, JobTool, Pace, UNKNOWN_EDGE, Work as JobWork};
@@ -16,7 +16,7 @@ use crate::turning::tooling::TurningTool;
 use crate::turning::toolpath::Toolpath;
 use crate::turning::zones::Needs;
 use crate::turning::zones::fit::reaches;
-use crate::units::{Degrees, Micrometres, MillimetresPerRev, Roughness, round_to};
+use crate::units::{Degrees, Micrometres, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 use technolog_core::part::tolerance_width;
 
 use super::Stage;
@@ -69,9 +69,41 @@ struct Stretch<'a> {
 }
 
 impl Stretch<'_> {
+    /// The length of its surfaces along the contour, mm.
+    fn length_mm(&self) -> f64 {
+        self.surfaces.iter().flat_map(|surface| &surface.pieces).map(|piece| piece.length_mm()).sum()
+    }
+
     fn asks_as(&self, other: &Self) -> bool {
         let of = |one: &Self| (one.roughness, one.tolerance, one.direction == Direction::Longitudinal);
         of(self) == of(other)
+    }
+}
+
+/// A tool with its conditions over each stretch; none where the tables have none.
+struct Cut<'k> {
+    tool: TurningTool<'k>,
+    conditions: Vec<Option<TurningConditions>>,
+    findings: Vec<Finding>,
+    /// The tool that it is taken instead of, because that one presses the part away.
+    instead_of: Option<&'k str>,
+}
+
+impl Cut<'_> {
+    /// Fewer bounds exceeded, then less time at feed.
+    fn is_better_than(&self, other: &Self, stretches: &[Stretch<'_>]) -> bool {
+        let merit = |cut: &Self| {
+            let known = cut.conditions.iter().flatten();
+            let exceeded: usize = known.clone().map(|one| one.exceeded.len()).sum();
+            let rpm = slowest(&cut.conditions).map_or(0.0, |rpm| rpm.0);
+            let times = stretches.iter().zip(&cut.conditions).map(|(stretch, one)| match one {
+                Some(one) => stretch.length_mm() / (one.feed_mm_per_rev.0 * rpm),
+                None => f64::INFINITY,
+            });
+            (exceeded, times.sum::<f64>())
+        };
+        let (own, others) = (merit(self), merit(other));
+        own.0.cmp(&others.0).then(own.1.total_cmp(&others.1)).is_lt()
     }
 }
 
@@ -79,6 +111,11 @@ impl<'a> Finishing<'a> {
     /// Its tool: the first that reaches everything; a nose that fits into the hollows is preferred to one that leaves
     /// metal in them.
     pub fn tool<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Option<TurningTool<'k>>, KnowledgeError> {
+        Ok(self.tools(bench)?.into_iter().next())
+    }
+
+    /// The tools that reach everything and fit into the hollows, in order; if none fits, the one with the smallest nose.
+    fn tools<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
         let passage = narrowest(self.contour);
         let mut candidates = tools::candidates(self.side, Stage::Finishing, bench)?;
         candidates.retain(|tool| reaches(self.needs, passage, &tools::angles(tool)));
@@ -91,9 +128,77 @@ impl<'a> Finishing<'a> {
         }
         let fits = |tool: &TurningTool<'_>| tight.is_none_or(|tight| tools::nose(tool).radius <= tight);
         let least = candidates.iter().map(|tool| tools::nose(tool).radius).min();
-        let found = candidates.iter().position(fits);
-        let found = found.or_else(|| candidates.iter().position(|tool| Some(tools::nose(tool).radius) == least));
-        Ok(found.map(|index| candidates.swap_remove(index)))
+        if candidates.iter().any(fits) {
+            candidates.retain(fits);
+        } else {
+            candidates.retain(|tool| Some(tools::nose(tool).radius) == least);
+        }
+        Ok(candidates)
+    }
+
+    /// The tool with its conditions over each stretch. Where the part gives way and the first one must therefore be fed slower
+    /// than the roughness asks, another that presses less is taken if it takes less time.
+    fn cut<'k>(&self, stretches: &[Stretch<'a>], bench: &Bench<'_, 'k>) -> Result<Option<Cut<'k>>, KnowledgeError> {
+        let mut tools = self.tools(bench)?.into_iter();
+        let Some(first) = tools.next() else { return Ok(None) };
+        let mut best = self.cut_with(first, stretches, bench)?;
+        if self.side == Side::Inner || !self.gives_way(&best, stretches, bench)? {
+            return Ok(Some(best));
+        }
+        let usual = best.tool.designation;
+        for tool in tools {
+            let cut = self.cut_with(tool, stretches, bench)?;
+            if cut.is_better_than(&best, stretches) {
+                best = cut;
+            }
+        }
+        best.instead_of = Some(usual).filter(|usual| *usual != best.tool.designation);
+        Ok(Some(best))
+    }
+
+    fn cut_with<'k>(
+        &self,
+        tool: TurningTool<'k>,
+        stretches: &[Stretch<'a>],
+        bench: &Bench<'_, 'k>,
+    ) -> Result<Cut<'k>, KnowledgeError> {
+        let part = |stretch: &Stretch<'_>| {
+            bench.held.as_ref().map(|held| held.over(stretch.from, stretch.to, stretch.tolerance))
+        };
+        let all = |most| {
+            let (mut conditions, mut findings) = (Vec::new(), Vec::new());
+            for stretch in stretches {
+                let part = part(stretch);
+                conditions.push(self.conditions(stretch, &tool, part.as_ref(), most, bench, &mut findings)?);
+            }
+            Ok::<_, KnowledgeError>((conditions, findings))
+        };
+        let (mut conditions, mut findings) = all(None)?;
+        // One spindle for the whole pass: the slowest that a stretch asks for. A slower cut presses harder.
+        if let Some(slowest) = slowest(&conditions)
+            .filter(|slowest| conditions.iter().flatten().any(|one: &TurningConditions| one.spindle_rpm.0 > slowest.0))
+        {
+            (conditions, findings) = all(Some(slowest))?;
+        }
+        Ok(Cut { tool, conditions, findings, instead_of: None })
+    }
+
+    /// Whether the bending of the part slows the feed of a stretch, or is too large at any feed.
+    fn gives_way(
+        &self,
+        cut: &Cut<'_>,
+        stretches: &[Stretch<'a>],
+        bench: &Bench<'_, '_>,
+    ) -> Result<bool, KnowledgeError> {
+        for (stretch, conditions) in stretches.iter().zip(&cut.conditions) {
+            let Some(conditions) = conditions else { continue };
+            let stiff = self.conditions(stretch, &cut.tool, None, None, bench, &mut Vec::new())?;
+            let slower = stiff.is_some_and(|stiff| conditions.feed_mm_per_rev.0 < stiff.feed_mm_per_rev.0);
+            if slower || conditions.exceeded.contains(&Bound::PartStiffness) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// The job; `make_path` makes its toolpath from the contours after and before, both as the nose meets them.
@@ -103,13 +208,15 @@ impl<'a> Finishing<'a> {
         findings: &mut Vec<Finding>,
         make_path: impl FnOnce(&Contour, &Contour, Clearance) -> Option<Toolpath>,
     ) -> Result<Option<Job>, KnowledgeError> {
-        let Some(tool) = self.tool(bench)? else {
+        let stretches = self.stretches(bench)?;
+        let Some(cut) = self.cut(&stretches, bench)? else {
             let note = Note::new("no-tool-to-finish").with("side", self.side.name());
             let angle = |degrees: Degrees| round_to(degrees.0, 1);
             let note = note.with("main", angle(self.needs.main)).with("secondary", angle(self.needs.secondary));
             findings.push(Finding::of_part(Severity::Wrong, note));
             return Ok(None);
         };
+        let tool = cut.tool;
         let nose = tools::nose(&tool);
         let seen = nose.seen(self.contour).and_then(|contour| Ok((contour, nose.seen(self.standing)?)));
         let (seen, standing) = match seen {
@@ -124,26 +231,28 @@ impl<'a> Finishing<'a> {
                 return Ok(None);
             }
         };
-        let stretches = self.stretches(bench)?;
+        findings.extend(cut.findings);
         let mut because: Vec<Because> = Vec::new();
         for one in stretches.iter().filter_map(|stretch| stretch.unsaid.as_ref()) {
             if !because.contains(one) {
                 because.push(one.clone());
             }
         }
-        let mut cuts = Vec::new();
-        for stretch in &stretches {
-            cuts.push((stretch, self.conditions(stretch, &tool, bench, findings)?));
-        }
-        // One spindle for the whole pass: the slowest that a stretch asks for.
-        let rpm = |conditions: &Option<TurningConditions>| conditions.as_ref().map(|one| one.spindle_rpm.0);
-        let slowest = cuts.iter().filter_map(|(_, conditions)| conditions.as_ref());
-        let slowest = slowest.min_by(|one, other| one.spindle_rpm.0.total_cmp(&other.spindle_rpm.0)).cloned();
-        let known = cuts.iter().all(|(_, conditions)| rpm(conditions).is_some());
-        let conditions = slowest.filter(|_| known);
+        let cuts: Vec<_> = stretches.iter().zip(cut.conditions).collect();
+        // The spindle is one; what is told of the pass is its heaviest stretch.
+        let known = cuts.iter().all(|(_, conditions)| conditions.is_some());
+        let heaviest = cuts.iter().filter_map(|(_, conditions)| conditions.as_ref());
+        let heaviest = heaviest.min_by(|one, other| {
+            let by_speed = one.spindle_rpm.0.total_cmp(&other.spindle_rpm.0);
+            by_speed.then(other.feed_mm_per_rev.0.total_cmp(&one.feed_mm_per_rev.0))
+        });
+        let conditions = heaviest.filter(|_| known).cloned();
         let direction = Direction::Longitudinal;
         let paced = depth::with_rates(direction, conditions, bench, findings)?;
         let mut notes = Vec::new();
+        if let Some(usual) = cut.instead_of {
+            notes.push(Note::new("finish-tool-presses-less").with("tool", tool.designation).with("instead", usual));
+        }
         if let Some(tight) = tightest(self.contour).filter(|tight| nose.radius > *tight) {
             notes.push(Note::new("nose-fills-hollow").with("nose", nose.radius).with("hollow", tight));
         }
@@ -195,13 +304,14 @@ impl<'a> Finishing<'a> {
         &self,
         stretch: &Stretch<'_>,
         tool: &TurningTool<'_>,
+        part: Option<&Flexibility>,
+        spindle_most: Option<RevsPerMinute>,
         bench: &Bench<'_, '_>,
         findings: &mut Vec<Finding>,
     ) -> Result<Option<TurningConditions>, KnowledgeError> {
-        let part = bench.held.as_ref().map(|held| held.over(stretch.from, stretch.to, stretch.tolerance));
         let bore_depth = (self.side == Side::Inner).then(|| ends(self.contour).1.rounded_up());
         let (diameter, direction, stock) = (largest(self.contour), stretch.direction, stretch.depth);
-        let task = ZoneCut { tool, diameter, direction, stock, bore_depth, part: part.as_ref() };
+        let task = ZoneCut { tool, diameter, direction, stock, bore_depth, part, spindle_most };
         depth::found(task, stretch.depth, Some(stretch.roughness), bench, findings)
     }
 
@@ -263,6 +373,12 @@ impl<'a> Finishing<'a> {
         }
         Ok(stretches)
     }
+}
+
+/// The slowest spindle of several conditions.
+fn slowest(conditions: &[Option<TurningConditions>]) -> Option<RevsPerMinute> {
+    let all = conditions.iter().flatten().map(|one| one.spindle_rpm);
+    all.min_by(|one, other| one.0.total_cmp(&other.0))
 }
 
 /// What each feed of a pass is for; the one of the most surfaces is told as that of the others.
