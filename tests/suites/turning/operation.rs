@@ -180,6 +180,25 @@ fn the_examples_are_worked_off_whole() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
+/// By hand, a bar of Ø30 and 0.4 to finish on the radius. Over a head of Ø29 stand 15 − 14.9 = 0.1 mm, no pass worth going: the
+/// pin of Ø20 and the head are one work, 15 − 10.4 = 4.6 in three passes of 1.5335. Over a head of Ø27 stand 1.1: they go
+/// first, over everything, and the pin's other 13.9 − 10.4 = 3.5 are two passes of 1.75.
+#[test]
+fn no_pass_is_a_sliver() {
+    let depths = |head: u32| {
+        let text = format!(
+            "shaft: P\nmaterial: steel-45\nblank: {{kind: bar, diameter: 30, length: 120, face: 1}}\nmachine: 16k20f3\n\
+             roughing: {{limiting_depth: 2}}\nallowances: {{method: stated, on_diameter: 0.8, on_face: 0.4}}\nouter:\n  \
+             - {{from: {{d: 0, z: 0}}}}\n  - {{face: 20}}\n  - {{cylinder: -30}}\n  - {{face: {head}}}\n  - {{cylinder: -50}}\n"
+        );
+        let operation = planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap());
+        let (_, _, along) = operation.zones().nth(1).unwrap();
+        along.works.iter().map(|work| work.levels.depth.to_mm()).collect::<Vec<_>>()
+    };
+    assert_eq!(depths(29), [1.5335]);
+    assert_eq!(depths(27), [1.1, 1.75]);
+}
+
 /// The files in `tests/operations`: parts that once broke a law, each with what went wrong.
 #[test]
 fn what_once_went_wrong_goes_right() {

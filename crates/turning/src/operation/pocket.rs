@@ -32,7 +32,10 @@ pub(super) struct Piecework {
 ///
 /// A shaped blank may be below the floor of the open part, or below a bridge. Then everything is one work, by the last
 /// scheme of the rule, which leaves an even allowance.
-pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<Piecework> {
+///
+/// An open part shallower than `least` is no work of its own: no pass is worth going along it, and the pass along the contour takes
+/// it with the rest.
+pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour, least: Half) -> Vec<Piecework> {
     let (from, to) = (zone.from_z, zone.to_z);
     let within = |contour: &Contour| clip::between(contour, from, to);
     let (rough, blank) = (within(rough), within(blank));
@@ -61,10 +64,12 @@ pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<P
     }
     let half_open = zone.parts.iter().any(|part| part.kind == ZoneKind::HalfOpen);
     if let Some(level) = floor(zone, lowest.side).filter(|_| each) {
-        if half_open {
+        if !half_open {
+            if let Some((_, scheme)) = chain.last_mut() {
+                *scheme = 0;
+            }
+        } else if deep_enough(&blank, level, least) {
             chain.push((raised(&lowest, level), 0));
-        } else if let Some((_, scheme)) = chain.last_mut() {
-            *scheme = 0;
         }
     }
     let mut before = blank;
@@ -86,6 +91,13 @@ fn floor(zone: &Zone, side: Side) -> Option<Half> {
         Side::Outer => open.map(|part| part.least_radius).min(),
         Side::Inner => open.map(|part| part.greatest_radius).max(),
     }
+}
+
+/// Whether a cylindrical blank stands over a level by a depth somewhere.
+fn deep_enough(blank: &Contour, level: Half, least: Half) -> bool {
+    let Some((low, high)) = blank.radii() else { return false };
+    let depth = if blank.side == Side::Outer { high - level } else { level - low };
+    depth >= least
 }
 
 /// Whether there is stock between the contours. Common pieces at both ends are skipped: there is none between them.

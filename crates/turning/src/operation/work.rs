@@ -7,7 +7,7 @@ use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::BlankShape;
 use crate::turning::allowances::equidistant;
 use crate::turning::contour::{Contour, Piece, Profile, Side};
-use crate::turning::cutting::{Direction, cuts_back};
+use crate::turning::cutting::{Direction, cuts_back, least_sensible_depth};
 use crate::turning::elements::{Main, Valley};
 use crate::turning::length::Half;
 use crate::turning::nose::up_to;
@@ -291,7 +291,8 @@ fn zone_work(
     let (direction, mut stocks) = match zone.feed {
         Feed::Across => (Direction::Transverse, vec![(facing(zone, ground, Overrun::default()), 0)]),
         Feed::Along => {
-            let all = pieceworks(zone, &ground.rough, &ground.blank).into_iter();
+            let least = Half::of(least_sensible_depth(bench.knowledge)?);
+            let all = pieceworks(zone, &ground.rough, &ground.blank, least).into_iter();
             (Direction::Longitudinal, all.map(|one| (one.stock, one.scheme)).collect())
         }
     };

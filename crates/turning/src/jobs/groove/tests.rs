@@ -229,6 +229,24 @@ fn a_rectangular_groove_is_plunged_with_the_widest_blade() {
     assert!(made.time_min.0 > 0.1 && made.time_min.0 < 3.0, "{:?}", made.time_min);
 }
 
+/// By hand, with the blade of 5 mm and r 0.8: in a groove of 7 the leading corner may lie from 25.8 to 26.2. One plunge at 26
+/// leaves 0.2 + 0.8 = 1 mm on each side, which finishing takes (1 mm), so a second one would cut a sliver of 0.2 at each. In one
+/// of 7.2 it would leave 1.1.
+#[test]
+fn no_plunge_cuts_a_sliver() {
+    let made = |width: f64| {
+        let own = part(&outside(&format!("rectangular, width: {width}, depth: 5")), "", "steel-45");
+        let (made, surface) = job(&own, Side::Outer);
+        let made = made.unwrap();
+        assert_eq!(made.tool.designation, "MGEHR 2525-5");
+        let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Outer);
+        assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "{width}: {gouge} {rapid} {left}");
+        plunges(&made)
+    };
+    assert_eq!(made(7.0), ["26"]);
+    assert_eq!(made(7.2), ["25.8", "26.4"]);
+}
+
 /// By hand, with the blade of 3 mm and r 0.4: from 20 + 0.4 + 3 = 23.4 to 28 - 0.4 = 27.6; 4.2 are two steps of at most
 /// 2.25, the middle first.
 #[test]

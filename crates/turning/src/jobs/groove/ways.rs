@@ -150,7 +150,10 @@ fn places(way: &CentrePath, edge: CuttingEdge, division: Division, (fall, rise):
     let (from, to) = way.floor();
     let (first, last) = (from + left.z, to + right.z);
     let mut places = Vec::new();
-    if last < first {
+    // A second plunge beside the first would cut a sliver of the blade's width: where both sides may take what stands beside one
+    // plunge in the middle, there is no other.
+    let beside = (last - first) / 2.0 + division.allowance;
+    if last < first || beside <= division.finish + TRIFLE {
         places.push((first + last) / 2.0);
     } else {
         let count = libm::ceil((last - first) / (division.step * edge.width) - 1e-9).max(0.0);
