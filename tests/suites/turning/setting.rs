@@ -5,7 +5,7 @@ use std::process::Command;
 use technolog::program::lathe::{LatheAct, LatheFeed, LatheLanguage, LatheSpeed, Subprogram, read};
 use technolog::turning::jobs::Work;
 use technolog::turning::operation::programs::{Form, programs};
-use technolog::turning::operation::setting::setting;
+use technolog::turning::operation::setting::{DiameterLimits, setting};
 use technolog::turning::operation::times::times;
 use technolog::turning::operation::tool_table::tool_table;
 use technolog::turning::tooling::Lathe;
@@ -40,6 +40,30 @@ fn a_tool_table_is_of_one_language() {
     let table = tool_table(&setting, &say!(Lang::UK, "turn-tool-table-head", part = "Втулка"), named);
     assert!(table.is_ascii() && table.contains(";PCLNR 2525M12, pidrizaty torets, tochyty nachorno\n"), "{table}");
     assert!(["touch", "face", "rough", "groove", "until"].iter().all(|word| !table.contains(word)), "{table}");
+}
+
+/// By hand, M30x2-6g: d2 28.493 to 28.663 (ISO 965-2), crests 29.682 to 29.962; the best wire 2/√3 = 1.155; over three of them
+/// 28.493 + 3·1.155 − 0.866·2 = 30.226, and 30.396.
+#[test]
+fn a_thread_is_told_with_what_the_operator_measures() {
+    let setting = setting(&planned(&example("turned-stepped")), "fanuc", &KNOWLEDGE).unwrap();
+    let [thread] = setting.threads.as_slice() else { panic!("{:?}", setting.threads) };
+    let limits = |limits: Option<DiameterLimits>| limits.map(|one| (one.least_mm.to_mm(), one.most_mm.to_mm()));
+    assert_eq!(thread.thread, "M30x2-6g");
+    assert_eq!(limits(thread.pitch_diameter), Some((28.493, 28.663)));
+    assert_eq!(limits(thread.crests), Some((29.682, 29.962)));
+    assert_eq!(thread.wire_mm.map(|wire| wire.to_mm()), Some(1.155));
+    assert_eq!(limits(thread.over_wires), Some((30.226, 30.396)));
+}
+
+/// By hand: a centre drill with a pilot of 8 and 10.1 mm of it (ГОСТ 14034) opens the cone of its row, 17 mm.
+#[test]
+fn a_spot_has_a_cutting_speed() {
+    let operation = planned(&example("turned-sleeve"));
+    let set_up = &operation.set_ups[0];
+    let spot = set_up.jobs.iter().find(|job| job.work == Work::Centre).unwrap();
+    let opened = spot.spot_diameter(set_up.rough_face()).unwrap().to_mm();
+    assert!((opened - 17.0).abs() < 0.05, "{opened}");
 }
 
 /// A drill has no nose, and points along the axis.

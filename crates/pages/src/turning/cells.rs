@@ -53,7 +53,7 @@ pub(super) fn table(columns: impl IntoIterator<Item = Column>, rows: Vec<Vec<Cel
             Cell::Figure(value, most) => Inlines::number(fixed(value, decimals[at].min(most), lang)),
             Cell::Range(from, to, most) => {
                 let shown = |value| fixed(value, decimals[at].min(most), lang);
-                arrow(shown(from), shown(to)).into()
+                format!("{}…{}", shown(from), shown(to)).into()
             }
         }));
     }

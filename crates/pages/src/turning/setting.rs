@@ -2,12 +2,13 @@
 //! measured.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep};
+use crate::note::IntoFigure;
 use technolog_turning::jobs::{Body, JobTool, Work};
-use technolog_turning::operation::setting::{SetTool, Setting, Stand};
+use technolog_turning::operation::setting::{DiameterLimits, SetThread, SetTool, Setting, Stand};
 use technolog_words::say;
 
 use super::Lang;
-use super::cells::{Cell, table};
+use super::cells::{Cell, span, table};
 use super::phrases::note_line;
 
 /// The tool list and setting sheet of an operation.
@@ -17,6 +18,16 @@ pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
     page.push(Block::List(setting.set_ups.iter().map(|stand| stand_item(stand, lang)).collect()));
     page.heading(2, say!(lang, "turn-setting-tools"));
     page.push(table(columns(lang), setting.tools.iter().map(|tool| row(tool, lang)).collect(), lang));
+    if !setting.threads.is_empty() {
+        page.heading(2, say!(lang, "turn-setting-threads"));
+        let rows = setting.threads.iter().map(|thread| thread_row(thread, lang)).collect();
+        page.push(table(thread_columns(lang), rows, lang));
+        let wired = setting.threads.iter().any(|thread| thread.over_wires.is_some());
+        page.paragraph(say!(lang, "turn-setting-thread-measured"));
+        if wired {
+            page.paragraph(say!(lang, "turn-setting-wires"));
+        }
+    }
     page.heading(2, say!(lang, "turn-setting-measured"));
     let measured = setting.tools.iter().map(|tool| {
         let (x, z) = (lang.say(&tool.x), lang.say(&tool.z));
@@ -32,6 +43,34 @@ fn stand_item(stand: &Stand, lang: Lang) -> Item {
         say!(lang, "turn-setting-stand", number = stand.set_up, held = holding, stock = stand.face_stock_mm).into();
     item.items = stand.notes.iter().map(|note| Item::from(note_line(note, lang))).collect();
     item
+}
+
+fn thread_columns(lang: Lang) -> [Column; 7] {
+    let mm = lang.word("unit-mm");
+    [
+        Column::text(say!(lang, "turn-set-up-column")),
+        Column::text(say!(lang, "turn-setting-surface")),
+        Column::text(say!(lang, "turn-setting-thread")).min_width(10),
+        span("d2", mm),
+        span(say!(lang, "turn-setting-crests"), mm).keep(Keep::Useful),
+        Column::number(say!(lang, "turn-setting-wire"), mm).keep(Keep::Useful),
+        span(say!(lang, "turn-setting-over-wires"), mm).keep(Keep::Useful),
+    ]
+}
+
+fn thread_row(thread: &SetThread, lang: Lang) -> Vec<Cell> {
+    let limits = |limits: Option<DiameterLimits>| {
+        limits.map_or_else(Cell::empty, |one| Cell::Range(one.least_mm.to_mm(), one.most_mm.to_mm(), 3))
+    };
+    vec![
+        thread.set_up.to_string().into(),
+        lang.figure(&(&thread.surface).into_figure()).into(),
+        thread.thread.as_str().into(),
+        limits(thread.pitch_diameter),
+        limits(thread.crests),
+        thread.wire_mm.map_or_else(Cell::empty, |wire| Cell::Figure(wire.to_mm(), 3)),
+        limits(thread.over_wires),
+    ]
 }
 
 fn columns(lang: Lang) -> [Column; 10] {

@@ -142,6 +142,18 @@ pub struct Job {
     pub because: Vec<Because>,
 }
 
+impl Job {
+    /// The diameter that a centre drill opens on a face at `face`: its cone of 60° (ГОСТ 14034) behind the pilot. None for another
+    /// tool, and where only the pilot enters.
+    pub fn spot_diameter(&self, face: Half) -> Option<Micrometres> {
+        let Body::CentreDrill { pilot_mm, pilot_length_mm, body_mm } = self.tool.body else { return None };
+        let deepest = self.path.moves.iter().map(|one| one.to.z).max()?;
+        let cone = (deepest - face).to_mm() - pilot_length_mm.to_mm();
+        let opened = pilot_mm + Micrometres::from_mm_rounded(2.0 * cone * libm::tan(30.0_f64.to_radians()));
+        (cone > 0.0).then(|| opened.min(body_mm))
+    }
+}
+
 /// A tool for programs, settings and proofs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct JobTool {

@@ -98,7 +98,7 @@ const fn order(work: JobWork) -> u8 {
 }
 
 /// Z of the rough face of the free end.
-fn rough_face(sides: &[SideWork]) -> Half {
+pub(super) fn rough_face(sides: &[SideWork]) -> Half {
     let outside = sides.iter().find(|other| other.side == Side::Outer);
     outside.and_then(|outer| outer.layers.rough.start()).map_or(Half::ZERO, |outer| outer.z)
 }

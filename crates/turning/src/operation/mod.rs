@@ -118,6 +118,13 @@ pub struct SetUpWork {
     pub parted_mm: Option<Half>,
 }
 
+impl SetUpWork {
+    /// Z of its free face before it is finished, where a spot and a drill begin.
+    pub fn rough_face(&self) -> Half {
+        jobs::rough_face(&self.sides)
+    }
+}
+
 /// The roughing of a set-up on one side.
 #[derive(Clone, Debug, Serialize)]
 pub struct SideWork {

@@ -11,11 +11,13 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::contract::Word;
 use crate::note::Note;
 use crate::tables::controls::lathe::{LatheControl, LatheControls, LatheTipPlaces};
+use crate::turning::contour::{Side, SurfaceName};
 use crate::turning::jobs::{Body, JobTool, Tip, Work};
 use crate::turning::length::Half;
 use crate::turning::tooling::{Hand, Place, ToolKind, TurningTool};
+use crate::turning::workpiece::{Thread, ThreadLimits};
 use crate::turning::zones::Hold;
-use crate::units::Degrees;
+use crate::units::{Degrees, Micrometres};
 
 use super::programs::{Station, place, stations};
 use super::{Grip, Jaws, Operation, SetUpWork, Tailstock};
@@ -31,7 +33,57 @@ pub struct Setting {
     pub set_ups: Vec<Stand>,
     /// The tools by their places in the turret.
     pub tools: Vec<SetTool>,
+    /// The threads that are cut, with what the operator measures.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub threads: Vec<SetThread>,
 }
+
+/// What is measured of a thread.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SetThread {
+    /// The set-up that cuts it.
+    pub set_up: u8,
+    /// Its surface.
+    pub surface: SurfaceName,
+    /// As the drawing writes it.
+    pub thread: String,
+    /// Outside or inside.
+    pub side: Side,
+    /// The limits of its pitch diameter, mm, between which the flanks end in the middle; none where the tables have none of its
+    /// class.
+    pub pitch_diameter: Option<DiameterLimits>,
+    /// The limits of its crests, outside, mm.
+    pub crests: Option<DiameterLimits>,
+    /// The best wire: it touches the flanks at the pitch diameter, P/√3, mm; outside only.
+    pub wire_mm: Option<Micrometres>,
+    /// The limits over three of those wires, mm.
+    pub over_wires: Option<DiameterLimits>,
+}
+
+/// The limits of a diameter, mm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct DiameterLimits {
+    /// The least.
+    pub least_mm: Micrometres,
+    /// The largest.
+    pub most_mm: Micrometres,
+}
+
+impl DiameterLimits {
+    fn of(limits: &ThreadLimits) -> Self {
+        Self { least_mm: limits.least, most_mm: limits.most }
+    }
+
+    /// Over three wires of a diameter: M = d2 + 3·dw − √3/2·P, for a profile of 60°. The lead of the thread, which adds less than
+    /// a micrometre to common threads, is left out.
+    fn over_wires(self, wire: Micrometres, pitch: Micrometres) -> Self {
+        let more = Micrometres::from_mm_rounded(3.0 * wire.to_mm() - TRIANGLE * pitch.to_mm());
+        Self { least_mm: self.least_mm + more, most_mm: self.most_mm + more }
+    }
+}
+
+/// The height of the triangle of the profile over the pitch, H/P = √3/2 (ISO 68-1).
+const TRIANGLE: f64 = 0.866_025_403_784;
 
 /// The position of a part in a set-up. Z 0 is the finished face of its free end.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -121,6 +173,30 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
         control: control.to_owned(),
         set_ups: set_ups.collect(),
         tools: tools.collect::<Result<_, KnowledgeError>>()?,
+        threads: operation.set_ups.iter().flat_map(|set_up| threads(set_up, &part.threads)).collect(),
+    })
+}
+
+/// The threads that a set-up cuts.
+fn threads<'a>(set_up: &'a SetUpWork, all: &'a [Thread]) -> impl Iterator<Item = SetThread> + 'a {
+    let jobs = set_up.jobs.iter().filter(|job| job.work == Work::Thread);
+    let cut = jobs.flat_map(|job| job.surfaces.iter().map(move |surface| (job.side, surface)));
+    cut.filter_map(|(side, surface)| {
+        let name = surface.to_string();
+        let thread = all.iter().find(|one| one.surface == name)?;
+        let pitch_diameter = thread.flanks.as_ref().map(DiameterLimits::of);
+        let best = || Micrometres::from_mm_rounded(thread.pitch.to_mm() * 2.0 / 3.0 * TRIANGLE);
+        let wire_mm = (side == Side::Outer).then(best);
+        Some(SetThread {
+            set_up: set_up.set_up.number,
+            surface: surface.clone(),
+            thread: thread.written.clone(),
+            side,
+            pitch_diameter,
+            crests: thread.crests.as_ref().map(DiameterLimits::of),
+            wire_mm,
+            over_wires: wire_mm.zip(pitch_diameter).map(|(wire, limits)| limits.over_wires(wire, thread.pitch)),
+        })
     })
 }
 

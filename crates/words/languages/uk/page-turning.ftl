@@ -168,6 +168,14 @@ turn-setting-tools = Інструменти
 turn-setting-insert = Пластина
 turn-setting-shank = Державка, { $unit }
 turn-setting-tip = Положення вершини
+turn-setting-threads = Різі
+turn-setting-surface = Поверхня
+turn-setting-thread = Різь
+turn-setting-crests = Ø вершин
+turn-setting-wire = Дріт
+turn-setting-over-wires = На трьох дротах
+turn-setting-thread-measured = d2 – середній діаметр: чистовий прохід ведуть до середини його поля. Міряють різьбовим мікрометром, зовнішню різь – ще й трьома дротами, внутрішню – різьбовим калібром-пробкою.
+turn-setting-wires = Дріт у таблиці – найвигідніший: P/√3, торкається профілю на d2. Для іншого дроту dw розмір на дротах M = d2 + 3·dw − 0,866·P.
 turn-setting-measured = Як виміряти вильоти
 turn-setting-offsets = T{ $place }: X: { $x }; Z: { $z }
 turn-tool-table-head = { $part }: X і Z дорівнюють 0, доки їх не виміряно: торкніться деталі й уведіть їх у таблицю інструментів

@@ -118,12 +118,13 @@ fn main_feed(job: &Job) -> Option<MillimetresPerRev> {
     })
 }
 
-/// The largest diameter cut by such a job; none for a centre hole, which has several.
+/// The largest diameter cut by such a job.
 fn diameter(job: &Job, set_up: &SetUpWork) -> Option<Micrometres> {
     match (job.work, &job.tool.body, &job.thread) {
         (Work::Drill | Work::Flatten, Body::Drill { diameter_mm, .. }, _)
         | (_, Body::Reamer { diameter_mm, .. }, _) => Some(*diameter_mm),
         (Work::Thread, _, Some(thread)) => Some(thread.crest_radius_mm.max(thread.root_radius_mm).diameter()),
+        (Work::Centre, ..) => job.spot_diameter(set_up.rough_face()),
         (Work::PartOff, ..) => match set_up.set_up.holds_at {
             Some(Hold::Blank { diameter_mm, .. }) => Some(diameter_mm),
             _ => None,
