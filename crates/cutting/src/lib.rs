@@ -16,7 +16,7 @@ pub mod laws;
 mod limits;
 mod milling;
 pub mod practice;
-mod reaming;
+pub mod reaming;
 mod settle;
 mod tapping;
 

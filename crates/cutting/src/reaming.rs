@@ -1,15 +1,14 @@
 //! Reaming.
 
-use crate::error::Tried;
-use crate::knowledge::Question;
-use crate::knowledge::vocabulary::ToolMaterial;
+use crate::error::{KnowledgeError, Tried};
+use crate::knowledge::{Knowledge, Question};
 use crate::note::{Because, Note};
 use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::{
     BoringForceFor, Coefficients, Process, ReamerTeethFor, ReamingCondition, ReamingFeedFactorFor,
 };
-use crate::tables::practice::{PracticeFeedFor, PracticeWork, StockBeforeReamingFor};
+use crate::tables::practice::{PracticeFeedFor, PracticeWork, StockBeforeReaming, StockBeforeReamingFor};
 use crate::tables::rules::{ReamingCase, ReamingFeedConditionFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
@@ -51,19 +50,27 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     })
 }
 
-/// Limits the speed of the last reamer, which serves the surface, to that of the formula for a rough one: at its feed
-/// and with the largest stock of a rough reamer (table `stock-before-reaming`). The formula alone would give a faster
-/// speed, because the stock is smaller; and a lower feed for the surface must not raise the speed either. None for
-/// other cuts.
-pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
+/// The cut that limits the speed of the last reamer, which serves the surface: that of a rough one, at its feed and with the largest
+/// stock of a rough reamer (table `stock-before-reaming`). The formula alone would give the last one a faster speed, because its
+/// stock is smaller; and a lower feed for the surface must not raise the speed either. With its row; none for other cuts.
+///
+/// # Errors
+/// The knowledge base lacks the table.
+pub fn rough_instead<'k>(
+    cut: &Cut,
+    knowledge: &'k Knowledge,
+) -> Result<Option<(Cut, StockBeforeReaming<'k>)>, KnowledgeError> {
     if !cut.operation.is_reaming() || cut.roughness.is_none() {
-        return Ok(false);
+        return Ok(None);
     }
     let question = StockBeforeReamingFor { case: ReamingCase::RoughAfterDrill, diameter: cut.diameter };
-    let Some(row) = shop.knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten() else {
-        return Ok(false);
-    };
-    let rough = Cut { from: cut.diameter - row.stock_max, roughness: None, ..*cut };
+    let row = knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten();
+    Ok(row.map(|row| (Cut { from: cut.diameter - row.stock_max, roughness: None, ..*cut }, row)))
+}
+
+/// Limits the speed of a draft to that of [`rough_instead`]; whether it does.
+pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
+    let Some((rough, row)) = rough_instead(cut, shop.knowledge)? else { return Ok(false) };
     let speed = self::draft(&rough, None, shop)?.speed;
     if speed.0 >= draft.speed.0 {
         return Ok(false);
@@ -75,9 +82,8 @@ pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &S
 }
 
 /// The tabulated feed with the factors of `reaming-feed-factor`. The rule `reaming-feed-condition` says which of them
-/// apply; in a blind hole the feed stays within the limits of the same table. A reamer of high-speed steel that leaves the
-/// surface is fed no faster than practice feeds it (`practice-feed`): the handbook's feeds are for holes that another tool
-/// finishes.
+/// apply, and whether the feed is at most that of practice (`practice-feed`); in a blind hole it stays within the limits of the table
+/// of factors.
 pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Uncut> {
     let knowledge = shop.knowledge();
     let Feed { feed, mut because, doubts } = feed::tabulated(cut, shop)?;
@@ -90,7 +96,6 @@ pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Fee
     })?;
     let rule = rule.winner()?.ok_or_else(|| missing(ReamingFeedConditionFor::TABLE, shop))?;
     let mut blind = None;
-    let finishes = rule.conditions.iter().any(|condition| *condition != ReamingCondition::AsTabulated);
     for condition in rule.conditions {
         let row = knowledge.ask(&ReamingFeedFactorFor { condition })?.need(condition.name())?;
         feed *= row.factor;
@@ -99,7 +104,7 @@ pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Fee
         }
         blind = Some(row);
     }
-    if finishes && cut.tool_material == ToolMaterial::HighSpeedSteel {
+    if rule.within_practice {
         let question = PracticeFeedFor {
             operation: PracticeWork::Ream,
             material_group: shop.material().group,

@@ -29,6 +29,7 @@ vocabulary! {
         Feed = "feed",
         /// A feed of centring.
         SpotFeed = "spot-feed",
+        /// The feed of the last reamer.
         ReamerFeed = "reamer-feed",
         /// A point of the cards.
         Card = "card",

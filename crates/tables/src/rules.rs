@@ -193,6 +193,7 @@ rows! {
         roughness: Option<Roughness>,
     } {
         conditions: Vec<ReamingCondition>,
+        within_practice: bool,
     }
 
     /// Drilling into an unmachined face.

@@ -58,7 +58,7 @@ pub struct Target {
     /// Lines behind which the metal belongs to another set-up.
     open: Vec<[Vector; 2]>,
     /// The straight extension of the shorter of outside and bore, along which the set-up makes nothing.
-    extended: Vec<[Vector; 2]>,
+    extended: Option<[Vector; 2]>,
 }
 
 /// The chords of a piece with their normals and offsets.
@@ -94,17 +94,19 @@ impl Chain {
     }
 }
 
-/// An outside and a bore that end at the same Z: the shorter one is extended straight, because metal that a set-up
-/// does not make is as thick as at its beginning.
-fn alike_long(mut outer: Vec<Vector>, mut bore: Vec<Vector>) -> (Vec<Vector>, Vec<Vector>) {
-    if let (Some(&out), Some(&within)) = (outer.last(), bore.last()) {
-        if within.z > out.z {
-            bore.push(Vector::new(out.z, within.r));
-        } else if out.z > within.z && within.r < out.r {
-            outer.push(Vector::new(within.z, out.r));
-        }
-    }
-    (outer, bore)
+/// The straight extension of an outside or a bore, of which the other ends farther on: metal that a set-up does not make is as thick
+/// as at its beginning. It is added to the shorter one.
+fn extend_shorter(outer: &mut Vec<Vector>, bore: &mut Vec<Vector>) -> Option<[Vector; 2]> {
+    let (&out, &within) = (outer.last()?, bore.last()?);
+    let (shorter, end) = if within.z > out.z {
+        (bore, Vector::new(out.z, within.r))
+    } else if out.z > within.z && within.r < out.r {
+        (outer, Vector::new(within.z, out.r))
+    } else {
+        return None;
+    };
+    shorter.push(end);
+    shorter.last_chunk().copied()
 }
 
 /// The metal behind the wall with which a set-up's contour ends: what is behind it is made elsewhere, but the wall has an inner
@@ -134,13 +136,10 @@ impl Target {
             spots.dedup();
             spots
         };
-        let (outer, bore) = (whole(&chains[0]), whole(&chains[1]));
+        let (mut outer, mut bore) = (whole(&chains[0]), whole(&chains[1]));
         let open = open(&outer, &bore);
         let walls = [behind_wall(&outer, 1.0), behind_wall(&bore, -1.0)];
-        let made = [outer.len(), bore.len()];
-        let (outer, bore) = alike_long(outer, bore);
-        let extended = [(&outer, made[0]), (&bore, made[1])].into_iter().filter(|(chain, made)| chain.len() > *made);
-        let extended = extended.filter_map(|(chain, _)| chain.last_chunk().copied()).collect();
+        let extended = extend_shorter(&mut outer, &mut bore);
         let bands = |wanted: fn(f64) -> bool| -> Vec<Convex> {
             chains.iter().flatten().filter(|chain| wanted(chain.moved)).flat_map(Chain::bands).collect()
         };

@@ -44,7 +44,7 @@ fn a_cup_on_a_stub_is_told() {
 /// a pot, a sleeve bored from both ends.
 #[test]
 fn holes_on_the_axis_are_made_whole() {
-    for name in ["reamed", "nozzle", "blind", "pot", "two-bores"] {
+    for name in ["reamed", "nozzle", "blind", "pot", "two-bores", "reamed-fine", "tube-drilled-out"] {
         let operation = planned(name);
         assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
     }
@@ -80,6 +80,25 @@ fn a_hole_is_reamed_by_the_handbook_and_parted() {
     let tip = drill.path.moves.iter().map(|one| one.to.z.to_mm()).fold(0.0, f64::max);
     assert!((tip - (30.0 + 1.0 + 3.0 + 5.5 / 59_f64.to_radians().tan() + 2.0)).abs() < 0.001, "{tip}");
     assert_eq!(operation.set_ups[0].parted_mm.map(|z| z.to_mm()), Some(31.0));
+}
+
+/// Ø12H7 of Ra 0.8 is reamed twice here: nothing is left to a grinder.
+#[test]
+fn a_reamed_hole_is_not_ground_as_well() {
+    let operation = planned("reamed-fine");
+    assert!(operation.elsewhere.is_empty(), "{:?}", operation.elsewhere);
+    let reamers = operation.set_ups[0].jobs.iter().filter(|job| job.work == Work::Ream);
+    assert_eq!(reamers.count(), 2);
+}
+
+/// The Ø8 bore of a tube leads the first tool: no spot, and nothing narrower than the bore.
+#[test]
+fn a_tube_is_drilled_out_from_its_own_bore() {
+    let operation = planned("tube-drilled-out");
+    let jobs = &operation.set_ups[0].jobs;
+    assert!(jobs.iter().all(|job| job.work != Work::Centre), "{jobs:?}");
+    let first = jobs.iter().find(|job| job.side == Side::Inner).unwrap();
+    assert!(matches!(first.tool.body, Body::Drill { diameter_mm, .. } if diameter_mm.to_mm() > 8.0), "{first:?}");
 }
 
 /// A bore of Ø36: a drill of 30 to the bottom, then a flat one. What the bar faces of the bottom is left as thin as its edge takes:

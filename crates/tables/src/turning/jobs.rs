@@ -56,6 +56,10 @@ vocabulary! {
         SpotShare = "spot-share",
         /// The diameter by which a countersink is fed and run, as a share of the way from the hole to its widest.
         CountersinkShare = "countersink-share",
+        /// The length of a core drill's lead, divided by its height: the cotangent of its angle.
+        CoreDrillLead = "core-drill-lead",
+        /// The share of the rise of a bar's secondary edge that the stock on a bottom may take.
+        BottomEdgeShare = "bottom-edge-share",
     }
 }
 

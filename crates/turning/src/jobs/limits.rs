@@ -10,7 +10,7 @@ use crate::units::Micrometres;
 
 /// Queries the table and keeps its answers.
 #[derive(Clone, Debug)]
-pub(super) struct Limits<'k> {
+pub(crate) struct Limits<'k> {
     knowledge: &'k Knowledge,
     /// The rows that were used.
     pub because: Vec<Because>,

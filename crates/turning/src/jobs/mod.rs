@@ -17,7 +17,7 @@ pub mod along;
 mod clock;
 pub mod groove;
 pub mod hole;
-mod limits;
+pub(crate) mod limits;
 pub mod pace;
 pub mod part_off;
 mod refused;
@@ -282,6 +282,14 @@ impl JobTool {
     pub fn tip(&self) -> Option<Tip> {
         let Body::Insert { kind, works, hand, .. } = self.body else { return None };
         Some(tip(kind, works, hand))
+    }
+
+    /// The diameter of a drill, a countersink, a core drill or a reamer; none for a tool that turns or centres.
+    pub const fn diameter(&self) -> Option<Micrometres> {
+        match self.body {
+            Body::Drill { diameter_mm, .. } | Body::Reamer { diameter_mm, .. } => Some(diameter_mm),
+            Body::Insert { .. } | Body::CentreDrill { .. } => None,
+        }
     }
 
     /// Its nose radius, mm; 0 for a drill.

@@ -14,7 +14,7 @@ use crate::tables::turning::part::{AxialHoleFor, AxialWay};
 use crate::turning::contour::{Contour, Profile, Surface, SurfaceKind, SurfaceName};
 use crate::turning::cutting::unsaid_roughness;
 use crate::turning::elements::Main;
-use crate::turning::jobs::hole::{self, Hole, HoleEnd, Mouth, Widening};
+use crate::turning::jobs::hole::{self, Hole, HoleEnd, Mouth, Widening, point_length};
 use crate::turning::jobs::thread::{Passes, thread};
 use crate::turning::jobs::{Job, NoJob, Site};
 use crate::turning::length::Half;
@@ -23,7 +23,6 @@ use crate::turning::schemes::rates;
 use crate::turning::zones::TurnedSide;
 use crate::units::{Degrees, ItGrade, Micrometres, Roughness};
 
-use super::drill::point_length;
 use super::features::made;
 use super::tools::Bench;
 
@@ -151,7 +150,7 @@ impl Axial {
         findings: &mut Vec<Finding>,
     ) -> Result<Vec<Job>, KnowledgeError> {
         let mut jobs = Vec::new();
-        let mut from = Micrometres::ZERO;
+        let mut from = bench.raw_bore();
         for hole in self.holes.iter().rev() {
             let sizes = Sizes::of(hole, bench)?;
             match Refusal::split(hole.jobs(&sizes, from, face, bench))? {
@@ -161,7 +160,7 @@ impl Axial {
                     return Ok(jobs);
                 }
             }
-            from = sizes.drill;
+            from = from.max(sizes.drill);
         }
         for surface in self.whole.surfaces.iter().filter(|surface| self.threads().any(|name| *name == surface.name)) {
             let name = surface.name.to_string();
@@ -351,7 +350,7 @@ fn tenths(length: Micrometres) -> Micrometres {
 }
 
 impl AxialHole {
-    /// Its jobs; `from` is the diameter of the hole that is there.
+    /// Its jobs; `from` is the diameter of the hole that is there, which may be as wide as the drill.
     fn jobs(&self, sizes: &Sizes, from: Micrometres, face: Half, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
         let mut jobs = Vec::new();
         let last = self.way == AxialWay::Drilled;
@@ -362,28 +361,21 @@ impl AxialHole {
             AxialEnd::Point(z) => HoleEnd::Blind(z + point_length(Half::radius_of(self.diameter_mm))),
             AxialEnd::Flat(z) => HoleEnd::Blind(z + point_length(Half::radius_of(from))),
         };
-        let flat = matches!(self.end, AxialEnd::Flat(_));
-        if from == Micrometres::ZERO {
-            jobs.push(hole::spot(sizes.drill, face, self.end.z(), bench)?);
+        let mut before = from;
+        if from < sizes.drill {
+            if from == Micrometres::ZERO {
+                jobs.push(hole::spot(sizes.drill, face, self.end.z(), bench)?);
+            }
+            let flat = matches!(self.end, AxialEnd::Flat(_));
+            let exact = last || sizes.core_drill.is_none();
+            let surfaces = own(last && !flat);
+            let mut drilled = hole::drill(&Hole { diameter: sizes.drill, from, face, end, surfaces, exact }, bench)?;
+            drilled.because.push(self.because.clone());
+            drilled.because.extend(sizes.because.clone());
+            before = drilled.tool.diameter().unwrap_or_default();
+            let flattened = flat.then(|| hole::flatten(&drilled, self.end.z(), face, own(last), bench)).transpose()?;
+            jobs.extend([Some(drilled), flattened].into_iter().flatten());
         }
-        let drill = Hole {
-            diameter: sizes.drill,
-            from,
-            face,
-            end,
-            surfaces: own(last && !flat),
-            exact: last || sizes.core_drill.is_none(),
-            flat: false,
-        };
-        let mut drilled = hole::drill(&drill, bench)?;
-        drilled.because.push(self.because.clone());
-        drilled.because.extend(sizes.because.clone());
-        jobs.push(drilled);
-        if flat {
-            let end = HoleEnd::Blind(self.end.z());
-            jobs.push(hole::drill(&Hole { end, surfaces: own(last), flat: true, ..drill }, bench)?);
-        }
-        let mut before = sizes.drill;
         let after = [
             (Operation::CoreDrill, sizes.core_drill),
             (Operation::RoughReam, sizes.rough_ream),

@@ -38,13 +38,6 @@ impl Drilled {
     }
 }
 
-/// The length of a drill's point, of 118° (ГОСТ 10903), up to a radius.
-pub(super) fn point_length(radius: Half) -> Half {
-    /// Half the angle of the point, degrees.
-    const HALF_POINT: f64 = 59.0;
-    Half::from(radius.to_mm() / libm::tan(HALF_POINT.to_radians()))
-}
-
 /// The hole to drill under a rough bore, and the bore without the part of its bottom that the drill removes; none,
 /// with a finding, if the bore is too narrow to be drilled and bored. `there` is the diameter of the hole that is there before:
 /// that of the blank, or one that is made to size behind this bore; `least_bar` the smallest hole that a bar enters.

@@ -113,30 +113,28 @@ fn drilled(
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
-    let Some(drilled) = side.layers.drilled_first.as_ref().filter(|drilled| drilled.own || drilled.flat) else {
+    let Some(drilled) = side.layers.drilled_first.as_ref().filter(|drilled| drilled.own) else {
         return Ok(Vec::new());
     };
     let face = rough_face(sides);
     let end = match narrower(set_up, drilled.depth_mm, Half::radius_of(drilled.diameter_mm), bench) {
         Some(Half::ZERO) => HoleEnd::Blind(drilled.depth_mm),
-        Some(radius) => HoleEnd::Blind(drilled.depth_mm + super::drill::point_length(radius)),
+        Some(radius) => HoleEnd::Blind(drilled.depth_mm + hole::point_length(radius)),
         None => HoleEnd::Through(bench.through(drilled.depth_mm)),
     };
-    let raw = bench.workpiece.blank.inner.as_ref().and_then(Contour::radii).map_or(Half::ZERO, |(least, _)| least);
-    let (diameter, from) = (drilled.diameter_mm, there.max(raw.diameter()));
-    let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false, flat: false };
+    let (diameter, from) = (drilled.diameter_mm, there.max(bench.raw_bore()));
     let mut jobs = Vec::new();
-    if drilled.own {
-        if from == Micrometres::ZERO {
-            jobs.extend(features::made(hole::spot(diameter, face, drilled.depth_mm, bench), findings)?);
-        }
-        jobs.extend(features::made(hole::drill(&task, bench), findings)?);
-        if drilled.flat && !jobs.is_empty() {
-            let bottom = stretch(set_up, side.side).and_then(|stretch| stretch.profile.surfaces.last());
-            let surfaces = bottom.map(|surface| surface.name.clone()).into_iter().collect();
-            let task = Hole { end: HoleEnd::Blind(drilled.depth_mm), surfaces, flat: true, ..task };
-            jobs.extend(features::made(hole::drill(&task, bench), findings)?);
-        }
+    if from == Micrometres::ZERO {
+        jobs.extend(features::made(hole::spot(diameter, face, drilled.depth_mm, bench), findings)?);
+    }
+    let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false };
+    let Some(made) = features::made(hole::drill(&task, bench), findings)? else { return Ok(jobs) };
+    let bottom = stretch(set_up, side.side).and_then(|stretch| stretch.profile.surfaces.last());
+    let surfaces = bottom.map(|surface| surface.name.clone()).into_iter().collect();
+    let flattened = drilled.flat.then(|| hole::flatten(&made, drilled.depth_mm, face, surfaces, bench));
+    jobs.push(made);
+    if let Some(flattened) = flattened {
+        jobs.extend(features::made(flattened, findings)?);
     }
     Ok(jobs)
 }

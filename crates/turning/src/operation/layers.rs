@@ -4,12 +4,14 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::jobs::UNKNOWN_EDGE;
+use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
@@ -154,14 +156,11 @@ pub fn layers(
         return Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }));
     }
     let by = run_out(&left, bench)?;
-    let (blank, rough, left) = match slope_at_end(&left).filter(|slope| leads_on(&left, *slope, by, set_up, workpiece))
-    {
-        Some(slope) => (blank, rough, leading_on(left, by, slope)),
-        None if set_up.turned_over => {
-            let on = following(&left, by, set_up, bench);
-            (blank, rough, on.unwrap_or(left))
-        }
-        None => (longer(blank, by), longer(rough, by), longer(left, by)),
+    let (blank, rough, left) = if set_up.turned_over {
+        let on = led_on(&left, by, bench);
+        (blank, rough, on.unwrap_or(left))
+    } else {
+        (longer(blank, by), longer(rough, by), longer(left, by))
     };
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
 }
@@ -180,8 +179,6 @@ fn least_bar(bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, KnowledgeErro
 /// The most that a bar takes off the bottom of a bore as it faces it to its inner end; none if every bar would touch the wall on
 /// the other side. Towards the axis the secondary edge cuts, which rises by φ1 to its end, where the bar begins.
 fn faced_by_bar(bottom: &Piece, bore: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Half>, KnowledgeError> {
-    /// The share of that rise that is used.
-    const SHARE: f64 = 0.5;
     let walls = bore.pieces.iter().filter(|piece| !piece.is_face());
     let Some(narrow) = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min() else { return Ok(None) };
     let bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
@@ -189,9 +186,10 @@ fn faced_by_bar(bottom: &Piece, bore: &Contour, bench: &Bench<'_, '_>) -> Result
         let enters = bar.min_bore.is_none_or(|least| least <= narrow.diameter());
         enters && tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius)
     });
+    let share = Limits::of(bench.knowledge).ratio(JobLimit::BottomEdgeShare)?;
     let rise = |bar: &TurningTool<'_>| {
         let edge = bar.edge.unwrap_or(UNKNOWN_EDGE).to_mm();
-        Half::from(SHARE * edge * libm::sin(bar.trail_angle.to_f64().to_radians()))
+        Half::from(share * edge * libm::sin(bar.trail_angle.to_f64().to_radians()))
     };
     Ok(reaching.map(rise).min())
 }
@@ -217,29 +215,21 @@ fn slope_at_end(left: &Contour) -> Option<f64> {
     (along.z > LEAST_RUN && along.radius >= -1e-9).then(|| along.radius.max(0.0) / along.z)
 }
 
-/// Whether a contour of the second set-up may be led on along a slope: the part behind its end, which was made before, must not rise
-/// above it.
-fn leads_on(left: &Contour, slope: f64, by: Half, set_up: &SetUp, workpiece: &Workpiece) -> bool {
-    const STEPS: i64 = 8;
-    let Some(end) = left.end().filter(|_| set_up.turned_over && by > Half::ZERO) else { return false };
-    let part = workpiece.outer.contour().turned_over(workpiece.length());
-    (1..=STEPS).all(|step| {
-        let along = Half::new(by.halves() * step / STEPS);
-        let radius = end.radius + Half::from(along.to_mm() * slope);
-        part.radii_at(end.z + along).is_none_or(|(_, most)| most <= radius)
-    })
-}
-
-/// A contour of the second set-up led on along the part behind its end, which was finished before and rises from there: the round
-/// nose would leave metal in the corner. None where the part falls, or where it still has an allowance for another machine.
-fn following(left: &Contour, by: Half, set_up: &SetUp, bench: &Bench<'_, '_>) -> Option<Contour> {
-    let end = left.end().filter(|_| set_up.turned_over && by > Half::ZERO && bench.elsewhere.is_empty())?;
-    slope_at_end(left)?;
+/// A contour of the second set-up led on behind its end, where the round nose would leave metal: straight along its slope, over what
+/// the first set-up made, or along that, where it rises from there. None if it does not end with a slope.
+fn led_on(left: &Contour, by: Half, bench: &Bench<'_, '_>) -> Option<Contour> {
+    let end = left.end().filter(|_| by > Half::ZERO)?;
+    let slope = slope_at_end(left)?;
     let part = bench.workpiece.outer.contour().turned_over(bench.workpiece.length());
     let beyond = super::clip::between(&part, end.z, end.z + by);
-    let sloping = beyond.pieces.iter().all(|piece| !piece.is_face() && piece.to.radius >= piece.from.radius);
-    let begins = beyond.start() == Some(end) && beyond.end().is_some_and(|last| last.radius > end.radius);
-    (sloping && begins).then(|| {
+    let over = |point: &Point| end.radius + Half::from((point.z - end.z).to_mm() * slope) >= point.radius;
+    if beyond.pieces.iter().flat_map(|piece| piece.extremes()).all(|point| over(&point)) {
+        return Some(leading_on(left.clone(), by, slope));
+    }
+    let rises = |piece: &Piece| !piece.is_face() && piece.to.radius >= piece.from.radius;
+    let follows = beyond.start() == Some(end) && beyond.pieces.iter().all(rises);
+    // An allowance for another machine stands there.
+    (follows && bench.elsewhere.is_empty()).then(|| {
         let pieces = left.pieces.iter().chain(&beyond.pieces).copied().collect();
         Contour { side: left.side, pieces }
     })
@@ -365,8 +355,7 @@ fn standing(
         let rough = behind_blank(rough, &blank, face_is_made, findings);
         return Ok(Some(SideStock { blank, rough, drilled_first: None }));
     }
-    let raw = workpiece.blank.inner.as_ref();
-    let there = raw.and_then(|inner| inner.radii()).map_or(Half::ZERO, |(least, _)| least).diameter();
+    let (raw, there) = (workpiece.blank.inner.as_ref(), bench.raw_bore());
     let least_bar = least_bar(bench)?;
     if let Some(inner) = raw.filter(|_| axial.is_none_or(|axial| axial <= there))
         && least_bar.is_none_or(|least| least <= there)

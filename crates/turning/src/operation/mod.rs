@@ -185,7 +185,7 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
 /// The best plan of several attempts.
 fn plan_best(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     let mut barred = Vec::new();
-    let mut last = plan_without(workpiece, &barred, knowledge)?;
+    let mut last = plan_without(workpiece, &barred, true, knowledge)?;
     let mut best = last.clone();
     for _ in 0..ATTEMPTS {
         let known = barred.len();
@@ -197,7 +197,7 @@ fn plan_best(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, 
         if barred.len() == known {
             break;
         }
-        last = plan_without(workpiece, &barred, knowledge)?;
+        last = plan_without(workpiece, &barred, true, knowledge)?;
         if last.badness() < best.badness() {
             best = last.clone();
             best.findings.extend(barred.iter().map(Barred::finding));
@@ -209,15 +209,19 @@ fn plan_best(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, 
 /// The most attempts with other tools after the proof rejected some.
 const ATTEMPTS: usize = 6;
 
-/// Plans the turning of a part without the tools that the proof rejected.
-fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
+/// Plans the turning of a part without the tools that the proof rejected, parted off its bar or not.
+fn plan_without(
+    workpiece: &Workpiece,
+    barred: &[Barred],
+    parts_off: bool,
+    knowledge: &Knowledge,
+) -> Result<Operation, KnowledgeError> {
     let mut findings = workpiece.findings.clone();
     let lathe = prepare::lathe(workpiece, knowledge, &mut findings)?;
     let blank_advice = advice(workpiece, knowledge)?;
     findings.extend(
         blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()),
     );
-    let elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     let bench = Bench {
         workpiece,
         lathe: lathe.as_ref(),
@@ -225,11 +229,11 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         held: None,
         grip: None,
         through: None,
-        elsewhere: &elsewhere,
+        elsewhere: &[],
         barred: Vec::new(),
         knowledge,
     };
-    let mut parted = Parted::of(workpiece, &bench)?;
+    let mut parted = if parts_off { Parted::of(workpiece, &bench)? } else { None };
     let mut set_ups = zones::set_ups(
         zones::Workpiece {
             outer: &workpiece.outer,
@@ -250,9 +254,15 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         set_ups.truncate(1);
         findings.push(Finding::of_part(Severity::Doubtful, Note::new("far-face-as-parted")));
     }
+    let axials = set_ups.iter().map(|one| one.inner.as_ref().map(|inner| Axial::of(inner, &bench)).transpose());
+    let axials = axials.map(|axial| Ok(axial?.flatten())).collect::<Result<Vec<_>, KnowledgeError>>()?;
+    let mut elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
+    // What tools on the axis make to size does not hang on what the lathe holds with a bar.
+    elsewhere.retain(|one| axials.iter().flatten().flat_map(Axial::surfaces).all(|name| *name != one.surface));
+    let bench = Bench { elsewhere: &elsewhere, ..bench };
     let cut_off = parted.map(|parted| parted.workpiece(workpiece));
     let mut done = Vec::new();
-    for mut set_up in set_ups {
+    for (mut set_up, axial) in set_ups.into_iter().zip(axials) {
         let workpiece = cut_off.as_ref().filter(|_| set_up.turned_over).unwrap_or(workpiece);
         if set_up.holds_at.is_none() {
             let note = Note::new("set-up-not-held").with("number", set_up.number);
@@ -274,10 +284,6 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         let parts = parted.filter(|_| !set_up.turned_over);
         let through = parts.and_then(Parted::drilled_to);
         let bench = Bench { workpiece, held, grip, through, barred: own, ..bench.clone() };
-        let axial = match &set_up.inner {
-            Some(inner) => Axial::of(inner, &bench)?,
-            None => None,
-        };
         // The set-up as turning tools see it: its bore ends where the hole that is made to size begins.
         let turned = match &axial {
             Some(axial) => &SetUp { inner: axial.bored.clone(), ..set_up.clone() },
@@ -287,7 +293,12 @@ fn plan_without(workpiece: &Workpiece, barred: &[Barred], knowledge: &Knowledge)
         let mut jobs = jobs::jobs(turned, &sides, axial.as_ref(), &bench, &mut findings)?;
         if let Some(parted) = parts {
             set_up.notes.push(Note::new("setup-parts-off").with("z", Half::ZERO - parted.face()));
-            jobs.extend(parted.job(jaws.as_ref(), &jobs, &bench, &mut findings)?);
+            match parted.job(jaws.as_ref(), &jobs, &bench, &mut findings)? {
+                Some(job) => jobs.push(job),
+                // The hole came out narrower than was expected: the blade does not reach it.
+                None if parted.counts_on_hole() => return plan_without(workpiece, barred, false, knowledge),
+                None => {}
+            }
         }
         let grip = Grip::of(jaws.as_ref(), &jobs, knowledge)?;
         findings.extend(grip.as_ref().and_then(|grip| grip.finding(set_up.number)));

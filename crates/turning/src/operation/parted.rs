@@ -60,9 +60,14 @@ impl Parted {
         self.face() + self.width + self.gap
     }
 
+    /// Whether it counts on a hole that is drilled through the part.
+    pub fn counts_on_hole(self) -> bool {
+        self.drilled > Micrometres::ZERO
+    }
+
     /// How deep a through hole is drilled for it: past the blade. None where nothing is drilled through.
     pub fn drilled_to(self) -> Option<Half> {
-        (self.drilled > Micrometres::ZERO).then(|| self.face() + self.width)
+        self.counts_on_hole().then(|| self.face() + self.width)
     }
 
     /// Without stock: nothing follows.

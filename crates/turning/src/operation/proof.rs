@@ -5,6 +5,7 @@ use technolog_turning_proof as proof;
 
 use crate::note::{Figure, Finding, IntoFigure, Note, Severity};
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Surface, SurfaceKind, Turn};
+use crate::turning::jobs::hole::point_length;
 use crate::turning::jobs::{Body, JobTool, UNKNOWN_EDGE};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -13,7 +14,6 @@ use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Degrees, Micrometres};
 use proof::{At, Block, Cutter, Fault, Holder, Mm, Motion, MotionKind, Sense, SetUp, Stock};
 
-use super::drill::point_length;
 use super::unfinished::{undone, undone_on_axis};
 use super::{Operation, SetUpWork, Tailstock};
 

@@ -10,7 +10,7 @@ use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::tables::turning::tools::{Preference, TurningToolOrderFor};
 use crate::turning::allowances::capability::Elsewhere;
-use crate::turning::contour::{Side, SurfaceName};
+use crate::turning::contour::{Contour, Side, SurfaceName};
 use crate::turning::elements::{self, Angles};
 use crate::turning::jobs;
 use crate::turning::length::Half;
@@ -48,6 +48,12 @@ pub struct Bench<'a, 'k> {
 }
 
 impl Bench<'_, '_> {
+    /// The narrowest diameter of the bore that the blank has; zero in solid metal.
+    pub fn raw_bore(&self) -> Micrometres {
+        let raw = self.workpiece.blank.inner.as_ref().and_then(Contour::radii);
+        raw.map_or(Half::ZERO, |(least, _)| least).diameter()
+    }
+
     /// How deep a hole is drilled that ends at a Z: past the blade, if it ends with the part and the part is parted there.
     pub fn through(&self, end: Half) -> Half {
         self.through.filter(|_| end >= self.workpiece.length()).map_or(end, |past| past.max(end))

@@ -1,6 +1,7 @@
 //! Holes on the axis: the spot for a drill, the centre holes of ГОСТ 14034, and drilling. Feed, speed, torque and
 //! thrust follow the same tables and formulas as for holes in plates, within the limits of the lathe.
 
+mod centre;
 mod pace;
 mod widen;
 
@@ -9,19 +10,19 @@ mod widen;
 mod tests;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::Knowledge;
 use crate::knowledge::table::ToolHead;
 use crate::knowledge::vocabulary::{Operation, Surface, ToolMaterial};
 use crate::note::{Because, Note};
 use crate::tables::holes::FirstDrill;
 use crate::tables::rules::{HoleCycle, MachiningCycleFor, ToolTablesFor, TwoPassDrillingFor};
 use crate::tables::tools::CutterRow;
-use crate::tables::turning::jobs::{CentreHole, JobLimit};
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::contour::{Side, SurfaceName};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
+use crate::turning::tooling::Lathe;
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Degrees, Micrometres};
 use technolog_cutting::Cut;
@@ -31,6 +32,7 @@ use super::limits::Limits;
 use super::refused::NoJob;
 use super::site;
 use super::{Body, Job, JobTool, Work};
+pub use centre::{CentreForm, centre_hole, centre_hole_for, spot};
 use pace::AxialConditions;
 pub use widen::{Mouth, Widening, countersink, widen};
 
@@ -58,17 +60,6 @@ pub struct Hole {
     pub surfaces: Vec<SurfaceName>,
     /// Whether only a drill of its very diameter will do.
     pub exact: bool,
-    /// Whether the drill is reground flat, and takes away the cone that the point of the drill before it has left.
-    pub flat: bool,
-}
-
-/// The form of a centre hole.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CentreForm {
-    /// Without a protecting cone: the hole is cut off or not used again.
-    A,
-    /// With a protecting cone of 120°: the hole stays on the part.
-    B,
 }
 
 /// A drill of the catalogs.
@@ -84,7 +75,15 @@ struct Drill<'k> {
 impl Drill<'_> {
     /// The length of the point: d/2 divided by the tangent of half its angle.
     fn point(&self) -> Half {
-        Half::from(self.diameter.to_mm() / 2.0 / libm::tan(self.point_angle.0.to_radians() / 2.0))
+        cone_length(Half::radius_of(self.diameter), self.point_angle)
+    }
+
+    fn taken(&self) -> Because {
+        Because::row(self.row.row, Note::new("job-tool-taken").with("tool", self.designation))
+    }
+
+    const fn body(&self) -> Body {
+        Body::Drill { diameter_mm: self.diameter, point_angle_deg: self.point_angle, flute_mm: Some(self.flute) }
     }
 }
 
@@ -104,10 +103,7 @@ pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
     let mut first = drill(&Hole { diameter: most, ..hole.clone() }, bench)?;
     let note = Note::new("job-first-drill").with("diameter", hole.diameter).with("most", most);
     first.because.extend([Because::answer(&asked.answer, note.clone()), Because::row(share.row, note)]);
-    let from = match first.tool.body {
-        Body::Drill { diameter_mm, .. } => diameter_mm,
-        _ => Micrometres::ZERO,
-    };
+    let from = first.tool.diameter().unwrap_or_default();
     let second = drill(&Hole { from, ..hole.clone() }, bench)?;
     Ok(vec![first, second])
 }
@@ -125,33 +121,17 @@ pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         HoleEnd::Through(end) => end + drill.point() + beyond,
         HoleEnd::Blind(end) => end,
     };
-    let mut all = drills(hole.diameter, bench)?;
-    if hole.flat {
-        all.iter_mut().for_each(|drill| drill.point_angle = FLAT);
-    }
-    let reaches = |drill: &&Drill<'_>| Half::of(drill.flute) >= tip_of(drill) - hole.face;
     let fits =
-        |drill: &&Drill<'_>| if hole.exact { drill.diameter == hole.diameter } else { drill.diameter > hole.from };
-    let chosen = all.iter().find(|drill| reaches(drill) && fits(drill));
-    let Some(drill) = chosen else {
-        let (HoleEnd::Through(end) | HoleEnd::Blind(end)) = hole.end;
-        return Err(Refusal::Not(NoJob::NoDrill { diameter: hole.diameter, depth: end - hole.face }));
-    };
-    let (tip, point) = (tip_of(drill), drill.point());
-    // A flat drill takes a cone away, as wide at its mouth as itself: it is fed like a drill in solid metal.
-    let opens = hole.from > Micrometres::ZERO && !hole.flat;
-    let (operation, from) =
-        if opens { (Operation::DrillOut, hole.from) } else { (Operation::Drill, Micrometres::ZERO) };
+        |drill: &Drill<'_>| if hole.exact { drill.diameter == hole.diameter } else { drill.diameter > hole.from };
+    let drill = chosen(hole, bench, |drill| fits(drill).then(|| tip_of(drill)))?;
+    let (tip, point) = (tip_of(&drill), drill.point());
+    let operation = if hole.from > Micrometres::ZERO { Operation::DrillOut } else { Operation::Drill };
     let depth = (tip - hole.face).rounded_up();
-    let (rates, _) = rates::of_table(bench.knowledge)?;
-    let approach = Half::of(rates.approach);
     let cut = Cut {
         blind: matches!(hole.end, HoleEnd::Blind(_)),
-        ..cut(operation, drill.diameter, from, depth, drill.material)
+        ..cut(operation, drill.diameter, hole.from, depth, drill.material)
     };
-    let AxialConditions { speed, feed, because: of_pace } = pace::pace(&cut, lathe, bench)?;
-    let mut because = vec![Because::row(drill.row.row, Note::new("job-tool-taken").with("tool", drill.designation))];
-    because.extend(of_pace);
+    let conditions = pace::pace(&cut, lathe, bench)?;
     let ratio = depth.to_mm() / drill.diameter.to_mm();
     let material_group = bench.material.group;
     let asked = bench.knowledge.ask(&MachiningCycleFor { operation, depth_ratio: ratio, material_group })?;
@@ -161,60 +141,139 @@ pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         step: Half::from(cycle.step.unwrap_or(1.0) * drill.diameter.to_mm()),
         back: Half::of(cycle.clearance.unwrap_or_default()),
     };
-    // The hole is there down to the cone: a flat drill comes to it at rapid, and takes it away in one stroke.
-    let cone = hole.flat.then(|| tip - Half::from(drill.diameter.to_mm() / 2.0 / libm::tan(HALF_POINT.to_radians())));
-    let (path, count) = match cone {
-        Some(cone) => (flattening(hole.face - approach, cone - approach, tip), 1),
-        None => steps.toolpath(hole.face - approach, hole.face, tip),
-    };
-    let code = if hole.flat { "job-flattened" } else { "job-drilled" };
-    let note = Note::new(code).with("diameter", drill.diameter).with("tip", tip).with("steps", count);
-    because.push(Because::answer(
-        &asked.answer,
-        Note::new("job-drill-steps").with("ratio", crate::units::round_to(ratio, 2)).with("steps", count),
-    ));
-    let mut notes = vec![note];
-    if matches!(hole.end, HoleEnd::Blind(_)) && !hole.flat {
+    let (path, count) = steps.toolpath(before(hole.face, bench)?, hole.face, tip);
+    let mut notes =
+        vec![Note::new("job-drilled").with("diameter", drill.diameter).with("tip", tip).with("steps", count)];
+    if matches!(hole.end, HoleEnd::Blind(_)) {
         notes.push(Note::new("job-drill-point").with("full", tip - point).with("point", point));
     }
+    let note = Note::new("job-drill-steps").with("ratio", crate::units::round_to(ratio, 2)).with("steps", count);
+    let mut because = vec![Because::answer(&asked.answer, note)];
     because.extend(limits.because);
-    let body =
-        Body::Drill { diameter_mm: drill.diameter, point_angle_deg: drill.point_angle, flute_mm: Some(drill.flute) };
-    let designation = if hole.flat { format!("{}/180", drill.designation) } else { drill.designation.to_owned() };
-    let tool = JobTool { designation, body };
-    let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
-    Ok(Job {
-        work: if hole.flat { Work::Flatten } else { Work::Drill },
-        side: Side::Inner,
-        tool,
-        surfaces: hole.surfaces.clone(),
-        time_min: time(&path, speed, &feed, rapid),
-        path,
-        pace: super::Pace::PerRev { speed, feeds: feed },
-        conditions: None,
-        thread: None,
-        zone: None,
-        notes,
-        because,
+    let tool = JobTool { designation: drill.designation.to_owned(), body: drill.body() };
+    let (row, surfaces) = (drill.taken(), hole.surfaces.clone());
+    Ok(Stroke { work: Work::Drill, tool, surfaces, path, notes, row, because }.job(conditions, lathe, bench))
+}
+
+/// The job of the drill of another job, reground flat: it takes away the cone that this drill has left over a bottom.
+///
+/// # Errors
+/// The drill does not reach the bottom; it exceeds the limits of the lathe; the knowledge base lacks a table.
+pub fn flatten(
+    drilled: &Job,
+    bottom: Half,
+    face: Half,
+    surfaces: Vec<SurfaceName>,
+    bench: &Bench<'_, '_>,
+) -> Tried<Job, NoJob> {
+    let lathe = site::lathe(bench)?;
+    let diameter = drilled.tool.diameter().unwrap_or_default();
+    let hole = Hole { diameter, from: Micrometres::ZERO, face, end: HoleEnd::Blind(bottom), surfaces, exact: true };
+    let drill = chosen(&hole, bench, |drill| (drill.diameter == diameter).then_some(bottom))?;
+    let drill = Drill { point_angle: FLAT, ..drill };
+    // The cone is as wide at its mouth as the drill: it is fed as in solid metal.
+    let cut = cut(Operation::Drill, diameter, Micrometres::ZERO, (bottom - face).rounded_up(), drill.material);
+    let conditions = pace::pace(&cut, lathe, bench)?;
+    let from = before(face, bench)?;
+    // The hole is there down to the cone, and further above a narrower hole.
+    let cone = before(bottom - cone_length(Half::radius_of(diameter), TWIST_POINT), bench)?;
+    let mut path = Toolpath::at(on_axis(from));
+    if cone > from {
+        path.go(on_axis(cone), Purpose::Rapid);
+    }
+    path.go(on_axis(bottom), Purpose::Plunge);
+    path.go(on_axis(from), Purpose::Rapid);
+    let notes = vec![Note::new("job-flattened").with("diameter", diameter).with("tip", bottom)];
+    let tool = JobTool { designation: format!("{}/180", drill.designation), body: drill.body() };
+    let (row, because) = (drill.taken(), Vec::new());
+    let stroke = Stroke { work: Work::Flatten, tool, surfaces: hole.surfaces, path, notes, row, because };
+    Ok(stroke.job(conditions, lathe, bench))
+}
+
+/// The widest drill for a hole that reaches the Z to which its point must go; none where the drill does not fit.
+fn chosen<'k>(
+    hole: &Hole,
+    bench: &Bench<'_, 'k>,
+    tip_of: impl Fn(&Drill<'k>) -> Option<Half>,
+) -> Tried<Drill<'k>, NoJob> {
+    let reaches = |drill: &Drill<'k>| tip_of(drill).is_some_and(|tip| Half::of(drill.flute) >= tip - hole.face);
+    drills(hole.diameter, bench)?.into_iter().find(reaches).ok_or_else(|| {
+        let (HoleEnd::Through(end) | HoleEnd::Blind(end)) = hole.end;
+        Refusal::Not(NoJob::NoDrill { diameter: hole.diameter, depth: end - hole.face })
     })
 }
 
 /// The point angle of a drill that is reground flat.
 const FLAT: Degrees = Degrees(180.0);
 
-/// Half the angle of a twist drill's point, degrees (ГОСТ 10903).
-const HALF_POINT: f64 = 59.0;
+/// The point angle of a twist drill (ГОСТ 10903).
+const TWIST_POINT: Degrees = Degrees(118.0);
 
-/// The path of a flat drill: to the cone at rapid, through it at feed.
-fn flattening(from: Half, cone: Half, tip: Half) -> Toolpath {
-    let at = |z: Half| Point { radius: Half::ZERO, z };
-    let mut path = Toolpath::at(at(from));
-    if cone > from {
-        path.go(at(cone), Purpose::Rapid);
+/// The length of a cone of a full angle, from its tip up to a radius.
+fn cone_length(radius: Half, angle: Degrees) -> Half {
+    Half::from(radius.to_mm() / libm::tan(angle.0.to_radians() / 2.0))
+}
+
+/// The length of a twist drill's point up to a radius.
+pub fn point_length(radius: Half) -> Half {
+    cone_length(radius, TWIST_POINT)
+}
+
+/// A point of the axis.
+const fn on_axis(z: Half) -> Point {
+    Point { radius: Half::ZERO, z }
+}
+
+/// Where the feed begins before a Z.
+fn before(z: Half, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
+    let (rates, _) = rates::of_table(bench.knowledge)?;
+    Ok(z - Half::of(rates.approach))
+}
+
+/// The path of a tool on the axis to a Z and back, from before a face.
+fn in_and_out(face: Half, tip: Half, out: Purpose, bench: &Bench<'_, '_>) -> Result<Toolpath, KnowledgeError> {
+    let from = before(face, bench)?;
+    let mut path = Toolpath::at(on_axis(from));
+    path.go(on_axis(tip), Purpose::Plunge);
+    path.go(on_axis(from), out);
+    Ok(path)
+}
+
+/// A tool of the axis with its path.
+struct Stroke {
+    work: Work,
+    tool: JobTool,
+    surfaces: Vec<SurfaceName>,
+    path: Toolpath,
+    notes: Vec<Note>,
+    /// The row of the tool.
+    row: Because,
+    /// The rows behind its path.
+    because: Vec<Because>,
+}
+
+impl Stroke {
+    /// Its job with these conditions.
+    fn job(self, conditions: AxialConditions, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Job {
+        let Self { work, tool, surfaces, path, notes, row, because: of_path } = self;
+        let AxialConditions { speed, feed, because: of_pace } = conditions;
+        let because = [row].into_iter().chain(of_pace).chain(of_path).collect();
+        let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
+        Job {
+            work,
+            side: Side::Inner,
+            tool,
+            surfaces,
+            time_min: time(&path, speed, &feed, rapid),
+            path,
+            pace: super::Pace::PerRev { speed, feeds: feed },
+            conditions: None,
+            thread: None,
+            zone: None,
+            notes,
+            because,
+        }
     }
-    path.go(at(tip), Purpose::Plunge);
-    path.go(at(from), Purpose::Rapid);
-    path
 }
 
 /// A cut on the axis with default values.
@@ -332,89 +391,4 @@ impl Steps {
         path.go(at(from), Purpose::Rapid);
         (path, count)
     }
-}
-
-/// The centre hole for an end of a diameter (`centre-holes`); none if it is too thin for any.
-///
-/// # Errors
-/// The knowledge base lacks the table.
-pub fn centre_hole_for(end: Micrometres, knowledge: &Knowledge) -> Result<Option<CentreHole<'_>>, KnowledgeError> {
-    let rows = knowledge.rows::<CentreHole<'_>>()?;
-    Ok(rows.into_iter().filter(|row| row.part_diameter <= end).max_by_key(|row| row.pilot))
-}
-
-/// The job of a centre hole in a face of a diameter.
-///
-/// # Errors
-/// The face is too small for any; or the knowledge base lacks a table.
-pub fn centre_hole(form: CentreForm, end: Micrometres, face: Half, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
-    let Some(row) = centre_hole_for(end, bench.knowledge)? else {
-        let rows = bench.knowledge.rows::<CentreHole<'_>>()?;
-        let least = rows.iter().map(|row| row.part_diameter).min().unwrap_or_default();
-        return Err(Refusal::Not(NoJob::NoCentreHole { diameter: end, least }));
-    };
-    centred(&row, form, face, Note::new("job-centre-hole").with("diameter", end), bench)
-}
-
-/// The job of a spot for a drill: the widest cone of a centre drill that stays within the share of its diameter.
-///
-/// # Errors
-/// The drill is too small for any; or the knowledge base lacks a table.
-pub fn spot(drill: Micrometres, face: Half, end: Half, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
-    let mut limits = Limits::of(bench.knowledge);
-    let share = limits.ratio(JobLimit::SpotShare)?;
-    let most = Micrometres::from_mm_rounded(drill.to_mm() * share);
-    let rows = bench.knowledge.rows::<CentreHole<'_>>()?;
-    let least = rows.iter().map(|row| row.cone).min().unwrap_or_default();
-    // It goes no deeper than the drill.
-    let fits = |row: &CentreHole<'_>| row.cone <= most && face + Half::of(row.cone_depth + row.pilot_length) < end;
-    let fitting = rows.into_iter().filter(fits).max_by_key(|row| row.pilot);
-    let Some(row) = fitting else {
-        let least = Micrometres::from_mm_rounded(least.to_mm() / share.max(0.01));
-        return Err(Refusal::Not(NoJob::NoCentreHole { diameter: drill, least }));
-    };
-    let mut job = centred(&row, CentreForm::A, face, Note::new("job-spot").with("drill", drill), bench)?;
-    job.because.extend(limits.because);
-    Ok(job)
-}
-
-fn centred(row: &CentreHole<'_>, form: CentreForm, face: Half, note: Note, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
-    let lathe = site::lathe(bench)?;
-    let (mouth, cone, body, designation) = match form {
-        CentreForm::A => (row.cone, row.cone_depth, row.body, row.drill),
-        CentreForm::B => (row.protected, row.protected_depth, row.protected_body, row.protecting_drill),
-    };
-    let depth = cone + row.pilot_length;
-    let cut = Cut {
-        // Its thin pilot permits less feed than its body.
-        feed_diameter: Some(row.pilot),
-        tool_diameter: Some(row.pilot),
-        ..cut(Operation::CentreDrill, mouth, Micrometres::ZERO, depth, ToolMaterial::HighSpeedSteel)
-    };
-    let AxialConditions { speed, feed, because: of_pace } = pace::pace(&cut, lathe, bench)?;
-    let (rates, _) = rates::of_table(bench.knowledge)?;
-    let at = |z: Half| Point { radius: Half::ZERO, z };
-    let from = face - Half::of(rates.approach);
-    let mut path = Toolpath::at(at(from));
-    path.go(at(face + Half::of(depth)), Purpose::Plunge);
-    path.go(at(from), Purpose::Rapid);
-    let note = note.with("tool", designation).with("mouth", mouth).with("depth", depth);
-    let mut because = vec![Because::row(row.row, note.clone())];
-    because.extend(of_pace);
-    let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
-    let body = Body::CentreDrill { pilot_mm: row.pilot, pilot_length_mm: row.pilot_length, body_mm: body };
-    Ok(Job {
-        work: Work::Centre,
-        side: Side::Inner,
-        tool: JobTool { designation: designation.to_owned(), body },
-        surfaces: Vec::new(),
-        time_min: time(&path, speed, &feed, rapid),
-        path,
-        pace: super::Pace::PerRev { speed, feeds: feed },
-        conditions: None,
-        thread: None,
-        zone: None,
-        notes: vec![note],
-        because,
-    })
 }

@@ -37,7 +37,6 @@ fn drilled(diameter: i64, end: HoleEnd) -> Result<Job, NoJob> {
         end,
         surfaces: Vec::new(),
         exact: false,
-        flat: false,
     };
     with_bench("steel-45", |bench| Refusal::split(drill(&hole, bench)).unwrap())
 }
@@ -138,7 +137,6 @@ fn wide_holes_are_drilled_in_two_passes() {
         end: HoleEnd::Blind(Half::from(60.0)),
         surfaces: Vec::new(),
         exact: false,
-        flat: false,
     };
     with_bench("steel-45", |bench| {
         let widths = |diameter: i64| -> Vec<f64> {

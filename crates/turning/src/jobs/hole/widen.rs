@@ -1,30 +1,27 @@
 //! Tools on the axis that follow a drill: core drills, reamers, countersinks.
 
-use crate::error::{Refusal, Tried};
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::vocabulary::{Operation, ToolMaterial};
 use crate::note::{Because, Note};
 use crate::tables::holes::{HoleConvention, HoleDefault};
-use crate::tables::practice::StockBeforeReamingFor;
-use crate::tables::rules::{Lead, ReamerLeadFor, ReamingCase, ToolTablesFor};
+use crate::tables::rules::{Lead, ReamerLeadFor, ToolTablesFor};
 use crate::tables::tools::CutterRow;
 use crate::tables::turning::jobs::JobLimit;
-use crate::turning::contour::{Side, SurfaceName};
+use crate::turning::contour::SurfaceName;
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
-use crate::turning::point::Point;
 use crate::turning::program::Speed;
-use crate::turning::schemes::rates;
 use crate::turning::tooling::Lathe;
-use crate::turning::toolpath::{Purpose, Toolpath};
+use crate::turning::toolpath::Purpose;
 use crate::units::{Degrees, ItGrade, Micrometres, Roughness};
+use technolog_cutting::reaming::rough_instead;
 use technolog_cutting::{Cut, speed_at};
 
-use super::super::clock::time;
 use super::super::limits::Limits;
 use super::super::refused::NoJob;
-use super::super::{Body, Job, JobTool, Pace, Work, site};
+use super::super::{Body, Job, JobTool, Work, site};
 use super::pace::{self, AxialConditions};
-use super::{HoleEnd, cut};
+use super::{HoleEnd, Stroke, cone_length, cut, in_and_out};
 
 /// A hole that a core drill or a reamer makes wider.
 #[derive(Clone, Debug)]
@@ -53,16 +50,9 @@ struct Chosen<'k> {
     designation: &'k str,
     diameter: Micrometres,
     material: ToolMaterial,
-    /// The angle of its lead to the axis.
-    lead: Degrees,
+    /// How deep it enters.
     reach: Micrometres,
 }
-
-/// The play of the front of such a tool in the hole before it, a side: what the hole runs out of true must not hold it up.
-const PLAY: Half = Half::new(300);
-
-/// The angle of a core drill's lead to the axis (ГОСТ 12489: φ 60°).
-const CORE_DRILL_LEAD: Degrees = Degrees(60.0);
 
 /// The job of a core drill or a reamer.
 ///
@@ -72,129 +62,134 @@ pub fn widen(task: &Widening, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
     let mut limits = Limits::of(bench.knowledge);
     let beyond = Half::of(limits.length(JobLimit::DrillBreakthrough)?);
-    let height = Half::radius_of(task.diameter - task.from) + PLAY;
-    let lead_of = |lead: Degrees| Half::from(height.to_mm() / libm::tan(lead.0.to_radians()));
     let blind = matches!(task.end, HoleEnd::Blind(_));
-    let tip_of = |lead: Degrees| match task.end {
-        HoleEnd::Through(end) => end + lead_of(lead) + beyond,
+    let angle = lead_angle(bench)?;
+    let (height, lead) = lead(task, angle, &mut limits, bench)?;
+    let tip = match task.end {
+        HoleEnd::Through(end) => end + lead + beyond,
         HoleEnd::Blind(end) => end,
     };
-    let reaches = |one: &Chosen<'_>| Half::of(one.reach) >= tip_of(one.lead) - task.face;
-    let Some(tool) = cutters(task, blind, bench)?.into_iter().find(reaches) else {
-        let (HoleEnd::Through(end) | HoleEnd::Blind(end)) = task.end;
+    let depth = tip - task.face;
+    let reaches = |one: &Chosen<'_>| Half::of(one.reach) >= depth;
+    let Some(tool) = cutters(task, blind, angle, bench)?.into_iter().find(reaches) else {
         let (operation, diameter) = (task.operation, task.diameter);
-        return Err(Refusal::Not(NoJob::NoCutter { operation, diameter, depth: end - task.face }));
+        return Err(Refusal::Not(NoJob::NoCutter { operation, diameter, depth }));
     };
-    let tip = tip_of(tool.lead);
-    let depth = (tip - task.face).rounded_up();
     let cut = Cut {
         blind,
         it: task.it,
         roughness: task.roughness,
-        ..cut(task.operation, task.diameter, task.from, depth, tool.material)
+        ..cut(task.operation, task.diameter, task.from, depth.rounded_up(), tool.material)
     };
-    let AxialConditions { speed, feed, because: mut of_pace } = pace::pace(&cut, lathe, bench)?;
-    let (speed, slower) = no_faster_than_rough(speed, &cut, lathe, bench)?;
-    of_pace.extend(slower);
-    let (rates, _) = rates::of_table(bench.knowledge)?;
-    let at = |z: Half| Point { radius: Half::ZERO, z };
-    let from = task.face - Half::of(rates.approach);
-    let mut path = Toolpath::at(at(from));
-    path.go(at(tip), Purpose::Plunge);
+    let conditions = no_faster_than_rough(pace::pace(&cut, lathe, bench)?, &cut, lathe, bench)?;
+    let core_drills = task.operation == Operation::CoreDrill;
     // A reamer comes out at its feed: at rapid its margins score the wall.
-    let out = if task.operation == Operation::CoreDrill { Purpose::Rapid } else { Purpose::Plunge };
-    path.go(at(from), out);
+    let out = if core_drills { Purpose::Rapid } else { Purpose::Plunge };
+    let path = in_and_out(task.face, tip, out, bench)?;
     let ground = tool.diameter != task.diameter;
-    let mut notes = Vec::new();
-    if ground {
-        notes.push(Note::new("job-ground").with("nominal", tool.diameter).with("size", task.diameter));
-    }
-    let mut because = vec![Because::row(tool.row.row, Note::new("job-tool-taken").with("tool", tool.designation))];
-    because.extend(of_pace);
-    because.extend(limits.because);
+    let note = || Note::new("job-ground").with("nominal", tool.diameter).with("size", task.diameter);
     let body = Body::Reamer {
         diameter_mm: task.diameter,
         front_mm: (Half::radius_of(task.diameter) - height).diameter(),
-        lead_mm: lead_of(tool.lead).rounded_up(),
+        lead_mm: lead.rounded_up(),
         reach_mm: tool.reach,
     };
     let designation =
         if ground { format!("{}/{}", tool.designation, task.diameter) } else { tool.designation.to_owned() };
-    let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
-    Ok(Job {
-        work: if task.operation == Operation::CoreDrill { Work::CoreDrill } else { Work::Ream },
-        side: Side::Inner,
+    let stroke = Stroke {
+        work: if core_drills { Work::CoreDrill } else { Work::Ream },
         tool: JobTool { designation, body },
         surfaces: task.surfaces.clone(),
-        time_min: time(&path, speed, &feed, rapid),
         path,
-        pace: Pace::PerRev { speed, feeds: feed },
-        conditions: None,
-        thread: None,
-        zone: None,
-        notes,
-        because,
-    })
+        notes: ground.then(note).into_iter().collect(),
+        row: Because::row(tool.row.row, Note::new("job-tool-taken").with("tool", tool.designation)),
+        because: limits.because,
+    };
+    Ok(stroke.job(conditions, lathe, bench))
 }
 
-/// The speed of the last reamer, which serves the surface, at most that of a rough one with the largest stock of
-/// `stock-before-reaming`: the formula alone would make it faster for its smaller stock and feed. As for holes in plates.
+/// The height and the length of a tool's lead. That of a reamer is longer than the stock asks, by the convention for holes in plates.
+fn lead(
+    task: &Widening,
+    angle: Lead,
+    limits: &mut Limits<'_>,
+    bench: &Bench<'_, '_>,
+) -> Result<(Half, Half), KnowledgeError> {
+    let height = convention(HoleDefault::ReamerLeadShare, bench)? * (task.diameter - task.from).to_mm() / 2.0;
+    let slope = match angle {
+        _ if task.operation == Operation::CoreDrill => limits.ratio(JobLimit::CoreDrillLead)?,
+        Lead::Deg5 => 1.0 / libm::tan(5_f64.to_radians()),
+        Lead::Deg15 => 1.0 / libm::tan(15_f64.to_radians()),
+    };
+    Ok((Half::from(height), Half::from(height * slope)))
+}
+
+/// The angle of a reamer's lead, by the rule `reamer-lead`.
+fn lead_angle(bench: &Bench<'_, '_>) -> Result<Lead, KnowledgeError> {
+    let asked = bench.knowledge.ask(&ReamerLeadFor { material_group: bench.material.group })?;
+    Ok(asked.need(bench.material.group)?.lead)
+}
+
+/// A convention on holes.
+fn convention(name: HoleDefault, bench: &Bench<'_, '_>) -> Result<f64, KnowledgeError> {
+    Ok(bench.knowledge.need(name.name(), |row: &HoleConvention<'_>| row.name == name)?.value)
+}
+
+/// Conditions at a speed that is at most that of a rough reamer, for the last one, as for holes in plates.
 fn no_faster_than_rough(
-    speed: Speed,
+    conditions: AxialConditions,
     cut: &Cut,
     lathe: &Lathe<'_>,
     bench: &Bench<'_, '_>,
-) -> Tried<(Speed, Option<Because>), NoJob> {
-    if cut.operation != Operation::FinishReam {
-        return Ok((speed, None));
-    }
-    let asked =
-        bench.knowledge.ask(&StockBeforeReamingFor { case: ReamingCase::RoughAfterDrill, diameter: cut.diameter })?;
-    let stock = asked.need(&cut.diameter.to_string())?;
-    let rough = Cut { operation: Operation::RoughReam, from: cut.diameter - stock.stock_max, roughness: None, ..*cut };
-    let rough = pace::pace(&rough, lathe, bench)?.speed;
-    Ok(match (speed, rough) {
+) -> Tried<AxialConditions, NoJob> {
+    let Some((rough, row)) = rough_instead(cut, bench.knowledge)? else { return Ok(conditions) };
+    let most = pace::pace(&rough, lathe, bench)?.speed;
+    Ok(match (conditions.speed, most) {
         (Speed::Spindle(own), Speed::Spindle(most)) if most.0 < own.0 => {
             let used = speed_at(most, cut.diameter).rounded(1);
-            let note = Note::new("reamed-for-surface").with("stock", stock.stock_max).with("speed", used.0);
-            (rough, Some(Because::answer(&asked.answer, note)))
+            let note = Note::new("reamed-for-surface").with("stock", row.stock_max).with("speed", used.0);
+            let because = conditions.because.into_iter().chain([Because::row(row.row, note)]).collect();
+            AxialConditions { speed: Speed::Spindle(most), because, ..conditions }
         }
-        _ => (speed, None),
+        _ => conditions,
     })
+}
+
+/// The rows of the tables that the rule `tool-tables` names for a cutter, in their order, each with the material of its table.
+fn rows<'k>(
+    operation: Operation,
+    diameter: Micrometres,
+    bench: &Bench<'_, 'k>,
+) -> Result<Vec<(CutterRow<'k>, ToolMaterial)>, KnowledgeError> {
+    let asked = bench.knowledge.ask(&ToolTablesFor { operation, diameter })?;
+    let named = asked.winner()?.map(|rule| rule.tables).unwrap_or_default();
+    let mut rows = Vec::new();
+    for table in named.into_iter().filter_map(|id| bench.knowledge.tables().find(|table| table.id == *id)) {
+        let Some(head) = table.tool.as_ref() else { continue };
+        for row in table.rows::<CutterRow<'_>>() {
+            rows.push((row?, head.material));
+        }
+    }
+    Ok(rows)
 }
 
 /// The cutters of that size, or wider by no more than may be ground off, the nearest first; of one diameter in the order of the
 /// rule `tool-tables`.
-fn cutters<'k>(task: &Widening, blind: bool, bench: &Bench<'_, 'k>) -> Tried<Vec<Chosen<'k>>, NoJob> {
-    let limit = bench.knowledge.need(HoleDefault::CutterGrindLimit.name(), |row: &HoleConvention<'_>| {
-        row.name == HoleDefault::CutterGrindLimit
-    })?;
-    let most = task.diameter + Micrometres::from_mm_rounded(limit.value);
-    let asked = bench.knowledge.ask(&ReamerLeadFor { material_group: bench.material.group })?;
-    let lead = asked.need(bench.material.group)?.lead;
-    let mut found: Vec<Chosen<'k>> = Vec::new();
-    let question = ToolTablesFor { operation: task.operation, diameter: task.diameter };
-    let tables = bench.knowledge.ask(&question)?.winner()?.map(|rule| rule.tables).unwrap_or_default();
-    for id in tables {
-        let Some(table) = bench.knowledge.tables().find(|table| table.id == *id) else { continue };
-        let Some(head) = table.tool.as_ref() else { continue };
-        for row in table.rows::<CutterRow<'_>>() {
-            let row = row?;
-            // Shell tools sit on an arbor, which is as long as it is made.
-            let reach = row.reach.or(row.flute_length).or(row.projection).or(row.cutting_length);
-            let (Some(diameter), Some(reach)) = (row.diameter, reach) else { continue };
-            let of_end = if blind { row.designation_blind } else { row.designation_through };
-            let (of_lead, angle) = match lead {
-                Lead::Deg5 => (row.designation_5deg, Degrees(5.0)),
-                Lead::Deg15 => (row.designation_15deg, Degrees(15.0)),
-            };
-            let angle = if task.operation == Operation::CoreDrill { CORE_DRILL_LEAD } else { angle };
-            let Some(designation) = row.designation.or(of_end).or(of_lead) else { continue };
-            if diameter >= task.diameter && diameter <= most {
-                found.push(Chosen { row, designation, diameter, material: head.material, lead: angle, reach });
-            }
-        }
-    }
+fn cutters<'k>(task: &Widening, blind: bool, lead: Lead, bench: &Bench<'_, 'k>) -> Tried<Vec<Chosen<'k>>, NoJob> {
+    let most = task.diameter + Micrometres::from_mm_rounded(convention(HoleDefault::CutterGrindLimit, bench)?);
+    let of = |(row, material): (CutterRow<'k>, ToolMaterial)| {
+        let (diameter, reach) =
+            (row.diameter?, row.reach.or(row.flute_length).or(row.projection).or(row.cutting_length)?);
+        let of_end = if blind { row.designation_blind } else { row.designation_through };
+        let of_lead = match lead {
+            Lead::Deg5 => row.designation_5deg,
+            Lead::Deg15 => row.designation_15deg,
+        };
+        let designation = row.designation.or(of_end).or(of_lead)?;
+        let fits = diameter >= task.diameter && diameter <= most;
+        fits.then_some(Chosen { row, designation, diameter, material, reach })
+    };
+    let mut found: Vec<Chosen<'k>> = rows(task.operation, task.diameter, bench)?.into_iter().filter_map(of).collect();
     found.sort_by_key(|one| one.diameter);
     Ok(found)
 }
@@ -222,64 +217,41 @@ pub struct Mouth {
 /// No countersink has its angle and size; the tables have no figures; the knowledge base lacks a table.
 pub fn countersink(mouth: &Mouth, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
-    let question = ToolTablesFor { operation: Operation::Chamfer, diameter: mouth.wide };
-    let tables = bench.knowledge.ask(&question)?.winner()?.map(|rule| rule.tables).unwrap_or_default();
-    let mut found = Vec::new();
-    for id in tables {
-        let Some(table) = bench.knowledge.tables().find(|table| table.id == *id) else { continue };
-        let Some(head) = table.tool.as_ref() else { continue };
-        for row in table.rows::<CutterRow<'_>>() {
-            let row = row?;
-            let (Some(diameter), Some(angle), Some(designation)) =
-                (row.diameter, row.cone_angle, row.designations().next())
-            else {
-                continue;
-            };
-            let fits = diameter >= mouth.wide && row.tip_diameter.is_none_or(|tip| tip <= mouth.hole);
-            if fits && (angle.0 - mouth.angle.0).abs() < SAME_ANGLE {
-                let reach = row.cutting_length.unwrap_or(diameter);
-                found.push((diameter, designation, head.material, reach, row));
-            }
-        }
-    }
-    found.sort_by_key(|one| one.0);
-    let Some((diameter, designation, material, reach, row)) = found.into_iter().next() else {
-        let (operation, depth) = (Operation::Chamfer, mouth.face - mouth.rough_face);
-        return Err(Refusal::Not(NoJob::NoCutter { operation, diameter: mouth.wide, depth }));
+    let tip = mouth.face + cone_length(Half::radius_of(mouth.wide), mouth.angle);
+    let depth = tip - mouth.rough_face;
+    let of = |(row, material): (CutterRow<'_>, ToolMaterial)| {
+        let (diameter, angle, designation) = (row.diameter?, row.cone_angle?, row.designations().next()?);
+        let same_angle = (angle.0 - mouth.angle.0).abs() < SAME_ANGLE;
+        let fits = same_angle && diameter >= mouth.wide && row.tip_diameter.is_none_or(|tip| tip <= mouth.hole);
+        let body = Body::Drill {
+            diameter_mm: diameter,
+            point_angle_deg: mouth.angle,
+            flute_mm: Some(row.cutting_length.unwrap_or(diameter)),
+        };
+        let taken = Because::row(row.row, Note::new("job-tool-taken").with("tool", designation));
+        fits.then(|| (diameter, JobTool { designation: designation.to_owned(), body }, material, taken))
     };
-    let tip = mouth.face + Half::from(mouth.wide.to_mm() / 2.0 / libm::tan(mouth.angle.0.to_radians() / 2.0));
-    let depth = (tip - mouth.rough_face).rounded_up();
+    let found = rows(Operation::Chamfer, mouth.wide, bench)?.into_iter().filter_map(of).min_by_key(|one| one.0);
+    let Some((_, tool, material, row)) = found else {
+        let (operation, diameter) = (Operation::Chamfer, mouth.wide);
+        return Err(Refusal::Not(NoJob::NoCutter { operation, diameter, depth }));
+    };
     // A maker runs and feeds it as a drill of the middle diameter.
     let mut limits = Limits::of(bench.knowledge);
     let share = limits.ratio(JobLimit::CountersinkShare)?;
     let middle = mouth.hole + Micrometres::from_mm_rounded((mouth.wide - mouth.hole).to_mm() * share);
-    let cut = cut(Operation::Drill, middle, Micrometres::ZERO, depth, material);
-    let AxialConditions { speed, feed, because: of_pace } = pace::pace(&cut, lathe, bench)?;
-    let (rates, _) = rates::of_table(bench.knowledge)?;
-    let at = |z: Half| Point { radius: Half::ZERO, z };
-    let from = mouth.rough_face - Half::of(rates.approach);
-    let mut path = Toolpath::at(at(from));
-    path.go(at(tip), Purpose::Plunge);
-    path.go(at(from), Purpose::Rapid);
-    let mut because = vec![Because::row(row.row, Note::new("job-tool-taken").with("tool", designation))];
-    because.extend(of_pace);
-    because.extend(limits.because);
-    let body = Body::Drill { diameter_mm: diameter, point_angle_deg: mouth.angle, flute_mm: Some(reach) };
-    let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
-    Ok(Job {
+    let cut = cut(Operation::Drill, middle, Micrometres::ZERO, depth.rounded_up(), material);
+    let conditions = pace::pace(&cut, lathe, bench)?;
+    let stroke = Stroke {
         work: Work::Countersink,
-        side: Side::Inner,
-        tool: JobTool { designation: designation.to_owned(), body },
+        tool,
         surfaces: vec![mouth.surface.clone()],
-        time_min: time(&path, speed, &feed, rapid),
-        path,
-        pace: Pace::PerRev { speed, feeds: feed },
-        conditions: None,
-        thread: None,
-        zone: None,
+        path: in_and_out(mouth.rough_face, tip, Purpose::Rapid, bench)?,
         notes: Vec::new(),
-        because,
-    })
+        row,
+        because: limits.because,
+    };
+    Ok(stroke.job(conditions, lathe, bench))
 }
 
 /// Angles nearer than this are the same, degrees.
