@@ -5,7 +5,7 @@ use serde::Serialize;
 use technolog::audit::turned;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
-use technolog::note::Note;
+use technolog::note::{Finding, Note, Severity};
 use technolog::report;
 use technolog::turning::jobs::Work;
 use technolog::turning::operation::programs::{Form, OperationProgram, programs};
@@ -18,6 +18,7 @@ use technolog::turning::workpiece::Workpiece;
 use technolog::units::RevsPerMinute;
 use technolog::words::say;
 
+use super::diagnostics::{Texts, render};
 use super::turn::drawn;
 use super::{CliError, Context, Format, Outcome};
 
@@ -149,14 +150,11 @@ pub fn program(
                 );
                 super::output::complain(&format!("{text}\n"));
             }
-            // Nobody sees the page at the machine.
             let mut set_ups = operation.set_ups.iter().map(|one| &one.set_up);
             let is_held = set_ups.any(|one| one.number == written.set_up && one.holds_at.is_some());
-            if !is_held {
-                let warning = say!(context.lang, "set-up-not-held", number = written.set_up);
-                super::output::complain(&format!("{warning}\n"));
-            }
-            Ok(if operation.has_errors() || !is_held { Outcome::Findings } else { Outcome::Done })
+            let not_held =
+                || Finding::of_part(Severity::Wrong, Note::new("set-up-not-held").with("number", written.set_up));
+            Ok(leave(operation, (!is_held).then(not_held), context))
         }
         Err(error) => Err(not_written(written, error.note(), context)),
     }
@@ -179,7 +177,7 @@ pub fn setting(
         Format::Yaml => context.emit_yaml(&setting)?,
         _ => context.emit_document(&report::turning::setting_page(&setting, context.lang), format)?,
     }
-    Ok(Outcome::Done)
+    Ok(leave(operation, None, context))
 }
 
 /// Writes the tool table of LinuxCNC.
@@ -199,7 +197,20 @@ pub fn tool_table(
     let head = say!(context.lang, "turn-tool-table-head", part = setting.part.as_str());
     let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
     context.emit(&tool_table::tool_table(&setting, &head, named))?;
-    Ok(Outcome::Done)
+    Ok(leave(operation, None, context))
+}
+
+/// Says what is wrong with an operation beside what goes to the machine, where nobody sees its page; `also` is wrong only there.
+fn leave(operation: &Operation, also: Option<Finding>, context: &Context) -> Outcome {
+    let also = also.filter(|finding| !operation.findings.contains(finding));
+    let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+    let wrong: Vec<&Finding> = wrong.chain(&also).collect();
+    if wrong.is_empty() {
+        return Outcome::Done;
+    }
+    let problems = super::proof::part_diagnostics(&wrong, context);
+    super::output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
+    Outcome::Findings
 }
 
 fn set(

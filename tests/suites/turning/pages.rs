@@ -102,15 +102,17 @@ fn the_drawing_and_the_answer_have_every_zone() {
     assert!(drawing.starts_with("<svg ") && drawing.ends_with("</svg>\n"));
 }
 
-/// The zones of the forging are planned for different spindle speeds: one program has them all, in the order of work.
-/// The cup has 9 mm of bar behind its one cylinder, less than jaws need (15, `turning-hold`): its program is not given out as
-/// done.
+/// The cup has 9 mm of bar behind its one cylinder, less than jaws need (15, `turning-hold`): nothing that goes to the machine
+/// is given out as done.
 #[test]
-fn a_program_for_what_nothing_holds_is_not_done() {
-    assert_eq!(turn(&["examples/turned-dowel.yaml", "--show", "program"]).0, 0);
-    assert_eq!(turn(&["tests/everyday/cup.yaml", "--show", "program"]).0, 1);
+fn what_goes_to_the_machine_for_an_unheld_part_is_not_done() {
+    for show in ["program", "setting", "tool-table"] {
+        assert_eq!(turn(&["examples/turned-dowel.yaml", "--show", show]).0, 0, "{show}");
+        assert_eq!(turn(&["tests/everyday/cup.yaml", "--show", show]).0, 1, "{show}");
+    }
 }
 
+/// The zones of the forging are planned for different spindle speeds: one program has them all, in the order of work.
 #[test]
 fn programs_have_the_speed_of_their_zone() {
     let (code, text) = turn(&["examples/turned-forging.yaml", "--show", "program"]);
