@@ -101,6 +101,15 @@ fn a_tube_is_drilled_out_from_its_own_bore() {
     assert!(matches!(first.tool.body, Body::Drill { diameter_mm, .. } if diameter_mm.to_mm() > 8.0), "{first:?}");
 }
 
+/// The handbook's core drill before 12H7 is of Ø11.85: it cuts nothing in a tube of Ø11.9, and that is said instead of programmed.
+#[test]
+fn a_cutter_no_wider_than_the_hole_is_told() {
+    let operation = planned("tube-without-stock");
+    assert!(wrong(&operation).contains(&"job-no-stock"), "{:?}", operation.findings);
+    let jobs = operation.set_ups.iter().flat_map(|set_up| &set_up.jobs);
+    assert!(jobs.map(|job| job.work).all(|work| work != Work::CoreDrill && work != Work::Ream));
+}
+
 /// A bore of Ø36: a drill of 30 to the bottom, then a flat one. What the bar faces of the bottom is left as thin as its edge takes:
 /// half of 6·sin 5° = 0.26.
 #[test]

@@ -77,6 +77,8 @@ pub enum NoJob {
     NoDrill { diameter: Micrometres, depth: Half },
     /// No other cutter for the axis is of that size and reaches so deep.
     NoCutter { operation: crate::knowledge::vocabulary::Operation, diameter: Micrometres, depth: Half },
+    /// The hole that is there is as wide as the cutter, or wider.
+    NoStock { operation: crate::knowledge::vocabulary::Operation, diameter: Micrometres, from: Micrometres },
     /// The drill exceeds the spindle or the drive of Z even at the least feed.
     DrillTooStrong { diameter: Micrometres, force: Newtons, most: Newtons },
     /// No centre hole is so small.
@@ -144,6 +146,10 @@ impl NoJob {
                 .with("operation", Figure::operation(operation.name()))
                 .with("diameter", diameter)
                 .with("depth", depth),
+            Self::NoStock { operation, diameter, from } => new("job-no-stock")
+                .with("operation", Figure::operation(operation.name()))
+                .with("diameter", diameter)
+                .with("from", from),
             Self::DrillTooStrong { diameter, force, most } => new("job-drill-too-strong")
                 .with("diameter", diameter)
                 .with("force", round_to(force.0, 0))

@@ -48,6 +48,7 @@ threading-first-pass = the first pass at most { $depth } mm deep, passes more: {
 job-flattened = the bottom is made flat: a drill of Ø{ $diameter } reground to 2φ = 180° takes away the cone down to { $tip } mm; that drills are reground is our choice: the catalogs have none with a flat end
 job-ground = ground down from Ø{ $nominal } to Ø{ $size }
 job-no-cutter = no cutter of the catalogs ({ $operation }) is of Ø{ $diameter } and reaches { $depth } mm deep
+job-no-stock = { $operation } to Ø{ $diameter } has nothing to cut: the hole there is Ø{ $from } already
 axial-hole = { $surface }, Ø{ $diameter }: made to size on the axis ({ $way }), because no boring bar enters it
 axial-steps = the diameters before the last reamer of Ø{ $diameter }
 job-drilled = drilled to Ø{ $diameter }, the point to { $tip } mm, in steps: { $steps }

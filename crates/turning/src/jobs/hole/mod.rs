@@ -370,25 +370,24 @@ struct Steps {
 impl Steps {
     /// The path of the point along the axis, and its steps.
     fn toolpath(self, from: Half, face: Half, tip: Half) -> (Toolpath, i64) {
-        let at = |z: Half| Point { radius: Half::ZERO, z };
-        let mut path = Toolpath::at(at(from));
+        let mut path = Toolpath::at(on_axis(from));
         let stepped = matches!(self.kind, HoleCycle::Peck | HoleCycle::ChipBreak);
         let count = if stepped { (tip - face).parts(self.step).max(1) } else { 1 };
         for number in 1..=count {
             let to = if number == count { tip } else { face + Half::new(self.step.halves() * number) };
-            path.go(at(to), Purpose::Plunge);
+            path.go(on_axis(to), Purpose::Plunge);
             if number == count {
                 break;
             }
             match self.kind {
                 HoleCycle::Peck => {
-                    path.go(at(from), Purpose::Rapid);
-                    path.go(at(to - self.back), Purpose::Rapid);
+                    path.go(on_axis(from), Purpose::Rapid);
+                    path.go(on_axis(to - self.back), Purpose::Rapid);
                 }
-                _ => path.go(at(to - self.back), Purpose::Return),
+                _ => path.go(on_axis(to - self.back), Purpose::Return),
             }
         }
-        path.go(at(from), Purpose::Rapid);
+        path.go(on_axis(from), Purpose::Rapid);
         (path, count)
     }
 }

@@ -57,9 +57,13 @@ struct Chosen<'k> {
 /// The job of a core drill or a reamer.
 ///
 /// # Errors
-/// No cutter of that size reaches so deep; the tables have no figures; the knowledge base lacks a table.
+/// The hole leaves it nothing to cut; no cutter of that size reaches so deep; the tables have no figures; the knowledge base lacks a table.
 pub fn widen(task: &Widening, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
+    if task.from >= task.diameter {
+        let (operation, diameter, from) = (task.operation, task.diameter, task.from);
+        return Err(Refusal::Not(NoJob::NoStock { operation, diameter, from }));
+    }
     let mut limits = Limits::of(bench.knowledge);
     let beyond = Half::of(limits.length(JobLimit::DrillBreakthrough)?);
     let blind = matches!(task.end, HoleEnd::Blind(_));
