@@ -50,7 +50,7 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
     let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
     let mut steps: Vec<RouteStep> = Vec::new();
     let Finished { mut after, slack, because: left, elsewhere } = finished(candidate, bore, shop)?;
-    let after_here = after;
+    let (after_here, mut bored_elsewhere) = (after, Vec::new());
     for index in (0..transitions.len()).rev() {
         let previous = index.checked_sub(1).map(|before| transitions[before]);
         let question = BackwardStep { operation: transitions[index], leaves: after, previous, bore, sizes, shop };
@@ -73,23 +73,20 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
     {
         step.because.push(reason);
     }
-    two_passes(&mut steps, bore, sizes, shop)?;
-    if let (Some((_, first)), Some(last)) = (elsewhere.first(), steps.last())
+    if let (Some((_, first)), Some(last)) = (elsewhere.first(), steps.last_mut())
         && *first - last.diameter > slack.unwrap_or_default() + (*first - after_here)
     {
-        // The first transition on the other machine may find more stock: that machine bores the rest away first.
-        let question = BackwardStep {
-            operation: Operation::RoughBore,
-            leaves: after_here,
-            previous: Some(last.operation),
-            bore,
-            sizes,
-            shop,
-        };
-        for rough in question.rough_bore()? {
-            steps.push(RouteStep { elsewhere: true, ..rough });
-        }
+        // The first transition on the other machine may find more stock: that machine bores the rest away first, and
+        // the drill leaves what rough boring needs.
+        let previous = Some(last.operation);
+        let question =
+            BackwardStep { operation: Operation::RoughBore, leaves: after_here, previous, bore, sizes, shop };
+        let rough = question.rough_bore()?;
+        last.diameter = rough.first().map_or(last.diameter, |first| first.from);
+        bored_elsewhere = rough;
     }
+    two_passes(&mut steps, bore, sizes, shop)?;
+    steps.extend(bored_elsewhere.into_iter().map(|rough| RouteStep { elsewhere: true, ..rough }));
     for (operation, diameter) in elsewhere {
         let from = steps.last().map_or(Micrometres::ZERO, |last| last.diameter);
         steps.push(RouteStep { elsewhere: true, ..RouteStep::plain(operation, bore.place, diameter, from) });
