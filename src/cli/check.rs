@@ -73,6 +73,9 @@ pub(super) struct FaultMessage<'a> {
 /// The formats of its answers; a drawing only of a program of a mill.
 pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Svg, Format::Markdown, Format::Html];
 
+/// The faults of a program that is written for another control.
+const OF_ANOTHER_LANGUAGE: [&str; 3] = ["unknown-character", "unknown-address", "unknown-function"];
+
 /// Checks a program.
 ///
 /// # Errors
@@ -147,6 +150,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let (reported, more) = context.amount.select(faults.iter().collect(), |fault| fault.severity);
             let mut problems: Vec<Diagnostic> =
                 reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            if args.control.is_none() && faults.iter().any(|fault| OF_ANOTHER_LANGUAGE.contains(&fault.code)) {
+                let message = say!(context.lang, "check-read-as", control = control);
+                let help = say!(context.lang, "check-read-as-other", controls = Language::NAMES.join(", "));
+                let read_as = Diagnostic::error("read-as", message, None).help(help);
+                problems.insert(0, Diagnostic { severity: Severity::Note, ..read_as });
+            }
             problems.extend(proof::part_diagnostics(&serious, context));
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let mut made = None;
@@ -268,6 +277,7 @@ pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnost
         None => sentence,
     };
     let help = context.lang.remedy(&fault.note);
-    let help = help.map(|what| say!(context.lang, "cli-by-rule", what = what, section = fault.rule).into());
+    let help = help
+        .map(|what| say!(context.lang, "cli-by-rule", what = what, section = fault.rule.trim_end_matches('*')).into());
     Diagnostic { severity, code: fault.code, message: message.into(), place: Some(place), help }
 }

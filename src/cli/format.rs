@@ -90,9 +90,14 @@ const OTHERS: &[&str] = &[
     ".ini", ".js", ".py", ".sqlite", ".db", ".exe",
 ];
 
-/// The extension of a file, if it belongs to a format that no command has.
-pub fn foreign_extension(file: &Path) -> Option<String> {
-    Some(ending(file)).filter(|ending| OTHERS.contains(&ending.as_str()))
+/// Extensions of programs of controls and of their tool tables.
+const PROGRAMS: &[&str] = &[".nc", ".ngc", ".mpf", ".spf", ".tap", ".cnc", ".min", ".ptp", ".tbl"];
+
+/// The extension of a file, if it belongs to a format that no command has, or to a program where none is written.
+pub fn foreign_extension(file: &Path, writes_programs: bool) -> Option<String> {
+    let is_foreign = |ending: &&str| OTHERS.contains(ending) || (!writes_programs && PROGRAMS.contains(ending));
+    let ending = ending(file);
+    is_foreign(&ending.as_str()).then_some(ending)
 }
 
 /// The extension of a file with its point, in small letters; empty if there is none.

@@ -143,7 +143,8 @@ impl Context {
     /// The command does not have it, or name and extension contradict each other.
     pub fn format(&self, command: &str, known: &[Format]) -> Result<Format, CliError> {
         let meant = self.output.as_deref().map(Format::of_ending).unwrap_or_default();
-        if let Some(ending) = self.output.as_deref().and_then(format::foreign_extension) {
+        let writes_programs = ["program", "turn --show=program", "turn --show=tool-table"].contains(&command);
+        if let Some(ending) = self.output.as_deref().and_then(|file| format::foreign_extension(file, writes_programs)) {
             let message = say!(self.lang, "cli-alien-ending", command = command, ending = ending.as_str());
             // A hand-written plan has the extension of any YAML.
             let known = known.iter().filter(|format| **format != Format::Hand || !known.contains(&Format::Yaml));

@@ -111,7 +111,11 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
     };
     match format {
         Format::Json => context.emit_json(hole)?,
-        _ => context.emit_document(&report::explain(&plan, hole, context.lang), format)?,
+        _ => {
+            let page = report::explain(&plan, hole, knowledge, context.lang);
+            let page = page.map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+            context.emit_document(&page, format)?;
+        }
     }
     Ok(if plan.has_errors_of(&hole.name) { Outcome::Findings } else { Outcome::Done })
 }

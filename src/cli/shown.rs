@@ -97,7 +97,7 @@ fn figure(lang: Lang, column: &Column, written: &str) -> String {
 /// A characteristic of a machine or a control with its key, which queries ask for; the key alone where its name says
 /// no more.
 fn characteristic(lang: Lang, key: &str) -> String {
-    match lang.find(&format!("characteristic-{key}")) {
+    match lang.find(&format!("characteristic-{key}")).or_else(|| lang.find(&format!("word-{key}"))) {
         Some(name) if name != key.replace('-', " ") => say!(lang, "table-characteristic", name = name, key = key),
         _ => lang.remark(key).into_owned(),
     }

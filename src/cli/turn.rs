@@ -35,7 +35,7 @@ pub struct Args {
     shaft: PathBuf,
     #[arg(long, value_enum, hide_possible_values = true, default_value = "path")]
     objective: Aim,
-    #[arg(long, value_name = "MM", default_value = "1", value_parser = per_pass)]
+    #[arg(long, value_name = "MM", default_value = "1", value_parser = per_pass, allow_negative_numbers = true)]
     per_pass: Micrometres,
     #[arg(long, value_enum, hide_possible_values = true)]
     moves: Option<MovesName>,

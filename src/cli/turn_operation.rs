@@ -200,16 +200,21 @@ pub fn tool_table(
     Ok(leave(operation, None, context))
 }
 
-/// Says what is wrong with an operation beside what goes to the machine, where nobody sees its page; `also` is wrong only there.
+/// Says what is wrong with an operation, or doubtful, beside what goes to the machine, where nobody sees its page; `also` is wrong only there.
 fn leave(operation: &Operation, also: Option<Finding>, context: &Context) -> Outcome {
     let also = also.filter(|finding| !operation.findings.contains(finding));
-    let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
-    let wrong: Vec<&Finding> = wrong.chain(&also).collect();
-    if wrong.is_empty() {
+    // Rows that nothing confirms are counted on the page.
+    let told = |finding: &&Finding| finding.severity <= Severity::Doubtful && !report::is_of_row(&finding.note);
+    let told: Vec<&Finding> = operation.findings.iter().filter(told).chain(&also).collect();
+    if told.is_empty() {
         return Outcome::Done;
     }
-    let problems = super::proof::part_diagnostics(&wrong, context);
+    let problems = super::proof::part_diagnostics(&told, context);
     super::output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
+    if told.iter().all(|finding| finding.severity > Severity::Wrong) {
+        return Outcome::Done;
+    }
+    super::output::complain(&format!("{}\n", context.word("turn-written-despite")));
     Outcome::Findings
 }
 

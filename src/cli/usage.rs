@@ -115,7 +115,7 @@ mod tests {
             (&["technolog", "frob"], "помилка: невідома команда `frob`"),
             (
                 &["technolog", "turn", "x", "--objectiv"],
-                "помилка: невідомий аргумент `--objectiv`\n  підказка: можливо, --objective",
+                "помилка: невідомий параметр чи зайве слово `--objectiv`\n  підказка: можливо, --objective",
             ),
             (
                 &["technolog", "turn", "x", "--objective", "foo"],
@@ -145,7 +145,7 @@ mod tests {
                 &["technolog", "plan", "x", "--format", "pdf"],
                 "помилка: значення `pdf` не годиться для `--format <FORMAT>`\n  Формат відповіді: text, markdown, html, json, yaml, hand",
             ),
-            (&["technolog", "turn", "a", "b"], "помилка: невідомий аргумент `b`"),
+            (&["technolog", "turn", "a", "b"], "помилка: невідомий параметр чи зайве слово `b`"),
             (
                 &["technolog", "turn", "a", "--lang", "uk", "--lang", "en"],
                 "помилка: аргумент `--lang <LANG>` вказано більше одного разу",

@@ -114,8 +114,9 @@ pub(crate) fn stand_in_tool_material<'k>(
 ) -> Result<Option<(ToolMaterial, Because)>, KnowledgeError> {
     let answer = shop.knowledge().ask(&StandInToolMaterialFor { of_table, tool_material })?;
     let Some(rule) = answer.winner()? else { return Ok(None) };
-    let note = Note::new("stand-in-tool-material").with("table", of_table).with("tool", tool_material.name());
-    Ok(Some((rule.instead, Because::row(rule.row, note.with("other", rule.instead.name())))))
+    let note =
+        Note::new("stand-in-tool-material").with("table", of_table).with("tool", Figure::word(tool_material.name()));
+    Ok(Some((rule.instead, Because::row(rule.row, note.with("other", Figure::word(rule.instead.name()))))))
 }
 
 /// The group whose figures are used instead of those of the material in a table, by the rule.
@@ -130,7 +131,7 @@ pub(crate) fn stand_in<'k>(
     }
     let answer = knowledge.ask(&StandInMaterialFor { of_table, material_group: material.group })?;
     let Some(rule) = answer.winner()? else { return Ok(None) };
-    let note = Note::new("stand-in").with("table", of_table).with("group", rule.group);
+    let note = Note::new("stand-in").with("table", of_table).with("group", Figure::word(rule.group.to_owned()));
     Ok(Some((rule.group, Because::row(rule.row, note.with("material", material.designation())))))
 }
 

@@ -114,7 +114,7 @@ impl Page<'_> {
     fn finding(&mut self, finding: &FindingBlock) {
         let mut line = wrap::styled(&finding.label().as_str().into(), Style::Of(finding.severity));
         if let Some(place) = &finding.place {
-            line.extend(wrap::styled(&place.as_str().into(), Style::Code));
+            line.extend(wrap::styled(&format!("{place}:").as_str().into(), Style::Code));
         }
         line.extend(wrap::words(&finding.words));
         self.paragraph(&line, self.indent);

@@ -15,7 +15,7 @@ mod why;
 
 pub mod sheet;
 
-pub use doubts::Doubts;
+pub use doubts::{Doubts, is_of_row};
 pub use technolog_core::lang::Lang;
 pub use technolog_core::words::{operation_named, operation_noun, operation_verb, unit, with_unit};
 pub use why::explain;

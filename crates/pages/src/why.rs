@@ -1,16 +1,23 @@
 //! The reasons for the plan of one hole: every decision with its row and its rejected candidates.
 
+use std::collections::BTreeMap;
+
 use crate::document::{Block, Document, Inlines, Item};
-use crate::knowledge::Source;
+use crate::error::KnowledgeError;
+use crate::knowledge::{Knowledge, Source};
 use crate::note::{Because, Figure, IntoFigure, Note, TO_BE_GROUND};
 use crate::plan::{HolePlan, Plan};
+use crate::tables::practice::{FactSource, PracticeSource, ReachSource};
 use crate::units::round_to;
 
 use super::words::say;
 use super::{Lang, operation_verb, sheet};
 
-/// The reasons of one group of holes.
-pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
+/// The reasons of one group of holes, and the sources that they name by letters.
+///
+/// # Errors
+/// A table of sources is missing.
+pub fn explain(plan: &Plan, hole: &HolePlan, knowledge: &Knowledge, lang: Lang) -> Result<Document, KnowledgeError> {
     let drawn = plan.part.holes.iter().find(|known| known.name == hole.name);
     let size = drawn.map_or(Figure::Text("".into()), |drawn| (&drawn.diameter).into_figure());
     let mut page = Document::new(
@@ -56,7 +63,47 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
         ));
         page.push(Block::List(reasons(&conditions.because, lang)));
     }
-    page
+    let of_route = hole.route.iter().flat_map(|route| &route.because);
+    let of_transitions = hole.transitions.iter();
+    let of_transitions = of_transitions.flat_map(|made| made.because.iter().chain(&made.conditions.because));
+    let sources = named_sources(of_route.chain(of_transitions), knowledge)?;
+    if !sources.is_empty() {
+        page.heading(2, say!(lang, "explain-sources"));
+        let item = |(id, source): (&str, &str)| {
+            sentence(&say!(lang, "explain-source", id = Figure::called(id), source = lang.remark(source).into_owned()))
+        };
+        page.push(Block::List(sources.into_iter().map(item).collect()));
+    }
+    Ok(page)
+}
+
+/// The sources that reasons name by letters, such as QT, with where each is found. Letters that two lists have are those
+/// of the list that the reason's own table refers to; else those of facts.
+fn named_sources<'k>(
+    reasons: impl Iterator<Item = &'k Because>,
+    knowledge: &'k Knowledge,
+) -> Result<BTreeMap<&'k str, &'k str>, KnowledgeError> {
+    let facts: BTreeMap<_, _> = knowledge.rows::<FactSource<'_>>()?.iter().map(|row| (row.id, row.page)).collect();
+    let practice: BTreeMap<_, _> =
+        knowledge.rows::<PracticeSource<'_>>()?.iter().map(|row| (row.id, row.page)).collect();
+    let reach: BTreeMap<_, _> = knowledge.rows::<ReachSource<'_>>()?.iter().map(|row| (row.id, row.page)).collect();
+    let mut named = BTreeMap::new();
+    for reason in reasons {
+        let columns = knowledge.table(&reason.table).map(|table| table.columns.as_slice()).unwrap_or_default();
+        let refers =
+            |id: &str| columns.iter().any(|column| column.refers.as_ref().is_some_and(|(table, _)| table == id));
+        let lists: &[_] = match (refers("practice-sources"), refers("reach-sources")) {
+            (true, _) => &[&practice, &facts],
+            (_, true) => &[&reach, &facts],
+            _ => &[&facts, &practice],
+        };
+        let texts = std::iter::once(&reason.place).chain(&reason.reason).chain(&reason.unconfirmed);
+        for word in texts.flat_map(|text| text.split(|letter: char| !letter.is_alphanumeric())) {
+            let found = lists.iter().find_map(|list| list.get_key_value(word));
+            named.extend(found.map(|(id, page)| (*id, *page)));
+        }
+    }
+    Ok(named)
 }
 
 fn reasons(because: &[Because], lang: Lang) -> Vec<Item> {

@@ -23,6 +23,7 @@ vocabulary! {
         FeedForceZ = "feed-force-z",
         FeedForceX = "feed-force-x",
         CuttingForceMax = "cutting-force-max",
+        TurretPlaces = "turret-places",
         ShankHeight = "shank-height",
         ToolChangeTime = "tool-change-time",
         ItOuter = "it-outer",

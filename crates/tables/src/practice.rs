@@ -150,7 +150,16 @@ rows! {
     } shown { pages }
 
     /// The pages of the tables of practice.
-    pub struct PracticeSource of One("practice-sources") {} shown { id, page, read }
+    pub struct PracticeSource of One("practice-sources") {
+        id: &'t str,
+        page: &'t str,
+    } shown { read }
+
+    /// The sources that facts name by letters.
+    pub struct FactSource of One("fact-sources") {
+        id: &'t str,
+        page: &'t str,
+    } shown { read }
 
     /// The accuracy of a method by each source.
     pub struct ReachBySource of One("reach-by-source") {} shown {
@@ -158,7 +167,10 @@ rows! {
     }
 
     /// The sources of accuracies.
-    pub struct ReachSource of One("reach-sources") {} shown { id, tradition, page, read }
+    pub struct ReachSource of One("reach-sources") {
+        id: &'t str,
+        page: &'t str,
+    } shown { tradition, read }
 }
 
 vocabulary! {

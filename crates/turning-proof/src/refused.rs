@@ -53,7 +53,8 @@ pub fn check(set_up: &SetUp) -> Result<(), Refused> {
     }
     let pieces = || set_up.profile.outside.iter().chain(&set_up.profile.bore);
     let threads = pieces().filter_map(|piece| piece.thread);
-    let lengths = pieces().map(|piece| piece.allowance).chain(threads.flat_map(|thread| [thread.crest, thread.root]));
+    let threads = threads.flat_map(|thread| [thread.crest, thread.root, thread.run_out]);
+    let lengths = pieces().map(|piece| piece.allowance).chain(threads);
     let motions = set_up.motions.iter().flat_map(|motion| motion.path.places());
     let bodies = set_up.bodies.iter().flat_map(|body| body.outline.iter().copied());
     let stock = set_up.stock.0.window();

@@ -82,7 +82,7 @@ impl Piece {
 }
 
 /// The crests and roots of a thread. Its passes may go down to the root over its length and a little beyond both
-/// ends.
+/// ends, and where it has no relief over its run-out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thread {
     /// The radius of its crests, to which its cylinder is turned before.
@@ -91,6 +91,8 @@ pub struct Thread {
     pub shallow: Mm,
     /// The radius that no pass may go beyond: the pitch diameter with the least metal.
     pub root: Mm,
+    /// How far its passes may cut into the metal towards the chuck; 0 where it ends in a relief.
+    pub run_out: Mm,
 }
 
 /// A piece of the finished part's contour.

@@ -38,6 +38,8 @@ pub struct Threaded {
     pub thread: Thread,
     /// Its ends along the axis, mm, ascending.
     pub z: [f64; 2],
+    /// Where it ends towards the chuck, mm.
+    end: f64,
     /// The radius at which it is drawn, mm.
     drawn: f64,
 }
@@ -154,7 +156,8 @@ impl Target {
         // Where a chamfer is drawn up to the nominal diameter its crest ends on that of the thread.
         let crests: Vec<Convex> = threads.iter().filter_map(Threaded::crests).collect();
         let keep = part.made(&Region::pieces(&crests), Rule::Without);
-        let passes: Vec<Convex> = threads.iter().filter_map(Threaded::passes).collect();
+        let passes = threads.iter().flat_map(|thread| [thread.passes(), thread.run_out()]);
+        let passes: Vec<Convex> = passes.flatten().collect();
         let keep_thread = keep.made(&Region::pieces(&passes), Rule::Without);
         let edges = chains.iter().flatten().enumerate().flat_map(|(piece, chain)| {
             chain.pairs().map(move |(a, b, by)| OutlineEdge { from: a.plus(by), to: b.plus(by), piece })
@@ -221,6 +224,14 @@ impl Threaded {
         self.between(self.thread.crest.0, self.thread.root.0)
     }
 
+    /// The metal behind it that its passes may remove where it has no relief.
+    fn run_out(&self) -> Option<Convex> {
+        let far =
+            if self.end > self.z[0] { self.end + self.thread.run_out.0 } else { self.end - self.thread.run_out.0 };
+        let (crest, root) = (self.drawn, self.thread.root.0);
+        Convex::hull(Convex::rectangle(Vector::new(self.end.min(far), crest), Vector::new(self.end.max(far), root)))
+    }
+
     /// The metal between its drawn diameter and its crests, if it is turned lower than drawn.
     fn crests(&self) -> Option<Convex> {
         let outwards = self.thread.crest.0 - self.thread.root.0;
@@ -240,7 +251,7 @@ fn threads(profile: &Profile) -> Vec<Threaded> {
         let (a, b) = (piece.path.from().z.0, piece.path.to().z.0);
         let thread = piece.thread?;
         let drawn = piece.path.from().radius.0;
-        Some(Threaded { surface: piece.surface.clone(), thread, z: [a.min(b), a.max(b)], drawn })
+        Some(Threaded { surface: piece.surface.clone(), thread, z: [a.min(b), a.max(b)], end: b, drawn })
     });
     threaded.collect()
 }

@@ -148,7 +148,7 @@ fn a_rule_and_the_rust_that_asks_it() {
         } else {
             "plug-gauge) [hole-gauge, row 2"
         };
-        let page = shown(&explain(&plan, hole, Lang::EN));
+        let page = shown(&explain(&plan, hole, &knowledge, Lang::EN).unwrap());
         assert!(page.contains(&format!("hole-gauge (gauge = {gauge}")), "{page}");
     }
 }

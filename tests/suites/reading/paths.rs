@@ -363,8 +363,9 @@ fn an_ending_that_promises_another_form_is_refused() {
     for (command, file, known) in [
         ("plan part.yaml", "p.pdf", "writes .txt"),
         ("plan part.yaml", "p.DOCX", ".html"),
-        ("plan part.yaml --format text", "p.png", ".yaml, .yml;"),
-        ("program part.yaml", "p.dxf", ".txt, .json;"),
+        ("plan part.yaml", "p.nc", ".html"),
+        ("plan part.yaml --format text", "p.png", ".yaml, .yml"),
+        ("program part.yaml", "p.dxf", ".txt, .json"),
         ("table A.8", "t.xlsx", ".csv"),
     ] {
         let args: Vec<&str> = command.split(' ').chain(["-o", file, "--lang", "en"]).collect();

@@ -167,3 +167,29 @@ fn a_rounding_does_not_run_into_a_cone() {
     let operation = planned("cone-and-rounding");
     assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
 }
+
+/// By hand: the middle of the pitch diameter of M24x2-6g (22.493 to 22.663, ISO 965-2) puts the roots 2/3 H below it, at Ø21.4233;
+/// from crests of Ø23.822 the tool leaves at 45° over 1.2 mm of metal. ГОСТ 10549-80 allows 3.5.
+#[test]
+fn a_thread_without_a_relief_runs_out_behind_it() {
+    let operation = planned("run-out");
+    assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
+    let jobs = &operation.set_ups[0].jobs;
+    let thread = jobs.iter().find(|job| job.work == Work::Thread).unwrap();
+    let deepest = thread.path.moves.iter().filter(|one| one.to.radius.to_mm() < 10.72);
+    let end = deepest.map(|one| one.to.z.to_mm()).fold(0.0, f64::max);
+    assert!((end - 26.5).abs() < 0.001, "full depth ends at the drawn end: {end}");
+    let behind = thread.path.moves.iter().filter(|one| one.to.z.to_mm() > 26.5);
+    assert!(behind.clone().count() > 0);
+    // 26.5 and 2.2 at 45° to 1 mm above the crests: 1.2 of them in the metal.
+    assert!(behind.clone().all(|one| one.to.z.to_mm() < 28.8 && one.to.radius.to_mm() > 12.9), "{behind:?}");
+}
+
+/// The same on a seat of h7 would score it.
+#[test]
+fn a_thread_does_not_run_out_on_a_seat() {
+    let operation = planned("run-out-on-seat");
+    let codes: Vec<&str> = operation.findings.iter().map(|finding| finding.note.code()).collect();
+    assert!(codes.contains(&"thread-run-out-on-seat"), "{codes:?}");
+    assert!(!wrong(&operation).is_empty(), "{codes:?}");
+}

@@ -580,11 +580,8 @@ fn the_answer_is_told_whole() {
     let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::ForToolLife).unwrap();
     let texts: Vec<String> =
         limit.findings().iter().flat_map(|finding| [Lang::UK, Lang::EN].map(|lang| lang.say(&finding.note))).collect();
-    assert_eq!(
-        texts[0],
-        "обмеження «привод подачі» не враховано: у даних верстата 16Б16Т1 немає величини «сила подачі по Z»"
-    );
-    assert_eq!(texts[1], "the limit “feed drive” is left out: 16B16T1 has no figure “feed force z”");
+    assert_eq!(texts[0], "обмежень за величиною «сила подачі по Z» не враховано: у даних верстата 16Б16Т1 її немає");
+    assert_eq!(texts[1], "limits by “feed force z” are left out: the record of 16B16T1 has no such figure");
     let back: LimitingDepth = serde_json::from_str(&serde_json::to_string(&limit).unwrap()).unwrap();
     assert_eq!(back, limit, "the answer comes back from JSON without loss");
     insta::assert_snapshot!("limiting_depth", serde_json::to_string_pretty(&limit).unwrap());

@@ -236,7 +236,7 @@ impl Reason {
             Self::DrillsTooShort { diameter, reach, needed } => {
                 new("drills-too-short").with("diameter", diameter).with("reach", reach).with("needed", needed)
             }
-            Self::RankedLater { first } => new("ranked-later").with("first", first),
+            Self::RankedLater { first } => new("ranked-later").with("first", Figure::scheme(first)),
             Self::SameAs { table, scheme } => {
                 let table = Figure::word_of("route-table", table.clone());
                 new("same-as").with("table", table).with("same", Figure::scheme(scheme))

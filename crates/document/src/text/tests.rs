@@ -65,7 +65,7 @@ fn a_page_is_sections_with_what_stands_in_them() {
     `--format html`
   Ø - найбільший.
 
-  хибно: 13:47 подача `feed`
+  хибно: 13:47: подача `feed`
     0,25
       підстава: таблиця A.6
       підказка: взяти 0,325

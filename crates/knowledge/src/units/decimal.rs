@@ -97,6 +97,19 @@ impl Decimal {
     }
 }
 
+/// What stands behind the digits at the beginning of a text.
+fn letters_of(text: &str) -> &str {
+    text.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.').trim()
+}
+
+/// Whether a number is followed by nothing but a word, such as a unit.
+fn is_unit_behind(text: &str) -> bool {
+    let unit = letters_of(text);
+    text.starts_with(|c: char| c.is_ascii_digit())
+        && unit.starts_with(char::is_alphabetic)
+        && unit.chars().all(|c| c.is_alphanumeric() || "/²³°".contains(c))
+}
+
 impl FromStr for Decimal {
     type Err = ParseError;
 
@@ -115,6 +128,7 @@ impl FromStr for Decimal {
                 ',' => note!("unit-write-decimal-point-comma"),
                 '±' => note!("unit-one-number-without-plus-minus"),
                 'o' | 'O' | 'О' | 'о' => note!("unit-letter-stands-where-zero-may", wrong = wrong),
+                _ if is_unit_behind(digits) => note!("unit-behind-number", unit = letters_of(digits)),
                 other => note!("unit-no-digit", other = other),
             }));
         }

@@ -84,5 +84,5 @@ fn root(audit: &Audit, lang: Lang) -> String {
         }
         _ => say!(lang, "audit-about", about = whereabouts, said = finding_text(root, lang)),
     };
-    place(root, &audit.file).map_or_else(|| text.clone(), |place| format!("{place} {text}"))
+    place(root, &audit.file).map_or_else(|| text.clone(), |place| format!("{place}: {text}"))
 }

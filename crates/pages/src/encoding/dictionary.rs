@@ -135,7 +135,15 @@ impl Dictionary {
                 Word::Comment(text) => meanings.push(say!(lang, "encoding-comment", text = text.as_str())),
                 Word::Skip => meanings.push(say!(lang, "encoding-skip").to_owned()),
                 Word::Tape => meanings.push(say!(lang, "encoding-tape").to_owned()),
-                Word::Statement(text) => meanings.push(say!(lang, "encoding-statement", text = text.as_str())),
+                Word::Statement(text) => {
+                    let key = match text.split_whitespace().last() {
+                        Some("sub") => "encoding-sub",
+                        Some("endsub") => "encoding-endsub",
+                        Some("call") => "encoding-call",
+                        _ => "encoding-statement",
+                    };
+                    meanings.push(lang.say(&Note::new(key).with("text", text.as_str())));
+                }
             }
         }
         meanings.join("; ")

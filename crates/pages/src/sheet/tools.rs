@@ -1,6 +1,7 @@
 //! The tools of a plan: assemblies to order and mount, and the values of the offset registers.
 
 use crate::document::{Column, Inlines, Keep, Table};
+use crate::note::Because;
 use crate::plan::{Plan, ToolPlan};
 
 use super::super::words::say;
@@ -30,7 +31,7 @@ pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
     for (tool, (((diameter, holder), overhang), assembly)) in plan.tools.iter().zip(figures) {
         table.row([
             Inlines::from(format!("T{}", tool.number)),
-            named(tool, mark(&tool.because), lang).into(),
+            named(tool, mark(tool.because.iter().chain(reasons(plan, tool))), lang).into(),
             tool.table.as_str().into(),
             diameter,
             work_of_tool(plan, tool, lang).into(),
@@ -52,6 +53,13 @@ fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
         }
         None => designation,
     }
+}
+
+/// The reasons of the transitions that a tool makes.
+fn reasons<'p>(plan: &'p Plan, tool: &ToolPlan) -> impl Iterator<Item = &'p Because> {
+    let number = tool.number;
+    let own = plan.holes.iter().flat_map(|hole| &hole.transitions).filter(move |own| own.tool.number == number);
+    own.flat_map(|own| &own.because)
 }
 
 /// The work of a tool, over all holes.

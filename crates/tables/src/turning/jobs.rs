@@ -34,6 +34,8 @@ vocabulary! {
         ThreadEntry = "thread-entry",
         /// Run-out of a thread: spindle speed times pitch, divided by this.
         ThreadRunOut = "thread-run-out",
+        /// The finest IT grade of a surface on which a thread may run out.
+        ThreadRunOutGrade = "thread-run-out-grade",
         /// The run-in of a thread, in run-outs.
         ThreadRunIn = "thread-run-in",
         /// From the tip of a threading insert to its side.
@@ -88,6 +90,13 @@ rows! {
         pitch: Micrometres,
         passes: i64,
     } shown { depth, first }
+
+    /// The longest run-out of a metric thread by its pitch.
+    pub struct ThreadRunOut of One("thread-run-out") {
+        side: Side,
+        pitch: Micrometres,
+        length: Micrometres,
+    }
 
     /// The infeed of a metric thread.
     pub struct ThreadingInfeed of One("threading-infeed") asked by ThreadingInfeedFor<'t> {

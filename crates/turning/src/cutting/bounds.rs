@@ -118,17 +118,20 @@ pub struct UnknownBound {
 }
 
 impl UnknownBound {
-    /// As a finding: the depth is given without this limit.
+    /// As a finding: depths are given without the limits that need the figure.
     pub fn finding(&self) -> Finding {
-        Finding::of_part(Severity::Doubtful, self.noted(Note::new("bound-not-reckoned")))
+        Finding::of_part(Severity::Note, self.missing(Note::new("bound-not-reckoned")))
     }
 
     /// A sentence with the limit, the missing figure, and its owner.
     pub(super) fn noted(&self, note: Note) -> Note {
+        self.missing(note.with("bound", Figure::word(self.bound.name())))
+    }
+
+    fn missing(&self, note: Note) -> Note {
         let (of, what) = self.why.names();
         let of = Figure::word_of("machine", of.to_owned());
-        let what = Figure::word_of("characteristic", what.to_owned());
-        note.with("bound", Figure::word(self.bound.name())).with("of", of).with("what", what)
+        note.with("of", of).with("what", Figure::word_of("characteristic", what.to_owned()))
     }
 }
 

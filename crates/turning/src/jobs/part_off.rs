@@ -91,7 +91,7 @@ pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     path.go(at(parting.clear), Purpose::Rapid);
     let speed = match lathe.spindle {
         Spindle::Steps(_) => Speed::Spindle(pace.rpm),
-        Spindle::Range { max, .. } => Speed::Cutting { speed: speed_at(pace.rpm, parting.bar).rounded(1), limit: max },
+        Spindle::Range { max, .. } => Speed::whole(speed_at(pace.rpm, parting.bar), max),
     };
     let feeds = Feeds { infeed: MillimetresPerRev(round_to(pace.plunge.0 * slow, 4)), ..Feeds::all(pace.plunge) };
     let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);

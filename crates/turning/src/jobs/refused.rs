@@ -6,7 +6,7 @@ use crate::reason::Uncut;
 use crate::turning::contour::SurfaceName;
 use crate::turning::cutting::{Bound, CuttingRefusal};
 use crate::turning::length::Half;
-use crate::units::{Micrometres, MillimetresPerMinute, Newtons, RevsPerMinute, round_to};
+use crate::units::{ItGrade, Micrometres, MillimetresPerMinute, Newtons, RevsPerMinute, round_to};
 use technolog_cutting::figures::{self, Asking};
 
 /// What the tables of cutting conditions are asked for.
@@ -69,6 +69,10 @@ pub enum NoJob {
     NoEntry { surface: SurfaceName, needs: Half, room: Half },
     /// There is no room behind the thread.
     NoRunOut { surface: SurfaceName, needs: Half, room: Half },
+    /// Without a relief the thread would run out over a greater length than the standard allows.
+    RunOutTooLong { surface: SurfaceName, needs: Half, most: Micrometres },
+    /// Without a relief the thread would run out on a surface with a fine tolerance.
+    RunOutOnSeat { surface: SurfaceName, seat: SurfaceName, grade: ItGrade },
     /// The relief is not as deep as the thread.
     ReliefTooShallow { surface: SurfaceName, relief: Micrometres, root: Micrometres },
     /// The thread is not on a cylinder.
@@ -136,6 +140,12 @@ impl NoJob {
             }
             Self::NoRunOut { surface, needs, room } => {
                 new("thread-no-run-out").with("surface", surface).with("needs", needs).with("room", room)
+            }
+            Self::RunOutTooLong { surface, needs, most } => {
+                new("thread-run-out-too-long").with("surface", surface).with("needs", needs).with("most", most)
+            }
+            Self::RunOutOnSeat { surface, seat, grade } => {
+                new("thread-run-out-on-seat").with("surface", surface).with("seat", seat).with("grade", grade.number())
             }
             Self::ReliefTooShallow { surface, relief, root } => {
                 new("thread-relief-shallow").with("surface", surface).with("relief", relief).with("root", root)

@@ -6,6 +6,9 @@ use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::workpiece::Workpiece;
 
+/// The cotangent of 30°.
+const RAMP: f64 = 1.732_050_807_569;
+
 /// The cylinder of a thread, and its turned radius.
 struct Lowered {
     thread: Piece,
@@ -62,10 +65,14 @@ fn lower(mut pieces: Vec<Piece>, by: &Lowered) -> Vec<Piece> {
     }
     // The cylinder itself, and the elements after it.
     let further = whole.to.z > *ends;
-    let mut to = down(if further { Point { radius: whole.to.radius, z: *ends } } else { whole.to });
+    let mut to = down(whole.to);
     let mut behind = Vec::new();
     if further {
+        // Up at 30°, nearly as a nose rolls over a step that is lower than its radius: before an upright one it would stop
+        // a whole radius too soon.
         let up = Point { radius: whole.to.radius, z: *ends };
+        let ramp = Half::from((up.radius - *radius).to_mm() * RAMP);
+        to = down(Point { z: (up.z - ramp).max(from.z), ..up });
         behind.push(Piece::line(to, up));
         behind.push(Piece { from: up, ..whole });
     } else if let Some(after) = pieces.get_mut(index + 1) {
@@ -126,9 +133,9 @@ mod tests {
     #[test]
     fn what_is_no_thread_stays() {
         let drawn = [at(15.0, 0.0), at(15.0, 60.0)];
-        let turned = [at(14.9, 0.0), at(14.9, 35.0), at(15.0, 35.0), at(15.0, 60.0)];
+        let turned = [at(14.9, 0.0), at(14.9, 34.827), at(15.0, 35.0), at(15.0, 60.0)];
         assert_eq!(after(&drawn, (0.0, 35.0), 35.0), turned);
-        let turned = [at(15.0, 0.0), at(15.0, 10.0), at(14.9, 10.0), at(14.9, 35.0), at(15.0, 35.0), at(15.0, 60.0)];
+        let turned = [at(15.0, 0.0), at(15.0, 10.0), at(14.9, 10.0), at(14.9, 34.827), at(15.0, 35.0), at(15.0, 60.0)];
         assert_eq!(after(&drawn, (10.0, 35.0), 35.0), turned);
     }
 }

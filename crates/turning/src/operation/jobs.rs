@@ -227,7 +227,7 @@ pub(super) fn constant_speed(pace: Pace, conditions: Option<&TurningConditions>,
     });
     match (pace, stepless, conditions) {
         (Pace::PerRev { feeds, .. }, Some(limit), Some(conditions)) => {
-            Pace::PerRev { speed: Speed::Cutting { speed: conditions.speed_m_per_min, limit }, feeds }
+            Pace::PerRev { speed: Speed::whole(conditions.speed_m_per_min, limit), feeds }
         }
         (pace, ..) => pace,
     }

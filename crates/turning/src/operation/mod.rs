@@ -47,19 +47,20 @@ pub mod work;
 
 use serde::Serialize;
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
 use crate::material::Material;
-use crate::note::{Finding, Note, Severity};
+use crate::note::{Figure, Finding, Note, Severity};
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
 use crate::turning::jobs::{Body, Job, Work as JobWork};
 use crate::turning::length::Half;
+use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::{Advice, Blank, Workpiece, advice};
 use crate::turning::zones::{self, SetUp};
 use layers::Layers;
-use parted::Parted;
+use parted::{NotParted, Parted};
 use tools::Bench;
 use work::{Hollow, ZoneWork};
 
@@ -233,7 +234,8 @@ fn plan_without(
         barred: Vec::new(),
         knowledge,
     };
-    let mut parted = if parts_off { Parted::of(workpiece, &bench)? } else { None };
+    let tried = if parts_off { Refusal::split(Parted::of(workpiece, &bench))? } else { Err(NotParted::Hole) };
+    let mut parted = tried.ok();
     let mut set_ups = zones::set_ups(
         zones::Workpiece {
             outer: &workpiece.outer,
@@ -270,9 +272,13 @@ fn plan_without(
             let turns = set_up.outer.is_some() || set_up.inner.is_some();
             findings.push(Finding::of_part(if turns { Severity::Wrong } else { Severity::Doubtful }, note));
         }
-        if set_up.faces && set_up.outer.is_none() && parted.is_none() {
+        if let Err(why) = tried
+            && set_up.faces
+            && set_up.outer.is_none()
+        {
             let length = workpiece.blank.end() - workpiece.length();
             let note = Note::new("far-face-cut-away").with("number", set_up.number).with("length", length);
+            let note = note.with("why", why.name());
             findings.push(Finding::of_part(Severity::Note, note));
         }
         let jaws = Jaws::of(&set_up, workpiece, lathe.as_ref(), knowledge)?;
@@ -319,8 +325,19 @@ fn plan_without(
     operation.proven = proof::prove(&operation);
     findings.extend(proof::findings(&operation));
     findings.extend(doubts::doubts(&operation));
+    findings.extend(lathe.as_ref().and_then(|lathe| turret(&operation, lathe)));
     operation.findings = merged(findings);
     Ok(operation)
+}
+
+/// That the turret has fewer places than the operation has tools.
+fn turret(operation: &Operation, lathe: &Lathe<'_>) -> Option<Finding> {
+    let (places, tools) = (lathe.turret_places?, programs::stations(operation).len());
+    let note = Note::new("turret-too-small")
+        .with("tools", tools)
+        .with("places", places)
+        .with("lathe", Figure::word_of("machine", lathe.id().to_owned()));
+    (tools > places).then(|| Finding::of_part(Severity::Doubtful, note))
 }
 
 /// That facing the far end sets free a disc: an earlier set-up has bored or drilled the solid blank as far as the face, and the

@@ -1,6 +1,6 @@
 //! A part that is parted off its bar at the end of the first set-up.
 
-use crate::error::{KnowledgeError, Refusal};
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Finding, Severity};
 use crate::turning::contour::{Contour, SurfaceName};
 use crate::turning::jobs::part_off::{Parting, face_stock, jaw_gap, part_off, width};
@@ -29,25 +29,55 @@ pub(super) struct Parted {
     drilled: Micrometres,
 }
 
+/// Why a bar is not parted behind the part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NotParted {
+    /// The blank is no bar or tube in a chuck.
+    NoBar,
+    /// No blade of the catalog reaches the axis.
+    NoBlade,
+    /// Too little of the blank is left for the jaws.
+    Short,
+    /// The hole through the part is too narrow.
+    Hole,
+}
+
+impl NotParted {
+    /// Its name in messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NoBar => "no-bar",
+            Self::NoBlade => "no-blade",
+            Self::Short => "short",
+            Self::Hole => "hole",
+        }
+    }
+}
+
 impl Parted {
     /// Parting behind the part, where its bar or tube is long enough for the blade and the jaws behind it, and thin enough for a
     /// blade of the catalog; with the stock for a second set-up.
     ///
     /// # Errors
-    /// The knowledge base lacks a table.
-    pub fn of(workpiece: &Workpiece, bench: &Bench<'_, '_>) -> Result<Option<Self>, KnowledgeError> {
+    /// Why not; or the knowledge base lacks a table.
+    pub fn of(workpiece: &Workpiece, bench: &Bench<'_, '_>) -> Tried<Self, NotParted> {
         let bar = matches!(workpiece.blank.kind, StockKind::Bar | StockKind::Tube);
         if workpiece.holding != Holding::Chuck || !bar || bench.lathe.is_none() {
-            return Ok(None);
+            return Err(Refusal::Not(NotParted::NoBar));
         }
         let (stock, gap) = (Half::of(face_stock(bench)?), Half::of(jaw_gap(bench)?));
         let mut parted =
             Self { stock, width: Half::ZERO, gap, length: workpiece.length(), drilled: drilled_through(workpiece) };
         let task = parted.task(workpiece, None, parted.drilled);
-        let Ok(blade) = Refusal::split(width(&task, bench))? else { return Ok(None) };
+        let Ok(blade) = Refusal::split(width(&task, bench))? else {
+            return Err(Refusal::Not(NotParted::NoBlade));
+        };
         parted.width = Half::of(blade);
         let least = JawLengths::of(task.bar, bench.knowledge)?.least;
-        Ok((workpiece.blank.end() - parted.jaws_from() >= least).then_some(parted))
+        if workpiece.blank.end() - parted.jaws_from() < least {
+            return Err(Refusal::Not(NotParted::Short));
+        }
+        Ok(parted)
     }
 
     /// Z of the face that it leaves.

@@ -96,7 +96,7 @@ pub fn programs(
         } else if let Some(why) = proof::rejects(operation, number) {
             Err(NotWritten::Unsafe { why })
         } else {
-            sections(set_up, &stations, form, spindle).and_then(|sections| {
+            sections(set_up, &stations, form, spindle, operation.workpiece.machine.is_some()).and_then(|sections| {
                 program::whole(&control, &operation.workpiece.name, number, &sections, end_of_part)
             })
         };
@@ -116,6 +116,7 @@ pub(super) fn sections(
     stations: &[Station],
     form: Form,
     spindle: Option<RevsPerMinute>,
+    lathe_is_named: bool,
 ) -> Result<Vec<ToolSection>, NotWritten> {
     let mut sections: Vec<ToolSection> = Vec::new();
     for job in &set_up.jobs {
@@ -123,6 +124,10 @@ pub(super) fn sections(
         let (speed, feeds) = match job.pace {
             Pace::PerRev { speed, feeds } => (spindle.map_or(speed, Speed::Spindle), feeds),
             Pace::PerMinute { rates, spindle: known } => {
+                // A spindle speed that the user gives does not stand for figures that the named lathe or tool lacks.
+                if known.is_none() && lathe_is_named {
+                    return Err(NotWritten::NoConditions { tool });
+                }
                 let rpm = spindle.or(known).ok_or(NotWritten::NoSpeed)?;
                 (Speed::Spindle(rpm), per_rev(&rates, rpm))
             }

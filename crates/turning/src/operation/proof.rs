@@ -303,7 +303,7 @@ fn profile(operation: &Operation, set_up: &SetUpWork) -> proof::Profile {
         (own(&set_up.set_up.outer), own(&set_up.set_up.inner))
     };
     let pieces =
-        |profile: &Profile| profile.surfaces.iter().flat_map(|surface| surface_pieces(surface, operation)).collect();
+        |profile: &Profile| (0..profile.surfaces.len()).flat_map(|at| surface_pieces(profile, at, operation)).collect();
     let bore: Vec<proof::ProfilePiece> = inner.as_ref().map(pieces).unwrap_or_default();
     let mut outside: Vec<proof::ProfilePiece> = outer.as_ref().map(pieces).unwrap_or_default();
     // The file may leave out the face of the end.
@@ -324,9 +324,10 @@ fn over(profile: &Profile, length: Half) -> Profile {
     Profile { side: profile.side, surfaces: surfaces.collect() }
 }
 
-fn surface_pieces(surface: &Surface, operation: &Operation) -> Vec<proof::ProfilePiece> {
+fn surface_pieces(profile: &Profile, at: usize, operation: &Operation) -> Vec<proof::ProfilePiece> {
+    let surface = &profile.surfaces[at];
     let later = operation.elsewhere.iter().find(|one| one.surface == surface.name);
-    let thread = (surface.kind == SurfaceKind::Thread).then(|| thread(surface, operation)).flatten();
+    let thread = (surface.kind == SurfaceKind::Thread).then(|| thread(profile, at, operation)).flatten();
     let piece = |piece: &Piece| proof::ProfilePiece {
         path: proof_piece(piece),
         surface: Some((&surface.name).into_figure()),
@@ -356,7 +357,8 @@ fn as_drilled(cone: &Piece) -> Piece {
 
 /// The crests of a thread are its surface as it is turned. Its passes must come between the limits of the pitch diameter: the
 /// tip of a pass lies H/2 − r = √3/4 · P − r beyond the pitch line that it makes, with the nose radius r of the tool.
-fn thread(surface: &Surface, operation: &Operation) -> Option<proof::Thread> {
+fn thread(profile: &Profile, at: usize, operation: &Operation) -> Option<proof::Thread> {
+    let surface = &profile.surfaces[at];
     let name = surface.name.to_string();
     let thread = operation.workpiece.threads.iter().find(|thread| thread.surface == name)?;
     let crest = surface.pieces.first()?.from.radius.to_mm();
@@ -372,7 +374,20 @@ fn thread(surface: &Surface, operation: &Operation) -> Option<proof::Thread> {
     };
     // It is drawn at the nominal diameter and turned to the middle of what its tolerance leaves.
     let turned = thread.crests.as_ref().map_or(crest, |crests| crests.middle_radius().to_mm());
-    Some(proof::Thread { crest: Mm(turned), shallow: Mm(shallow), root: Mm(root) })
+    let run_out = Mm(run_out(profile, at, thread.longest_run_out));
+    Some(proof::Thread { crest: Mm(turned), shallow: Mm(shallow), root: Mm(root), run_out })
+}
+
+/// How far a thread may cut into the metal behind it: as the standard allows, but not into a seat, mm.
+fn run_out(profile: &Profile, at: usize, longest: Option<Micrometres>) -> f64 {
+    /// The coarsest grade of a seat.
+    const SEAT: u8 = 9;
+    let Some(longest) = longest.map(Micrometres::to_mm) else { return 0.0 };
+    let Some(end) = profile.surfaces[at].pieces.last().map(|last| last.to.z.to_mm()) else { return 0.0 };
+    let mut behind = profile.surfaces.iter().skip(at + 1);
+    let seat = behind.find(|next| next.grade.is_some_and(|grade| grade.number() <= SEAT));
+    let seat = seat.and_then(|seat| seat.pieces.first()).map(|first| (first.from.z.to_mm() - end).abs());
+    seat.map_or(longest, |seat| seat.min(longest))
 }
 
 /// The nose radius of the tool that cuts a thread, mm; a sharp point where none does.

@@ -90,7 +90,7 @@ fn cutting(set_up: &SetUpWork) -> Minutes {
 
 /// The toolpaths by the places of the tools, as in a program. If none can be written, those of the jobs.
 fn ways(set_up: &SetUpWork, stations: &[Station]) -> Vec<(u32, Toolpath)> {
-    match sections(set_up, stations, Form::Motions, None) {
+    match sections(set_up, stations, Form::Motions, None, false) {
         Ok(sections) => sections.into_iter().map(|section| (section.tool, section.path)).collect(),
         Err(_) => {
             let of = |job| place(stations, job).unwrap_or_default();

@@ -50,6 +50,11 @@ pub enum NotWritten {
     NoTool,
     /// A speed that is not above 0.
     NoSpeed,
+    /// A tool whose cutting conditions are not known.
+    NoConditions {
+        /// Its place.
+        tool: u32,
+    },
     /// A feed that is not above 0.
     NoFeed {
         /// The feed.
@@ -123,6 +128,7 @@ impl NotWritten {
             Self::RapidArc { piece } => Note::new("lathe-rapid-arc").with("piece", piece),
             Self::NoTool => Note::new("lathe-no-tool"),
             Self::NoSpeed => Note::new("lathe-no-speed"),
+            Self::NoConditions { tool } => Note::new("lathe-no-conditions").with("tool", tool),
             Self::NoFeed { feed } => Note::new("lathe-no-feed").with("feed", feed.0),
             Self::NotMonotone { piece, direction: Direction::Longitudinal } => {
                 Note::new("lathe-contour-turns-back").with("piece", piece)

@@ -20,6 +20,13 @@ pub enum Speed {
     Spindle(RevsPerMinute),
 }
 
+impl Speed {
+    /// A constant cutting speed in whole metres per minute, as controls read it; rounded down.
+    pub const fn whole(speed: MetresPerMinute, limit: RevsPerMinute) -> Self {
+        Self::Cutting { speed: MetresPerMinute(speed.0.floor().max(1.0)), limit }
+    }
+}
+
 /// The feeds of a toolpath by the purpose of its moves, each above 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Feeds {

@@ -34,7 +34,8 @@ impl Spindle {
             Self::Steps(steps) => {
                 steps.iter().rev().find(|step| step.0 <= wanted.0).or_else(|| steps.first()).copied().unwrap_or(wanted)
             }
-            Self::Range { min, max } => RevsPerMinute(wanted.0.min(max.0).max(min.0)),
+            // Whole revolutions, as controls read them.
+            Self::Range { min, max } => RevsPerMinute(wanted.0.min(max.0).floor().max(min.0)),
         }
     }
 
@@ -91,6 +92,8 @@ pub struct Lathe<'k> {
     pub it_face: Option<ItGrade>,
     /// The best roughness of finishing.
     pub best_roughness: Option<Roughness>,
+    /// How many tools its turret holds.
+    pub turret_places: Option<usize>,
     /// Height of the shanks that fit.
     pub shank_height: Option<Micrometres>,
 }
@@ -161,6 +164,7 @@ impl<'k> Lathe<'k> {
             it_inner: grade(Q::ItInner),
             it_face: grade(Q::ItFace),
             best_roughness: any(Q::RaBest).map(|um| Roughness::from_ra_nanometres((um * 1000.0).round() as u32)),
+            turret_places: any(Q::TurretPlaces).map(|places| places as usize),
             shank_height: any(Q::ShankHeight).map(Micrometres::from_mm_rounded),
             record,
         })

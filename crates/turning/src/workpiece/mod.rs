@@ -40,7 +40,7 @@ pub use blank::{Blank, StockKind};
 pub use file::schema;
 pub use preparation::{Advice, advice};
 pub use read::{read_turned, read_turned_node, read_workpiece};
-pub use thread_limits::{ThreadLimits, ToleranceRow, tolerance_rows};
+pub use thread_limits::{ThreadLimits, ToleranceRow, longest_run_out, tolerance_rows};
 
 /// The contents of a turned part's file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -137,6 +137,9 @@ pub struct Thread {
     /// The limits of its pitch diameter; none where the tables have none of its class.
     #[serde(skip)]
     pub flanks: Option<ThreadLimits>,
+    /// The longest run-out that the standard allows behind it; none for a pitch below those of the table.
+    #[serde(skip)]
+    pub longest_run_out: Option<Micrometres>,
 }
 
 impl Thread {

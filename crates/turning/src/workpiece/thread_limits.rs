@@ -4,6 +4,7 @@
 use crate::knowledge::Knowledge;
 use crate::knowledge::table::RowRef;
 use crate::tables::standards::{ThreadDeviations, ThreadPitchTolerance};
+use crate::tables::turning::jobs::ThreadRunOut;
 use crate::turning::contour::Side;
 use crate::turning::length::Half;
 use crate::units::Micrometres;
@@ -75,6 +76,12 @@ pub(super) fn of(
         if side == Side::Outer { outer(basic, class, tolerance) } else { inner(basic, class, tolerance) }
     });
     (crests, flanks)
+}
+
+/// The row of the longest run-out of a thread; for a pitch between two of the table that of the finer one, which is shorter.
+pub fn longest_run_out(side: Side, pitch: Micrometres, knowledge: &Knowledge) -> Option<ThreadRunOut<'_>> {
+    let rows = knowledge.rows::<ThreadRunOut<'_>>().ok()?;
+    rows.into_iter().filter(|row| row.side == side && row.pitch <= pitch).max_by_key(|row| row.pitch)
 }
 
 /// A row behind the limits of a thread.

@@ -12,7 +12,7 @@ use super::Thread;
 use super::groove::GrooveForm;
 use super::items::{Along, ContourItem, GrooveValues, ItemShape, Measure};
 use super::thread::ThreadSize;
-use super::thread_limits;
+use super::thread_limits::{self, longest_run_out};
 
 /// How far the ends of an arc may be off its circle, because they are rounded.
 const SLACK: Half = Half::new(2);
@@ -279,7 +279,10 @@ impl Walk<'_, '_, '_> {
             (Some((thread_size, _)), Some(surface)) if self.walked.surfaces.len() > before => {
                 let (written, size, pitch) = (thread_size.written.clone(), thread_size.size, thread_size.pitch);
                 let (crests, flanks) = thread_limits::of(thread_size, self.walked.side, self.reader.knowledge);
-                let thread = Thread { surface: surface.name.to_string(), written, size, pitch, crests, flanks };
+                let longest_run_out =
+                    longest_run_out(self.walked.side, pitch, self.reader.knowledge).map(|row| row.length);
+                let surface = surface.name.to_string();
+                let thread = Thread { surface, written, size, pitch, crests, flanks, longest_run_out };
                 self.walked.threads.push(thread);
             }
             _ => self.walked.whole = false,

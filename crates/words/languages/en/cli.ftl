@@ -93,8 +93,22 @@ cli-alien-control = the machine `{ $machine }` has the control `{ $control }`, w
 cli-name-control = name one with --control: there are { $known }
 check-of-lathe = this is a program of a lathe, and { $control } is the control of a mill
 check-name-lathe = name the control of the lathe: { $controls }
+check-read-as = the program was read as one of { $control }, because no control is named
+check-read-as-other = name another with --control: { $controls }
 cli-no-machine = the catalog has no machine `{ $id }`
-cli-by-rule = { $what } (rule: { $section })
+cli-by-rule = { $what } (rule: { $section ->
+        [text] how a program is written
+        [words] words
+        [blocks] blocks
+        [motions] motions
+        [cycles] cycles
+        [calls] subprograms
+        [spindle] spindle
+        [machine] machine
+        [start] state at the start
+        [part] comparison with the part
+       *[other] textbook { $section }
+    })
 cli-run-lint = the table is at fault; `technolog lint` shows where
 cli-printed-otherwise = { $column }: printed as "{ $printed }": { $reason }
 cli-all-rows-of-one-source = Origin of every row: { $source }
@@ -126,7 +140,7 @@ cli-expected-it = a tolerance grade, 1 to 18
 cli-expected-roughness = a roughness such as "Ra 2.5"
 cli-expected-in-unit = { $what } in { $unit }
 cli-alien-ending = `{ $command }` writes no { $ending } files
-cli-known-endings = it writes { $known }; an ending of programs, such as .nc, or none does too
+cli-known-endings = it writes { $known }
 cli-other-kind = this is { $is }, but { $wanted } is needed here
 cli-kind-command = its command is `{ $command }`
 cli-kind-turned = its command is `technolog turn { $file }`; a program for it is checked by `technolog check PROGRAM --control linuxcnc-lathe --part { $file }`
@@ -137,7 +151,7 @@ cli-kind-help = `technolog --help` lists the commands and the files that they ta
 kind-part = a file of a part with holes
 kind-turned = a file of a turned part
 kind-plan = a plan
-kind-cases = a file of tests
+kind-cases = a file of cases
 kind-setting = a setting file
 kind-marks = a marking scheme
 kind-table = a table of the knowledge base

@@ -54,6 +54,7 @@ unit-write-decimal-point-comma = write the decimal point, not a comma
 unit-letter-stands-where-zero-may = the letter `{ $wrong }` stands where a zero may be meant
 unit-one-number-without-plus-minus = one number is needed here, without ±
 unit-no-digit = `{ $other }` is not a digit
+unit-behind-number = write the number alone, without `{ $unit }`, in the unit of its key
 unit-more-than-six-decimal-places = more than six decimal places
 unit-tolerance-grade-whole-number-from = `{ $text }` is not a tolerance grade: a whole number from 1 to 18
 unit-write-bare-number-millimetres = `{ $text }`: write the bare number of millimetres, `{ $number }`

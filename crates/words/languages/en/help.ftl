@@ -70,7 +70,7 @@ help-options = Options
 help-usage = Usage
 # What is wrong with the arguments of a command.
 usage-missing = these arguments are missing: { $argument }
-usage-unknown = unknown argument `{ $argument }`
+usage-unknown = unknown option or argument `{ $argument }`
 usage-no-command = there is no command `{ $command }`
 usage-command-missing = no command is given
 usage-value-missing = the argument `{ $argument }` needs a value

@@ -57,7 +57,7 @@ lathe-arc-unsaid = an arc of a contour that does not say G2 or G3: the control t
 lathe-contour-behind = the contour { $name } is read from behind the end of the program
     .help = on the control it is a file of its own, { $name }.SPF
 # A program held against its turned part.
-turned-held = the program was carried through set-up { $number } of { $of } of the part: the stock, the inserts with their nose and their holders
+turned-held = the program was followed through set-up { $number } of { $of } of the part: stock, inserts with their nose, holders
 turned-mend-first = the program was not held against the part: blocks with errors do not move
     .help = mend the errors first
 turned-no-set-up = the part has no set-up { $number }; it has { $known }

@@ -4,9 +4,14 @@ no-rough-contour = the rough contour cannot be built: { $why }
 no-contour-of-nose = { $tool }: the contour cannot be offset for its nose: { $why }; its toolpaths are those of a sharp tip
 set-up-not-held = set-up { $number }: no part of it is long enough for the jaws; hold it between centres or leave a longer blank
 far-face-as-parted = nothing of the part is long enough to hold it turned over, so its far face stays as the blade leaves it: rough, hollow by some tenths, perhaps with a pip
-far-face-cut-away = set-up { $number }: { $length } mm of the blank are left behind the part; they are faced away: it is cheaper to saw them off before this set-up down to a facing allowance; they are not parted off: no blade of the catalog reaches the axis with room for the jaws behind it, or the blank is no bar
+far-face-cut-away = set-up { $number }: { $length } mm of the blank are left behind the part; they are faced away: it is cheaper to saw them off before this set-up down to a facing allowance; they are not parted off: { $why ->
+        [no-bar] the blank is no bar or tube in a chuck
+        [no-blade] no blade of the catalog reaches the axis
+        [short] too little of the blank is left for the jaws behind the blade
+       *[hole] the hole through the part comes out too narrow for the blade
+    }
 face-frees-slug = set-up { $number }: the hole of Ø{ $diameter } is there already, so the last passes over the face set a disc free, which may jam: saw or part the end off before this set-up, or stop and take the disc out
-bottom-allowance-less = on the bottom of the bore { $left } mm are left instead of { $wanted }: the secondary edge of a bar that goes towards the axis takes no more; 0 means that the flat drill finishes the bottom
+bottom-allowance-less = allowance on the bottom of the bore { $left } mm instead of { $wanted } mm: the secondary edge of a bar that goes towards the axis takes no more; with 0 mm the flat drill finishes the bottom
 bore-drilled-first = the bore is drilled first: Ø{ $diameter }, { $depth } mm deep; the diameter is our choice: a multiple of { $step } mm, at least { $stock } mm a side below the rough bore, and not above { $largest } mm
 bore-too-narrow-to-drill = the bore of Ø{ $diameter } is too narrow to be drilled and bored
 no-limiting-depth = the limiting depth is not known: give `roughing: {"{"}limiting_depth: …{"}"}` or a lathe, `machine:`
@@ -26,7 +31,7 @@ turning-tool-taken = { $tool }: it fits this many zones: { $zones }
 set-up-of-lathe = --set-up is for turned parts: this control is of a mill
     .help = leave it out, or name the control of a lathe: --control linuxcnc-lathe
 only-for-steps = this is shown for a stepped shaft (`steps:`) only
-    .help = for a contour there are `--show operation`, `program` and `cycle`
+    .help = for a contour there are `--show operation`, `schemes`, `program`, `cycle`, `setting` and `tool-table`
 no-tool-table = a tool table is a file of LinuxCNC alone
     .help = give --control linuxcnc, or see --show setting
 surface-not-finished = { $surface }: keeps its finishing allowance; no job finishes it
@@ -51,3 +56,4 @@ nose-fills-hollow = the nose of radius { $nose } mm fills the hollow of radius {
 lathe-unsafe = its program is not written, because the proof rejects it: { $why }
     .help = the page of the operation lists every finding; change the part, its blank, tool or scheme until there is none
 turning-not-proven = set-up { $number }: what it does to the stock could not be proven: { $why }
+turret-too-small = { $tools } tools, and the turret of { $lathe } has { $places } places: put the others in by hand at a stop, at the number of a place that is free then

@@ -35,7 +35,7 @@ audit-column-error = Errors
 audit-column-wrong = Wrong
 audit-column-doubtful = Doubtful
 audit-column-note = Notes
-audit-column-follow = Of these follow
+audit-column-follow = Consequences
 audit-column-file = File
 audit-column-root = First root
 audit-column-marks = Marks
@@ -92,7 +92,7 @@ audit-free = at no cost: { $counts }
 audit-free-follow = consequences { $count }
 audit-free-capped = beyond a cap { $count }
 audit-free-other = others { $count }
-audit-failed-mark = { $points } !
+audit-failed-mark = { $points } (fail)
 # A folder of plans.
 audit-folder = Audit of plans
 audit-folder-summary = { $plans ->

@@ -1,6 +1,6 @@
 # A program that was run.
 check-title = Check of the program { $program }
-check-made = Made of what the plan requires
+check-made = What the plan requires, and what the program makes of it
 check-not-compared = the program was not compared with the part: a program with an error in its text is not run
 check-mend-first = fix the errors above, then check again
 check-trace = Motions: line, block, motion, machine position in mm

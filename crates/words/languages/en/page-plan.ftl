@@ -82,7 +82,7 @@ plan-thrust = P
 plan-torque = M
 plan-machine-time = Tm
 plan-mark = { $mark } rests on a row of a table that nothing confirms: see the findings.
-plan-for-one-hole = Tm is the machine time of one hole.
+plan-for-one-hole = L is the travel at feed, t the depth of cut, S the feed, V the cutting speed, n the spindle speed, F the feed rate, P the thrust, M the torque, N, kW the power, and Tm the machine time of one hole.
 plan-coolant = With coolant: { $operations }.
 plan-limited = { $hole }, { $operation } Ø{ $diameter }: limited by { $by }
 plan-card = { $hole }, { $operation }: by the card S = { $feed } mm/rev, V = { $speed } m/min, P = { $force } N, N = { $power } kW
@@ -126,4 +126,6 @@ explain-reason = because: { $why }
 explain-to-be-ground = * { $why }
 explain-unconfirmed = * unconfirmed: { $why }
 explain-not-taken = not taken: { $why }
+explain-sources = Sources named by letters
+explain-source = { $id }: { $source }
 plan-ground = { $designation }, ground from Ø{ $from } to Ø{ $to }

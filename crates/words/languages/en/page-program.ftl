@@ -21,6 +21,9 @@ encoding-comment = comment: { $text }
 encoding-skip = /: what follows is left out on request
 encoding-tape = %: start or end of the program
 encoding-statement = { $text }: statement of the control
+encoding-sub = { $text }: the subprogram begins
+encoding-endsub = { $text }: the subprogram ends
+encoding-call = { $text }: call of the subprogram
 # What the operator sets before a program runs.
 setting-title = Setting of the machine: { $part }
 setting-stand = set-up { $setup }: the part on supports of { $supports } mm; { $nose } mm from the table to the spindle nose with the ram up
@@ -33,4 +36,4 @@ setting-places = The program calls the number of the place T.
 setting-load = T{ $tool } is put into place { $place } by hand while the program stops at M00 before it; the program calls it T{ $place }
 setting-zeros = Zeros of the part, from the zero of the machine
 setting-frame = Frame
-setting-file = The file of this setting for `technolog check … --setting` comes of `--show setting --format yaml`.
+setting-file = `--show setting --format yaml` writes the file of this setting for `technolog check … --setting`.

@@ -116,6 +116,7 @@ turn-even = with an even allowance: { $best }
 turn-scheme-refused = scheme “{ $scheme }” refused: { $why }
 turn-support-point = { $name }: Ø{ $diameter }, Z { $z }
 turn-support-points = support points: { $points }
+turn-taken-by-rule = taken: “{ $scheme }”, which the file or the rule of the zone names; “{ $quicker }” is quicker
 turn-taken = Taken
 turn-beside = Feed in air
 turn-rapid = Rapid
@@ -155,6 +156,7 @@ turn-program = { $number }: set-up { $set_up }, { $count ->
     } { $tools }
 turn-program-not-written = { $program }: { $why }
 turn-one-of-programs = this is program { $number } of { $of }, for set-up { $set_up } only; for the others: { $others }
+turn-written-despite = What was asked for is written all the same: it does not make the whole part, and must not be run before the errors are mended.
 turn-no-such-program = there is no program of this number
 turn-programs-are = give one of these with --number: { $known }
 turn-no-programs = there is no program, because no zone of the part could be planned
@@ -188,7 +190,7 @@ set-z-point = touch a finished face with the point and enter its Z
 set-z-thread = bring the point over a finished face by eye and enter its Z
 set-z-nose = the centre of the nose; no face touches it, so measure it with a presetter
 set-z-presetter = the theoretical point; the edge leans over a face, so measure it with a presetter
-set-zero-again = Z 0 anew after turning over: the finished part is { $length } mm long, so Z 0 lies so far from the finished face at the chuck
+set-zero-again = after turning over, set Z 0 again: the finished part is { $length } mm long, so Z 0 lies that far from the finished face at the chuck
 set-driver = the driver is not chosen: a dog, or a face driver smaller than what is turned at that end; a live centre in the tailstock
 # Drawings.
 turn-panel = { $variant }: cutting path { $path } mm, { $count } { $count ->

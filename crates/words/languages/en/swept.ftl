@@ -3,19 +3,19 @@ swept-gouge = { $surface }: cut { $depth } mm too deep at Z{ $z } Ø{ $diameter 
         [one] place
        *[other] places
     } in all
-swept-rapid = { $tool } goes through metal at rapid at Z{ $z } Ø{ $diameter }: { $width } mm where it is narrowest; { $count } { $count ->
+swept-rapid = { $tool } goes through metal at rapid at Z{ $z } Ø{ $diameter }: they overlap by { $width } mm; { $count } { $count ->
         [one] motion
        *[other] motions
     } in all
-swept-holder = the holder of { $tool } goes into metal at feed at Z{ $z } Ø{ $diameter }: { $width } mm where it is narrowest; { $count } { $count ->
+swept-holder = the holder of { $tool } goes into metal at feed at Z{ $z } Ø{ $diameter }: they overlap by { $width } mm; { $count } { $count ->
         [one] motion
        *[other] motions
     } in all
-swept-holder-rapid = the holder of { $tool } goes into metal at rapid at Z{ $z } Ø{ $diameter }: { $width } mm where it is narrowest; { $count } { $count ->
+swept-holder-rapid = the holder of { $tool } goes into metal at rapid at Z{ $z } Ø{ $diameter }: they overlap by { $width } mm; { $count } { $count ->
         [one] motion
        *[other] motions
     } in all
-swept-struck = { $tool } strikes { $body } at Z{ $z } Ø{ $diameter }: { $width } mm where it is narrowest; { $count } { $count ->
+swept-struck = { $tool } strikes { $body } at Z{ $z } Ø{ $diameter }: they overlap by { $width } mm; { $count } { $count ->
         [one] motion
        *[other] motions
     } in all

@@ -9,7 +9,7 @@ groove-too-narrow = { $surface }: { $room } mm of room at the floor, and the nar
 groove-beyond-blade = { $surface }: the tool must reach { $depth } mm deep, and it reaches { $reach } mm
 groove-face-too-small = { $surface }: its outer diameter { $diameter } mm is less than { $least } mm, for which the blade is curved
 groove-faces-chuck = { $surface }: it is in a face towards the chuck, where no tool of this set-up comes
-groove-undercut = { $surface }: it lies under both of its neighbours: φ ≥ { $main }° and φ1 ≥ { $secondary }° are needed, and with the angle of an insert that is more than 180°
+groove-undercut = { $surface }: it undercuts both of its neighbours: a lead angle φ of at least { $main }° and a trailing angle φ1 of at least { $secondary }° are needed, and with the angle of an insert that is more than 180°
     .help = a form tool that is fed in at 45° cuts it; write its pass by hand
 thread-no-insert = the catalog has threading inserts for pitches of { $least } to { $most } mm whose nose is known, none for { $pitch } mm
 thread-no-passes = the table of passes ends before the pitch of { $pitch } mm
@@ -35,7 +35,10 @@ groove-width-of-blade = { $surface }: its width is that of the blade: measure th
 job-tool-taken = { $tool } is taken
 job-limit = { $name } = { $value }
 grooving-practice = the maker of the blade: { $feed-min } to { $feed-max } mm/rev, at least { $speed } m/min at a width of { $width } mm
-thread-passes = { $surface }: { $thread } by { $tool }, { $depth } mm deep, passes: { $passes }, then as many at the last depth: { $springs }; fed in at { $angle }°
+thread-passes = { $surface }: { $thread } by { $tool }, { $depth } mm deep; { $passes } { $passes ->
+        [one] pass
+       *[other] passes
+    }, then { $springs } more at full depth; fed in at { $angle }°
 thread-ways = { $surface }: the tool begins { $entry } mm before the thread and ends { $run-out } mm behind it
 thread-pulled-out = { $surface }: nothing is cut away behind the thread, so over { $length } mm the tool is drawn out of the metal; full depth ends before
 thread-crests = { $surface }: turned to Ø{ $turned } before the thread, the middle of Ø{ $least } to Ø{ $most } that ISO 965-1 leaves for crests of { $class }
@@ -67,3 +70,6 @@ thread-flanks = { $surface }: { $thread } is programmed to the pitch diameter Ø
 thread-flanks-basic = { $surface }: the limits of the pitch diameter of { $thread } are not known here, so it is programmed to that of the basic profile, Ø{ $made }, where the GO gauge may not go yet: measure it and correct it by the tool's offset
 thread-deviation = deviation of { $class } from the basic profile: { $value } mm
 thread-tolerance = tolerance of the pitch diameter for { $class }: { $value } mm
+thread-run-out-too-long = { $surface }: without a relief the thread runs out over { $needs } mm of metal, and the standard allows { $most } mm: draw a relief behind it
+thread-run-out-on-seat = { $surface }: without a relief the thread runs out on { $seat }, a surface of IT{ $grade }, and scores it: draw a relief behind the thread, or end it earlier
+thread-longest-run-out = the run-out of a pitch of { $pitch } mm is at most { $length } mm

@@ -25,7 +25,7 @@ grid-too-fine = too many levels and slices: { $states } states, at most { $most 
     .help = take larger depths
 # What the command cannot do with what it was given.
 no-rates = no feeds to calculate the time with: the file has no `rates`
-    .help = add rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}, mm/min
+    .help = add the feeds, in mm/min, such as `rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}`
 rich-has-no-time = time cannot be the objective with rich moves
     .help = take another objective: path, path-and-passes or passes
 # Why a pass.

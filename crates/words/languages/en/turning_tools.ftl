@@ -1,7 +1,7 @@
 # What is not known, and what does not fit.
 lathe-lacks = the record of the lathe { $lathe } has no `{ $quantity }`
 turning-tool-lacks = the row of the tool { $tool } has no `{ $quantity }`
-bound-not-reckoned = the limit “{ $bound }” is left out: { $of } has no figure “{ $what }”
+bound-not-reckoned = limits by “{ $what }” are left out: the record of { $of } has no such figure
 limit-not-known = the limiting depth of cut is not known: { $of } has no figure “{ $what }” ({ $bound })
 angle-beyond-table = an angle of { $angle } degrees is outside the table { $table }
 lathe-too-small = lathe { $lathe }: { $is } mm is more than its `{ $quantity }`, { $most } mm
@@ -12,7 +12,7 @@ threads-not-reckoned = cutting conditions of threading with { $tool } are not ca
 too-fine-to-turn = { $roughness } is finer than the feed tables of turning go
 too-fine-for-lathe = lathe { $lathe }: { $roughness } is finer than its best, { $best }
 # Why a figure.
-feed-bound-by-nose = the nose bears no more: { $feed } mm/rev = { $share } of its radius of { $radius } mm
+feed-bound-by-nose = the nose allows no more: { $feed } mm/rev = { $share } of its radius of { $radius } mm
 turning-feed = feed { $feed } mm/rev, tool { $tool }
 turning-finish-feed = feed by the roughness { $feed } mm/rev
 feed-strength-factor = feed × { $factor }: strength of the steel
@@ -22,7 +22,7 @@ internal-factor = speed × { $factor }: in a bore
 angle-speed-factor = speed × { $factor }: angle { $angle } degrees
 angle-force-factor = force × { $factor }: angle { $angle } degrees
 rake-force-factor = force × { $factor }: rake { $angle } degrees
-practice-range = public tables drive { $low } to { $high } m/min; the handbook has no formula for this material
+practice-range = public speed tables have { $low } to { $high } m/min; the handbook has no formula for this material
 specific-force = specific cutting force of group { $group } of VDI 3323: kc1 = { $kc } MPa, mc = { $mc }
 force-share = × { $factor }: share of the main force
 lathe-limit = the lathe gives { $limit }

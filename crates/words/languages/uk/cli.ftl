@@ -93,6 +93,8 @@ cli-alien-control = на верстаті `{ $machine }` пристрій ЧПК
 cli-name-control = назвіть його: --control, є { $known }
 check-of-lathe = це програма токарного верстата, а { $control } – пристрій ЧПК фрезерного
 check-name-lathe = назвіть пристрій ЧПК токарного верстата: { $controls }
+check-read-as = програму прочитано як програму для { $control }, бо пристрою ЧПК не названо
+check-read-as-other = інший назвіть через --control: { $controls }
 cli-no-machine = верстата `{ $id }` в каталозі немає
 cli-by-rule = { $what } (правило: { $section ->
         [text] як пишуть програму
@@ -104,7 +106,8 @@ cli-by-rule = { $what } (правило: { $section ->
         [spindle] шпиндель
         [machine] верстат
         [start] стан на початку
-       *[other] { $section }
+        [part] звірення з деталлю
+       *[other] посібник { $section }
     })
 cli-run-lint = це вада таблиці; її показує `technolog lint`
 cli-printed-otherwise = { $column }: надруковано «{ $printed }»: { $reason }
@@ -140,7 +143,7 @@ cli-expected-it = квалітет, від 1 до 18
 cli-expected-roughness = шорсткість, наприклад "Ra 2.5"
 cli-expected-in-unit = { $what }, { $unit }
 cli-alien-ending = команда `{ $command }` не пише файлів { $ending }
-cli-known-endings = вона пише { $known }; годиться й закінчення програм, як-от .nc, або ніякого
+cli-known-endings = вона пише { $known }
 cli-other-kind = це { $is }, а тут потрібен { $wanted }
 cli-kind-command = для нього є команда `{ $command }`
 cli-kind-turned = для нього є команда `technolog turn { $file }`, а програму до нього перевіряє `technolog check PROGRAM --control linuxcnc-lathe --part { $file }`

@@ -27,10 +27,10 @@ thread-runout = під глуху різь свердлять на { $runout } �
 mill-clearance = фреза менша за отвір, у який входить, щонайменше на { $clearance } мм
 ground-within = перешліфовується щонайбільше на { $limit } мм
 feed-held = подачу обмежено { $limit } мм/хв
-stand-in = { $table } не має числа для матеріалу { $material }; взято { $group }
+stand-in = { $table } не має числа для матеріалу { $material }; узято: { $group }
 no-figure = { $operation }: таблиця { $table } не має числа для матеріалу { $material }
 stand-in-operation = { $operation }: власних чисел немає; взято числа переходу «{ $instead }»
-stand-in-tool-material = { $table } не має числа для інструмента { $tool }; взято { $other }
+stand-in-tool-material = { $table } не має числа для інструментального матеріалу { $tool }; узято: { $other }
 no-cutter-shape = { $operation }: фрезу не вказано
 no-pitch = { $operation }: крок різі не вказано
 mill-does-not-enter = { $operation }: фреза Ø{ $diameter } не входить в отвір Ø{ $hole }
@@ -50,7 +50,7 @@ reaming-feed-blind = глухий отвір: подача в межах { $low 
 reaming-load-coefficients = коефіцієнти сили різання зуба розвертки
 reamer-teeth = зубів розвертки { $teeth }
 too-deep = { $operation }: глибина { $ratio } D поза таблицею { $table }
-card-calibration = карта: { $name } × { $factor } від формули
+card-calibration = карта: { $name } × { $factor } до того, що дає формула
 card-point = карта друкує тут V = { $speed } м/хв, P = { $thrust } Н, N = { $power } кВт
 card-point-forces-differ = карта друкує тут V = { $speed } м/хв, P = { $thrust } Н, N = { $power } кВт; силу й потужність формула не відтворює; навантаження взято за формулою
 card-corrections = поправки прикладу: швидкість × { $product }, матеріал { $material }

@@ -54,6 +54,7 @@ unit-write-decimal-point-comma = пишіть десяткову крапку, �
 unit-letter-stands-where-zero-may = стоїть буква `{ $wrong }`, а мав би бути нуль
 unit-one-number-without-plus-minus = тут потрібне одне число, без ±
 unit-no-digit = `{ $other }` – не цифра
+unit-behind-number = напишіть саме число, без `{ $unit }`, в одиниці його ключа
 unit-more-than-six-decimal-places = понад шість знаків після крапки
 unit-tolerance-grade-whole-number-from = `{ $text }` – не квалітет: це ціле число від 1 до 18
 unit-write-bare-number-millimetres = `{ $text }`: напишіть лише число міліметрів, `{ $number }`

@@ -70,7 +70,7 @@ help-options = Параметри
 help-usage = Використання
 # What is wrong with the arguments of a command.
 usage-missing = бракує аргументів: { $argument }
-usage-unknown = невідомий аргумент `{ $argument }`
+usage-unknown = невідомий параметр чи зайве слово `{ $argument }`
 usage-no-command = невідома команда `{ $command }`
 usage-command-missing = не вказано команди
 usage-value-missing = аргумент `{ $argument }` потребує значення

@@ -59,8 +59,8 @@ unconfirmed-counted = числа спираються на { $count ->
     [1] таблиці
    *[other] таблиць
 } { $tables }: перелік із причинами дає `--all-problems`
-to-be-ground = { $table }, рядок { $row }: { $why }
-unconfirmed = не підтверджено: { $table }, рядок { $row }: { $why }
+to-be-ground = { $table }, ряд. { $row }: { $why }
+unconfirmed = не підтверджено: { $table }, ряд. { $row }: { $why }
 names-look-alike = { $count } { $count ->
         [one] групу
         [few] групи

@@ -31,7 +31,7 @@ audit-column-error = Помилки
 audit-column-wrong = Хибні значення
 audit-column-doubtful = Сумнівні
 audit-column-note = Зауваження
-audit-column-follow = З них наслідки
+audit-column-follow = Наслідки
 audit-column-file = Файл
 audit-column-root = Перша причина
 audit-column-marks = Бали
@@ -88,7 +88,7 @@ audit-free = без втрати балів: { $counts }
 audit-free-follow = наслідків – { $count }
 audit-free-capped = понад межу – { $count }
 audit-free-other = інших – { $count }
-audit-failed-mark = { $points } !
+audit-failed-mark = { $points } (не складено)
 # A folder of plans.
 audit-folder = Перевірка планів
 audit-folder-summary = планів – { $plans }, з них не читається – { $unread }; помилок – { $error }, хибних значень – { $wrong }, сумнівних – { $doubtful }, зауважень – { $note }

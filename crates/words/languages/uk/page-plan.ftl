@@ -71,14 +71,14 @@ plan-thrust = Ро
 plan-torque = Мкр
 plan-machine-time = То
 plan-mark = { $mark } – спирається на рядок таблиці, якого ніщо не підтверджує: див. зауваження.
-plan-for-one-hole = То – основний (машинний) час на один отвір.
+plan-for-one-hole = L – шлях на робочій подачі, t – глибина різання, S – подача, V – швидкість різання, n – частота обертання, Sхв – хвилинна подача, Ро – осьова сила, Мкр – крутний момент, N, кВт – потужність, То – основний (машинний) час на один отвір.
 plan-coolant = З МОР: { $operations }.
 plan-limited = { $hole }, { $operation } Ø{ $diameter }: режим обмежує { $by }
 plan-card = { $hole }, { $operation }: за картою S = { $feed } мм/об, V = { $speed } м/хв, Ро = { $force } Н, N = { $power } кВт
 # Clamping and time.
 plan-largest-force = Найбільша потрібна сила закріплення – для отвору { $hole }: M = { $torque } Н·м, до притискача { $distance } мм, W = k·M/(f·d) = { $force } Н.
-plan-clamps = Притискачі { $points }: сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
-plan-clamps-proposed = Притискачі { $points } (запропоновано): сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
+plan-clamps = Притискачі { $points }: сила на кожному Q = { $force } Н, гвинт { $screw }; точка заміни інструмента – не ближче ніж { $distance } мм від притискача.
+plan-clamps-proposed = Притискачі { $points } (запропоновано): сила на кожному Q = { $force } Н, гвинт { $screw }; точка заміни інструмента – не ближче ніж { $distance } мм від притискача.
 plan-weak-screw = Гвинт заслабкий: витримує { $bears } Н, а потрібно { $force } Н.
 plan-supports-given = Установ { $setup }: деталь на опорах { $height } мм, як задано у файлі.
 plan-supports-assumed = Установ { $setup }: деталь на опорах { $height } мм, щоб інструментові було куди вийти під деталлю; у файлі висоти не задано (fixture.height).
@@ -115,4 +115,6 @@ explain-reason = підстава: { $why }
 explain-to-be-ground = * { $why }
 explain-unconfirmed = * не підтверджено: { $why }
 explain-not-taken = не взято: { $why }
+explain-sources = Джерела, названі літерами
+explain-source = { $id } – { $source }
 plan-ground = { $designation }, перешліфувати з Ø{ $from } на Ø{ $to }

@@ -114,10 +114,11 @@ turn-work = Зона { $zone }, Z { $from } → { $to }
 turn-depth-of-work = Глибина робочого ходу t{"р.х"} = { $depth } мм.
 turn-conditions = S = { $feed } мм/об, V = { $speed } м/хв, n = { $rpm } об/хв, S{"хв"} = { $rate } мм/хв.
 turn-conditions-with-force = S = { $feed } мм/об, V = { $speed } м/хв, n = { $rpm } об/хв, S{"хв"} = { $rate } мм/хв; Pz = { $force } Н, N = { $power } кВт.
-turn-even = з рівномірним припуском – { $best }
+turn-even = серед схем із рівномірним припуском { $best }
 turn-scheme-refused = схему «{ $scheme }» відхилено: { $why }
 turn-support-point = { $name }: Ø{ $diameter }, Z { $z }
 turn-support-points = опорні точки: { $points }
+turn-taken-by-rule = узято «{ $scheme }», бо так каже файл або правило зони; «{ $quicker }» швидша
 turn-taken = Взято
 turn-beside = Робоча подача поза металом
 turn-rapid = Прискорені переміщення
@@ -156,6 +157,7 @@ turn-program = { $number }: установ { $set_up }, { $count ->
     } { $tools }
 turn-program-not-written = { $program }: { $why }
 turn-one-of-programs = записано програму { $number } з { $of }, лише для установа { $set_up }; решта: { $others }
+turn-written-despite = Замовлене все одно записано: усієї деталі воно не робить, і пускати його не можна, доки помилок не усунуто.
 turn-no-such-program = немає програми з таким номером
 turn-programs-are = вкажіть у --number одну з цих: { $known }
 turn-no-programs = програм немає, бо жодної зони деталі не спроєктовано
@@ -190,7 +192,7 @@ set-z-thread = на око підвести вершину до оброблен
 set-z-nose = центр радіуса вершини; торець його не торкається, тож виміряти приладом для налагодження
 set-z-presetter = теоретична вершина; різальна кромка нависає над торцем, тож виміряти приладом для налагодження
 set-zero-again = після перевертання Z 0 шукають знову: готова деталь завдовжки { $length } мм, тож Z 0 – на такій відстані від готового торця біля патрона
-set-driver = повідець не вибрано: хомутик або торцевий повідець, менший за те, що точать на цьому кінці; у задній бабці – обертовий центр
+set-driver = повідка не вибрано: хомутик або торцевий повідок, менший за те, що точать на цьому кінці; у задній бабці – обертовий центр
 # Drawings.
 turn-panel = { $variant }: шлях різання { $path } мм, { $count } { $count ->
         [one] робочий хід

@@ -25,7 +25,7 @@ grid-too-fine = рівнів і шарів забагато: { $states } ста�
     .help = візьміть більші глибини
 # What the command cannot do with what it was given.
 no-rates = для часу бракує подач: у файлі немає `rates`
-    .help = допишіть rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}, мм/хв
+    .help = допишіть подачі, мм/хв, наприклад `rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}`
 rich-has-no-time = з розширеними ходами час не шукається
     .help = візьміть іншу мету: path, path-and-passes чи passes
 # Why a pass.

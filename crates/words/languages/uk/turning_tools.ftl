@@ -1,7 +1,7 @@
 # What is not known, and what does not fit.
 lathe-lacks = каталог верстата { $lathe } не має `{ $quantity }`
 turning-tool-lacks = рядок різця { $tool } не має `{ $quantity }`
-bound-not-reckoned = обмеження «{ $bound }» не враховано: у даних верстата { $of } немає величини «{ $what }»
+bound-not-reckoned = обмежень за величиною «{ $what }» не враховано: у даних верстата { $of } її немає
 limit-not-known = граничну глибину різання не знайти: { $of } не має величини «{ $what }» ({ $bound })
 angle-beyond-table = кут { $angle }° поза таблицею { $table }
 lathe-too-small = верстат { $lathe }: { $is } мм більше за його `{ $quantity }`, { $most } мм

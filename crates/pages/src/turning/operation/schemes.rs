@@ -40,9 +40,15 @@ pub(super) fn schemes(
         Inlines::sentence(&say!(lang, "turn-scheme-refused", scheme = scheme, why = &refused.why))
     }));
     if let Some(taken) = work.transition() {
-        let points: Vec<&str> = taken.points.iter().map(|point| point.name.as_str()).collect();
-        items.push(say!(lang, "turn-support-points", points = points.join(", ")).into());
-        items.extend(coordinates(&taken.points, lang).map(Inlines::from));
+        if let Some(even) = work.quickest_even.as_ref().filter(|even| even.scheme != taken.scheme.name()) {
+            let (scheme, quicker) = (word(taken.scheme.name()), word(even.scheme));
+            items.push(say!(lang, "turn-taken-by-rule", scheme = scheme, quicker = quicker).into());
+        }
+        if let Some(coordinates) = coordinates(&taken.points, lang) {
+            let points: Vec<&str> = taken.points.iter().map(|point| point.name.as_str()).collect();
+            items.push(say!(lang, "turn-support-points", points = points.join(", ")).into());
+            items.push(coordinates.into());
+        }
     }
     page.blocks.push(Block::List(items.into_iter().map(Item::from).collect()));
 }

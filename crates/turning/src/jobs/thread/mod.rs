@@ -26,7 +26,7 @@ use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::tooling::{Hand, Lathe, Place, Spindle, ToolKind, TurningTool};
 use crate::turning::toolpath::{Purpose, Toolpath};
-use crate::turning::workpiece::{Thread, ThreadLimits, ToleranceRow, tolerance_rows};
+use crate::turning::workpiece::{Thread, ThreadLimits, ToleranceRow, longest_run_out, tolerance_rows};
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
 use technolog_cutting::{rpm_at, speed_at};
 
@@ -80,8 +80,14 @@ pub fn thread(
         entry: Half::from(entry),
         run_out: Half::from(lost),
         side_of_insert: Half::of(limits.length(JobLimit::ThreadInsertSide)?),
+        longest: thread.longest_run_out.unwrap_or_default(),
+        finest: limits.ratio(JobLimit::ThreadRunOutGrade)?,
     };
     let found = asked.find(site, surface)?;
+    if let Some(row) = longest_run_out(side, thread.pitch, bench.knowledge).filter(|_| found.pull_out) {
+        let note = Note::new("thread-longest-run-out").with("pitch", row.pitch).with("length", row.length);
+        because.push(Because::row(row.row, note));
+    }
     let Divided { depths, springs, because: of_passes } =
         divided(thread, side, root.max(crest) - root.min(crest), passes, &mut limits, bench)?;
     because.extend(of_passes);

@@ -27,6 +27,10 @@ pub(super) struct Room {
     pub run_out: Half,
     /// From the tip of the insert to its side.
     pub side_of_insert: Half,
+    /// The longest run-out in the metal behind a thread without a relief.
+    pub longest: Micrometres,
+    /// The number of the finest IT grade of a surface on which a thread may run out.
+    pub finest: f64,
 }
 
 /// Where the passes begin and end.
@@ -114,6 +118,11 @@ impl Room {
             // After the thread there is metal up to the crests: the tool is withdrawn from it, at 45° or flatter.
             _ => (end + self.run_out.max(crest - root + self.lift), true),
         };
+        if pull_out {
+            let in_metal =
+                Half::from((to - end).to_mm() * ((crest - root).to_mm() / (crest - root + self.lift).to_mm()));
+            self.runs_out(surface, behind, end + in_metal)?;
+        }
         if let Some(stands) = stands {
             let (needs, room) = (to - end + insert, stands - end);
             if needs > room {
@@ -121,5 +130,22 @@ impl Room {
             }
         }
         Ok(Found { from, to, pull_out })
+    }
+
+    /// Whether the thread may run out in the metal behind it, to a Z.
+    fn runs_out(self, surface: &Surface, behind: &[Surface], to: Half) -> Tried<(), NoJob> {
+        let needs = to - self.thread.to.z;
+        if needs > Half::of(self.longest) {
+            let (surface, most) = (surface.name.clone(), self.longest);
+            return Err(Refusal::Not(NoJob::RunOutTooLong { surface, needs, most }));
+        }
+        let scored = |next: &&Surface| next.pieces.first().is_some_and(|first| first.from.z < to);
+        for seat in behind.iter().skip(1).take_while(scored) {
+            if let Some(grade) = seat.grade.filter(|grade| f64::from(grade.number()) < self.finest) {
+                let (surface, seat) = (surface.name.clone(), seat.name.clone());
+                return Err(Refusal::Not(NoJob::RunOutOnSeat { surface, seat, grade }));
+            }
+        }
+        Ok(())
     }
 }
