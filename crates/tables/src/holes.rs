@@ -75,6 +75,7 @@ vocabulary! {
         LeastStockCoreDrill = "least-stock-core-drill-mm",
         LeastStockMill = "least-stock-mill-mm",
         FloorClearance = "floor-clearance-mm",
+        NearTieShare = "near-tie-share",
     }
 }
 
@@ -200,10 +201,9 @@ rows! {
 
     /// The first drill of two-pass drilling: its diameter as a share of the second one's.
     pub struct FirstDrill of One("first-drill") {
-        above_diameter: Micrometres,
         share_min: f64,
         share_max: f64,
-    } shown { name }
+    } shown { name, above_diameter }
 
     /// A convention on holes.
     pub struct HoleConvention of One("hole-defaults") complete name {

@@ -295,8 +295,9 @@ rows! {
     }
 
     /// Whether to drill in two passes.
-    pub struct TwoPassDrilling of One("two-pass-drilling") asked by TwoPassDrillingFor {
+    pub struct TwoPassDrilling of One("two-pass-drilling") asked by TwoPassDrillingFor<'t> {
         diameter: Micrometres,
+        material_group: &'t str,
         first_drill_in_magazine: bool,
     } {
         passes: i64,

@@ -244,3 +244,24 @@ fn a_route_that_is_slower_too_is_not_said_to_be_quicker() {
     let json = serde_json::to_string(&plan).unwrap();
     assert!(!json.contains("\"quicker\":\"-"), "{json}");
 }
+
+/// What a plan cannot tell apart from its program, 2 % of the time, is not said to be slower.
+#[test]
+fn a_route_that_is_hardly_longer_is_as_good() {
+    let mut told = Vec::new();
+    for (material, hole) in [("СЧ20", "25H7"), ("steel-45", "16H9"), ("steel-45", "20H12")] {
+        let keys = format!("diameter: {hole}, through: true, roughness: Ra 2.5, centre_tolerance: 0.46, at: [[0, 0]]");
+        let plan = plan_of_hole(material, "gf2171", "30", &keys);
+        let route = plan.holes[0].route.as_ref().unwrap();
+        for other in &route.alternatives {
+            let Some(time) = other.time_min else { continue };
+            match other.why.code() {
+                "lost-by-little" => assert!(time.0 <= 1.02 * route.time_min.0 + 1e-3, "{hole}: {other:?}"),
+                "lost-by-time" => assert!(time.0 > 1.02 * route.time_min.0 - 1e-3, "{hole}: {other:?}"),
+                _ => continue,
+            }
+            told.push(other.why.code().to_owned());
+        }
+    }
+    assert!(["lost-by-little", "lost-by-time"].iter().all(|code| told.iter().any(|one| one == code)), "{told:?}");
+}

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use technolog::job::Pause;
+use technolog::note::Severity;
 use technolog::program::Language;
 use technolog::units::Micrometres;
 use technolog::words::Lang;
@@ -114,7 +115,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("plate", "S1000", "S800", "other-speed"),
     ("plate", "F225", "F200", "other-feed"),
     ("plate", "I15 F225", "I15 E10 F225", "other-dwell"),
-    ("two-sides", "E4", "E2", "other-dwell"),
+    ("two-sides", "E6", "E2", "other-dwell"),
     ("plate", "G81 U3 Z-46.01 I15 F225", "G1 Z-20 F225\nN2 G4 E5\nN3 G1 Z-46.01\nN4 G0 Z15", "dwell-elsewhere"),
     ("plate", "S1000 M3 M8", "S1000 M3", "coolant-missing"),
     ("large-bore", "S2500 M3", "S2500 M3 M8", "coolant-superfluous"),
@@ -350,6 +351,17 @@ fn own_correctors_have_their_own_numbers() {
     bench.job.setups[0].zero.z = Micrometres::from_mm(-130);
     bench.setting.zeros[0][2] = Some(Micrometres::from_mm(-130));
     assert!(bench.codes(&CONTROL, &numbered).contains(&"wrong-sign"));
+}
+
+/// The plan has three turns at the bottom of the counterbore, 0.6 s at 315 1/min; 0.2 s is a whole turn, 0.1 s is half of one.
+#[test]
+fn a_dwell_of_less_than_a_turn_is_doubtful() {
+    let (_, text, bench) = right().into_iter().find(|(name, ..)| name == "two-sides").unwrap();
+    for (dwell, severity) in [("E2", Severity::Note), ("E1", Severity::Doubtful)] {
+        let (_, proof, _) = bench.run(&CONTROL, &text.replace("E6", dwell));
+        let found: Vec<_> = proof.findings.iter().map(|finding| (finding.code.name(), finding.severity)).collect();
+        assert_eq!(found, [("other-dwell", severity)]);
+    }
 }
 
 /// The second set-up has a zero of its own, and the part is turned over at the stop.

@@ -7,6 +7,7 @@ use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Alternative, Operation, Route, RouteSource, Transition};
 use crate::route::table_answer::{self, TableAnswer};
+use crate::tables::holes::HoleDefault;
 use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
@@ -202,7 +203,8 @@ impl Group<'_, '_> {
         let can_be = |other: &Alternative| other.meets && other.time_min.is_some();
         let ranked = others().find(|(_, other)| alike(other) && can_be(other)).filter(|_| !merged);
         if let Some((rank, other)) = ranked {
-            findings.push(finding(Severity::Doubtful, self.dominated(rank, other)));
+            let (severity, note) = self.dominated(rank, other)?;
+            findings.push(finding(severity, note));
             return Ok(());
         }
         if let Some(table) = self.word_for_word(&stated, scheme)? {
@@ -214,7 +216,10 @@ impl Group<'_, '_> {
             let other = others().find(|(_, other)| same_scheme(own, &other.scheme) && can_be(other));
             let same = same_scheme(own, &self.route.scheme);
             findings.push(match other.filter(|_| !same) {
-                Some((rank, other)) => finding(Severity::Doubtful, self.dominated(rank, other)),
+                Some((rank, other)) => {
+                    let (severity, note) = self.dominated(rank, other)?;
+                    finding(severity, note)
+                }
                 None => {
                     let severity = if same { Severity::Note } else { Severity::Doubtful };
                     finding(severity, Note::new("audit-route-by-scheme").with("stated", own).with("printed", table))
@@ -230,9 +235,16 @@ impl Group<'_, '_> {
         Ok(())
     }
 
-    fn dominated(&self, rank: usize, other: &Alternative) -> Note {
+    /// A route that takes longer is in doubt, one within the share of a near tie is as good.
+    fn dominated(&self, rank: usize, other: &Alternative) -> Result<(Severity, Note), KnowledgeError> {
         let slower = other.time_min.map_or(0.0, |time| time.0 - self.route.time_min.0);
-        Note::new("audit-route-dominated").with("rank", rank + 2).with("slower", round_to(slower, 2))
+        let near_tie = self.context.shop.share(HoleDefault::NearTieShare)?;
+        let (severity, code) = if slower <= near_tie * self.route.time_min.0 {
+            (Severity::Note, "audit-route-as-good")
+        } else {
+            (Severity::Doubtful, "audit-route-dominated")
+        };
+        Ok((severity, Note::new(code).with("rank", rank + 2).with("slower", round_to(slower, 2))))
     }
 
     /// The table A.7, where the rows are the transitions that it gives for the scheme they name, or, where they name

@@ -10,16 +10,20 @@
 //! for each tool, every group that can use it takes it, or every group that uses it gives it up; a change that
 //! improves the whole part is kept.
 
+mod compared;
+
+pub(super) use compared::ComparedRoutes;
+
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::note::{Figure, Note};
+use crate::note::Figure;
 use crate::part::Part;
-use crate::plan::{Alternative, Operation, Preference, RouteSource};
+use crate::plan::{Operation, Preference, RouteSource};
 use crate::shop::Shop;
-use crate::units::{Micrometres, Minutes, round_to};
+use crate::units::{Micrometres, Minutes};
 
 use super::fit::Fitted;
-use super::options::{Choice, Options, RefusedRoute};
+use super::options::{Choice, Options};
 
 /// The most rounds of improvement. Each round must improve the whole part, so the loop ends in any case.
 const ROUNDS: usize = 8;
@@ -300,66 +304,6 @@ impl<'a, 'k> Chooser<'a, 'k> {
             name: self.names[group][index],
         }
     }
-
-    /// The group's time, and the routes it was compared with, best first, each with the reason why it lost.
-    pub fn comparison(&mut self, group: usize) -> Option<ComparedRoutes> {
-        let chosen = self.chosen[group]?;
-        // The time beside the tools of the other groups.
-        self.take(group, None);
-        let compared = self.compare(group, chosen);
-        self.take(group, Some(chosen));
-        compared
-    }
-
-    fn compare(&self, group: usize, chosen: usize) -> Option<ComparedRoutes> {
-        let options = self.options[group].as_ref()?;
-        let winner = &options.choices[chosen];
-        let time = self.time(group, chosen, winner);
-        let mut alternatives: Vec<Alternative> = Vec::new();
-        for index in self.ranked(group).into_iter().filter(|index| *index != chosen) {
-            let other = &options.choices[index];
-            let total = self.time(group, index, other);
-            let more = total.0 - time.0;
-            let why = match (winner.meets_requirements(), other.meets_requirements()) {
-                _ if self.other_way(group, other) && more < -SAME => {
-                    Note::new("lost-by-preference").with("quicker", minutes(-more))
-                }
-                (true, false) => other.misses.first().cloned().unwrap_or_else(|| Note::new("misses-unknown")),
-                _ if other.at_best.len() > winner.at_best.len() => {
-                    other.at_best.first().cloned().unwrap_or_else(|| Note::new("misses-unknown"))
-                }
-                _ if more > SAME => Note::new("lost-by-time").with("slower", minutes(more)),
-                _ if more < -SAME => Note::new("lost-by-places").with("quicker", minutes(-more)),
-                _ => Note::new("lost-by-order"),
-            };
-            alternatives.push(Alternative {
-                source: other.candidate.source,
-                table: other.candidate.table.clone(),
-                scheme: other.candidate.scheme.clone(),
-                operations: Options::operations(other),
-                time_min: Some(total.rounded(3)),
-                new_tools: Some(self.new_tools(group, index)),
-                meets: other.meets_requirements(),
-                why,
-            });
-        }
-        let margin = alternatives
-            .first()
-            .and_then(|runner_up| runner_up.time_min)
-            .map(|runner_up| Minutes(runner_up.0 - time.0).rounded(3));
-        alternatives.extend(options.refused.iter().map(RefusedRoute::to_alternative));
-        let cost = self.shop.machine.minute_rate.map(|rate| round_to(time.0 * rate, 2));
-        Some(ComparedRoutes { time: time.rounded(3), cost, margin, alternatives })
-    }
-}
-
-/// The routes that a group's route was compared with.
-pub(super) struct ComparedRoutes {
-    pub time: Minutes,
-    /// In the currency of the machine's record.
-    pub cost: Option<f64>,
-    pub margin: Option<Minutes>,
-    pub alternatives: Vec<Alternative>,
 }
 
 /// Time in whole millionths of a minute, so that times are compared exactly.

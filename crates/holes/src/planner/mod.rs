@@ -146,7 +146,7 @@ fn draft(
     findings: &mut Vec<Finding>,
 ) -> Result<HoleDraft, KnowledgeError> {
     let mut report = |severity, note| findings.push(Finding::of_hole(severity, &hole.name, note));
-    let compared = chooser.comparison(index);
+    let compared = chooser.comparison(index)?;
     let chosen = chooser.chosen[index];
     let Some(options) = &chooser.options[index] else { return Ok(HoleDraft { route: None, steps: Vec::new() }) };
     for note in &options.impossible {

@@ -1,7 +1,7 @@
 //! The answer of the tables for a hole, before centring is added and before any scheme is tried.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::RowRef;
+use crate::knowledge::{RowRef, Source};
 use crate::note::Because;
 use crate::part::{Hole, Part};
 use crate::plan::Operation;
@@ -96,12 +96,14 @@ pub fn centred(scheme: &str, shop: &Shop<'_>) -> Result<String, KnowledgeError> 
     Ok(twin.map_or_else(|| format!("{scheme} + centre"), |twin| twin.centred.to_owned()))
 }
 
-/// The row of the rule `two-pass-drilling` that requires two drills in place of one; none if one is enough.
+/// The row of the text in the rule `two-pass-drilling` that requires two drills in place of one; none if one is enough,
+/// or if a row of ours alone asks for two.
 ///
 /// # Errors
 /// The knowledge base has no answer.
 pub fn two_drills<'k>(diameter: Micrometres, shop: &Shop<'k>) -> Result<Option<RowRef<'k>>, KnowledgeError> {
-    let question = TwoPassDrillingFor { diameter, first_drill_in_magazine: false };
+    let material_group = shop.material.group;
+    let question = TwoPassDrillingFor { diameter, material_group, first_drill_in_magazine: false };
     let row = shop.knowledge.ask(&question)?.need("this drill")?;
-    Ok((row.passes >= 2).then_some(row.row))
+    Ok((row.passes >= 2 && row.row.row().source == Source::Seed).then_some(row.row))
 }

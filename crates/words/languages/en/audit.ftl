@@ -56,6 +56,11 @@ audit-route-dominated = the route is possible but ranks { $rank }, longer by { $
         [complex] complex { $scheme } ({ $table })
        *[table] scheme { $scheme } ({ $table })
     }: { $better }
+audit-route-as-good = the route ranks { $rank }, longer by no more than { $slower } min: as good as { $way ->
+        [search] that of the search: { $scheme }
+        [complex] complex { $scheme } ({ $table })
+       *[table] scheme { $scheme } ({ $table })
+    }: { $better }
 audit-route-refused = the route "{ $transitions }" is not possible; the best is { $way ->
         [search] of the search: { $scheme }
         [complex] complex { $scheme } ({ $table })

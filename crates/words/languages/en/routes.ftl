@@ -32,6 +32,7 @@ boring-not-asked = bores, though the permitted position { $position } ≥ 0.1 mm
 milled-not-round = milled to Ø{ $diameter }: the machine's roundness is { $roundness } mm, its share of the tolerance { $most } mm
 # Why a route lost.
 lost-by-time = longer by { $slower } min
+lost-by-little = longer by { $slower } min, less than { $percent } % of the time: as good
 lost-by-places = shorter by { $quicker } min, but needs more places than the magazine has
 lost-by-order = equal time; later in the order of methods
 ranked-later = the tables rank it after { $first }, which is possible

@@ -56,6 +56,11 @@ audit-route-dominated = маршрут можливий, але { $rank }-й з�
         [complex] комплекс { $scheme } ({ $table })
        *[table] схема { $scheme } ({ $table })
     }: { $better }
+audit-route-as-good = маршрут { $rank }-й за порядком, довший лише на { $slower } хв: не гірший, ніж { $way ->
+        [search] пошук: { $scheme }
+        [complex] комплекс { $scheme } ({ $table })
+       *[table] схема { $scheme } ({ $table })
+    }: { $better }
 audit-route-refused = маршрут «{ $transitions }» не здійсненний; найкращий – { $way ->
         [search] пошук: { $scheme }
         [complex] комплекс { $scheme } ({ $table })

@@ -32,6 +32,7 @@ boring-not-asked = містить розточування, якого допу�
 milled-not-round = фрезерований отвір Ø{ $diameter }: некруглість верстата { $roundness } мм, а її частка допуску – { $most } мм
 # Why a route lost.
 lost-by-time = довше на { $slower } хв
+lost-by-little = довше на { $slower } хв, менш ніж { $percent } % часу: не гірший
 lost-by-places = коротше на { $quicker } хв, але потребує більше місць у магазині, якого не вистачає
 lost-by-order = рівний час; за порядком способів стоїть далі
 ranked-later = у таблиці стоїть нижче за { $first }, здійсненну

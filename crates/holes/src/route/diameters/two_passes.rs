@@ -37,20 +37,23 @@ pub(super) fn two_passes(
     let inside = |drills: &[Micrometres]| drills.iter().copied().filter(|drill| (low..=high).contains(drill)).max();
     let at_hand = inside(sizes.in_magazine);
     let in_magazine = at_hand.is_some() && !sizes.single_drill;
-    let answer = shop.knowledge.ask(&TwoPassDrillingFor { diameter, first_drill_in_magazine: in_magazine })?;
+    let material_group = shop.material.group;
+    let question = TwoPassDrillingFor { diameter, material_group, first_drill_in_magazine: in_magazine };
+    let answer = shop.knowledge.ask(&question)?;
     let note = |code: &'static str| Note::new(code).with("diameter", diameter).with("low", low).with("high", high);
     if answer.need("this drill")?.passes < 2 {
         steps[index].because.push(Because::answer(&answer.answer, note("one-pass")));
         return Ok(());
     }
-    // Above 30 mm without a drill at hand: the smallest drill of the range gives the least thrust.
+    // Without a drill at hand: the smallest drill of the range gives the least thrust.
     let first = at_hand.or_else(|| sizes.drills.iter().copied().find(|drill| (low..=high).contains(drill)));
     let Some(first) = first else { return Ok(()) };
     let why = Because::answer(&answer.answer, note("two-passes").with("first", first));
     let note = note("first-drill").with("first", first).with("share-min", share_min).with("share-max", share_max);
     split(steps, index, first, Because::row(share.row, note), why);
-    // Below the limit above which two drills are the rule, the first drill is in the magazine only for another hole.
-    steps[index].borrowed = at_hand.is_some() && diameter <= share.above_diameter;
+    // Where one drill is enough by itself, the first one is in the magazine only for another hole.
+    let alone = shop.knowledge.ask(&TwoPassDrillingFor { first_drill_in_magazine: false, ..question })?;
+    steps[index].borrowed = at_hand.is_some() && alone.need("this drill")?.passes < 2;
     Ok(())
 }
 

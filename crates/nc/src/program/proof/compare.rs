@@ -268,9 +268,10 @@ fn conditions(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Ve
     let needed = cycle.dwell_s.map_or(0.0, |dwell| dwell.0);
     // Dwells are written in tenths or thousandths, so there is no rounding.
     if (cut.dwell() - needed).abs() > 0.0005 {
-        // A factor this large means another unit of time.
+        // One turn cuts the floor all round; a factor as large as `overlong` means another unit of time.
+        let one_turn = 60.0 / cycle.speed_rpm.0;
         let severity = match cut.dwell() {
-            made if made < needed => Severity::Doubtful,
+            made if made < needed && made < one_turn => Severity::Doubtful,
             made if made > (input.tolerated.overlong * needed).max(1.0) => Severity::Wrong,
             _ => Severity::Note,
         };

@@ -92,7 +92,8 @@ impl Drill<'_> {
 /// # Errors
 /// As for [`drill`].
 pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
-    let question = TwoPassDrillingFor { diameter: hole.diameter, first_drill_in_magazine: false };
+    let (diameter, material_group) = (hole.diameter, bench.material.group);
+    let question = TwoPassDrillingFor { diameter, material_group, first_drill_in_magazine: false };
     let asked = bench.knowledge.ask(&question)?;
     let passes = asked.need(&hole.diameter.to_string())?.passes;
     if passes < 2 || hole.from > Micrometres::ZERO {
