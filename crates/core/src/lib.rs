@@ -1,6 +1,7 @@
 //! The common types of all rooms; nothing here plans.
 //!
 //! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
+//! - [`tapping`] is the hole under a tapped thread;
 //! - [`practice_speed`] is the speed used in shops, for comparison with the formulas;
 //! - [`plan`] is the result of planning, a value; [`motion`] is what programs do;
 //! - [`note`] and [`error`] are sentences as data; [`lang`] and [`words`] are the few words that are read as well as
@@ -24,6 +25,7 @@ pub mod practice_speed;
 pub mod reason;
 pub mod shelf;
 pub mod shop;
+pub mod tapping;
 pub mod words;
 pub mod zone;
 

@@ -18,7 +18,7 @@ mod milling;
 pub mod practice;
 pub mod reaming;
 mod settle;
-mod tapping;
+pub mod tapping;
 
 // The types of other crates, under one name each in the whole program.
 use technolog_core::{error, material, note, plan, practice_speed, reason, shop};

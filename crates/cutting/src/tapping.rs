@@ -5,21 +5,41 @@ use crate::note::{Because, Note};
 use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::{Process, TappingSpeedFor, TappingTorqueFor};
-use crate::units::{MetresPerMinute, MillimetresPerRev};
+use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres};
 
-use super::figures;
+use super::figures::{self, Asking};
 use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors};
 
-/// Conditions of a machine tap (Косилова/Мещеряков т.2, tables 49, 51, from memory).
+/// Speed and torque of a machine tap, whatever turns: the tap or the part.
+#[derive(Clone, Debug)]
+pub struct Tapping {
+    /// The speed of the formula, m/min.
+    pub speed: MetresPerMinute,
+    /// The tool life of that speed.
+    pub life: Minutes,
+    /// m of V ~ 1/T^m.
+    pub life_exponent: f64,
+    /// The torque; none where no row of it is known.
+    pub torque: Option<NewtonMetres>,
+    /// Its factor and the exponent of the pitch, which is the feed.
+    torque_law: Option<(f64, f64)>,
+    /// The rows behind both.
+    pub because: Vec<Because>,
+}
+
+/// Speed and torque of a machine tap (Косилова/Мещеряков т.2, tables 49, 51, from memory).
 ///
 /// - the feed is the pitch P, mm/rev;
 /// - V = Cv·D^q / (T^m·P^y)·Kmv, m/min;
 /// - M = 10·Cm·D^q·P^y·Kp, N·m; a tap pulls itself in, so no thrust is known;
 /// - D is the thread's nominal diameter and P its pitch, mm; T in min.
 ///
-/// The tap goes in, the spindle reverses, and the tap comes out at the same feed rate: the path is twice the travel.
-/// Kmv and Kp are those of drilling, by the rule `stand-in-operation`.
-pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
+/// Kmv and Kp are those of drilling, by the rule `stand-in-operation`. Without a row of torque the thread is cut all the same; its
+/// torque is left out, not guessed.
+///
+/// # Errors
+/// The cut has no pitch; the tables have no figures for the material, or the knowledge base has no answer at all.
+pub fn law<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Tapping, Uncut> {
     let pitch = cut.pitch.ok_or(Refusal::Not(Uncut::NoPitch))?;
     let (d, p) = (cut.diameter.to_mm(), pitch.to_mm());
     let tool_material = cut.tool_material;
@@ -36,8 +56,7 @@ pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut>
         because.push(reason);
     }
 
-    let mut loads = Loads::default();
-    // Without a row of torque the thread is cut all the same; its torque is left out, not guessed.
+    let mut torque_law = None;
     let question = |material_group| TappingTorqueFor { material_group, tool_material };
     if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
         let row = &figures.row;
@@ -48,17 +67,32 @@ pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut>
             because.push(reason);
         }
         because.extend(figures.because(Note::new("tapping-load-coefficients")));
-        // The feed is the pitch, so the power law of the feed is that of the pitch.
-        loads.torque = Some(PowerLaw::of_feed(factor, row.y));
+        torque_law = Some((factor, row.y));
     }
+    Ok(Tapping {
+        speed: MetresPerMinute(speed),
+        life: row.life,
+        life_exponent: row.m,
+        torque: torque_law.map(|(factor, y)| NewtonMetres(factor * libm::pow(p, y))),
+        torque_law,
+        because,
+    })
+}
+
+/// Conditions of a machine tap. It goes in, the spindle reverses, and it comes out at the same feed rate: the path is twice the
+/// travel.
+pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
+    let Tapping { speed, life, life_exponent, torque_law, because, .. } = law(cut, shop)?;
+    let feed = MillimetresPerRev(cut.pitch.unwrap_or_default().to_mm());
+    let torque = torque_law.map(|(factor, exponent)| PowerLaw::of_feed(factor, exponent));
     let along = CutMotion::along_axis(cut);
     Ok(DraftConditions {
-        feed: MillimetresPerRev(p),
-        speed: MetresPerMinute(speed),
-        tool_life: row.life,
-        life_exponent: row.m,
+        feed,
+        speed,
+        tool_life: life,
+        life_exponent,
         coolant: None,
-        loads,
+        loads: Loads { torque, ..Loads::default() },
         motion: CutMotion { path: 2.0 * along.path, synchronous: true, ..along },
         because,
         doubts: Vec::new(),

@@ -8,7 +8,7 @@ use crate::plan::{Feature, Operation, Transition};
 use crate::shop::Shop;
 use crate::tables::practice::{ProofLimit, StockBeforeReamingFor};
 use crate::tables::rules::{MadeBy, ReamingCase};
-use crate::tables::standards::{MinorDiameterConstant, ThreadMinorDiameter};
+use crate::tapping::minor_diameter;
 use crate::units::Micrometres;
 
 use super::cylinder::{CylinderId, CylinderRequirements};
@@ -348,32 +348,15 @@ impl Walk<'_, '_> {
         Ok(())
     }
 
-    /// The hole under a thread: inside the limits of the minor diameter of an internal thread 6H.
-    ///
-    /// D1 = d − a·P at least; tolerance b·P − c·P^e µm below a pitch of 1 mm, f·P^g µm from it on (ISO 965-1, table
-    /// `thread-minor-diameter`). That the hole is wider than its drill is left out: the drills of ГОСТ 19257 leave room
-    /// for it.
+    /// The hole under a thread: inside the limits of the minor diameter of an internal thread 6H. That the hole is wider than its
+    /// drill is left out: the drills of ГОСТ 19257 leave room for it.
     fn tap_hole(
         &mut self,
         transition: &Transition,
         size: Micrometres,
         pitch: Micrometres,
     ) -> Result<(), KnowledgeError> {
-        let constant = |name: MinorDiameterConstant| -> Result<f64, KnowledgeError> {
-            Ok(self.shop.knowledge.need(name.name(), |row: &ThreadMinorDiameter<'_>| row.name.is(name))?.value)
-        };
-        let p = pitch.to_mm();
-        let tolerance = if p < constant(MinorDiameterConstant::CoarseFrom)? {
-            constant(MinorDiameterConstant::FineLinear)? * p
-                - constant(MinorDiameterConstant::FinePower)?
-                    * libm::pow(p, constant(MinorDiameterConstant::FineExponent)?)
-        } else {
-            constant(MinorDiameterConstant::CoarseFactor)?
-                * libm::pow(p, constant(MinorDiameterConstant::CoarseExponent)?)
-        };
-        let height = constant(MinorDiameterConstant::MinorHeight)?;
-        let smallest = Micrometres::from_mm_rounded(size.to_mm() - height * p);
-        let largest = smallest + Micrometres::from_mm_rounded(tolerance / 1000.0);
+        let (smallest, largest) = minor_diameter(size, pitch, self.shop.knowledge)?;
         let diameter = transition.diameter_mm;
         if diameter < smallest || diameter > largest {
             self.faults.push(Fault::TapHole { diameter, smallest, largest });

@@ -19,7 +19,7 @@ mod reach;
 mod tool;
 
 // The types of other crates, under one name each in the whole program.
-use technolog_core::{error, note, part, plan, practice_speed, shop};
+use technolog_core::{error, note, part, plan, practice_speed, shop, tapping};
 use technolog_knowledge::units;
 use technolog_tables as tables;
 

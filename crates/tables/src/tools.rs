@@ -52,4 +52,10 @@ impl<'t> CutterRow<'t> {
         let all = [self.designation, self.designation_through, self.designation_blind];
         all.into_iter().chain([self.designation_5deg, self.designation_15deg]).flatten()
     }
+
+    /// Whether it is a tap whose shank is thinner than its tapping hole, so that it follows the thread in.
+    pub fn shank_follows(&self) -> bool {
+        let all = (self.pitch, self.diameter, self.shank_diameter);
+        matches!(all, (Some(pitch), Some(diameter), Some(shank)) if shank < diameter - pitch)
+    }
 }

@@ -4,7 +4,8 @@ use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::vocabulary::Operation;
 use crate::knowledge::{Knowledge, TableError};
 use crate::tables::holes::ThreadAccuracy;
-use crate::tables::standards::{CoarseThread, ConicalThread, FineThread};
+use crate::tables::standards::{CoarseThread, ConicalThread};
+use crate::tapping::{self, TapHole};
 use crate::units::{Micrometres, Roughness};
 use technolog_note::{Note, note};
 
@@ -82,25 +83,17 @@ fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole,
     let (size, pitch) = (length(size)?, pitch.map(length).transpose()?);
     let lacking = |error: TableError| ThreadError::unknown(text, Note::from(&error));
 
-    let known: Vec<CoarseThread<'_>> = knowledge.rows().map_err(lacking)?;
-    let id = format!("M{size}");
-    let Some(row) = known.iter().find(|row| row.thread == id) else {
+    let Some(row) = tapping::coarse(size, knowledge).map_err(lacking)? else {
+        let known: Vec<CoarseThread<'_>> = knowledge.rows().map_err(lacking)?;
         return Err(ThreadError::unknown(text, nearest_size(size, &known)));
     };
     let coarse = row.pitch;
-    let (id, pitch, hole) = match pitch {
-        Some(pitch) if pitch <= Micrometres::ZERO || pitch > coarse => {
-            let why = note!("part-pitch-must-above-zero-above", pitch = pitch, coarse = coarse, id = id);
-            return Err(ThreadError::invalid(text, why));
-        }
-        Some(pitch) if pitch != coarse => {
-            let id = format!("{id}x{pitch}");
-            // Where the table lacks the thread, its hole is the size less the pitch, which is the rule of the table.
-            let fine = knowledge.find(|row: &FineThread<'_>| row.thread == id).map_err(lacking)?;
-            (id, pitch, fine.map_or(size - pitch, |row| row.diameter))
-        }
-        _ => (id, coarse, row.diameter),
-    };
+    let pitch = pitch.unwrap_or(coarse);
+    if pitch <= Micrometres::ZERO || pitch > coarse {
+        let why = note!("part-pitch-must-above-zero-above", pitch = pitch, coarse = coarse, id = row.thread);
+        return Err(ThreadError::invalid(text, why));
+    }
+    let TapHole { id, drill: hole, .. } = tapping::tap_hole(size, pitch, knowledge).map_err(lacking)?;
     let thread = Thread { written: format!("M{rest}"), kind: ThreadKind::Cylindrical, id, size, pitch };
     Ok(ThreadedHole { thread, hole })
 }

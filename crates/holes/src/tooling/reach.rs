@@ -74,9 +74,7 @@ fn reach_of_reamer(row: &CutterRow<'_>) -> Option<Micrometres> {
 /// How deep a cutter goes by its own table: the first stated value of reach, flute, projection and cutting length. A
 /// tap with a shank thinner than its tapping hole goes in as far as it projects from its chuck.
 pub(super) fn reach_of(row: &CutterRow<'_>) -> Option<Micrometres> {
-    if let (Some(pitch), Some(diameter), Some(shank)) = (row.pitch, row.diameter, row.shank_diameter)
-        && shank < diameter - pitch
-    {
+    if row.shank_follows() {
         return row.length;
     }
     row.reach.or(row.flute_length).or(row.projection).or(row.cutting_length)
