@@ -270,7 +270,11 @@ fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<Vec<Motion>, Not
             LatheAct::Feed { .. } => (MotionKind::Feed, Piece::Line { from: start, to: end }),
             _ => (MotionKind::Rapid, Piece::Line { from: start, to: end }),
         };
-        motions.push(Motion { kind, path, tool, block: Block(usize::try_from(line).unwrap_or(usize::MAX)) });
+        let lead = match one.act {
+            LatheAct::Thread { lead } => Some(Mm(lead.0)),
+            _ => None,
+        };
+        motions.push(Motion { kind, path, tool, lead, block: Block(usize::try_from(line).unwrap_or(usize::MAX)) });
     }
     Ok(motions)
 }

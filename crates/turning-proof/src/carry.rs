@@ -31,6 +31,8 @@ pub struct Carried<'s> {
     cuts: Vec<(Window, usize)>,
     /// The radius of the deepest pass through the middle of each thread, mm.
     passes: Vec<Option<f64>>,
+    /// Z to which a tap has cut each thread in full.
+    pub(crate) tapped: Vec<Option<f64>>,
     pub faults: Faults,
 }
 
@@ -48,6 +50,7 @@ impl<'s> Carried<'s> {
             threaded: Vec::new(),
             cuts: Vec::new(),
             passes: vec![None; target.threads.len()],
+            tapped: vec![None; target.threads.len()],
             target,
             faults: Faults::default(),
         };
@@ -78,7 +81,7 @@ impl<'s> Carried<'s> {
         })
     }
 
-    fn tool(&self, motion: &Motion) -> &'s Tool {
+    pub(crate) fn tool(&self, motion: &Motion) -> &'s Tool {
         &self.set_up.tools[motion.tool]
     }
 
@@ -100,6 +103,11 @@ impl<'s> Carried<'s> {
                     self.faults.add(Fault::RapidCut { tool, width, at, block, count: 1 });
                 }
                 self.hold_holder(motion, &holds, &[]);
+            }
+            MotionKind::Feed | MotionKind::Thread if self.tool(motion).is_tap() => {
+                self.hold_axis(motion, &cuts);
+                self.hold_profile(motion, &cuts, true);
+                self.tap(motion, &cuts, &holds);
             }
             MotionKind::Feed => {
                 self.hold_axis(motion, &cuts);
@@ -123,14 +131,14 @@ impl<'s> Carried<'s> {
         }
     }
 
-    fn take_off(&mut self) {
+    pub(crate) fn take_off(&mut self) {
         if let Some(cut) = std::mem::take(&mut self.waiting).together() {
             self.stock.0 = self.stock.0.made(&cut, Rule::Without);
         }
     }
 
     /// Where pieces meet uncut metal: the width and the place. `cut` is the cut of the motion itself.
-    fn overlap(&self, pieces: &[Convex], cut: &[Convex]) -> Option<(Mm, At)> {
+    pub(crate) fn overlap(&self, pieces: &[Convex], cut: &[Convex]) -> Option<(Mm, At)> {
         let window = around(pieces, self.stock.0.window());
         let metal = self.stock.0.within(window);
         if metal.is_empty() {
@@ -210,7 +218,14 @@ impl<'s> Carried<'s> {
     }
 
     fn hold_threads(&mut self) {
-        for (thread, pass) in self.target.threads.iter().zip(&self.passes) {
+        for ((thread, pass), tapped) in self.target.threads.iter().zip(&self.passes).zip(&self.tapped) {
+            if let Some(to) = tapped {
+                let left = to - thread.z[0];
+                if left > TOLERANCE {
+                    self.faults.add(Fault::ThreadShort { surface: thread.surface.clone(), left: Mm(left) });
+                }
+                continue;
+            }
             let (crest, shallow) = (thread.thread.crest.0, thread.thread.shallow.0);
             let left = (pass.unwrap_or(crest) - shallow) * (crest - shallow).signum();
             if left > TOLERANCE {
@@ -251,7 +266,7 @@ fn around(pieces: &[Convex], of: Window) -> Window {
 
 /// For an overlap: the least width of its widest piece, and its middle. An overlap that is thin everywhere is only a
 /// contact.
-fn thickest(shared: &Region) -> Option<(Mm, At)> {
+pub(crate) fn thickest(shared: &Region) -> Option<(Mm, At)> {
     let sized = shared.outer_pieces().filter_map(|piece| {
         let thickness = 2.0 * piece.area() / piece.around();
         let hull = Convex::hull(piece.chains().flatten())?;

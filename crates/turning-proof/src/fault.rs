@@ -100,6 +100,54 @@ pub enum Fault {
         /// The number of corners.
         count: usize,
     },
+    /// A tap meets metal that its drill should have removed: no hole, a narrower one, or the bottom.
+    TapBlocked {
+        /// The tool's designation.
+        tool: String,
+        /// The width of the metal, where it is narrowest.
+        width: Mm,
+        /// The middle of it.
+        at: At,
+        /// Its block.
+        block: Block,
+        /// The number of motions.
+        count: usize,
+    },
+    /// A tap cuts, and the feed is not in step with the spindle by its pitch.
+    TapOutOfStep {
+        /// The tool's designation.
+        tool: String,
+        /// Its pitch.
+        pitch: Mm,
+        /// The travel per turn; zero where the program gives none.
+        lead: Mm,
+        /// The end of the motion.
+        at: At,
+        /// Its block.
+        block: Block,
+        /// The number of motions.
+        count: usize,
+    },
+    /// The hole before a tap is wider than the tolerance of the minor diameter.
+    TapHoleWide {
+        /// The thread's surface.
+        surface: Option<Figure>,
+        /// The metal that is missing, radial.
+        width: Mm,
+        /// The middle of it.
+        at: At,
+        /// The block of the tap.
+        block: Block,
+        /// The number of motions.
+        count: usize,
+    },
+    /// The full thread of a tap ends before that of the drawing.
+    ThreadShort {
+        /// The thread's surface.
+        surface: Option<Figure>,
+        /// The length that is missing.
+        left: Mm,
+    },
     /// No pass of a thread goes down to its root.
     ThreadShallow {
         /// The thread's surface.
@@ -122,6 +170,10 @@ impl Fault {
             Self::Stands { .. } => "swept-stands",
             Self::Corner { .. } => "swept-corner",
             Self::ThreadShallow { .. } => "swept-thread-shallow",
+            Self::TapBlocked { .. } => "swept-tap-blocked",
+            Self::TapOutOfStep { .. } => "swept-tap-out-of-step",
+            Self::TapHoleWide { .. } => "swept-tap-hole-wide",
+            Self::ThreadShort { .. } => "swept-thread-short",
         }
     }
 
@@ -132,8 +184,11 @@ impl Fault {
             | Self::RapidCut { block, .. }
             | Self::Holder { block, .. }
             | Self::Struck { block, .. }
-            | Self::OffAxis { block, .. } => Some(*block),
-            Self::Stands { .. } | Self::Corner { .. } | Self::ThreadShallow { .. } => None,
+            | Self::OffAxis { block, .. }
+            | Self::TapBlocked { block, .. }
+            | Self::TapOutOfStep { block, .. }
+            | Self::TapHoleWide { block, .. } => Some(*block),
+            Self::Stands { .. } | Self::Corner { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } => None,
         }
     }
 
@@ -153,7 +208,15 @@ impl Fault {
             Self::Gouge { surface, depth, at, count, .. } => {
                 of_surface(placed(at), surface).with("depth", depth).with("count", count)
             }
-            Self::RapidCut { tool, width, at, count, .. } | Self::Holder { tool, width, at, count, .. } => {
+            Self::TapOutOfStep { tool, pitch, lead, at, count, .. } => {
+                placed(at).with("tool", tool).with("pitch", pitch).with("lead", lead).with("count", count)
+            }
+            Self::TapHoleWide { surface, width, at, count, .. } => {
+                of_surface(placed(at), surface).with("width", width).with("count", count)
+            }
+            Self::RapidCut { tool, width, at, count, .. }
+            | Self::Holder { tool, width, at, count, .. }
+            | Self::TapBlocked { tool, width, at, count, .. } => {
                 placed(at).with("tool", tool).with("width", width).with("count", count)
             }
             Self::Struck { tool, body, width, at, count, .. } => {
@@ -166,7 +229,9 @@ impl Fault {
             Self::Corner { surface, radius, left, at, count } => {
                 of_surface(placed(at), surface).with("radius", radius).with("left", left).with("count", count)
             }
-            Self::ThreadShallow { surface, left } => of_surface(Note::new(code), surface).with("left", left),
+            Self::ThreadShallow { surface, left } | Self::ThreadShort { surface, left } => {
+                of_surface(Note::new(code), surface).with("left", left)
+            }
         }
     }
 
@@ -176,7 +241,13 @@ impl Fault {
             (Self::Gouge { surface: a, depth: mine, .. }, Self::Gouge { surface: b, depth, .. }) if a == b => {
                 depth > mine
             }
+            (Self::TapHoleWide { surface: a, width: mine, .. }, Self::TapHoleWide { surface: b, width, .. })
+                if a == b =>
+            {
+                width > mine
+            }
             (Self::RapidCut { tool: a, width: mine, .. }, Self::RapidCut { tool: b, width, .. })
+            | (Self::TapBlocked { tool: a, width: mine, .. }, Self::TapBlocked { tool: b, width, .. })
             | (Self::Holder { tool: a, width: mine, .. }, Self::Holder { tool: b, width, .. })
                 if a == b =>
             {
@@ -187,7 +258,12 @@ impl Fault {
             {
                 width > mine
             }
-            (Self::OffAxis { tool: a, .. }, Self::OffAxis { tool: b, .. }) if a == b => false,
+            (Self::OffAxis { tool: a, .. }, Self::OffAxis { tool: b, .. })
+            | (Self::TapOutOfStep { tool: a, .. }, Self::TapOutOfStep { tool: b, .. })
+                if a == b =>
+            {
+                false
+            }
             (Self::Stands { surface: a, thickness: mine, .. }, Self::Stands { surface: b, thickness, .. })
                 if a == b =>
             {
@@ -227,8 +303,11 @@ impl Fault {
             | Self::Holder { count, .. }
             | Self::Struck { count, .. }
             | Self::OffAxis { count, .. }
+            | Self::TapBlocked { count, .. }
+            | Self::TapOutOfStep { count, .. }
+            | Self::TapHoleWide { count, .. }
             | Self::Corner { count, .. } => *count,
-            Self::Stands { .. } | Self::ThreadShallow { .. } => 1,
+            Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } => 1,
         }
     }
 
@@ -239,8 +318,11 @@ impl Fault {
             | Self::Holder { count, .. }
             | Self::Struck { count, .. }
             | Self::OffAxis { count, .. }
+            | Self::TapBlocked { count, .. }
+            | Self::TapOutOfStep { count, .. }
+            | Self::TapHoleWide { count, .. }
             | Self::Corner { count, .. } => Some(count),
-            Self::Stands { .. } | Self::ThreadShallow { .. } => None,
+            Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } => None,
         }
     }
 }

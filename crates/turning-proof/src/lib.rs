@@ -16,6 +16,7 @@
 //!   5 µm.
 //! - A tool beyond the axis cuts on this side of it, because the part turns.
 //! - The cut of a motion counts as removed for the holder from the beginning of that motion.
+//! - A tap removes nothing from the stock: its core must find the hole free, and behind its lead the thread is full.
 //! - Passes of a thread leave the crests: they are compared with its root, and remove nothing from the stock.
 //! - An insert is a triangle of its nose and both edges, a holder the hull of a shank or bar and the ends of the
 //!   edges.
@@ -30,6 +31,7 @@ mod plane;
 mod refused;
 mod set_up;
 mod stock;
+mod taps;
 mod target;
 mod tool;
 mod units;
@@ -39,7 +41,7 @@ use technolog_note as note;
 
 pub use fault::Fault;
 pub use refused::Refused;
-pub use set_up::{Body, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Thread};
+pub use set_up::{Body, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, TapLimits, Thread};
 pub use stock::Stock;
 pub use tool::{Cutter, Hand, Holder, Side, Tool};
 pub use units::{At, Block, CubicMm, Degrees, Mm};

@@ -90,6 +90,10 @@ fn is_possible(tool: &Tool) -> bool {
         Cutter::Reamer { diameter, front, lead, reach } => {
             lengths(&[diameter, front, lead, reach]) && front.0 <= diameter.0 && lead.0 <= reach.0
         }
+        Cutter::Tap { diameter, pitch, core, lead, thread, neck, shank, free } => {
+            let ordered = core.0 <= diameter.0 && lead.0 <= thread.0 && thread.0 <= neck.0 && neck.0 <= free.0;
+            ordered && lengths(&[diameter, pitch, core, lead, thread, neck, shank, free])
+        }
         Cutter::CentreDrill { pilot, pilot_length, body } => lengths(&[pilot, pilot_length, body]),
     };
     let holder = match tool.holder {

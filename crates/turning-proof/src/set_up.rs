@@ -93,6 +93,21 @@ pub struct Thread {
     pub root: Mm,
     /// How far its passes may cut into the metal towards the chuck; 0 where it ends in a relief.
     pub run_out: Mm,
+    /// What a tap must meet; none for a thread outside.
+    pub tap: Option<TapLimits>,
+}
+
+/// A thread in a hole as a tap cuts it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TapLimits {
+    /// Its nominal diameter.
+    pub diameter: Mm,
+    /// Its pitch.
+    pub pitch: Mm,
+    /// The largest minor diameter that its tolerance allows.
+    pub largest_hole: Mm,
+    /// How far behind the thread the tap may cut into the wall of the hole.
+    pub run_out: Mm,
 }
 
 /// A piece of the finished part's contour.
@@ -157,6 +172,8 @@ pub struct Motion {
     pub path: Piece,
     /// The index of its tool in [`SetUp::tools`].
     pub tool: usize,
+    /// Its travel per turn of the spindle, where both go in step.
+    pub lead: Option<Mm>,
     /// Its block in the program.
     pub block: Block,
 }

@@ -9,6 +9,8 @@ use crate::stock::between;
 /// How far beyond both ends of a thread its passes may go down to the root, in depths of the thread: half a profile,
 /// and a chamfer as deep as the thread.
 const RUN: f64 = 2.0;
+/// The rounding of a program, mm.
+const ROUNDING: f64 = 0.002;
 /// Longer than any part, mm.
 const BEYOND: f64 = 10_000.0;
 
@@ -156,8 +158,8 @@ impl Target {
         // Where a chamfer is drawn up to the nominal diameter its crest ends on that of the thread.
         let crests: Vec<Convex> = threads.iter().filter_map(Threaded::crests).collect();
         let keep = part.made(&Region::pieces(&crests), Rule::Without);
-        let passes = threads.iter().flat_map(|thread| [thread.passes(), thread.run_out()]);
-        let passes: Vec<Convex> = passes.flatten().collect();
+        let passes = threads.iter().flat_map(|thread| thread.passes().chain(thread.run_out()));
+        let passes: Vec<Convex> = passes.collect();
         let keep_thread = keep.made(&Region::pieces(&passes), Rule::Without);
         let edges = chains.iter().flatten().enumerate().flat_map(|(piece, chain)| {
             chain.pairs().map(move |(a, b, by)| OutlineEdge { from: a.plus(by), to: b.plus(by), piece })
@@ -219,9 +221,16 @@ impl Nearest {
 }
 
 impl Threaded {
-    /// The metal that its passes may remove.
-    fn passes(&self) -> Option<Convex> {
-        self.between(self.thread.crest.0, self.thread.root.0)
+    /// The metal that its passes or its tap may remove.
+    fn passes(&self) -> impl Iterator<Item = Convex> {
+        let passes = self.between(self.thread.crest.0, self.thread.root.0);
+        // A tap goes on behind the thread, towards the chuck, and comes from the free end.
+        let tapped = self.thread.tap.and_then(|tap| {
+            let (crest, nominal) = (self.thread.crest.0, tap.diameter.0 / 2.0 + ROUNDING);
+            let from = Vector::new(self.z[0] - tap.run_out.0 - ROUNDING, crest);
+            Convex::hull(Convex::rectangle(from, Vector::new(self.z[1] + RUN * (nominal - crest), nominal)))
+        });
+        passes.into_iter().chain(tapped)
     }
 
     /// The metal behind it that its passes may remove where it has no relief.

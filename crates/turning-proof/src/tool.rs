@@ -105,6 +105,25 @@ pub enum Cutter {
         /// Its usable depth.
         reach: Mm,
     },
+    /// A tap on the axis: its lead cuts, its thread follows.
+    Tap {
+        /// The nominal diameter of its thread.
+        diameter: Mm,
+        /// Its pitch.
+        pitch: Mm,
+        /// The diameter of its front and its core: the hole for it is wider.
+        core: Mm,
+        /// The length of its lead, behind which the thread is full.
+        lead: Mm,
+        /// The length of its thread, with the lead.
+        thread: Mm,
+        /// Where its shank begins, behind thread and neck.
+        neck: Mm,
+        /// The diameter of its shank.
+        shank: Mm,
+        /// From its front to its chuck.
+        free: Mm,
+    },
     /// A centre drill with its 60° cone.
     CentreDrill {
         /// The diameter of its pilot.
@@ -122,12 +141,16 @@ impl Cutter {
         match *self {
             Self::Insert { nose_radius, .. } => nose_radius,
             Self::Blade { corner_radius, .. } | Self::FaceBlade { corner_radius, .. } => corner_radius,
-            Self::Thread { .. } | Self::Drill { .. } | Self::Reamer { .. } | Self::CentreDrill { .. } => Mm(0.0),
+            Self::Thread { .. }
+            | Self::Drill { .. }
+            | Self::Reamer { .. }
+            | Self::Tap { .. }
+            | Self::CentreDrill { .. } => Mm(0.0),
         }
     }
 
     pub(crate) const fn turns_on_axis(&self) -> bool {
-        matches!(self, Self::Drill { .. } | Self::Reamer { .. } | Self::CentreDrill { .. })
+        matches!(self, Self::Drill { .. } | Self::Reamer { .. } | Self::Tap { .. } | Self::CentreDrill { .. })
     }
 }
 
@@ -186,4 +209,10 @@ pub struct Tool {
     pub cutter: Cutter,
     /// Its holder.
     pub holder: Holder,
+}
+
+impl Tool {
+    pub(crate) const fn is_tap(&self) -> bool {
+        matches!(self.cutter, Cutter::Tap { .. })
+    }
 }

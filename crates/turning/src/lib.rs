@@ -42,7 +42,7 @@ pub mod zones;
 
 // The types of this crate and of others, under the names that the whole program uses.
 use crate as turning;
-use technolog_core::{error, material, note, practice_speed, reason};
+use technolog_core::{error, material, note, practice_speed, reason, tapping};
 use technolog_knowledge::{self as knowledge, units};
 #[cfg(test)]
 use technolog_shipped as shipped;

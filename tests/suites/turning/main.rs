@@ -23,6 +23,7 @@ mod read_back;
 mod schemes;
 mod setting;
 mod tailstock;
+mod tapping;
 mod threads;
 mod tools;
 mod transitions;

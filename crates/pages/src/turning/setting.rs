@@ -118,6 +118,7 @@ fn shank(tool: &JobTool) -> String {
     match &tool.body {
         Body::Insert { shank_mm: Some((height, width)), .. } => format!("{height}×{width}"),
         Body::Insert { bar_mm: Some(bar), .. } => format!("Ø{bar}"),
+        Body::Tap { shank_mm, .. } => format!("Ø{shank_mm}"),
         Body::Insert { .. } | Body::Drill { .. } | Body::Reamer { .. } | Body::CentreDrill { .. } => String::new(),
     }
 }

@@ -73,6 +73,9 @@ vocabulary! {
         SpeedLimit = "speed-limit",
         Thread = "thread",
         ThreadLead = "thread-lead",
+        TapBegins = "tap-begins",
+        Tap = "tap",
+        TapEnds = "tap-ends",
         ProgramBegins = "program-begins",
     }
 }
@@ -81,10 +84,10 @@ impl Use {
     /// Whether every control must have it.
     pub const fn is_required(self) -> bool {
         use Use::{Absolute, ContourBegins, ContourEnds, Diameters, ExactPath, Plane, ProgramBegins, SpeedLimit};
-        !matches!(
-            self,
-            SpeedLimit | ExactPath | ContourBegins | ContourEnds | Plane | Diameters | Absolute | ProgramBegins
-        )
+        use Use::{Tap, TapBegins, TapEnds};
+        let often = matches!(self, SpeedLimit | ExactPath | Plane | Diameters | Absolute);
+        let of_cycles = matches!(self, ContourBegins | ContourEnds | ProgramBegins | Tap | TapBegins | TapEnds);
+        !often && !of_cycles
     }
 }
 

@@ -72,6 +72,8 @@ vocabulary! {
         Finish = "finish",
         ThreadCycle = "thread-cycle",
         ThreadBox = "thread-box",
+        Tap = "tap",
+        CycleOff = "cycle-off",
         SpindleClockwise = "spindle-clockwise",
         SpindleCounterclockwise = "spindle-counterclockwise",
         SpindleStop = "spindle-stop",

@@ -60,6 +60,12 @@ vocabulary! {
         CountersinkShare = "countersink-share",
         /// The length of a core drill's lead, divided by its height: the cotangent of its angle.
         CoreDrillLead = "core-drill-lead",
+        /// The fastest spindle at which a tap is reversed, 1/min.
+        TapSpindle = "tap-spindle",
+        /// The turns that a spindle still makes at the end of a tap's way, before it stands.
+        TapStopTurns = "tap-stop-turns",
+        /// The way of a tap before the hole, in pitches, on which feed and spindle come into step.
+        TapEntry = "tap-entry",
         /// The share of the rise of a bar's secondary edge that the stock on a bottom may take.
         BottomEdgeShare = "bottom-edge-share",
     }

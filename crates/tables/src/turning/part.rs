@@ -9,6 +9,16 @@ use technolog_knowledge::{rows, vocabulary};
 use crate::cutting::Surface;
 
 vocabulary! {
+    /// How a thread in a hole is cut.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum InnerThreadWay {
+        /// With a tap.
+        Tapped = "tapped",
+        /// Pass by pass with a bar.
+        Turned = "turned",
+    }
+
     /// How a hole on the axis is made.
     #[derive(Serialize)]
     #[serde(rename_all = "kebab-case")]
@@ -249,9 +259,19 @@ rows! {
         largest: Option<Micrometres>,
     }
 
+    /// Whether a thread in a hole is tapped or turned.
+    pub struct InnerThread of One("inner-thread") asked by InnerThreadFor {
+        diameter: Micrometres,
+        tap: bool,
+        bar: bool,
+    } {
+        cut: InnerThreadWay,
+    }
+
     /// Whether a hole on the axis is bored, or how tools on the axis make it to size.
     pub struct AxialHole of One("axial-hole") asked by AxialHoleFor {
         diameter: Micrometres,
+        tapped: bool,
         it: Option<ItGrade>,
         roughness: Option<Roughness>,
     } {

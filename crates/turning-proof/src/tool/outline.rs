@@ -58,6 +58,15 @@ impl Outline {
                 let shank = Convex::rectangle(Vector::new(reach.0, 0.0), Vector::new(reach.0 + FAR, radius));
                 (vec![cuts], vec![shank.to_vec()], Side::Outside, Hand::Right)
             }
+            Cutter::Tap { diameter, core, lead, thread, neck, shank, free, .. } => {
+                let (radius, core, shank) = (diameter.0 / 2.0, core.0 / 2.0, shank.0 / 2.0);
+                let edges = [(0.0, 0.0), (0.0, core), (lead.0, radius), (thread.0, radius), (thread.0, 0.0)];
+                let cuts = edges.map(|(z, r)| Vector::new(z, r)).to_vec();
+                // A chuck is about twice as thick as what it holds.
+                let body = [(0.0, neck.0, core), (neck.0, free.0, shank), (free.0, free.0 + FAR, 2.0 * shank)];
+                let body = body.map(|(z, to, r)| Convex::rectangle(Vector::new(z, 0.0), Vector::new(to, r)).to_vec());
+                (vec![cuts], body.to_vec(), Side::Outside, Hand::Right)
+            }
             Cutter::CentreDrill { pilot, pilot_length, body } => {
                 let (pilot, length, body) = (pilot.0 / 2.0, pilot_length.0, body.0 / 2.0);
                 let (cuts, _) = drill(pilot, CENTRE_POINT, length);

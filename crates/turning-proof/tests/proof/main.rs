@@ -7,5 +7,6 @@ mod faults;
 mod laws;
 mod made;
 mod speed;
+mod taps;
 mod tools;
 mod words;

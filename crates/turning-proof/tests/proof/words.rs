@@ -20,7 +20,11 @@ fn all() -> Vec<Note> {
         Fault::OffAxis { tool: tool.clone(), at, block, count },
         Fault::Stands { surface: None, thickness: Mm(0.3), at, from_z: Mm(-1.0), to_z: Mm(-5.0) },
         Fault::Corner { surface: surface.clone(), radius: Mm(0.8), left: Mm(0.2343), at, count },
-        Fault::ThreadShallow { surface, left: Mm(0.125) },
+        Fault::ThreadShallow { surface: surface.clone(), left: Mm(0.125) },
+        Fault::TapBlocked { tool: tool.clone(), width, at, block, count },
+        Fault::TapOutOfStep { tool: tool.clone(), pitch: Mm(1.75), lead: Mm(1.5), at, block, count },
+        Fault::TapHoleWide { surface: surface.clone(), width, at, block, count },
+        Fault::ThreadShort { surface, left: Mm(3.25) },
     ];
     let refused =
         [Refused::NoContour, Refused::NoTool { block }, Refused::Place { limit: Mm(5000.0) }, Refused::Tool { tool }];

@@ -11,7 +11,7 @@
 //! | face grooving | the corner of the blade towards the axis, as a theoretical point |
 //! | threading | the sharp point of the profile |
 //! | centre drill, drill | its point on the axis |
-//! | core drill, reamer | the middle of its front |
+//! | core drill, reamer, tap | the middle of its front |
 
 pub mod along;
 mod clock;
@@ -66,6 +66,8 @@ pub enum Work {
     Groove,
     /// A thread, pass by pass.
     Thread,
+    /// A thread on the axis, with a tap.
+    Tap,
     /// The part is cut off.
     PartOff,
 }
@@ -85,6 +87,7 @@ impl Work {
             Self::Ream => "ream",
             Self::Groove => "groove",
             Self::Thread => "thread",
+            Self::Tap => "tap",
             Self::PartOff => "part-off",
         }
     }
@@ -218,6 +221,25 @@ pub enum Body {
         /// How deep it enters, mm.
         reach_mm: Micrometres,
     },
+    /// A machine tap.
+    Tap {
+        /// The nominal diameter of its thread, mm.
+        diameter_mm: Micrometres,
+        /// Its pitch, mm.
+        pitch_mm: Micrometres,
+        /// The diameter of its front and its core, mm: at most the least minor diameter of the thread.
+        core_mm: Micrometres,
+        /// The length of its lead, mm.
+        lead_mm: Micrometres,
+        /// The length of its thread, with the lead, mm.
+        thread_mm: Micrometres,
+        /// Where its shank begins, mm.
+        neck_mm: Micrometres,
+        /// The diameter of its shank, mm.
+        shank_mm: Micrometres,
+        /// From its front to its chuck, mm.
+        free_mm: Micrometres,
+    },
     /// A centre drill of ГОСТ 14034.
     CentreDrill {
         /// Its pilot diameter d, mm.
@@ -284,10 +306,12 @@ impl JobTool {
         Some(tip(kind, works, hand))
     }
 
-    /// The diameter of a drill, a countersink, a core drill or a reamer; none for a tool that turns or centres.
+    /// The diameter of a drill, a countersink, a core drill, a reamer or a tap; none for a tool that turns or centres.
     pub const fn diameter(&self) -> Option<Micrometres> {
         match self.body {
-            Body::Drill { diameter_mm, .. } | Body::Reamer { diameter_mm, .. } => Some(diameter_mm),
+            Body::Drill { diameter_mm, .. } | Body::Reamer { diameter_mm, .. } | Body::Tap { diameter_mm, .. } => {
+                Some(diameter_mm)
+            }
             Body::Insert { .. } | Body::CentreDrill { .. } => None,
         }
     }
@@ -296,7 +320,7 @@ impl JobTool {
     pub const fn nose_radius(&self) -> Micrometres {
         match self.body {
             Body::Insert { nose_radius_mm, .. } => nose_radius_mm,
-            Body::Drill { .. } | Body::Reamer { .. } | Body::CentreDrill { .. } => Micrometres::ZERO,
+            Body::Drill { .. } | Body::Reamer { .. } | Body::Tap { .. } | Body::CentreDrill { .. } => Micrometres::ZERO,
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::reason::Uncut;
 use crate::turning::contour::SurfaceName;
 use crate::turning::cutting::{Bound, CuttingRefusal};
 use crate::turning::length::Half;
-use crate::units::{ItGrade, Micrometres, MillimetresPerMinute, Newtons, RevsPerMinute, round_to};
+use crate::units::{ItGrade, Micrometres, MillimetresPerMinute, NewtonMetres, Newtons, RevsPerMinute, round_to};
 use technolog_cutting::figures::{self, Asking};
 
 /// What the tables of cutting conditions are asked for.
@@ -16,6 +16,7 @@ pub enum Operation {
     Drilling,
     Grooving,
     Threading,
+    Tapping,
 }
 
 impl Operation {
@@ -25,6 +26,7 @@ impl Operation {
             Self::Drilling => "drill",
             Self::Grooving => "grooving",
             Self::Threading => "threading",
+            Self::Tapping => "tap",
         }
     }
 }
@@ -83,6 +85,16 @@ pub enum NoJob {
     NoCutter { operation: crate::knowledge::vocabulary::Operation, diameter: Micrometres, depth: Half },
     /// The hole that is there is as wide as the cutter, or wider.
     NoStock { operation: crate::knowledge::vocabulary::Operation, diameter: Micrometres, from: Micrometres },
+    /// No catalog has a tap of the thread.
+    NoTap { thread: String },
+    /// No tap of the thread goes so deep.
+    TapTooShort { thread: String, depth: Half, reach: Half },
+    /// There is no room behind the thread for the lead of its tap.
+    NoTapRunOut { surface: SurfaceName, needs: Half, room: Half, thread: String },
+    /// The hole begins with a plain cylinder of the same diameter, which the tap would cut too.
+    PlainBeforeTap { surface: SurfaceName, plain: SurfaceName },
+    /// The torque of the tap is more than that of the spindle.
+    TapTooStrong { diameter: Micrometres, torque: NewtonMetres, most: NewtonMetres },
     /// The drill exceeds the spindle or the drive of Z even at the least feed.
     DrillTooStrong { diameter: Micrometres, force: Newtons, most: Newtons },
     /// No centre hole is so small.
@@ -160,6 +172,22 @@ impl NoJob {
                 .with("operation", Figure::operation(operation.name()))
                 .with("diameter", diameter)
                 .with("from", from),
+            Self::NoTap { thread } => new("job-no-tap").with("thread", thread),
+            Self::TapTooShort { thread, depth, reach } => {
+                new("job-tap-too-short").with("thread", thread).with("depth", depth).with("reach", reach)
+            }
+            Self::NoTapRunOut { surface, needs, room, thread } => new("job-tap-no-run-out")
+                .with("surface", surface)
+                .with("thread", thread)
+                .with("needs", needs)
+                .with("room", room),
+            Self::PlainBeforeTap { surface, plain } => {
+                new("job-plain-before-tap").with("surface", surface).with("plain", plain)
+            }
+            Self::TapTooStrong { diameter, torque, most } => new("job-tap-too-strong")
+                .with("diameter", diameter)
+                .with("torque", round_to(torque.0, 1))
+                .with("most", most.0),
             Self::DrillTooStrong { diameter, force, most } => new("job-drill-too-strong")
                 .with("diameter", diameter)
                 .with("force", round_to(force.0, 0))

@@ -47,6 +47,7 @@ impl Stage {
             | JobWork::Countersink
             | JobWork::CoreDrill
             | JobWork::Ream
+            | JobWork::Tap
             | JobWork::PartOff => None,
         }
     }

@@ -4,6 +4,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Finding, Severity};
 use crate::turning::contour::{Side, Surface, SurfaceKind};
 use crate::turning::jobs::groove::groove;
+use crate::turning::jobs::hole;
 use crate::turning::jobs::thread::{Passes, thread};
 use crate::turning::jobs::{Job, NoJob, Site};
 use crate::turning::length::Half;
@@ -29,17 +30,47 @@ pub(super) fn features(
     let mut jobs = Vec::new();
     let Some(stretch) = stretch(set_up, side.side) else { return Ok(jobs) };
     let site = site(stretch, side, bench)?;
-    for surface in stretch.profile.surfaces.iter().filter(|surface| !bench.leaves(&surface.name)) {
+    let face = side.layers.rough.start().map_or(Half::ZERO, |start| start.z);
+    let surfaces = stretch.profile.surfaces.iter().enumerate();
+    for (index, surface) in surfaces.filter(|(_, surface)| !bench.leaves(&surface.name)) {
         if surface.kind == SurfaceKind::Thread {
-            let name = surface.name.to_string();
-            if let Some(cut) = bench.workpiece.threads.iter().find(|thread| thread.surface == name) {
-                jobs.extend(made(thread(site, surface, cut, Passes::Area, bench), findings)?);
-            }
+            jobs.extend(thread_job(site, index, face, bench, findings)?);
         } else if surface.kind.is_additional() {
             jobs.extend(made(groove(site, surface, bench), findings)?);
         }
     }
     Ok(jobs)
+}
+
+/// The job of a thread, the surface of that index: tapped, or turned pass by pass.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub(super) fn thread_job(
+    site: Site<'_>,
+    index: usize,
+    face: Half,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<Job>, KnowledgeError> {
+    let surfaces = &site.profile.surfaces;
+    let Some(surface) = surfaces.get(index) else { return Ok(None) };
+    let name = surface.name.to_string();
+    let Some(cut) = bench.workpiece.threads.iter().find(|thread| thread.surface == name) else { return Ok(None) };
+    if let Some(tapped) = &cut.tapped {
+        return made(hole::tap(surfaces, index, cut, tapped, face, bench), findings);
+    }
+    let mut job = made(thread(site, surface, cut, Passes::Area, bench), findings)?;
+    match (&mut job, &cut.way) {
+        (Some(job), Some(way)) => {
+            job.notes.insert(0, way.note.clone());
+            job.because.push(way.clone());
+        }
+        // Why it is not tapped either.
+        (None, Some(way)) => findings.push(Finding::of_part(Severity::Wrong, way.note.clone())),
+        _ => {}
+    }
+    Ok(job)
 }
 
 /// The job of a hollow that no turning tool reaches into: a blade cuts it like a groove. Where none does, the findings are those of

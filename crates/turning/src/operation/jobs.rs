@@ -92,7 +92,7 @@ const fn order(work: JobWork) -> u8 {
         JobWork::Countersink => 5,
         JobWork::Ream => 6,
         JobWork::Groove => 7,
-        JobWork::Thread => 8,
+        JobWork::Thread | JobWork::Tap => 8,
         JobWork::PartOff => 9,
     }
 }
@@ -127,7 +127,7 @@ fn drilled(
     if from == Micrometres::ZERO {
         jobs.extend(features::made(hole::spot(diameter, face, drilled.depth_mm, bench), findings)?);
     }
-    let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false };
+    let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false, tapped: false };
     let Some(made) = features::made(hole::drill(&task, bench), findings)? else { return Ok(jobs) };
     let bottom = stretch(set_up, side.side).and_then(|stretch| stretch.profile.surfaces.last());
     let surfaces = bottom.map(|surface| surface.name.clone()).into_iter().collect();

@@ -39,6 +39,7 @@ pub mod programs;
 pub mod proof;
 pub mod setting;
 mod tailstock;
+pub(crate) mod tapped;
 pub mod times;
 pub mod tool_table;
 pub mod tools;
@@ -175,12 +176,24 @@ impl Operation {
 /// The knowledge base lacks a table or a row that must be there.
 pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     if let Some((centred, finding)) = centred::centred(workpiece, knowledge)? {
-        let mut operation = plan_best(&centred, knowledge)?;
+        let mut operation = plan_threads(&centred, knowledge)?;
         operation.findings.insert(0, finding);
         operation.blank_before = Some(workpiece.blank.clone());
         return Ok(operation);
     }
-    plan_best(workpiece, knowledge)
+    plan_threads(workpiece, knowledge)
+}
+
+/// The plan with its inner threads tapped or turned as the rule says; what is not cut that way is tried the other way.
+fn plan_threads(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
+    let by_rule = tapped::decided(workpiece, &tapped::Other::new(), knowledge)?;
+    let planned = plan_best(&by_rule, knowledge)?;
+    let others = tapped::others(&planned, knowledge)?;
+    if others.is_empty() {
+        return Ok(planned);
+    }
+    let again = plan_best(&tapped::decided(workpiece, &others, knowledge)?, knowledge)?;
+    Ok(if again.badness() < planned.badness() { again } else { planned })
 }
 
 /// The best plan of several attempts.

@@ -145,7 +145,8 @@ pub(super) fn sections(
         match sections.last_mut().filter(one) {
             Some(last) => join(&mut last.path, &job.path, job.side),
             None => {
-                sections.push(ToolSection { tool, title, speed, feeds, coolant: true, path: job.path.clone(), cycle })
+                let (path, taps) = (job.path.clone(), job.work == JobWork::Tap);
+                sections.push(ToolSection { tool, title, speed, feeds, coolant: true, path, cycle, taps });
             }
         }
     }

@@ -6,7 +6,7 @@ use technolog_turning_proof as proof;
 use crate::note::{Figure, Finding, IntoFigure, Note, Severity};
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Surface, SurfaceKind, Turn};
 use crate::turning::jobs::hole::point_length;
-use crate::turning::jobs::{Body, JobTool, UNKNOWN_EDGE};
+use crate::turning::jobs::{Body, Job, JobTool, UNKNOWN_EDGE};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::tooling::{Hand, Place, ToolKind};
@@ -31,13 +31,20 @@ pub fn prove(operation: &Operation) -> Vec<Proven> {
     let mut proven = Vec::new();
     for set_up in &operation.set_ups {
         let jobs = set_up.jobs.iter().enumerate();
-        let mut motions: Vec<Motion> = jobs.flat_map(|(index, job)| motions(&job.path, index)).collect();
+        let mut motions: Vec<Motion> = jobs.flat_map(|(index, job)| of_job(job, index)).collect();
         for (number, motion) in (1..).zip(&mut motions) {
             motion.block = Block(number);
         }
         proven.push(prove_set_up(operation, &proven, set_up, motions));
     }
     proven
+}
+
+/// The motions of a job; those along a thread are in step with the spindle.
+fn of_job(job: &Job, tool: usize) -> Vec<Motion> {
+    let lead = job.pace.feeds().map(|feeds| Mm(feeds.thread.0));
+    let in_step = |motion: Motion| Motion { lead: lead.filter(|_| motion.kind == MotionKind::Thread), ..motion };
+    motions(&job.path, tool).into_iter().map(in_step).collect()
 }
 
 /// Simulates given motions of a set-up on the stock after the earlier set-ups, with the tools of its jobs by index.
@@ -159,9 +166,10 @@ pub fn told<'a>(
         {
             false
         }
-        Fault::Stands { surface, .. } | Fault::Corner { surface, .. } | Fault::ThreadShallow { surface, .. } => {
-            surface.as_ref().is_none_or(|surface| own.contains(surface))
-        }
+        Fault::Stands { surface, .. }
+        | Fault::Corner { surface, .. }
+        | Fault::ThreadShallow { surface, .. }
+        | Fault::ThreadShort { surface, .. } => surface.as_ref().is_none_or(|surface| own.contains(surface)),
         unsafe_fault => is_unsafe(operation, unsafe_fault) || meets_tailstock(unsafe_fault),
     };
     let severity = |fault: &Fault| match fault {
@@ -175,10 +183,11 @@ pub fn told<'a>(
 /// Whether a fault would damage the part or cause a collision.
 fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
     match fault {
-        Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } => false,
+        Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } | Fault::ThreadShort { .. } => false,
         Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
         Fault::Struck { .. } => !meets_tailstock(fault),
         Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
+        Fault::TapBlocked { .. } | Fault::TapOutOfStep { .. } | Fault::TapHoleWide { .. } => true,
     }
 }
 
@@ -284,6 +293,7 @@ pub fn motions(path: &Toolpath, tool: usize) -> Vec<Motion> {
         kind: kind(purpose),
         path: proof_piece(&piece),
         tool,
+        lead: None,
         block: Block(index + 1),
     };
     pieces.map(moved).collect()
@@ -375,7 +385,14 @@ fn thread(profile: &Profile, at: usize, operation: &Operation) -> Option<proof::
     // It is drawn at the nominal diameter and turned to the middle of what its tolerance leaves.
     let turned = thread.crests.as_ref().map_or(crest, |crests| crests.middle_radius().to_mm());
     let run_out = Mm(run_out(profile, at, thread.longest_run_out));
-    Some(proof::Thread { crest: Mm(turned), shallow: Mm(shallow), root: Mm(root), run_out })
+    let mm = |length: Micrometres| Mm(length.to_mm());
+    let tap = thread.tapped.as_ref().map(|tapped| proof::TapLimits {
+        diameter: mm(thread.size),
+        pitch: mm(thread.pitch),
+        largest_hole: mm(tapped.largest_hole_mm),
+        run_out: mm(tapped.run_out_mm),
+    });
+    Some(proof::Thread { crest: Mm(turned), shallow: Mm(shallow), root: Mm(root), run_out, tap })
 }
 
 /// How far a thread may cut into the metal behind it: as the standard allows, but not into a seat, mm.
@@ -413,6 +430,11 @@ fn tool(tool: &JobTool) -> proof::Tool {
         Body::Reamer { diameter_mm, front_mm, lead_mm, reach_mm } => {
             let (diameter, front, lead, reach) = (mm(*diameter_mm), mm(*front_mm), mm(*lead_mm), mm(*reach_mm));
             (Cutter::Reamer { diameter, front, lead, reach }, Holder::None)
+        }
+        Body::Tap { diameter_mm, pitch_mm, core_mm, lead_mm, thread_mm, neck_mm, shank_mm, free_mm } => {
+            let (diameter, pitch, core, lead) = (mm(*diameter_mm), mm(*pitch_mm), mm(*core_mm), mm(*lead_mm));
+            let (thread, neck, shank, free) = (mm(*thread_mm), mm(*neck_mm), mm(*shank_mm), mm(*free_mm));
+            (Cutter::Tap { diameter, pitch, core, lead, thread, neck, shank, free }, Holder::None)
         }
         Body::CentreDrill { pilot_mm, pilot_length_mm, body_mm } => (
             Cutter::CentreDrill { pilot: mm(*pilot_mm), pilot_length: mm(*pilot_length_mm), body: mm(*body_mm) },

@@ -179,7 +179,7 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
 
 /// The threads that a set-up cuts.
 fn threads<'a>(set_up: &'a SetUpWork, all: &'a [Thread]) -> impl Iterator<Item = SetThread> + 'a {
-    let jobs = set_up.jobs.iter().filter(|job| job.work == Work::Thread);
+    let jobs = set_up.jobs.iter().filter(|job| matches!(job.work, Work::Thread | Work::Tap));
     let cut = jobs.flat_map(|job| job.surfaces.iter().map(move |surface| (job.side, surface)));
     cut.filter_map(|(side, surface)| {
         let name = surface.to_string();
@@ -223,7 +223,7 @@ const fn along_x(tool: &JobTool) -> &'static str {
     match tool.body {
         Body::Insert { works: Place::Inner, .. } => "set-x-bore",
         Body::Insert { .. } => "set-x-diameter",
-        Body::Drill { .. } | Body::Reamer { .. } | Body::CentreDrill { .. } => "set-x-axis",
+        Body::Drill { .. } | Body::Reamer { .. } | Body::Tap { .. } | Body::CentreDrill { .. } => "set-x-axis",
     }
 }
 
@@ -231,7 +231,7 @@ const fn along_x(tool: &JobTool) -> &'static str {
 /// that is from φ = 90° on.
 fn along_z(tool: &JobTool) -> &'static str {
     match tool.body {
-        Body::Drill { .. } | Body::Reamer { .. } | Body::CentreDrill { .. } => "set-z-point",
+        Body::Drill { .. } | Body::Reamer { .. } | Body::Tap { .. } | Body::CentreDrill { .. } => "set-z-point",
         Body::Insert { kind: ToolKind::Threading, .. } => "set-z-thread",
         Body::Insert { kind: ToolKind::Grooving, .. } => "set-z-blade",
         Body::Insert { kind: ToolKind::FaceGrooving, .. } => "set-z-face",

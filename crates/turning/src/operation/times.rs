@@ -9,6 +9,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::tables::lathes::WorkholdingFigure;
 use crate::turning::contour::Piece;
+use crate::turning::jobs::Work;
 use crate::turning::schemes::rates;
 use crate::turning::tooling::{Lathe, Seconds};
 use crate::turning::toolpath::{Purpose, Toolpath};
@@ -30,7 +31,7 @@ pub struct Times {
     pub tool_changes: usize,
     /// All tool changes.
     pub tool_change_min: Minutes,
-    /// All starts of the spindle: it stops for each tool change.
+    /// All starts of the spindle: it stops for each tool change, and twice for each tap, which it reverses.
     pub spindle_start_min: Minutes,
     /// Loading and unloading of the part.
     pub load_min: Minutes,
@@ -69,13 +70,15 @@ pub fn times(operation: &Operation, knowledge: &Knowledge) -> Result<Vec<Times>,
             let ways = ways(set_up, &stations);
             let tool_changes = 1 + ways.windows(2).filter(|two| two[0].0 != two[1].0).count();
             let each = |time: Seconds| Minutes(time.minutes().0 * tool_changes as f64);
+            let taps = set_up.jobs.iter().filter(|job| job.work == Work::Tap).count();
+            let reversals = Minutes(start.minutes().0 * 2.0 * taps as f64);
             Times {
                 set_up: set_up.set_up.number,
                 cutting_min: cutting(set_up),
                 rapid_min: Minutes(rapids(&ways) / rapid.0),
                 tool_changes,
                 tool_change_min: each(change),
-                spindle_start_min: each(start),
+                spindle_start_min: Minutes(each(start).0 + reversals.0),
                 load_min: load.minutes(),
             }
         })

@@ -46,6 +46,8 @@ pub enum NotWritten {
         /// The move.
         piece: usize,
     },
+    /// The words of the control for a tap are not known.
+    NoTapping,
     /// The tool has the number 0.
     NoTool,
     /// A speed that is not above 0.
@@ -126,6 +128,7 @@ impl NotWritten {
                 Note::new("lathe-arc-too-small").with("piece", piece).with("radius", radius).with("needed", needed)
             }
             Self::RapidArc { piece } => Note::new("lathe-rapid-arc").with("piece", piece),
+            Self::NoTapping => Note::new("lathe-no-tapping"),
             Self::NoTool => Note::new("lathe-no-tool"),
             Self::NoSpeed => Note::new("lathe-no-speed"),
             Self::NoConditions { tool } => Note::new("lathe-no-conditions").with("tool", tool),

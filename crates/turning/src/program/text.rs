@@ -3,8 +3,9 @@
 use crate::turning::contour::{Curve, Piece, Turn};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::units::{Decimal, MillimetresPerRev};
+use crate::units::{Decimal, Micrometres, MillimetresPerRev};
 
+use super::setting::Speed;
 use super::whole::FreeEnd;
 use super::words::{ControlWords, Use};
 
@@ -119,6 +120,26 @@ impl<'c> ProgramWriter<'c> {
         }
         self.line(&words.join(" "));
         (self.at, self.motion) = (Some(piece.to), Some(motion));
+    }
+
+    /// A tap from where it stands along a piece and back, as the control writes it.
+    pub fn tap(&mut self, piece: Piece, speed: Speed, lead: MillimetresPerRev) {
+        let rpm = match speed {
+            Speed::Spindle(rpm) | Speed::Cutting { limit: rpm, .. } => number(rpm.0, 2),
+        };
+        let z = |z: Half| self.words.figure(position(z));
+        let values = [
+            ("from", z(piece.from.z)),
+            ("below", z(piece.from.z + Half::of(Micrometres::from_mm(1)))),
+            ("z", z(piece.to.z)),
+            ("lead", self.words.figure(number(lead.0, 4))),
+            ("speed", rpm),
+        ];
+        for part in [Use::TapBegins, Use::Tap, Use::TapEnds] {
+            let line = self.words.filled(part, &values);
+            self.line(&line);
+        }
+        (self.at, self.motion, self.feed) = (Some(piece.from), None, None);
     }
 
     pub fn finish(self) -> String {

@@ -11,7 +11,7 @@ use super::plain::{end, modes, spindle};
 use super::refused::{NotWritten, check_arc};
 use super::setting::{Feeds, Setting, Speed};
 use super::text::{Pace, ProgramWriter};
-use super::words::Use;
+use super::words::{ControlWords, Use};
 use super::{Control, file_name};
 
 /// The work of one tool with the same speed and feeds.
@@ -31,6 +31,8 @@ pub struct ToolSection {
     pub path: Toolpath,
     /// The same work as a roughing cycle of the control, if requested and possible.
     pub cycle: Option<CycleOf>,
+    /// Whether its moves along a thread are those of a tap: in, and back with the spindle reversed.
+    pub taps: bool,
 }
 
 /// A roughing cycle over a contour.
@@ -93,7 +95,7 @@ pub fn whole(
         files.extend(call.file.clone());
     }
     for (section, call) in sections.iter().zip(&calls) {
-        check(section, name)?;
+        check(section, name, words)?;
         let same = before.filter(|before| before.tool == section.tool);
         if same.is_none() {
             change(&mut sheet, before.is_some(), end_of_part);
@@ -153,6 +155,13 @@ fn leave(sheet: &mut ProgramWriter<'_>, end_of_part: FreeEnd) {
 fn along(sheet: &mut ProgramWriter<'_>, section: &ToolSection, end_of_part: FreeEnd) {
     sheet.approach(section.path.from, end_of_part);
     for (piece, purpose, own) in section.path.paced() {
+        if section.taps && purpose == Purpose::Thread {
+            // The control brings the tap back to where it began.
+            if piece.to.z > piece.from.z {
+                sheet.tap(piece, section.speed, section.feeds.thread);
+            }
+            continue;
+        }
         let pace = match (purpose, own.or_else(|| section.feeds.of(purpose))) {
             (Purpose::Thread, Some(lead)) => Pace::Thread(lead),
             (_, Some(feed)) => Pace::Feed(feed),
@@ -163,11 +172,14 @@ fn along(sheet: &mut ProgramWriter<'_>, section: &ToolSection, end_of_part: Free
 }
 
 /// Whether a section can be written.
-fn check(section: &ToolSection, name: &str) -> Result<(), NotWritten> {
+fn check(section: &ToolSection, name: &str, words: &ControlWords) -> Result<(), NotWritten> {
     let ToolSection { tool, speed, feeds, coolant, .. } = *section;
     Setting { name: name.to_owned(), tool, speed, feeds, coolant }.check()?;
     if section.path.moves.is_empty() {
         return Err(NotWritten::EmptyWay);
+    }
+    if section.taps && words.get(Use::Tap).is_empty() {
+        return Err(NotWritten::NoTapping);
     }
     for (number, (piece, purpose, own)) in (1..).zip(section.path.paced()) {
         check_arc(piece, number)?;

@@ -28,7 +28,7 @@ mod walk_groove;
 use serde::{Serialize, Serializer};
 
 use crate::material::MaterialState;
-use crate::note::Finding;
+use crate::note::{Because, Finding};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
 use super::contour::Profile;
@@ -140,6 +140,29 @@ pub struct Thread {
     /// The longest run-out that the standard allows behind it; none for a pitch below those of the table.
     #[serde(skip)]
     pub longest_run_out: Option<Micrometres>,
+    /// Its hole, in a bore and where a tap cuts it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tapped: Option<Tapped>,
+    /// Why it is tapped or turned, in a bore and once that is decided.
+    #[serde(skip)]
+    pub way: Option<Because>,
+}
+
+/// The hole under a tapped thread.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Tapped {
+    /// The thread as the tables of taps name it.
+    #[serde(skip)]
+    pub id: String,
+    /// Its diameter: that of the drill, mm.
+    pub hole_mm: Micrometres,
+    /// The least diameter that it may have, mm.
+    pub smallest_hole_mm: Micrometres,
+    /// The largest diameter that it may have, mm.
+    pub largest_hole_mm: Micrometres,
+    /// How far behind the full thread its tap goes on, mm.
+    #[serde(skip)]
+    pub run_out_mm: Micrometres,
 }
 
 impl Thread {

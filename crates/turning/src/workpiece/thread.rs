@@ -1,7 +1,7 @@
 //! A metric thread of a turned surface, as drawings designate it.
 
 use crate::knowledge::Knowledge;
-use crate::tables::standards::CoarseThread;
+use crate::tapping;
 use crate::turning::contour::Side;
 use crate::units::Micrometres;
 
@@ -72,15 +72,13 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadSize, &'st
     let (size, pitch) = sizes.split_once('x').map_or((sizes, None), |(size, pitch)| (size, Some(pitch)));
     let length = |figure: &str| figure.parse::<Micrometres>().map_err(|_| "bad-turned-thread");
     let (size, pitch) = (length(size)?, pitch.map(length).transpose()?);
-    let name = format!("M{size}");
-    let row = knowledge.find(|row: &CoarseThread<'_>| row.thread == name).ok().flatten();
-    let coarse = row.as_ref().map(|row| row.pitch);
-    let pitch = pitch.or(coarse).ok_or("no-coarse-pitch")?;
+    let coarse = tapping::coarse(size, knowledge).ok().flatten();
+    let pitch = pitch.or(coarse.map(|row| row.pitch)).ok_or("no-coarse-pitch")?;
     // The profile is 0.54 P deep on each side (ISO 68-1), and a core must be left.
     if size <= Micrometres::ZERO || pitch <= Micrometres::ZERO || pitch + pitch >= size {
         return Err("bad-turned-thread");
     }
-    let drill = if Some(pitch) == coarse { row.map(|row| row.diameter) } else { None };
+    let drill = tapping::tap_hole(size, pitch, knowledge).ok().map(|hole| hole.drill);
     Ok(ThreadSize { written, size, pitch, drill })
 }
 

@@ -282,7 +282,8 @@ impl Walk<'_, '_, '_> {
                 let longest_run_out =
                     longest_run_out(self.walked.side, pitch, self.reader.knowledge).map(|row| row.length);
                 let surface = surface.name.to_string();
-                let thread = Thread { surface, written, size, pitch, crests, flanks, longest_run_out };
+                let (tapped, way) = (None, None);
+                let thread = Thread { surface, written, size, pitch, crests, flanks, longest_run_out, tapped, way };
                 self.walked.threads.push(thread);
             }
             _ => self.walked.whole = false,

@@ -51,6 +51,7 @@ lathe-not-monotone = the contour is not monotone: line { $line } leads back, or 
 lathe-cycle-begins-inside = the cycle begins below the highest point of its contour, that is within the stock
     .help = begin it on the surface of the blank or above
 lathe-cycle-from-memory = { $word }: its passes are known from memory of the manual and from public pages, the control may make them in another way
+lathe-tap-counterclockwise = tapping while the spindle turns counterclockwise: a right-hand tap does not cut
     .help = watch the first run at the machine
 lathe-arc-unsaid = an arc of a contour that does not say G2 or G3: the control takes it for G2
     .help = give G2 or G3 in the block

@@ -143,6 +143,7 @@ turn-does-rough = rough
 turn-does-finish = finish
 turn-does-groove = groove
 turn-does-thread = thread
+turn-does-tap = tap
 turn-does-part-off = part off
 turn-total = In all
 turn-total-of = { $count } rough { $count ->

@@ -29,6 +29,19 @@ swept-corner = { $surface }: an inner corner keeps the round of the nose, r = { 
        *[other] corners
     } in all
 swept-thread-shallow = { $surface }: the deepest pass of the thread ends { $left } mm short of the pitch diameter that its tolerance allows
+swept-tap-blocked = { $tool } meets metal at Z{ $z } Ø{ $diameter }, { $width } mm where it is narrowest: no hole, a hole narrower than its core, or the bottom; { $count } { $count ->
+        [one] place
+       *[other] places
+    } in all
+swept-tap-out-of-step = { $tool } cuts to Z{ $z } and is not fed by its pitch: { $lead } mm per turn in place of { $pitch } mm; { $count } { $count ->
+        [one] motion
+       *[other] motions
+    } in all
+swept-tap-hole-wide = { $surface }: the hole before the tap is wider than the minor diameter may be, by { $width } mm a side at Z{ $z } Ø{ $diameter }; { $count } { $count ->
+        [one] motion
+       *[other] motions
+    } in all
+swept-thread-short = { $surface }: the full thread behind the lead of the tap ends { $left } mm before that of the drawing
 # What cannot be followed at all.
 swept-no-contour = the proof of the program has no outer contour of the part
 swept-no-tool = block { $block } moves a tool that the set-up does not have

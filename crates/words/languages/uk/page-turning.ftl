@@ -142,6 +142,7 @@ turn-does-rough = точити начорно
 turn-does-finish = точити начисто
 turn-does-groove = проточити канавку
 turn-does-thread = нарізати різь
+turn-does-tap = нарізати різь мітчиком
 turn-does-part-off = відрізати
 turn-total = Разом
 turn-total-of = { $count } { $count ->

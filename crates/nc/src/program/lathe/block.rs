@@ -107,6 +107,10 @@ impl Maker<'_> {
     }
 
     fn modes(&mut self, words: &BlockWords) {
+        let taps = self.state.is(LatheGroup::Motion, WordEffect::Tap);
+        if taps && words.function_for(WordEffect::CycleOff).is_some() {
+            self.state.modes.remove(&LatheGroup::Motion);
+        }
         for function in &words.functions {
             match function.group {
                 LatheGroup::OneShot | LatheGroup::Machine | LatheGroup::Free => continue,
@@ -141,9 +145,9 @@ impl Maker<'_> {
     }
 
     fn feed_and_speed(&mut self, words: &BlockWords, limit: bool) {
-        let thread =
-            matches!(self.state.modes.get(&LatheGroup::Motion), Some(WordEffect::Thread | WordEffect::ThreadBox))
-                || words.function_for(WordEffect::ThreadCycle).is_some();
+        let modes = [WordEffect::Thread, WordEffect::ThreadBox, WordEffect::Tap];
+        let thread = self.state.modes.get(&LatheGroup::Motion).is_some_and(|mode| modes.contains(mode))
+            || words.function_for(WordEffect::ThreadCycle).is_some();
         let dwell = words.function_for(WordEffect::Dwell).is_some();
         // The lead of a thread is no feed, and Sinumerik gives the time of G4 as F.
         let is_lead = thread && self.is(LatheReader::Fanuc);
@@ -310,6 +314,11 @@ impl Maker<'_> {
         if mode == WordEffect::ThreadBox {
             self.before_moving(span, true);
             self.thread_box(words, span);
+            return;
+        }
+        if mode == WordEffect::Tap {
+            self.before_moving(span, true);
+            self.tap(words, span);
             return;
         }
         let Some(shape) = self.shape(words, mode, span) else { return };

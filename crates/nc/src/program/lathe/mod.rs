@@ -5,7 +5,7 @@
 //! - `text` blocks with their places, `expression` numbers that depend on parameters, `words` the words of a block;
 //! - `block` one block and the motions it makes, `state` the state kept between blocks;
 //! - `contour` elements of contours and the frame of passes, `roughing` passes over them, `cycles` the cycles that
-//!   make passes over a contour, `threads` those that cut threads;
+//!   make passes over a contour, `threads` those that cut threads, `tapping` those that drive a tap;
 //! - `recognise` whether a text is certainly a program of a lathe;
 //! - `run` the execution of the blocks; `motion` the result; `time` its duration; `rules` all rules.
 
@@ -21,6 +21,7 @@ mod rules;
 mod run;
 mod siemens;
 mod state;
+mod tapping;
 #[cfg(test)]
 mod tests;
 mod text;

@@ -67,6 +67,7 @@ pub(super) const RULES: &[Rule] = &[
     ("lathe-not-monotone", Error, "cycles"),
     ("lathe-cycle-begins-inside", Error, "cycles"),
     ("lathe-cycle-from-memory", Doubtful, "cycles"),
+    ("lathe-tap-counterclockwise", Error, "cycles"),
     ("lathe-arc-unsaid", Error, "cycles"),
 ];
 

@@ -377,11 +377,12 @@ impl Run<'_> {
         (does != WordEffect::Finish && to > index).then_some(Next::To(to + 1))
     }
 
-    /// CYCLE95, CYCLE97 and MSG.
+    /// CYCLE84, CYCLE95, CYCLE97 and MSG.
     fn call_of_siemens(&mut self, maker: &mut Maker<'_>, name: &str, arguments: &[Argument], span: TextSpan) {
         match name {
             "MSG" | "SETMS" => maker.of_cycle = false,
             "CYCLE97" => maker.cycle97(arguments, span),
+            "CYCLE84" => maker.cycle84(arguments, span),
             "CYCLE95" => {
                 let Some(Argument::Text(contour)) = arguments.first() else {
                     maker.report_with("lathe-cycle-field", span, "field", "NPP");

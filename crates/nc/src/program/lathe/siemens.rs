@@ -10,25 +10,25 @@ use crate::program::TextSpan;
 use crate::tables::controls::lathe_reading::Form;
 
 /// The arguments of a call by their names.
-struct Fields {
+pub(super) struct Fields {
     names: Vec<String>,
     values: Vec<Option<f64>>,
 }
 
 impl Fields {
-    fn get(&self, name: &str) -> Option<f64> {
+    pub fn get(&self, name: &str) -> Option<f64> {
         let index = self.names.iter().position(|known| known == name)?;
         self.values.get(index).copied().flatten()
     }
 
-    fn or_zero(&self, name: &str) -> f64 {
+    pub fn or_zero(&self, name: &str) -> f64 {
         self.get(name).unwrap_or_default()
     }
 }
 
 impl Maker<'_> {
     /// The arguments of a call, checked against the table.
-    fn call_fields(&mut self, cycle: &str, arguments: &[Argument], span: TextSpan) -> Option<Fields> {
+    pub(super) fn call_fields(&mut self, cycle: &str, arguments: &[Argument], span: TextSpan) -> Option<Fields> {
         let known = self.language.cycle(cycle, Form::One);
         if arguments.len() > known.all.len() {
             self.report_with("lathe-cycle-fields-too-many", span, "most", known.all.len());

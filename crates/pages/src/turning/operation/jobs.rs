@@ -112,7 +112,7 @@ fn main_feed(job: &Job) -> Option<MillimetresPerRev> {
         | Work::Ream
         | Work::Groove
         | Work::PartOff => feeds.plunge,
-        Work::Thread => feeds.thread,
+        Work::Thread | Work::Tap => feeds.thread,
         Work::Face | Work::Rough => feeds.cut,
         Work::Finish => feeds.finish,
     })
@@ -122,7 +122,7 @@ fn main_feed(job: &Job) -> Option<MillimetresPerRev> {
 fn diameter(job: &Job, set_up: &SetUpWork) -> Option<Micrometres> {
     match (job.work, &job.tool.body, &job.thread) {
         (Work::Drill | Work::Flatten, Body::Drill { diameter_mm, .. }, _)
-        | (_, Body::Reamer { diameter_mm, .. }, _) => Some(*diameter_mm),
+        | (_, Body::Reamer { diameter_mm, .. } | Body::Tap { diameter_mm, .. }, _) => Some(*diameter_mm),
         (Work::Thread, _, Some(thread)) => Some(thread.crest_radius_mm.max(thread.root_radius_mm).diameter()),
         (Work::Centre, ..) => job.spot_diameter(set_up.rough_face()),
         (Work::PartOff, ..) => match set_up.set_up.holds_at {

@@ -3,6 +3,7 @@
 
 mod centre;
 mod pace;
+mod tap;
 mod widen;
 
 #[cfg(test)]
@@ -34,6 +35,7 @@ use super::site;
 use super::{Body, Job, JobTool, Work};
 pub use centre::{CentreForm, centre_hole, centre_hole_for, spot};
 use pace::AxialConditions;
+pub use tap::{drilled_behind, tap};
 pub use widen::{Mouth, Widening, countersink, widen};
 
 /// The end of a drilled hole.
@@ -60,6 +62,8 @@ pub struct Hole {
     pub surfaces: Vec<SurfaceName>,
     /// Whether only a drill of its very diameter will do.
     pub exact: bool,
+    /// Whether a tap follows: the drill is then fed less, as before a reamer.
+    pub tapped: bool,
 }
 
 /// A drill of the catalogs.
@@ -101,7 +105,7 @@ pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
     }
     let share = bench.knowledge.need("two-pass drilling", |_: &FirstDrill<'_>| true)?;
     let most = Micrometres::from_mm_rounded(hole.diameter.to_mm() * share.share_max);
-    let mut first = drill(&Hole { diameter: most, ..hole.clone() }, bench)?;
+    let mut first = drill(&Hole { diameter: most, exact: false, tapped: false, ..hole.clone() }, bench)?;
     let note = Note::new("job-first-drill").with("diameter", hole.diameter).with("most", most);
     first.because.extend([Because::answer(&asked.answer, note.clone()), Because::row(share.row, note)]);
     let from = first.tool.diameter().unwrap_or_default();
@@ -130,6 +134,7 @@ pub fn drill(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let depth = (tip - hole.face).rounded_up();
     let cut = Cut {
         blind: matches!(hole.end, HoleEnd::Blind(_)),
+        reamer_follows: hole.tapped,
         ..cut(operation, drill.diameter, hole.from, depth, drill.material)
     };
     let conditions = pace::pace(&cut, lathe, bench)?;
@@ -169,7 +174,8 @@ pub fn flatten(
 ) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
     let diameter = drilled.tool.diameter().unwrap_or_default();
-    let hole = Hole { diameter, from: Micrometres::ZERO, face, end: HoleEnd::Blind(bottom), surfaces, exact: true };
+    let end = HoleEnd::Blind(bottom);
+    let hole = Hole { diameter, from: Micrometres::ZERO, face, end, surfaces, exact: true, tapped: false };
     let drill = chosen(&hole, bench, |drill| (drill.diameter == diameter).then_some(bottom))?;
     let drill = Drill { point_angle: FLAT, ..drill };
     // The cone is as wide at its mouth as the drill: it is fed as in solid metal.

@@ -9,11 +9,11 @@ use crate::tables::lathes::LatheQuantity;
 use crate::tables::turning::tools::{Limit, TurningLimits};
 use crate::turning::operation::tools::Bench;
 use crate::turning::program::{Feeds, Speed};
-use crate::turning::tooling::Lathe;
-use crate::units::{MetresPerMinute, MillimetresPerRev, Newtons, RevsPerMinute, round_to};
+use crate::turning::tooling::{Lathe, Spindle};
+use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons, RevsPerMinute, round_to};
 use technolog_cutting::figures::Asking;
 use technolog_cutting::laws::LoadLaw;
-use technolog_cutting::{Cut, handbook, practice, rpm_at, speed_at};
+use technolog_cutting::{Cut, handbook, practice, rpm_at, speed_at, tapping};
 
 use super::super::refused::{NoJob, Operation, of_tables};
 
@@ -89,6 +89,49 @@ pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried
         Note::new("job-drill-speed").with("wanted", round_to(wanted.0, 1)).with("speed", used.0).with("spindle", rpm.0);
     because.push(Because::table(lathe.table, note));
     Ok(AxialConditions { speed: Speed::Spindle(RevsPerMinute(rpm.0)), feed: Feeds::all(feed), because })
+}
+
+/// The spindle of a tap: the speed of its formula, compared with practice, as far as the spindle is reversed and the feed follows; slower
+/// where the power is not enough. Its torque does not depend on the speed.
+///
+/// # Errors
+/// The tables have no figures; the torque is more than the spindle has.
+pub(super) fn tap_pace(
+    cut: &Cut,
+    most: RevsPerMinute,
+    lathe: &Lathe<'_>,
+    bench: &Bench<'_, '_>,
+) -> Tried<AxialConditions, NoJob> {
+    let law = tapping::law(cut, bench).map_err(|refusal| of_tables(Operation::Tapping, refusal))?;
+    let mut because = law.because;
+    let (wanted, _, of_practice) = practice::second_opinion(law.speed, cut, &bench.material, bench.knowledge)?;
+    because.extend(of_practice);
+    let pitch = cut.pitch.unwrap_or_default().to_mm();
+    let mut rpm = rpm_at(wanted, cut.diameter).0.min(most.0).min(lathe.feed_z.1.0 / pitch);
+    if let Some(torque) = law.torque {
+        let (power, of_power) = power(lathe, bench.knowledge)?;
+        if let Some(limit) = lathe.torque.filter(|limit| torque.0 > limit.0) {
+            let (diameter, most) = (cut.diameter, limit.0);
+            return Err(Refusal::Not(NoJob::TapTooStrong { diameter, torque, most: NewtonMetres(most) }));
+        }
+        let powered = 9750.0 * power / torque.0;
+        if powered < rpm {
+            rpm = powered;
+            because.push(of_power);
+        }
+        because.push(Because::table(lathe.table, Note::new("job-tap-torque").with("torque", round_to(torque.0, 1))));
+    }
+    let rpm = lathe.spindle.at_most(RevsPerMinute(rpm));
+    // Whole revolutions, as in a program.
+    let rpm = match lathe.spindle {
+        Spindle::Steps(_) => rpm,
+        Spindle::Range { min, .. } => RevsPerMinute(rpm.0.floor().max(min.0)),
+    };
+    let used = speed_at(rpm, cut.diameter).rounded(1);
+    let note =
+        Note::new("job-drill-speed").with("wanted", round_to(wanted.0, 1)).with("speed", used.0).with("spindle", rpm.0);
+    because.push(Because::table(lathe.table, note));
+    Ok(AxialConditions { speed: Speed::Spindle(rpm), feed: Feeds::all(MillimetresPerRev(pitch)), because })
 }
 
 fn lathe_limit(lathe: &Lathe<'_>, quantity: LatheQuantity, limit: f64) -> Tried<Because, NoJob> {

@@ -37,6 +37,7 @@ fn drilled(diameter: i64, end: HoleEnd) -> Result<Job, NoJob> {
         end,
         surfaces: Vec::new(),
         exact: false,
+        tapped: false,
     };
     with_bench("steel-45", |bench| Refusal::split(drill(&hole, bench)).unwrap())
 }
@@ -137,6 +138,7 @@ fn wide_holes_are_drilled_in_two_passes() {
         end: HoleEnd::Blind(Half::from(60.0)),
         surfaces: Vec::new(),
         exact: false,
+        tapped: false,
     };
     with_bench("steel-45", |bench| {
         let widths = |diameter: i64| -> Vec<f64> {

@@ -1,21 +1,20 @@
-//! The narrow end of a bore, which tools on the axis make to size: no boring bar enters it (rule `axial-hole`).
+//! The narrow end of a bore, which tools on the axis make to size: no boring bar enters it, or a tap follows the drill (rule
+//! `axial-hole`).
 //!
 //! It is found on the bore of a set-up before anything is bored. What is left of the bore is bored as if it ended there.
+
+mod sizes;
 
 use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::vocabulary::Operation;
 use crate::note::{Because, Figure, Finding, Note, Severity};
-use crate::tables::holes::StepDiameters;
-use crate::tables::practice::StockBeforeReamingFor;
-use crate::tables::rules::{DrillBeforeCoreDrillFor, ReamingCase};
 use crate::tables::turning::part::{AxialHoleFor, AxialWay};
 use crate::turning::contour::{Contour, Profile, Surface, SurfaceKind, SurfaceName};
 use crate::turning::cutting::unsaid_roughness;
 use crate::turning::elements::Main;
 use crate::turning::jobs::hole::{self, Hole, HoleEnd, Mouth, Widening, point_length};
-use crate::turning::jobs::thread::{Passes, thread};
 use crate::turning::jobs::{Job, NoJob, Site};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -23,8 +22,9 @@ use crate::turning::schemes::rates;
 use crate::turning::zones::TurnedSide;
 use crate::units::{Degrees, ItGrade, Micrometres, Roughness};
 
-use super::features::made;
+use super::features::{made, thread_job};
 use super::tools::Bench;
+use sizes::Sizes;
 
 /// A cylinder that is made on the axis, with what ends it.
 #[derive(Clone, Debug, Serialize)]
@@ -37,9 +37,12 @@ pub struct AxialHole {
     pub core_drilled: bool,
     /// Its surfaces: the cylinder, and its bottom or its cone.
     pub surfaces: Vec<SurfaceName>,
-    /// The thread on the cylinder, which the drill does not make.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub thread: Option<SurfaceName>,
+    /// The threads on the cylinder, which the drill does not make.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub threads: Vec<SurfaceName>,
+    /// How far behind its end the drill of a tapped hole goes, if it goes through.
+    #[serde(skip)]
+    pub tapped: Option<Half>,
     /// Z where it begins in the set-up, mm.
     #[serde(skip)]
     pub begins: Half,
@@ -60,15 +63,15 @@ pub enum AxialEnd {
     Through(Half),
     /// The cone of a drill's point begins there.
     Point(Half),
-    /// A flat bottom, or a shoulder around a narrower hole.
-    Flat(Half),
+    /// A flat bottom, or a shoulder around a narrower hole of a radius.
+    Flat(Half, Half),
 }
 
 impl AxialEnd {
     /// Z of the end of the cylinder.
     const fn z(self) -> Half {
         match self {
-            Self::Through(z) | Self::Point(z) | Self::Flat(z) => z,
+            Self::Through(z) | Self::Point(z) | Self::Flat(z, _) => z,
         }
     }
 }
@@ -78,9 +81,9 @@ impl AxialEnd {
 pub struct Axial {
     /// Its cylinders, from the widest.
     pub holes: Vec<AxialHole>,
-    /// The chamfer at its mouth, if nothing before it is bored.
+    /// The chamfer at its mouth, if nothing before it is bored; without a hole that of one made from the other end.
     #[serde(skip)]
-    pub mouth: Option<(SurfaceName, Micrometres, Degrees)>,
+    pub mouth: Option<MouthOf>,
     /// What is bored before it; none if it is the whole bore.
     #[serde(skip)]
     pub bored: Option<TurnedSide>,
@@ -103,23 +106,26 @@ impl Axial {
             holes.push(hole);
             first = index;
         }
-        if holes.is_empty() {
+        holes.reverse();
+        let mouth = match holes.first() {
+            Some(hole) => mouth(surfaces, first, hole.diameter_mm),
+            None => far_mouth(surfaces, bench)?,
+        };
+        if holes.is_empty() && mouth.is_none() {
             return Ok(None);
         }
-        holes.reverse();
-        let mouth = mouth(surfaces, first, &holes);
         let bored = if first == 0 || mouth.is_some() { None } else { Some(before(stretch, first, &holes)) };
         Ok(Some(Self { holes, mouth, bored, whole: stretch.profile.clone() }))
     }
 
     /// The names of the surfaces that it makes.
     pub fn surfaces(&self) -> impl Iterator<Item = &SurfaceName> {
-        self.holes.iter().flat_map(|hole| &hole.surfaces).chain(self.mouth.iter().map(|mouth| &mouth.0))
+        self.holes.iter().flat_map(|hole| &hole.surfaces).chain(self.mouth.iter().map(|mouth| &mouth.surface))
     }
 
     /// The names of the threads in it, under which it is drilled.
     pub fn threads(&self) -> impl Iterator<Item = &SurfaceName> {
-        self.holes.iter().filter_map(|hole| hole.thread.as_ref())
+        self.holes.iter().flat_map(|hole| &hole.threads)
     }
 
     /// Whether a surface is the cone that the point of its drill leaves.
@@ -162,23 +168,10 @@ impl Axial {
             }
             from = from.max(sizes.drill);
         }
-        for surface in self.whole.surfaces.iter().filter(|surface| self.threads().any(|name| *name == surface.name)) {
-            let name = surface.name.to_string();
-            let (Some(cut), Some((radius, _))) =
-                (bench.workpiece.threads.iter().find(|thread| thread.surface == name), cylinder(surface))
-            else {
-                continue;
-            };
-            let (table, _) = rates::of_table(bench.knowledge)?;
-            let own = bench.workpiece.rates.map_or(table, |rates| rates.main);
-            let clear = Point { radius: radius - Half::of(own.retract), z: face - Half::of(own.approach) };
-            let site = Site { profile: &self.whole, clear };
-            jobs.extend(made(thread(site, surface, cut, Passes::Area, bench), findings)?);
-        }
-        if let (Some((surface, wide, angle)), Some(hole)) = (&self.mouth, self.holes.first()) {
+        if let Some(MouthOf { surface, wide, hole, angle }) = &self.mouth {
             let mouth = Mouth {
                 wide: *wide,
-                hole: hole.diameter_mm,
+                hole: *hole,
                 angle: *angle,
                 face: Half::ZERO,
                 rough_face: face,
@@ -186,14 +179,32 @@ impl Axial {
             };
             jobs.extend(made(hole::countersink(&mouth, bench), findings)?);
         }
+        let (table, _) = rates::of_table(bench.knowledge)?;
+        let own = bench.workpiece.rates.map_or(table, |rates| rates.main);
+        let threads = self.whole.surfaces.iter().enumerate();
+        for (index, surface) in threads.filter(|(_, surface)| self.threads().any(|name| *name == surface.name)) {
+            let Some((radius, _)) = cylinder(surface) else { continue };
+            let clear = Point { radius: radius - Half::of(own.retract), z: face - Half::of(own.approach) };
+            let site = Site { profile: &self.whole, clear };
+            jobs.extend(thread_job(site, index, face, bench, findings)?);
+        }
         Ok(jobs)
     }
 }
 
-/// The next cylinder towards the free end that could be made on the axis: its index, and its end. `first` is the index of the
-/// first surface behind it that is taken, `behind` the hole there.
+/// The next cylinder towards the free end that could be made on the axis: the index of its first surface, and its end. `first` is the
+/// index of the first surface behind it that is taken, `behind` the hole there. Cylinders of one diameter, threads among them, are
+/// one.
 fn next(surfaces: &[Surface], first: usize, behind: Option<&AxialHole>) -> Option<(usize, AxialEnd)> {
     let before = surfaces.get(..first)?;
+    let (index, end) = last_cylinder(before, behind)?;
+    let (radius, _) = cylinder(before.get(index)?)?;
+    let same = |surface: &&Surface| cylinder(surface).is_some_and(|(other, _)| other == radius);
+    Some((index - before.get(..index)?.iter().rev().take_while(same).count(), end))
+}
+
+/// The last cylinder before what is taken.
+fn last_cylinder(before: &[Surface], behind: Option<&AxialHole>) -> Option<(usize, AxialEnd)> {
     let (last, others) = before.split_last()?;
     let index = others.len();
     if let Some(cylinder) = cylinder(last) {
@@ -202,9 +213,11 @@ fn next(surfaces: &[Surface], first: usize, behind: Option<&AxialHole>) -> Optio
     }
     let (wide, z) = cylinder(others.last()?)?;
     let [piece] = last.pieces.as_slice() else { return None };
-    let within = behind.map_or(Half::ZERO, |hole| Half::radius_of(hole.diameter_mm));
-    if piece.is_face() && piece.to.radius == within {
-        return Some((index - 1, AxialEnd::Flat(z)));
+    let within = piece.to.radius;
+    // Without a hole behind it the narrower one is made from the other end.
+    let is_shoulder = behind.is_none_or(|hole| Half::radius_of(hole.diameter_mm) == within);
+    if piece.is_face() && within < wide && is_shoulder {
+        return Some((index - 1, AxialEnd::Flat(z, within)));
     }
     let to_axis = behind.is_none() && piece.to.radius == Half::ZERO && piece.from.radius == wide;
     let is_point = (piece.to.z - piece.from.z - point_length(wide)).to_mm().abs() <= POINT_TOLERANCE * wide.to_mm();
@@ -232,14 +245,21 @@ fn axial(
 ) -> Result<Option<AxialHole>, KnowledgeError> {
     let Some(surface) = surfaces.get(index) else { return Ok(None) };
     let Some(begin) = surface.pieces.first().map(|piece| piece.from) else { return Ok(None) };
+    let taken = surfaces.get(index..first).unwrap_or_default();
     // What a thread asks for is of its flanks; the hole under it is drilled.
-    let is_thread = surface.kind == SurfaceKind::Thread;
-    let (it, roughness) = if is_thread { (None, None) } else { (surface.grade, surface.roughness) };
+    let is_thread = |surface: &&Surface| surface.kind == SurfaceKind::Thread;
+    let plain = || taken.iter().filter(|one| cylinder(one).is_some() && !is_thread(one));
+    let (it, roughness) = (plain().filter_map(|one| one.grade).min(), plain().filter_map(|one| one.roughness).min());
+    let threads: Vec<SurfaceName> = taken.iter().filter(is_thread).map(|one| one.name.clone()).collect();
+    let tapped = bench.workpiece.threads.iter().filter(|thread| thread.tapped.is_some());
+    let tapped = tapped.filter(|thread| threads.iter().any(|name| name.to_string() == thread.surface));
+    let tapped = tapped.map(|thread| hole::drilled_behind(thread, bench)).collect::<Result<Vec<_>, _>>()?;
+    let tapped = tapped.into_iter().max();
     let diameter = begin.radius.diameter();
     if diameter <= Micrometres::ZERO {
         return Ok(None);
     }
-    let asked = bench.knowledge.ask(&AxialHoleFor { diameter, it, roughness })?;
+    let asked = bench.knowledge.ask(&AxialHoleFor { diameter, tapped: tapped.is_some(), it, roughness })?;
     let rule = asked.need(&diameter.to_string())?;
     // Without a drill of its very size a drilled hole is bored, as far as a bar enters.
     let no_drill = rule.made == AxialWay::Drilled && !hole::has_drill(diameter, bench)?;
@@ -252,13 +272,9 @@ fn axial(
         diameter_mm: diameter,
         way: rule.made,
         core_drilled: rule.core_drilled,
-        surfaces: surfaces
-            .iter()
-            .take(first)
-            .skip(if is_thread { index + 1 } else { index })
-            .map(|surface| surface.name.clone())
-            .collect(),
-        thread: is_thread.then(|| surface.name.clone()),
+        surfaces: taken.iter().filter(|one| !is_thread(one)).map(|one| one.name.clone()).collect(),
+        threads,
+        tapped,
         begins: begin.z,
         end,
         asked: (it, roughness),
@@ -266,14 +282,35 @@ fn axial(
     }))
 }
 
+/// A chamfer at the mouth of a hole.
+#[derive(Clone, Debug)]
+pub struct MouthOf {
+    surface: SurfaceName,
+    wide: Micrometres,
+    hole: Micrometres,
+    angle: Degrees,
+}
+
 /// The chamfer at the mouth, where only it is before the first hole.
-fn mouth(surfaces: &[Surface], first: usize, holes: &[AxialHole]) -> Option<(SurfaceName, Micrometres, Degrees)> {
-    let ([surface], Some(hole)) = (surfaces.get(..first)?, holes.first()) else { return None };
+fn mouth(surfaces: &[Surface], first: usize, hole: Micrometres) -> Option<MouthOf> {
+    let [surface] = surfaces.get(..first)? else { return None };
     let [piece] = surface.pieces.as_slice() else { return None };
     let along = piece.chord();
-    let narrows = !piece.is_face() && !piece.is_cylinder() && piece.to.radius == Half::radius_of(hole.diameter_mm);
+    let narrows = !piece.is_face() && !piece.is_cylinder() && piece.to.radius == Half::radius_of(hole);
     let angle = Degrees(2.0 * libm::atan2(-along.radius, along.z).to_degrees());
-    (narrows && angle.0 > 0.0).then(|| (surface.name.clone(), piece.from.radius.diameter(), angle))
+    let wide = piece.from.radius.diameter();
+    (narrows && angle.0 > 0.0).then(|| MouthOf { surface: surface.name.clone(), wide, hole, angle })
+}
+
+/// The chamfer of a hole that an earlier set-up has made from the other end, where that is all there is of the bore and no bar enters.
+fn far_mouth(surfaces: &[Surface], bench: &Bench<'_, '_>) -> Result<Option<MouthOf>, KnowledgeError> {
+    let hole = surfaces.last().and_then(|one| one.pieces.last()).map_or(Half::ZERO, |piece| piece.to.radius).diameter();
+    if surfaces.len() != 1 || hole <= Micrometres::ZERO {
+        return Ok(None);
+    }
+    let asked = bench.knowledge.ask(&AxialHoleFor { diameter: hole, tapped: false, it: None, roughness: None })?;
+    let bored = asked.need(&hole.to_string())?.made == AxialWay::Bored;
+    Ok(mouth(surfaces, surfaces.len(), hole).filter(|_| !bored))
 }
 
 /// The bore before the first hole, which begins with it.
@@ -291,64 +328,6 @@ fn before(stretch: &TurnedSide, first: usize, holes: &[AxialHole]) -> TurnedSide
     }
 }
 
-/// The diameters on the way to the size of a hole.
-struct Sizes {
-    drill: Micrometres,
-    core_drill: Option<Micrometres>,
-    rough_ream: Option<Micrometres>,
-    because: Vec<Because>,
-}
-
-impl Sizes {
-    /// Those of the handbook, where it has the hole; otherwise the least stock of the tables under the last reamer, and what a core
-    /// drill or a rough reamer takes.
-    fn of(hole: &AxialHole, bench: &Bench<'_, '_>) -> Result<Self, KnowledgeError> {
-        let (diameter, twice) = (hole.diameter_mm, hole.way == AxialWay::ReamedTwice);
-        if hole.way == AxialWay::Drilled {
-            return Ok(Self { drill: diameter, core_drill: None, rough_ream: None, because: Vec::new() });
-        }
-        let known = bench.knowledge.find(|row: &StepDiameters<'_>| row.diameter == diameter)?;
-        if let Some(row) = known.filter(|row| row.core_drill.is_some() == hole.core_drilled) {
-            let note = Note::new("axial-steps").with("diameter", diameter);
-            return Ok(Self {
-                drill: row.drill_1,
-                core_drill: row.core_drill,
-                rough_ream: row.rough_ream.filter(|_| twice),
-                because: vec![Because::row(row.row, note)],
-            });
-        }
-        let mut because = Vec::new();
-        let mut stock = |case| -> Result<Micrometres, KnowledgeError> {
-            let asked = bench.knowledge.ask(&StockBeforeReamingFor { case, diameter })?;
-            let row = asked.need(&diameter.to_string())?;
-            because.push(Because::answer(&asked.answer, Note::new("axial-steps").with("diameter", diameter)));
-            Ok(row.stock_min)
-        };
-        let rough_ream = match twice {
-            true => Some(diameter - stock(ReamingCase::FinishAfterRough)?),
-            false => None,
-        };
-        let case = match (twice, hole.core_drilled) {
-            (true, true) => ReamingCase::RoughAfterCoreDrill,
-            (true, false) => ReamingCase::RoughAfterDrill,
-            (false, true) => ReamingCase::OneAfterCoreDrill,
-            (false, false) => ReamingCase::OneAfterDrill,
-        };
-        let before = rough_ream.unwrap_or(diameter) - stock(case)?;
-        if !hole.core_drilled {
-            return Ok(Self { drill: tenths(before), core_drill: None, rough_ream, because });
-        }
-        let asked = bench.knowledge.ask(&DrillBeforeCoreDrillFor { diameter })?;
-        let drill = diameter - asked.need(&diameter.to_string())?.stock;
-        Ok(Self { drill, core_drill: Some(before), rough_ream, because })
-    }
-}
-
-/// Down to whole tenths of a millimetre, as drills are made.
-fn tenths(length: Micrometres) -> Micrometres {
-    Micrometres::new(length.micrometres() / 100 * 100)
-}
-
 impl AxialHole {
     /// Its jobs; `from` is the diameter of the hole that is there, which may be as wide as the drill.
     fn jobs(&self, sizes: &Sizes, from: Micrometres, face: Half, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
@@ -356,20 +335,24 @@ impl AxialHole {
         let last = self.way == AxialWay::Drilled;
         let own = |is_last: bool| if is_last { self.surfaces.clone() } else { Vec::new() };
         let end = match self.end {
-            AxialEnd::Through(z) => HoleEnd::Through(bench.through(z)),
+            AxialEnd::Through(z) => HoleEnd::Through(bench.through(z + self.tapped.unwrap_or_default())),
             // The point of a narrower drill ends where that of the hole does.
             AxialEnd::Point(z) => HoleEnd::Blind(z + point_length(Half::radius_of(self.diameter_mm))),
-            AxialEnd::Flat(z) => HoleEnd::Blind(z + point_length(Half::radius_of(from))),
+            AxialEnd::Flat(z, within) => HoleEnd::Blind(z + point_length(Half::radius_of(from).max(within))),
         };
         let mut before = from;
         if from < sizes.drill {
             if from == Micrometres::ZERO {
                 jobs.push(hole::spot(sizes.drill, face, self.end.z(), bench)?);
             }
-            let flat = matches!(self.end, AxialEnd::Flat(_));
+            let flat = matches!(self.end, AxialEnd::Flat(..));
             let exact = last || sizes.core_drill.is_none();
             let surfaces = own(last && !flat);
-            let mut drilled = hole::drill(&Hole { diameter: sizes.drill, from, face, end, surfaces, exact }, bench)?;
+            let tapped = self.tapped.is_some();
+            let task = Hole { diameter: sizes.drill, from, face, end, surfaces, exact, tapped };
+            let mut all = hole::drilling(&task, bench)?;
+            let Some(mut drilled) = all.pop() else { return Ok(jobs) };
+            jobs.extend(all);
             drilled.because.push(self.because.clone());
             drilled.because.extend(sizes.because.clone());
             before = drilled.tool.diameter().unwrap_or_default();
@@ -386,7 +369,7 @@ impl AxialHole {
             // The front of the tool is narrower than the drill, whose cone begins where its wall ends.
             let end = match self.end {
                 AxialEnd::Through(z) => HoleEnd::Through(z),
-                AxialEnd::Point(z) | AxialEnd::Flat(z) => HoleEnd::Blind(z),
+                AxialEnd::Point(z) | AxialEnd::Flat(z, _) => HoleEnd::Blind(z),
             };
             // A grade asks for a surface even where the drawing gives none.
             let (it, roughness) = match self.asked {

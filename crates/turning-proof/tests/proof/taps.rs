@@ -1,0 +1,110 @@
+//! A blind hole with a tapped thread, and each way to spoil it.
+
+use technolog_turning_proof::MotionKind::{Feed, Rapid, Thread as InStep};
+use technolog_turning_proof::{Cutter, Fault, Mm, Motion, MotionKind, Piece, Profile, SetUp, Stock, TapLimits, Thread};
+
+use crate::made::{at, bare, chain, is, line, program, wrong};
+
+/// M12 by hand: pitch 1.75, hole Ø10.2 of Ø10.106 to Ø10.441, thread 20 deep, hole 28 deep, lead of three pitches 5.25: the front goes
+/// to 25.25.
+const TIP: f64 = -25.25;
+
+struct Made {
+    hole: f64,
+    deep: f64,
+    tip: f64,
+    kinds: [MotionKind; 2],
+    lead: f64,
+    beside: f64,
+}
+
+const GOOD: Made = Made { hole: 10.2, deep: -28.0, tip: TIP, kinds: [InStep, InStep], lead: 1.75, beside: 0.0 };
+
+fn made(made: &Made) -> SetUp {
+    let outside = chain(&[(0.0, 6.6), (0.0, 15.0), (-40.0, 15.0)]);
+    let mut bore = vec![
+        line("chamfer", (0.0, 6.6), (-1.5, 5.1)),
+        line("thread", (-1.5, 5.1), (-20.0, 5.1)),
+        line("hole", (-20.0, 5.1), (-28.0, 5.1)),
+        line("bottom", (-28.0, 5.1), (-28.0, 0.0)),
+    ];
+    let tap = TapLimits { diameter: Mm(12.0), pitch: Mm(1.75), largest_hole: Mm(10.441), run_out: Mm(7.0) };
+    bore[1].thread = Some(Thread { crest: Mm(5.1), shallow: Mm(5.8), root: Mm(6.0), tap: Some(tap) });
+    let radius = made.hole / 2.0;
+    let chamfer = 6.6 - radius;
+    let inner = [(0.0, 6.6), (-chamfer, radius), (made.deep, radius), (made.deep, 0.0)];
+    let outer = [(0.0, 6.6), (0.0, 15.0), (-40.0, 15.0)];
+    let lines = |places: &[(f64, f64)]| Piece::lines(&places.iter().map(|(z, r)| at(*z, *r)).collect::<Vec<_>>());
+    let cutter = Cutter::Tap {
+        diameter: Mm(12.0),
+        pitch: Mm(1.75),
+        core: Mm(10.106),
+        lead: Mm(5.25),
+        thread: Mm(29.0),
+        neck: Mm(29.0),
+        shank: Mm(9.0),
+        free: Mm(71.0),
+    };
+    let moves = [(made.kinds[0], made.tip, made.beside), (made.kinds[1], 5.0, made.beside)];
+    let motions = program(0, (5.0, made.beside), &moves);
+    let motions = motions.into_iter().map(|one| Motion { lead: Some(Mm(made.lead)), ..one }).collect();
+    SetUp {
+        profile: Profile { outside, bore },
+        stock: Stock::between(&lines(&outer), &lines(&inner)),
+        bodies: Vec::new(),
+        tools: vec![bare(cutter)],
+        motions,
+    }
+}
+
+fn codes(one: &Made) -> Vec<&'static str> {
+    wrong(&made(one)).iter().map(Fault::code).collect()
+}
+
+#[test]
+fn a_thread_is_tapped_in_its_hole() {
+    assert_eq!(wrong(&made(&GOOD)), []);
+}
+
+#[test]
+fn what_spoils_a_tapped_thread_is_told() {
+    for (what, one, code) in [
+        ("no hole", Made { deep: -2.0, ..GOOD }, "swept-tap-blocked"),
+        ("a narrow hole", Made { hole: 9.9, ..GOOD }, "swept-tap-blocked"),
+        ("a wide hole", Made { hole: 10.5, ..GOOD }, "swept-tap-hole-wide"),
+        ("against the bottom", Made { tip: -28.5, ..GOOD }, "swept-tap-blocked"),
+        ("another lead", Made { lead: 1.5, ..GOOD }, "swept-tap-out-of-step"),
+        ("at a feed", Made { kinds: [Feed, InStep], ..GOOD }, "swept-tap-out-of-step"),
+        ("out at rapid", Made { kinds: [InStep, Rapid], ..GOOD }, "swept-rapid"),
+        ("beside the axis", Made { beside: 0.5, ..GOOD }, "swept-off-axis"),
+        ("too short", Made { tip: -22.0, ..GOOD }, "swept-thread-short"),
+    ] {
+        let found = codes(&one);
+        assert!(found.contains(&code), "{what}: {found:?}");
+    }
+}
+
+/// 22 less the lead is full to 16.75, 3.25 less than 20. Without a tap the whole of it lacks.
+#[test]
+fn the_missing_length_is_told() {
+    let left = |one: &Made| {
+        wrong(&made(one)).into_iter().find_map(|fault| match fault {
+            Fault::ThreadShort { left, .. } => Some(left),
+            _ => None,
+        })
+    };
+    assert!(is(left(&Made { tip: -22.0, ..GOOD }).unwrap(), 3.25));
+    let mut none = made(&GOOD);
+    none.motions.clear();
+    assert_eq!(wrong(&none).iter().map(Fault::code).collect::<Vec<_>>(), ["swept-thread-shallow"]);
+}
+
+/// The thread of another pitch is not this thread.
+#[test]
+fn a_tap_of_another_thread_makes_none() {
+    let mut work = made(&Made { lead: 1.5, ..GOOD });
+    if let Cutter::Tap { pitch, .. } = &mut work.tools[0].cutter {
+        *pitch = Mm(1.5);
+    }
+    assert_eq!(wrong(&work).iter().map(Fault::code).collect::<Vec<_>>(), ["swept-thread-shallow"]);
+}
