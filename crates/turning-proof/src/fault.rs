@@ -209,7 +209,8 @@ impl Fault {
                 of_surface(placed(at), surface).with("depth", depth).with("count", count)
             }
             Self::TapOutOfStep { tool, pitch, lead, at, count, .. } => {
-                placed(at).with("tool", tool).with("pitch", pitch).with("lead", lead).with("count", count)
+                let note = Note::new(code).with("z", at.z).with("tool", tool);
+                note.with("pitch", pitch).with("lead", lead).with("count", count)
             }
             Self::TapHoleWide { surface, width, at, count, .. } => {
                 of_surface(placed(at), surface).with("width", width).with("count", count)
