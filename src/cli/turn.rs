@@ -5,7 +5,6 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use serde::Serialize;
 use technolog::cases::FileKind;
 use technolog::document::Document;
 use technolog::error::KnowledgeError;
@@ -13,12 +12,12 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
 use technolog::report::{self, Lang};
 use technolog::turning::length::Half;
+use technolog::turning::operation::Operation;
 use technolog::turning::operation::programs::Form;
-use technolog::turning::operation::{self, Operation};
+use technolog::turning::passes;
 use technolog::turning::passes::cost::Objective;
-use technolog::turning::passes::{self, Sequences};
-use technolog::turning::schemes::{self, Schemes};
 use technolog::turning::shaft::{Mistake, Moves, Shaft};
+use technolog::turning::ways;
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
 use technolog::units::{Micrometres, RevsPerMinute};
 use technolog::words::say;
@@ -46,7 +45,7 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value = "1", value_parser = whole_number::<1, 1_000>)]
     number: u32,
     #[arg(long, value_enum, hide_possible_values = true)]
-    variant: Option<VariantName>,
+    variant: Option<WayName>,
     #[arg(long, value_name = "RPM", value_parser = whole_number::<1, 20_000>)]
     spindle: Option<u32>,
 }
@@ -109,22 +108,30 @@ enum MovesName {
     Rich,
 }
 
-/// Sequences of passes by their names.
+/// Ways of roughing by their names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum VariantName {
+enum WayName {
     Longitudinal,
     Transverse,
     PerStep,
     Optimal,
+    Verticals,
+    Levels,
+    HorizontalsA,
+    HorizontalsB,
 }
 
-impl VariantName {
+impl WayName {
     const fn name(self) -> &'static str {
         match self {
             Self::Longitudinal => "longitudinal",
             Self::Transverse => "transverse",
             Self::PerStep => "per-step",
             Self::Optimal => "optimal",
+            Self::Verticals => "verticals",
+            Self::Levels => "levels",
+            Self::HorizontalsA => "horizontals-a",
+            Self::HorizontalsB => "horizontals-b",
         }
     }
 }
@@ -140,7 +147,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (command, formats) = args.show.formats();
     let format = context.format(command, formats)?;
     let knowledge = knowledge::load(context)?;
-    let read = read(&args.shaft, knowledge, context)?;
+    let mut read = read(&args.shaft, knowledge, context)?;
+    if let (Turned::Stepped(shaft), Some(moves)) = (&mut read, args.moves) {
+        shaft.roughing.moves = if moves == MovesName::Rich { Moves::Rich } else { Moves::Basic };
+    }
     if let Some(form) = args.show.program() {
         let operation = operation_of(&read, args, knowledge, context)?;
         let spindle = args.spindle.map(|speed| RevsPerMinute(f64::from(speed)));
@@ -154,7 +164,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             _ => turn_operation::tool_table(&operation, args.control, knowledge, context),
         };
     }
-    let mut shaft = match read {
+    let shaft = match read {
         Turned::Stepped(shaft) if matches!(args.show, Show::Operation | Show::Schemes) => {
             return turn_operation::page(
                 &Workpiece::from(&shaft),
@@ -172,9 +182,6 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             return turn_operation::page(&workpiece, args.show == Show::Schemes, knowledge, format, context);
         }
     };
-    if let Some(moves) = args.moves {
-        shaft.roughing.moves = if moves == MovesName::Rich { Moves::Rich } else { Moves::Basic };
-    }
     let objective = objective(args, &shaft, context)?;
     if args.show == Show::Map {
         let map = passes::map::map(&shaft, objective);
@@ -192,18 +199,17 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         return Ok(Outcome::Done);
     }
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let found = passes::find(&shaft, objective, knowledge).map_err(lacking)?;
-    let schemes = schemes::find(&shaft, knowledge).map_err(lacking)?;
+    let found = ways::find(&shaft, objective, knowledge).map_err(lacking)?;
     match format {
-        Format::Json => context.emit_json(&Answer::of(found, &schemes))?,
-        Format::Yaml => context.emit_yaml(&Answer::of(found, &schemes))?,
+        Format::Json => context.emit_json(&found)?,
+        Format::Yaml => context.emit_yaml(&found)?,
         Format::Svg if args.show == Show::Steps => {
-            context.emit_cleaned(&report::turning::frames(&found, context.lang))?
+            context.emit_cleaned(&report::turning::frames(&found.sequences, context.lang))?
         }
-        Format::Svg => context.emit_cleaned(&report::turning::drawing(&found, &schemes, context.lang))?,
+        Format::Svg => context.emit_cleaned(&report::turning::drawing(&found, context.lang))?,
         _ => {
-            let page = report::turning::page(&found, &schemes, knowledge, context.amount.doubts(), context.lang);
-            drawn(page, format, context, "turn-figure", |lang| report::turning::drawing(&found, &schemes, lang))?;
+            let page = report::turning::page(&found, knowledge, context.amount.doubts(), context.lang);
+            drawn(page, format, context, "turn-figure", |lang| report::turning::drawing(&found, lang))?;
         }
     }
     Ok(Outcome::Done)
@@ -212,27 +218,24 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 /// The operation whose programs are written.
 fn operation_of(read: &Turned, args: &Args, knowledge: &Knowledge, context: &Context) -> Result<Operation, CliError> {
     match (read, args.variant) {
-        (Turned::Stepped(shaft), Some(variant)) => by_passes(shaft, variant, args, knowledge, context),
+        (Turned::Stepped(shaft), Some(way)) => by_way(shaft, way, args, knowledge, context),
         (Turned::Contoured(_), Some(_)) => Err(refused("only-for-steps", context)),
         (Turned::Stepped(shaft), None) => turn_operation::plan(&Workpiece::from(shaft), knowledge, context),
         (Turned::Contoured(workpiece), None) => turn_operation::plan(workpiece, knowledge, context),
     }
 }
 
-/// The operation of a shaft that is roughed by one of its sequences of passes.
-fn by_passes(
+/// The operation of a shaft that is roughed by one of its ways.
+fn by_way(
     shaft: &Shaft,
-    variant: VariantName,
+    way: WayName,
     args: &Args,
     knowledge: &Knowledge,
     context: &Context,
 ) -> Result<Operation, CliError> {
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let found = passes::find(shaft, objective(args, shaft, context)?, knowledge).map_err(lacking)?;
-    match found.variants.iter().find(|one| one.name == variant.name()) {
-        Some(variant) => operation::by_passes::by_passes(shaft, variant, knowledge).map_err(lacking),
-        None => turn_operation::plan(&Workpiece::from(shaft), knowledge, context),
-    }
+    let ways = ways::find(shaft, objective(args, shaft, context)?, knowledge).map_err(lacking)?;
+    ways.operation_by(way.name()).ok_or_else(|| refused("way-without-tool", context))
 }
 
 /// Writes a page; HTML also shows its drawing, under a caption of the message catalogue.
@@ -251,22 +254,6 @@ pub fn drawn(
         page.push(report::turning::figure_of(draw(context.lang), caption, context.lang));
     }
     context.emit_document(&page, format)
-}
-
-/// Passes and schemes as one answer.
-#[derive(Debug, Serialize)]
-struct Answer<'a> {
-    #[serde(flatten)]
-    found: Sequences,
-    #[serde(flatten)]
-    schemes: &'a Schemes,
-}
-
-impl<'a> Answer<'a> {
-    fn of(mut found: Sequences, schemes: &'a Schemes) -> Self {
-        found.findings.extend(schemes.findings.iter().cloned());
-        Self { found, schemes }
-    }
 }
 
 /// The distance added by a pass: 0 to 100,000 mm, so that sums stay exact.

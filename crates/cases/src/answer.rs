@@ -12,11 +12,8 @@ use crate::plan::{CuttingMethod, Preference};
 use crate::planner;
 use crate::program::is_run;
 use crate::program::proof::PlannedJob;
-use crate::turning::passes;
-use crate::turning::schemes;
-use crate::turning::shaft::Shaft;
 use crate::turning::workpiece::{Turned, Workpiece};
-use crate::turning::{operation, passes::cost::Objective};
+use crate::turning::{operation, ways};
 
 use super::question::{Program, Question};
 use super::{Asker, planned, table};
@@ -34,7 +31,7 @@ pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, Knowledge
             planned::json(&plan, &planner::plan_by(part, *method, Preference::Tables, knowledge)?)
         }
         Question::Turned { part, operation, objective } => match part.as_ref() {
-            Turned::Stepped(shaft) if !operation => sequences(shaft, *objective, knowledge)?,
+            Turned::Stepped(shaft) if !operation => value(&ways::find(shaft, *objective, knowledge)?),
             Turned::Stepped(shaft) => value(&operation::plan(&Workpiece::from(shaft), knowledge)?),
             Turned::Contoured(workpiece) => value(&operation::plan(workpiece, knowledge)?),
         },
@@ -46,20 +43,6 @@ pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, Knowledge
 fn value(answer: &impl Serialize) -> Value {
     // Answers of the program have no keys that JSON does not permit.
     serde_json::to_value(answer).unwrap_or_default()
-}
-
-/// Passes and schemes as one answer.
-fn sequences(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Result<Value, KnowledgeError> {
-    let mut found = passes::find(shaft, objective, knowledge)?;
-    let schemes = schemes::find(shaft, knowledge)?;
-    found.findings.extend(schemes.findings.iter().cloned());
-    let mut answer = value(&found);
-    if let (Some(answer), Value::Object(schemes)) = (answer.as_object_mut(), value(&schemes)) {
-        for (key, inner) in schemes {
-            answer.entry(key).or_insert(inner);
-        }
-    }
-    Ok(answer)
 }
 
 /// The result of `technolog check` for a program.

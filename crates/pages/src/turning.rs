@@ -1,4 +1,4 @@
-//! The passes of a shaft as a page: the variants side by side, and the best one pass by pass.
+//! The ways of roughing a shaft as a page: side by side with the one to take, and the optimum pass by pass.
 
 mod cells;
 mod drawing;
@@ -11,21 +11,21 @@ mod schemes;
 mod schemes_drawing;
 mod setting;
 mod view;
+mod ways;
 
 use crate::document::{Block, Column, Document, Drawing, Field, Keep, Table};
 use crate::knowledge::Knowledge;
 use crate::note;
 use technolog_turning::passes::cost::Objective;
-use technolog_turning::passes::pass::PassDirection;
 use technolog_turning::passes::{Sequences, Variant};
-use technolog_turning::schemes::Schemes;
 use technolog_turning::shaft::{Division, Moves};
+use technolog_turning::ways::Ways;
 use technolog_words::say;
 
 use super::doubts::is_of_row;
 use super::{Doubts, Lang};
 use cells::{Cell, arrow, figure, span, table};
-use phrases::{finding, material, note_line, rests_on, unconfirmed, word};
+use phrases::{finding, material, note_line, unconfirmed, word};
 
 pub use drawing::drawing;
 pub use frames::frames;
@@ -35,54 +35,25 @@ pub use operation_drawing::operation_drawing;
 pub use setting::setting_page;
 
 /// The whole page of a shaft.
-pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> Document {
+pub fn page(ways: &Ways, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> Document {
+    let found = &ways.sequences;
     let mut page = Document::new(lang.tag(), found.shaft.shaft.as_str());
     head(&mut page, found, knowledge, lang);
-    section(&mut page, say!(lang, "turn-variants"));
-    page.push(variants(found, lang));
-    if let Some(proof) = found.proof {
-        let (radii, zs) = proof.lines;
-        page.paragraph(match proof.optimal_on_the_grid {
-            true => say!(lang, "turn-proven", radii = radii, zs = zs),
-            false => say!(lang, "turn-bounded", radii = radii, zs = zs, bound = proof.lower_bound),
-        });
-    }
+    ways::sections(&mut page, ways, lang);
     if let Some(best) = found.variants.last().filter(|best| !best.passes.is_empty()) {
         section(&mut page, say!(lang, "turn-optimum"));
         page.push(passes(best, lang));
+        if let Some(proof) = found.proof {
+            let (radii, zs) = proof.lines;
+            page.paragraph(match proof.optimal_on_the_grid {
+                true => say!(lang, "turn-proven", radii = radii, zs = zs),
+                false => say!(lang, "turn-bounded", radii = radii, zs = zs, bound = proof.lower_bound),
+            });
+        }
     }
-    section(&mut page, say!(lang, "turn-recommended"));
-    let because = &found.recommended.because;
-    let taken = found.recommended.variant.unwrap_or("no-variant");
-    let why = say!(lang, "turn-take", variant = word(taken), why = &because.note);
-    page.paragraph(rests_on(&why, because, lang));
-    if let Some(sentence) = quicker_scheme(found, schemes, lang) {
-        page.paragraph(sentence);
-    }
-    schemes::sections(&mut page, schemes, lang);
-    findings(&mut page, found.findings.iter().chain(&schemes.findings), doubts, lang);
+    schemes::section_of_levels(&mut page, &ways.schemes, lang);
+    findings(&mut page, found.findings.iter(), doubts, lang);
     page
-}
-
-/// The scheme of the lecture that takes less time than the recommended variant: the variant is only the best on
-/// the grid of levels and slices, so a page that names both must say which is meant when.
-fn quicker_scheme(found: &Sequences, schemes: &Schemes, lang: Lang) -> Option<String> {
-    let variant = found.variants.iter().find(|variant| Some(variant.name) == found.recommended.variant)?;
-    let best = schemes.best_scheme.as_ref()?;
-    let scheme = schemes.schemes.iter().find(|scheme| scheme.name == best.scheme)?;
-    let (time, taken) = (scheme.measures.time_min.0, variant.time_min?.0);
-    (time < taken).then(|| {
-        let minutes = |time: f64| cells::fixed(time, 3, lang);
-        say!(
-            lang,
-            "turn-scheme-is-quicker",
-            scheme = word(scheme.name),
-            section = say!(lang, "turn-schemes"),
-            time = minutes(time),
-            variant = word(variant.name),
-            taken = minutes(taken)
-        )
-    })
 }
 
 /// A drawing as a block of its page.
@@ -157,33 +128,6 @@ fn head(page: &mut Document, found: &Sequences, knowledge: &Knowledge, lang: Lan
     if found.moves == Moves::Rich {
         page.paragraph(say!(lang, "turn-rich-moves"));
     }
-}
-
-fn variants(found: &Sequences, lang: Lang) -> Table {
-    let (mm, min) = (say!(lang, "unit-mm"), say!(lang, "unit-min"));
-    let columns = [
-        Column::text(say!(lang, "turn-variant")),
-        Column::number(say!(lang, "turn-path"), mm),
-        Column::number(say!(lang, "turn-passes"), ""),
-        Column::number(say!(lang, "turn-passes-along"), "").keep(Keep::Optional),
-        Column::number(say!(lang, "turn-passes-across"), "").keep(Keep::Optional),
-        // Without rates there are no times.
-        Column::number(say!(lang, "turn-time"), min).keep(Keep::Useful),
-        Column::number(say!(lang, "turn-above-optimum"), "%"),
-    ];
-    let row = |variant: &Variant| {
-        let along = variant.passes.iter().filter(|pass| pass.kind == PassDirection::Longitudinal).count();
-        vec![
-            lang.term("word", variant.name).into(),
-            Cell::Figure(variant.cutting_path_mm.to_mm(), 2),
-            Cell::count(variant.passes.len()),
-            Cell::count(along),
-            Cell::count(variant.passes.len() - along),
-            variant.time_min.map_or_else(Cell::empty, |time| Cell::Figure(time.0, 3)),
-            Cell::Figure(variant.above_optimum_percent, 2),
-        ]
-    };
-    table(columns, found.variants.iter().map(row).collect(), lang)
 }
 
 fn passes(variant: &Variant, lang: Lang) -> Table {

@@ -13,7 +13,8 @@
 //! - [`nose`] offsets a contour for the reference point of a tool with a round nose;
 //! - [`operation`] runs all of these in order, and [`jobs`] is the work of its tools;
 //! - [`program`] writes toolpaths and contours as programs of controls (docs/turning-programs.md);
-//! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
+//! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md);
+//! - [`ways`] has all ways of roughing a stepped shaft in one table, and the one to take.
 //!
 //! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
 //! 12 on turning on NC lathes.
@@ -37,6 +38,7 @@ pub mod shaft;
 pub mod tooling;
 pub mod toolpath;
 pub mod transitions;
+pub mod ways;
 pub mod workpiece;
 pub mod zones;
 

@@ -27,5 +27,6 @@ mod tapping;
 mod threads;
 mod tools;
 mod transitions;
+mod ways;
 mod workpiece;
 mod zones;

@@ -135,21 +135,6 @@ fn the_time_of_one_pass_is_that_of_its_motions() {
     assert!((time - expected).abs() < 1e-9, "{time} {expected}");
 }
 
-#[test]
-fn between_centres_the_longitudinal_variant_is_taken_and_a_forging_none() {
-    for (from, to, variant, finding) in [
-        ("steps:", "holding: centres\nsteps:", Value::from("longitudinal"), None),
-        ("kind: bar", "kind: forging", Value::Null, Some("contour-passes-elsewhere")),
-    ] {
-        let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/shaft.yaml")).unwrap();
-        let shaft = read_shaft("shaft", &text.replacen(from, to, 1), &KNOWLEDGE).unwrap();
-        let found = serde_json::to_value(find(&shaft, Objective::Path, &KNOWLEDGE).unwrap()).unwrap();
-        assert_eq!(found["recommended"]["variant"], variant);
-        assert_eq!(found["findings"][0]["code"].as_str(), finding);
-        assert_eq!(found["recommended"]["because"]["table"], "pass-direction");
-    }
-}
-
 /// A step of 1 mm with 3 mm of stock, then one of 2 mm with 1 mm. By hand: lengthwise over the first alone, in levels
 /// of 1 and 2 mm, is 2 × 1, and one slice over the second is 1. In the model a pass goes on to its shoulder: lengthwise
 /// 3 + 1, crosswise 3 + 1, the first level lengthwise and the rest crosswise 3 + 2, a slice first 3 + 1.

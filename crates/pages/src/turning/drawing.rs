@@ -9,7 +9,7 @@ use technolog_turning::length::Half;
 use technolog_turning::passes::pass::{Pass, PassDirection};
 use technolog_turning::passes::{Sequences, Variant};
 use technolog_turning::point::Point;
-use technolog_turning::schemes::Schemes;
+use technolog_turning::ways::Ways;
 use technolog_words::say;
 
 /// Width of a panel, in units of the drawing.
@@ -25,7 +25,8 @@ const STEEL: &str = "#d9d9d9";
 const NUMBERED: f64 = 9.0;
 
 /// One panel for each variant, two in a row; below them one for each scheme.
-pub fn drawing(found: &Sequences, schemes: &Schemes, lang: Lang) -> String {
+pub fn drawing(ways: &Ways, lang: Lang) -> String {
+    let found = &ways.sequences;
     let shaft = &found.shaft;
     let (length, radius) = (shaft.blank.length.to_mm(), shaft.blank.diameter.to_mm() / 2.0);
     let scale = ((PANEL - 2.0 * MARGIN) / length.max(0.001)).min(TALL / radius.max(0.001));
@@ -44,7 +45,7 @@ pub fn drawing(found: &Sequences, schemes: &Schemes, lang: Lang) -> String {
     }
     let rows = found.variants.len().div_ceil(2).max(1);
     legend(&mut canvas, rows as f64 * panel_height, lang);
-    let bottom = schemes_drawing::panels(&mut canvas, found, schemes, rows as f64 * panel_height + 26.0, lang);
+    let bottom = schemes_drawing::panels(&mut canvas, found, &ways.schemes, rows as f64 * panel_height + 26.0, lang);
     canvas.page(2.0 * PANEL, bottom)
 }
 

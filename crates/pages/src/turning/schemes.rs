@@ -1,37 +1,20 @@
-//! The sections about levels, zones and schemes on a shaft's page.
+//! The section about levels and zones on a shaft's page.
 
-use crate::document::{Block, Column, Document, Inlines, Item, Keep, Table};
+use crate::document::{Column, Document, Keep};
 use technolog_tables::turning::passes::Scheme;
 use technolog_turning::schemes::{Schemes, Splitting};
 use technolog_words::say;
 
 use super::Lang;
 use super::cells::{Cell, arrow, figure, rounded, span, table};
-use super::phrases::{note_line, schemes_column, terms, word};
+use super::phrases::{schemes_column, terms, word};
 use super::section;
 
-/// The sections; none if there is no stock.
-pub(super) fn sections(page: &mut Document, found: &Schemes, lang: Lang) {
-    let Some(best) = &found.best_scheme else { return };
-    section(page, say!(lang, "turn-levels-and-zones"));
-    levels(page, found, lang);
-    section(page, say!(lang, "turn-schemes"));
-    page.push(schemes(found, lang));
-    let what = found.schemes.iter().map(|scheme| {
-        let (because, name) = (&scheme.because, word(scheme.name));
-        Inlines::sentence(&say!(
-            lang,
-            "turn-scheme-is",
-            scheme = name,
-            what = &because.note,
-            place = lang.place(&because.place)
-        ))
-    });
-    page.blocks.push(Block::List(what.map(Item::from).collect()));
-    page.paragraph(note_line(&best.because.note, lang));
-    if let Some(scheme) = found.schemes.iter().find(|scheme| scheme.name == best.scheme) {
-        let points: Vec<&str> = scheme.points.iter().map(|point| point.name.as_str()).collect();
-        page.paragraph(say!(lang, "turn-points", points = points.join(", ")));
+/// The section; none if there is no stock.
+pub(super) fn section_of_levels(page: &mut Document, found: &Schemes, lang: Lang) {
+    if !found.schemes.is_empty() {
+        section(page, say!(lang, "turn-levels-and-zones"));
+        levels(page, found, lang);
     }
 }
 
@@ -77,26 +60,4 @@ fn levels(page: &mut Document, found: &Schemes, lang: Lang) {
         let zone = word(whole.zone.name());
         page.paragraph(say!(lang, "turn-whole-zone", zone = zone, schemes = schemes(&whole.schemes)));
     }
-}
-
-fn schemes(found: &Schemes, lang: Lang) -> Table {
-    let (mm, min) = (say!(lang, "unit-mm"), say!(lang, "unit-min"));
-    let columns = [
-        schemes_column(say!(lang, "turn-scheme")),
-        Column::number(say!(lang, "turn-passes"), ""),
-        Column::number(say!(lang, "turn-cutting"), mm),
-        Column::number(say!(lang, "turn-idle"), mm),
-        Column::number(say!(lang, "turn-time"), min),
-    ];
-    let rows = found.schemes.iter().map(|scheme| {
-        let measures = &scheme.measures;
-        vec![
-            lang.term("word", scheme.name).into(),
-            Cell::count(measures.passes),
-            Cell::Figure(measures.cutting_mm.to_mm(), 1),
-            Cell::Figure(measures.idle_mm, 1),
-            Cell::Figure(measures.time_min.0, 3),
-        ]
-    });
-    table(columns, rows.collect(), lang)
 }

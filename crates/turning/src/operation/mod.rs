@@ -15,7 +15,7 @@
 
 mod axial;
 mod barred;
-pub mod by_passes;
+pub mod by_way;
 mod centred;
 mod clip;
 mod crests;

@@ -17,12 +17,12 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Figure, Finding, Note, Severity};
-use crate::tables::turning::passes::{PassDirectionFor, Passes};
+use crate::note::{Figure, Finding, Note, Severity};
 use crate::units::{Micrometres, Minutes};
 
 use super::length::Half;
-use super::shaft::{Moves, Shaft};
+use super::schemes::rates;
+use super::shaft::{Moves, Rates, Shaft};
 use cost::{Cost, Objective, minutes};
 use grid::Grid;
 use optimum::CostToGo;
@@ -50,8 +50,6 @@ pub struct Sequences {
     /// With rich moves, the lower bound that is proven for the optimum. Without them the optimum is exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub proof: Option<rich::SearchProof>,
-    /// The variant to take.
-    pub recommended: Recommended,
     /// Remarks for the reader.
     pub findings: Vec<Finding>,
 }
@@ -93,9 +91,8 @@ pub struct Variant {
     pub cost: f64,
     /// Its excess over the optimum, per cent.
     pub above_optimum_percent: f64,
-    /// The time with feeds, approach, retract and rapids, if the file gives rates, min.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub time_min: Option<Minutes>,
+    /// The time with feeds, approach, retract and rapids, min.
+    pub time_min: Minutes,
     /// The passes in order.
     pub passes: Vec<PassEntry>,
     /// The passes for drawings.
@@ -122,21 +119,13 @@ pub struct PassEntry {
     pub reason: Note,
 }
 
-/// The recommended variant, by the rule `pass-direction`.
-#[derive(Clone, Debug, Serialize)]
-pub struct Recommended {
-    /// Its name; absent if the blank is turned parallel to its contour, because no variant does that.
-    pub variant: Option<&'static str>,
-    /// The reason.
-    pub because: Because,
-}
-
 /// Finds the sequences of a shaft.
 ///
 /// # Errors
-/// The knowledge base lacks the rule `pass-direction`.
+/// The knowledge base lacks a rate of tools.
 pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Result<Sequences, KnowledgeError> {
     let grid = Grid::of(shaft);
+    let (rates, _) = rates::rates(shaft, knowledge)?;
     let mut findings = Vec::new();
     let named = named(&grid, objective);
     let mut optimal = CostToGo::of(&grid, objective).passes();
@@ -162,11 +151,10 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
     let best = total(&optimal, objective, &grid);
     let all = named.into_iter().chain([("optimal", optimal)]);
     let variants: Vec<Variant> =
-        all.map(|(name, passes)| variant(name, passes, shaft, objective, &grid, best)).collect();
+        all.map(|(name, passes)| variant(name, passes, rates, objective, &grid, best)).collect();
     if grid.slices.is_empty() {
         findings.push(Finding::of_part(Severity::Note, Note::new("nothing-to-turn")));
     }
-    let recommended = recommend(shaft, knowledge, &mut findings)?;
     Ok(Sequences {
         shaft: shaft.clone(),
         objective,
@@ -175,7 +163,6 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
         slices: grid.slices.iter().map(slice_entry).collect(),
         variants,
         proof,
-        recommended,
         findings,
     })
 }
@@ -196,7 +183,7 @@ fn total(passes: &[Pass], objective: Objective, grid: &Grid) -> Cost {
 fn variant(
     name: &'static str,
     passes: Vec<Pass>,
-    shaft: &Shaft,
+    rates: Rates,
     objective: Objective,
     grid: &Grid,
     best: Cost,
@@ -222,7 +209,7 @@ fn variant(
         cutting_path_mm: passes.iter().map(Pass::length).sum(),
         cost: shown(own.main),
         above_optimum_percent: crate::units::round_to(above, 2),
-        time_min: shaft.rates.map(|rates| minutes(total(&passes, Objective::Time { rates }, grid).main).rounded(4)),
+        time_min: minutes(total(&passes, Objective::Time { rates }, grid).main).rounded(4),
         passes: passes.iter().enumerate().map(entry).collect(),
         drawn: passes,
     }
@@ -244,19 +231,4 @@ fn slice_entry(slice: &grid::Slice) -> SliceEntry {
         depth_mm: slice.to - slice.from,
         bottom_diameter_mm: slice.bottom.diameter(),
     }
-}
-
-/// Asks the rule `pass-direction`.
-fn recommend(shaft: &Shaft, knowledge: &Knowledge, findings: &mut Vec<Finding>) -> Result<Recommended, KnowledgeError> {
-    let question = PassDirectionFor { blank_shape: shaft.blank.kind.shape(), holding: shaft.holding };
-    let asked = knowledge.ask(&question)?;
-    let (code, variant) = match asked.need(shaft.holding.name())?.direction {
-        Passes::Lengthwise => ("take-lengthwise", Some("longitudinal")),
-        Passes::Searched => ("take-searched", Some("optimal")),
-        Passes::Contour => ("take-contour", None),
-    };
-    if variant.is_none() {
-        findings.push(Finding::of_part(Severity::Doubtful, Note::new("contour-passes-elsewhere")));
-    }
-    Ok(Recommended { variant, because: Because::answer(&asked.answer, Note::new(code)) })
 }

@@ -14,6 +14,7 @@ pub fn toolpath(passes: &[Pass], bar: Half, rates: &Rates, beyond: Half) -> Tool
     let mut path: Option<Toolpath> = None;
     let mut before: Option<PassEnd> = None;
     let mut walls: Vec<Point> = Vec::new();
+    let mut floors: Vec<Half> = Vec::new();
     let starts = passes.iter().map(|pass| Some(pass.start())).chain([None]);
     for (start, pass) in starts.zip(passes.iter().map(Some).chain([None])) {
         for (from, to) in legs(before, start, bar, rates) {
@@ -29,6 +30,11 @@ pub fn toolpath(passes: &[Pass], bar: Half, rates: &Rates, beyond: Half) -> Tool
                 };
                 path.go(short, Purpose::Rapid);
                 path.go(to, Purpose::Return);
+            } else if to.radius < from.radius && floors.contains(&to.radius) {
+                // Between the ends of passes across, the nose has left crests on the cylinder.
+                let short = Point { radius: (to.radius + Half::of(rates.retract)).min(from.radius), z: to.z };
+                path.go(short, Purpose::Rapid);
+                path.go(to, Purpose::Return);
             }
             path.go(to, Purpose::Rapid);
         }
@@ -38,8 +44,9 @@ pub fn toolpath(passes: &[Pass], bar: Half, rates: &Rates, beyond: Half) -> Tool
             end.at.radius = Half::ZERO - beyond;
         }
         path.go(end.at, Purpose::Cut);
-        if pass.kind == PassDirection::Longitudinal {
-            walls.push(Point { radius: pass.to.radius + pass.depth, z: pass.to.z });
+        match pass.kind {
+            PassDirection::Longitudinal => walls.push(Point { radius: pass.to.radius + pass.depth, z: pass.to.z }),
+            PassDirection::Transverse => floors.push(pass.to.radius),
         }
         before = Some(end);
     }

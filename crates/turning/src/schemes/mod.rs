@@ -13,9 +13,9 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Figure, Finding, Note};
+use crate::note::{Because, Finding, Note};
 use crate::tables::turning::passes::RemovalSchemeFor;
-use crate::units::{Micrometres, Minutes, round_to};
+use crate::units::Micrometres;
 
 use super::length::Half;
 use super::levels::Levels;
@@ -34,9 +34,6 @@ pub struct Schemes {
     pub zones: Vec<SchemeZone>,
     /// The schemes in the order of the lecture; none if there is no stock.
     pub schemes: Vec<SchemeEntry>,
-    /// The best of them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub best_scheme: Option<Best>,
     /// Findings for the reader; an answer lists them with all other findings.
     #[serde(skip)]
     pub findings: Vec<Finding>,
@@ -100,24 +97,12 @@ pub struct SchemeEntry {
     pub points: Vec<SchemePoint>,
     /// Its description, and its source.
     pub because: Because,
+    /// Its rank in the preference of the lecture.
+    #[serde(skip)]
+    pub preference: i64,
     /// The path, for drawings.
     #[serde(skip)]
     pub path: Vec<Vertex>,
-}
-
-/// The quickest scheme.
-#[derive(Clone, Debug, Serialize)]
-pub struct Best {
-    /// Its name.
-    pub scheme: &'static str,
-    /// The next best.
-    pub next: &'static str,
-    /// By how much it is quicker than that, min.
-    pub margin_min: Minutes,
-    /// The same as a share of the next best's time, per cent.
-    pub margin_percent: f64,
-    /// The reason: the time, and among equals the preference of the lecture.
-    pub because: Because,
 }
 
 /// Finds levels, zones and schemes of a shaft.
@@ -128,64 +113,27 @@ pub fn find(shaft: &Shaft, knowledge: &Knowledge) -> Result<Schemes, KnowledgeEr
     let levels = Levels::of(shaft);
     let (rates, mut findings) = rates::rates(shaft, knowledge)?;
     let zones = zones::zones(&levels, knowledge)?;
-    let mut ranked = Vec::new();
+    let mut schemes = Vec::new();
     if !levels.sections.is_empty() {
         for (_, scheme) in Scheme::NAMES {
-            ranked.push(entry(*scheme, &levels, &rates, knowledge)?);
+            schemes.push(entry(*scheme, &levels, &rates, knowledge)?);
         }
     } else {
         findings.clear();
     }
-    let best_scheme = best(&ranked);
-    Ok(Schemes {
-        splitting: splitting(&levels, rates),
-        zones,
-        schemes: ranked.into_iter().map(|(_, scheme)| scheme).collect(),
-        best_scheme,
-        findings,
-        levels,
-    })
+    Ok(Schemes { splitting: splitting(&levels, rates), zones, schemes, findings, levels })
 }
 
-/// A scheme with its rank in the preference of the lecture.
-fn entry(
-    scheme: Scheme,
-    levels: &Levels,
-    rates: &Rates,
-    knowledge: &Knowledge,
-) -> Result<(i64, SchemeEntry), KnowledgeError> {
+fn entry(scheme: Scheme, levels: &Levels, rates: &Rates, knowledge: &Knowledge) -> Result<SchemeEntry, KnowledgeError> {
     let rule = knowledge.ask(&RemovalSchemeFor { scheme })?.need(scheme.name())?;
     let path = removal::path(scheme, levels, Half::of(rates.approach), Half::of(rates.retract));
-    let entry = SchemeEntry {
+    Ok(SchemeEntry {
         name: scheme.name(),
         measures: report::measure(&path, rates),
         points: report::points(&path, levels),
         because: Because::row(rule.row, Note::new(format!("scheme-{}", scheme.name()))),
+        preference: rule.preference,
         path,
-    };
-    Ok((rule.preference, entry))
-}
-
-/// The scheme with the least time, among equals the one that the lecture prefers.
-fn best(ranked: &[(i64, SchemeEntry)]) -> Option<Best> {
-    let mut order: Vec<_> = ranked.iter().collect();
-    let time = |scheme: &SchemeEntry| scheme.measures.time_min.0;
-    order.sort_by(|a, b| time(&a.1).total_cmp(&time(&b.1)).then(a.0.cmp(&b.0)));
-    let [(_, best), (_, next), ..] = order.as_slice() else { return None };
-    let margin = time(next) - time(best);
-    let percent = if time(next) > 0.0 { margin / time(next) * 100.0 } else { 0.0 };
-    let tied = if margin > 0.0 { "scheme-quickest" } else { "scheme-as-quick" };
-    let note = Note::new(tied)
-        .with("variant", Figure::word(best.name))
-        .with("rival", Figure::word(next.name))
-        .with("margin", round_to(margin, 4))
-        .with("percent", round_to(percent, 1));
-    Some(Best {
-        scheme: best.name,
-        next: next.name,
-        margin_min: Minutes(round_to(margin, 4)),
-        margin_percent: round_to(percent, 2),
-        because: Because { note, ..best.because.clone() },
     })
 }
 

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::turning::length::Half;
 use crate::turning::point::Point;
+use crate::turning::toolpath::{Purpose, Toolpath};
 
 /// The motion of the tool to a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -136,4 +137,19 @@ impl SchemePath {
     fn put(&mut self, at: Point, motion: Motion, role: VertexRole, air: Half) {
         self.vertices.push(Vertex { at, motion, role, air });
     }
+}
+
+/// A path as a toolpath. Up a face the tool cuts what passes left there.
+pub fn toolpath(path: &[Vertex]) -> Toolpath {
+    let mut points = path.iter();
+    let mut toolpath = points.next().map(|home| Toolpath::at(home.at)).unwrap_or_default();
+    for vertex in points {
+        let purpose = match vertex.motion {
+            Motion::Rapid => Purpose::Rapid,
+            Motion::Along => Purpose::Cut,
+            Motion::Across => Purpose::PickUp,
+        };
+        toolpath.go(vertex.at, purpose);
+    }
+    toolpath
 }

@@ -26,6 +26,9 @@ grid-too-fine = too many levels and slices: { $states } states, at most { $most 
 # What the command cannot do with what it was given.
 no-rates = no feeds to calculate the time with: the file has no `rates`
     .help = add the feeds, in mm/min, such as `rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}`
+    .help = add rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}, mm/min
+way-without-tool = the operation has no tool that roughs this shaft, so no way of roughing can be written
+    .help = see `--show operation` for what is missing
 rich-has-no-time = time cannot be the objective with rich moves
     .help = take another objective: path, path-and-passes or passes
 # Why a pass.
@@ -47,6 +50,13 @@ pass-of-search = from the search over rich moves, { $unit ->
 take-lengthwise = between centres the fewest passes run along the axis
 take-searched = in a chuck passes along and across the axis may be combined
 take-contour = a blank near the shape of the part is turned parallel to the contour
-contour-passes-elsewhere = passes parallel to the contour are shown by `--show operation`; those shown here would take a full cylinder
+contour-passes-elsewhere = passes parallel to the contour, which suit a blank near the shape of the part, are shown by `--show operation`; the ways here run straight
+way-across = it has passes across the axis
+way-full-cylinder = its passes would take a full cylinder, which the blank is not
+way-by-proof = by the proof of its program: { $why }
+way-quickest = { $variant }: { $length } mm in { $time } min, the quickest of those that hold, { $margin } min ({ $percent } %) less than { $rival }
+way-as-quick = { $variant }: { $length } mm in { $time } min, as quick as { $rival }; of the two the first is preferred
+way-only = { $variant }: { $length } mm in { $time } min, the only one that holds
+way-none = none of these ways: each is refused for the reason given there
 variant-beyond-model = the variant { $variant } is shorter than the best of the model: its longitudinal passes stop within a level
 nothing-to-turn = no step is smaller than the blank: nothing to turn

@@ -26,6 +26,9 @@ grid-too-fine = рівнів і шарів забагато: { $states } ста�
 # What the command cannot do with what it was given.
 no-rates = для часу бракує подач: у файлі немає `rates`
     .help = допишіть подачі, мм/хв, наприклад `rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}`
+    .help = допишіть rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}, мм/хв
+way-without-tool = операція не має інструмента для чорнової обробки цього вала, тож жоден спосіб не можна записати
+    .help = чого бракує, показує `--show operation`
 rich-has-no-time = з розширеними ходами час не шукається
     .help = візьміть іншу мету: path, path-and-passes чи passes
 # Why a pass.
@@ -47,6 +50,13 @@ pass-of-search = з пошуку розширених ходів, далі { $un
 take-lengthwise = у центрах найменше ходів дає переміщення вздовж осі
 take-searched = у патроні ходи вздовж і поперек осі можна поєднувати
 take-contour = заготовку, близьку до форми деталі, обробляють паралельно контуру
-contour-passes-elsewhere = ходи паралельно контуру показує `--show operation`; показані тут ходи зняли б повний циліндр
+contour-passes-elsewhere = ходи паралельно контуру, придатні для заготовки, близької до форми деталі, показує `--show operation`; ходи тутешніх способів прямі
+way-across = має ходи поперек осі
+way-full-cylinder = його ходи зняли б повний циліндр, а заготовка не така
+way-by-proof = за перевіркою його програми: { $why }
+way-quickest = { $variant }: { $length } мм за { $time } хв, найшвидший із придатних, на { $margin } хв ({ $percent } %) швидший, ніж { $rival }
+way-as-quick = { $variant }: { $length } мм за { $time } хв, так само швидко, як { $rival }; перевагу віддано першому
+way-only = { $variant }: { $length } мм за { $time } хв, єдиний придатний
+way-none = жоден із цих способів: кожен відхилено з причини, названої там
 variant-beyond-model = варіант { $variant } коротший за найкращий у моделі: його поздовжні ходи зупиняються всередині рівня
 nothing-to-turn = жоден ступінь не менший за заготовку: знімати нічого
