@@ -134,6 +134,9 @@ pub fn program(
             }
             let texts: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
             context.emit(&texts.join("\n"))?;
+            for why in &written.remarks {
+                super::output::complain(&format!("{}\n", say!(context.lang, "turn-single-passes", why = why)));
+            }
             super::output::complain(&report::turning::programs_list(&all, context.lang));
             if all.len() > 1 {
                 let others = (1..=all.len()).filter(|number| *number != wanted.number);

@@ -11,7 +11,8 @@ Programs of single moves: every STRAIGHT_TRAVERSE, STRAIGHT_FEED and ARC_FEED is
 for arcs its centre and its sense, and the feed, to 0.001 mm. The sense is held twice: by the sign of ARC_FEED, and by
 the way that an arc of that sign takes about its centre, which must be at most half a circle on the side that the way says.
 
-Programs of set-ups: rs274 runs them to their end. What they do is held by the proof, which reads them back.
+Programs of set-ups: rs274 runs them to their end. What they do is held by the proof, which reads them back; the passes
+that rs274 makes of threads, G33 or G76, begin where the planned ones do, to 0.005 mm.
 
 Programs of several ways: the same for each way in its order, and between two ways nothing but rapids;
 feeds that are not those of the work are counted by themselves.
@@ -42,8 +43,8 @@ CUT = 0.002  # mm, for what is cut: chords of arcs and the printed places
 STEP = 0.05  # mm between the places where the cut is looked at
 
 
-def motions(program):
-    """The motions of rs274 as (kind, radius, z, feed, centre, sign), or why it refuses."""
+def run(program):
+    """What rs274 answers; None if it does not end."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "program.ngc").write_text(program)
@@ -55,16 +56,26 @@ def motions(program):
         (folder / "tool.tbl").write_text("".join(f"T{tool} P{tool} X0 Z0 D0\n" for tool in range(1, 21)))
         command = ["rs274", "-g", "-n", "2", "-t", "tool.tbl", "-v", "rs274.var", "program.ngc"]
         try:
-            answer = subprocess.run(command, capture_output=True, text=True, cwd=folder, timeout=20)
+            return subprocess.run(command, capture_output=True, text=True, cwd=folder, timeout=20)
         except subprocess.TimeoutExpired:
-            return [], "it does not end in 20 s"
-    found, feed = [], 0.0
+            return None
+
+
+def calls(answer):
+    """The canonical calls of an answer: name and figures."""
     for line in answer.stdout.splitlines():
         match = re.match(r"\s*\d+ N\S+\s+(\w+)\((.*)\)", line)
-        if not match:
-            continue
-        name, text = match.groups()
-        values = [float(number) for number in re.findall(r"-?\d+\.?\d*", text)]
+        if match:
+            yield match.group(1), [float(number) for number in re.findall(r"-?\d+\.?\d*", match.group(2))]
+
+
+def motions(program):
+    """The motions of rs274 as (kind, radius, z, feed, centre, sign), or why it refuses."""
+    answer = run(program)
+    if answer is None:
+        return [], "it does not end in 20 s"
+    found, feed = [], 0.0
+    for name, values in calls(answer):
         if name == "SET_FEED_RATE":
             feed = values[0]
         elif name == "STRAIGHT_TRAVERSE":
@@ -78,6 +89,26 @@ def motions(program):
         lines = [line for line in answer.stderr.splitlines() if line.strip() and line.strip() != "executing"]
         return found, lines[0].strip() if lines else "refused"
     return found, None
+
+
+def compare_threads(told):
+    """Whether the passes of threads, which go in step with the spindle, begin where they are planned; and how many."""
+    place, synchronous, passes = None, False, []
+    for name, values in calls(run(told["program"])):
+        if name == "START_SPEED_FEED_SYNC":
+            synchronous = True
+        elif name == "STOP_SPEED_FEED_SYNCH":
+            synchronous = False
+        elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
+            if synchronous and name == "STRAIGHT_FEED":
+                passes.append(place)
+            place = (values[0], values[2])
+    if len(passes) != len(told["threads"]):
+        return f"rs274 makes {len(passes)} passes of threads, {len(told['threads'])} are planned", 0
+    for number, (theirs, ours) in enumerate(zip(passes, told["threads"]), 1):
+        if max(abs(theirs[0] - ours[0]), abs(theirs[1] - ours[1])) > 0.005:
+            return f"pass {number} of threads begins at {theirs}, not {ours}", number
+    return None, len(passes)
 
 
 def near(a, b):
@@ -313,6 +344,9 @@ def main(arguments):
             counts["arcs"] += arcs
         elif told["kind"] == "whole":
             theirs, problem = motions(told["program"])
+            if not problem:
+                problem, passes = compare_threads(told)
+                counts["passes of threads"] += passes
             counts["programs of set-ups"] += 1
             counts["motions"] += len(theirs)
         elif told["kind"] == "ways":

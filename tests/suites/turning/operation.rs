@@ -343,7 +343,8 @@ fn variable(name: &str, otherwise: usize) -> usize {
 
 /// The programs of random parts, one JSON object on a line, for the interpreter of LinuxCNC:
 /// `CASES=100 OUT=/tmp/parts.jsonl cargo test --test turning operation::programs_for_rs274 -- --ignored`, then
-/// `python3 tests/oracles/lathe.py /tmp/parts.jsonl`. Each set-up has the ways of its jobs, tool after tool.
+/// `python3 tests/oracles/lathe.py /tmp/parts.jsonl`. Each set-up is written twice, as single moves and with cycles; `threads`
+/// is where the passes of its threads begin.
 #[test]
 #[ignore = "for the comparison with rs274: OUT says where to write"]
 fn programs_for_rs274() {
@@ -353,12 +354,14 @@ fn programs_for_rs274() {
     for (number, text) in parts(variable("CASES", 100), u8::try_from(variable("SEED", 1)).unwrap()).iter().enumerate() {
         let Ok(workpiece) = read_workpiece("part", text, &KNOWLEDGE) else { continue };
         let operation = planned(&workpiece);
-        for written in programs(&operation, "linuxcnc", Form::Motions, Some(rpm), &KNOWLEDGE).unwrap() {
+        let of_form = |form| programs(&operation, "linuxcnc", form, Some(rpm), &KNOWLEDGE).unwrap();
+        for written in [Form::Motions, Form::Cycles].into_iter().flat_map(of_form) {
             let name = format!("part {number} set-up {}", written.set_up);
+            let threads = super::threads::of_path(&operation, written.set_up);
             let line = match written.files {
                 Ok(files) => {
                     let program = files.iter().map(|file| file.text.as_str()).collect::<String>();
-                    json!({"name": name, "kind": "whole", "program": program, "part": text})
+                    json!({"name": name, "kind": "whole", "program": program, "threads": threads, "part": text})
                 }
                 Err(refused) => json!({"name": name, "refused": format!("{refused:?}"), "part": text}),
             };

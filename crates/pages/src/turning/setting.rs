@@ -23,6 +23,14 @@ pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
         let rows = setting.threads.iter().map(|thread| thread_row(thread, lang)).collect();
         page.push(table(thread_columns(lang), rows, lang));
         let wired = setting.threads.iter().any(|thread| thread.over_wires.is_some());
+        let how = |thread: &SetThread| {
+            let (written, how) = (thread.thread.as_str(), thread.cycle.as_ref()?);
+            Some(Item::from(say!(lang, "turn-setting-thread-cut", thread = written, how = how)))
+        };
+        let cut: Vec<Item> = setting.threads.iter().filter_map(how).collect();
+        if !cut.is_empty() {
+            page.push(Block::List(cut));
+        }
         page.paragraph(say!(lang, "turn-setting-thread-measured"));
         if wired {
             page.paragraph(say!(lang, "turn-setting-wires"));

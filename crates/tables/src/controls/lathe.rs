@@ -77,6 +77,8 @@ vocabulary! {
         Tap = "tap",
         TapEnds = "tap-ends",
         ProgramBegins = "program-begins",
+        ThreadCycleFirst = "thread-cycle-first",
+        ThreadCycle = "thread-cycle",
     }
 }
 
@@ -84,10 +86,11 @@ impl Use {
     /// Whether every control must have it.
     pub const fn is_required(self) -> bool {
         use Use::{Absolute, ContourBegins, ContourEnds, Diameters, ExactPath, Plane, ProgramBegins, SpeedLimit};
-        use Use::{Tap, TapBegins, TapEnds};
+        use Use::{Tap, TapBegins, TapEnds, ThreadCycle, ThreadCycleFirst};
         let often = matches!(self, SpeedLimit | ExactPath | Plane | Diameters | Absolute);
-        let of_cycles = matches!(self, ContourBegins | ContourEnds | ProgramBegins | Tap | TapBegins | TapEnds);
-        !often && !of_cycles
+        let of_subprograms = matches!(self, ContourBegins | ContourEnds | ProgramBegins);
+        let of_cycles = matches!(self, Tap | TapBegins | TapEnds | ThreadCycleFirst | ThreadCycle);
+        !often && !of_subprograms && !of_cycles
     }
 }
 

@@ -123,8 +123,7 @@ pub fn thread(last: f64) -> SetUp {
     let mut part =
         chain(&[(0.0, 0.0), (0.0, 8.5), (-1.5, 10.0), (-20.0, 10.0), (-20.0, 8.5), (-24.0, 8.5), (-24.0, 12.0)]);
     part.push(line("rest", (-24.0, 12.0), (-40.0, 12.0)));
-    part[2].thread =
-        Some(Thread { crest: Mm(9.9), shallow: Mm(8.825), root: Mm(8.775), run_out: Mm(0.0), tap: None });
+    part[2].thread = Some(Thread { crest: Mm(9.9), shallow: Mm(8.825), root: Mm(8.775), run_out: Mm(0.0), tap: None });
     let mut moves = vec![];
     for radius in [9.5, 9.1, 8.9, last] {
         moves.extend([(Rapid, 4.0, radius), (Pass, -22.0, radius), (Rapid, -22.0, 13.0), (Rapid, 4.0, 13.0)]);

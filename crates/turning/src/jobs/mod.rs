@@ -102,6 +102,14 @@ pub struct ThreadCut {
     pub from_z_mm: Half,
     /// Z of the end, in the relief or where the tool pulls out.
     pub to_z_mm: Half,
+    /// Z where the thread itself begins.
+    pub begins_z_mm: Half,
+    /// Z where it ends.
+    pub ends_z_mm: Half,
+    /// Whether the tool is withdrawn over the run-out, because there is no relief behind the thread.
+    pub pulled_out: bool,
+    /// The radius at which the tool returns between passes.
+    pub return_radius_mm: Half,
     /// The radius of the crests, before the first pass.
     pub crest_radius_mm: Half,
     /// The radius of the roots, of the last pass.

@@ -1,16 +1,17 @@
-//! The programs of an operation: one for each set-up, with every job of it, as motions or with the roughing cycles of the
-//! control.
+//! The programs of an operation: one for each set-up, with every job of it, as motions or with the cycles of the control.
 
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::note::Note;
 use crate::turning::contour::{Contour, Side};
 use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{
-    self, Allowance, Control, CycleOf, Direction, FreeEnd, NotWritten, ProgramFile, Roughing, Speed, ToolSection,
+    self, Allowance, Control, CycleOf, Direction, FreeEnd, NotWritten, ProgramFile, Roughing, SectionCycle, Speed,
+    ToolSection, WholeProgram,
 };
 use crate::turning::shaft::Holding;
 use crate::turning::toolpath::Toolpath;
@@ -27,7 +28,7 @@ use super::{Operation, SetUpWork, proof};
 pub enum Form {
     /// Every motion separately.
     Motions,
-    /// The roughing cycle of the control, where one can clear a zone.
+    /// The cycles of the control, where one can clear a zone or cut a thread.
     Cycles,
 }
 
@@ -50,6 +51,8 @@ pub struct OperationProgram {
     pub set_up: u8,
     /// The places of its tools, in the order of work.
     pub places: Vec<u32>,
+    /// Why threads of it are cut by single passes, although cycles are requested.
+    pub remarks: Vec<Note>,
     /// Its files, or the reason.
     pub files: Result<Vec<ProgramFile>, NotWritten>,
 }
@@ -100,7 +103,11 @@ pub fn programs(
                 program::whole(&control, &operation.workpiece.name, number, &sections, end_of_part)
             })
         };
-        OperationProgram { set_up: number, places, files }
+        let (files, remarks) = match files {
+            Ok(WholeProgram { files, remarks }) => (Ok(files), remarks),
+            Err(why) => (Err(why), Vec::new()),
+        };
+        OperationProgram { set_up: number, places, remarks, files }
     });
     Ok(written.collect())
 }
@@ -132,7 +139,11 @@ pub(super) fn sections(
                 (Speed::Spindle(rpm), per_rev(&rates, rpm))
             }
         };
-        let cycle = if form == Form::Cycles { cycle(set_up, job) } else { None };
+        let thread = || job.thread.clone().map(|cut| SectionCycle::Thread(cut, job.side));
+        let cycle = match form {
+            Form::Cycles => cycle(set_up, job).map(SectionCycle::Rough).or_else(thread),
+            Form::Motions => None,
+        };
         let title = format!("T{tool} {}, {}", job.tool.designation, job.work.name());
         let one = |last: &&mut ToolSection| {
             last.tool == tool

@@ -14,6 +14,7 @@ use crate::tables::controls::lathe::{LatheControl, LatheControls, LatheTipPlaces
 use crate::turning::contour::{Side, SurfaceName};
 use crate::turning::jobs::{Body, JobTool, Tip, Work};
 use crate::turning::length::Half;
+use crate::turning::program::Control;
 use crate::turning::tooling::{Hand, Place, ToolKind, TurningTool};
 use crate::turning::workpiece::{Thread, ThreadLimits};
 use crate::turning::zones::Hold;
@@ -58,6 +59,9 @@ pub struct SetThread {
     pub wire_mm: Option<Micrometres>,
     /// The limits over three of those wires, mm.
     pub over_wires: Option<DiameterLimits>,
+    /// Which cycle of the control cuts it, if cycles are requested; or why single passes do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycle: Option<Note>,
 }
 
 /// The limits of a diameter, mm.
@@ -127,6 +131,7 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
     let table = knowledge.table_of::<LatheControls<'_>>()?;
     let known = LatheControl::from_word(control).ok_or_else(|| KnowledgeError::no_row(table, control))?;
     let numbering = knowledge.need(control, |row: &LatheControls<'_>| row.control == known)?.tip_numbering;
+    let language = Control::read(control, knowledge)?;
     let part = &operation.workpiece;
     let worked = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty());
     let set_ups = worked.map(|work| {
@@ -173,15 +178,16 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
         control: control.to_owned(),
         set_ups: set_ups.collect(),
         tools: tools.collect::<Result<_, KnowledgeError>>()?,
-        threads: operation.set_ups.iter().flat_map(|set_up| threads(set_up, &part.threads)).collect(),
+        threads: operation.set_ups.iter().flat_map(|set_up| threads(set_up, &part.threads, &language)).collect(),
     })
 }
 
 /// The threads that a set-up cuts.
-fn threads<'a>(set_up: &'a SetUpWork, all: &'a [Thread]) -> impl Iterator<Item = SetThread> + 'a {
+fn threads<'a>(set_up: &'a SetUpWork, all: &'a [Thread], control: &'a Control) -> impl Iterator<Item = SetThread> + 'a {
     let jobs = set_up.jobs.iter().filter(|job| matches!(job.work, Work::Thread | Work::Tap));
-    let cut = jobs.flat_map(|job| job.surfaces.iter().map(move |surface| (job.side, surface)));
-    cut.filter_map(|(side, surface)| {
+    let cut = jobs.flat_map(|job| job.surfaces.iter().map(move |surface| (job, surface)));
+    cut.filter_map(|(job, surface)| {
+        let side = job.side;
         let name = surface.to_string();
         let thread = all.iter().find(|one| one.surface == name)?;
         let pitch_diameter = thread.flanks.as_ref().map(DiameterLimits::of);
@@ -196,6 +202,10 @@ fn threads<'a>(set_up: &'a SetUpWork, all: &'a [Thread]) -> impl Iterator<Item =
             crests: thread.crests.as_ref().map(DiameterLimits::of),
             wire_mm,
             over_wires: wire_mm.zip(pitch_diameter).map(|(wire, limits)| limits.over_wires(wire, thread.pitch)),
+            cycle: job.thread.as_ref().map(|cut| match control.thread_cycle(cut, side) {
+                Ok(cycle) => Note::new("thread-cycled").with("cycle", cycle),
+                Err(why) => Note::new("thread-not-cycled").with("why", why.note()),
+            }),
         })
     })
 }

@@ -4,7 +4,7 @@
 //! - [`setting`] is the settings of a program besides its toolpath: tool, spindle, feeds, coolant;
 //! - `words` are the words of a control, `text` the lines of a program with their modes;
 //! - [`cycle`](mod@cycle) is a roughing task and its profile, `call` the call of a cycle with its fields;
-//! - `linuxcnc` and `sinumerik` write a cycle for their control; [`refused`] is why something is not written.
+//! - `linuxcnc` and `sinumerik` write a roughing cycle for their control; [`thread`] writes threading cycles; [`refused`] is why something is not written.
 //!
 //! docs/turning-programs.md has the fields with their sources, how arcs were decided, and how to add a control.
 
@@ -16,6 +16,7 @@ pub mod refused;
 pub mod setting;
 mod sinumerik;
 mod text;
+pub mod thread;
 pub mod whole;
 mod words;
 
@@ -23,7 +24,8 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::knowledge::contract::Word;
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
-use crate::turning::contour::Contour;
+use crate::turning::contour::{Contour, Side};
+use crate::turning::jobs::ThreadCut;
 use crate::turning::point::Point;
 use technolog_core::ascii::ascii;
 use technolog_note::note;
@@ -35,7 +37,9 @@ pub use plain::plain;
 pub use refused::NotWritten;
 pub use setting::{Feeds, Setting, Speed};
 use text::ProgramWriter;
-pub use whole::{CycleOf, FreeEnd, ToolSection, whole};
+pub use thread::NotCycled;
+use thread::ThreadWriter;
+pub use whole::{CycleOf, FreeEnd, SectionCycle, ToolSection, WholeProgram, whole};
 use words::ControlWords;
 
 /// Writes the cycle of a task for a control.
@@ -44,6 +48,13 @@ type CycleWriter = fn(&Control, &Cycles, &cycle::CycleTask<'_>, &Setting, usize)
 /// The controls with a writer of cycles: one line and one file each.
 const WRITERS: [(LatheControl, CycleWriter); 2] =
     [(LatheControl::LinuxCnc, linuxcnc::write), (LatheControl::Sinumerik, sinumerik::write)];
+
+/// The controls with a cycle for threads.
+const THREADS: [(LatheControl, ThreadWriter); 3] = [
+    (LatheControl::LinuxCnc, thread::linuxcnc),
+    (LatheControl::Fanuc, thread::fanuc),
+    (LatheControl::Sinumerik, thread::sinumerik),
+];
 
 /// The language of a lathe's control, as far as it is known.
 #[derive(Clone, Debug)]
@@ -54,6 +65,8 @@ pub struct Control {
     words: Option<ControlWords>,
     /// None if its roughing cycle cannot be written.
     cycles: Option<(Cycles, CycleWriter)>,
+    /// None if its cycle for threads cannot be written.
+    threads: Option<ThreadWriter>,
     /// Words that are known by name only.
     known_words: Vec<String>,
     /// The extension of its files.
@@ -85,9 +98,19 @@ impl Control {
             Some(writer) if row.cycles => Some((Cycles::read(control, knowledge)?, writer)),
             _ => None,
         };
+        let threads = THREADS.iter().find(|(known, _)| *known == control).map(|(_, writer)| *writer);
         let known_words = row.known_words.unwrap_or_default().into_iter().map(str::to_owned).collect();
         let ending = row.ending.unwrap_or_default().to_owned();
-        Ok(Self { name: name.to_owned(), words, cycles, known_words, ending })
+        Ok(Self { name: name.to_owned(), words, cycles, threads, known_words, ending })
+    }
+
+    /// The name of the cycle that cuts a thread.
+    ///
+    /// # Errors
+    /// Why its passes are written one by one.
+    pub fn thread_cycle(&self, cut: &ThreadCut, side: Side) -> Result<String, NotCycled> {
+        let call = thread::call(self, cut, side)?;
+        Ok(call.lines.chars().take_while(char::is_ascii_alphanumeric).collect())
     }
 
     fn words(&self) -> Result<&ControlWords, NotWritten> {

@@ -1,16 +1,19 @@
 //! One program of a set-up: all tools in order, with the turret at its change position between them.
 
-use crate::turning::contour::{Contour, Curve};
+use crate::note::Note;
+use crate::turning::contour::{Contour, Curve, Side};
+use crate::turning::jobs::ThreadCut;
 use crate::turning::point::Point;
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::MillimetresPerRev;
 use technolog_core::ascii::ascii;
 
-use super::cycle::{CycleTask, ProgramFile, Roughing};
+use super::cycle::{CycleCall, CycleTask, ProgramFile, Roughing};
 use super::plain::{end, modes, spindle};
 use super::refused::{NotWritten, check_arc};
 use super::setting::{Feeds, Setting, Speed};
 use super::text::{Pace, ProgramWriter};
+use super::thread::{self, NotCycled, ThreadCall};
 use super::words::{ControlWords, Use};
 use super::{Control, file_name};
 
@@ -29,10 +32,35 @@ pub struct ToolSection {
     pub coolant: bool,
     /// Its toolpath.
     pub path: Toolpath,
-    /// The same work as a roughing cycle of the control, if requested and possible.
-    pub cycle: Option<CycleOf>,
+    /// The same work as a cycle of the control, if requested.
+    pub cycle: Option<SectionCycle>,
     /// Whether its moves along a thread are those of a tap: in, and back with the spindle reversed.
     pub taps: bool,
+}
+
+/// Work that a cycle of the control may do.
+#[derive(Clone, Debug)]
+pub enum SectionCycle {
+    /// Roughing over a contour.
+    Rough(CycleOf),
+    /// A thread.
+    Thread(ThreadCut, Side),
+}
+
+/// A program with its files, the main file first.
+#[derive(Clone, Debug)]
+pub struct WholeProgram {
+    /// The files.
+    pub files: Vec<ProgramFile>,
+    /// Why threads of it are cut by single passes, although cycles are requested.
+    pub remarks: Vec<Note>,
+}
+
+/// The work of a section as a call.
+enum Call {
+    Motions,
+    Rough(CycleCall, Point),
+    Thread(Result<ThreadCall, NotCycled>),
 }
 
 /// A roughing cycle over a contour.
@@ -55,7 +83,7 @@ pub enum FreeEnd {
     Tailstock,
 }
 
-/// The program of a set-up; `number` tells the set-ups of a part apart. The main file comes first.
+/// The program of a set-up; `number` tells the set-ups of a part apart.
 ///
 /// Before each tool and at the end the turret moves to the change position of the control, so that the program can
 /// begin wherever the last one ended. Paths of one tool follow each other from home point to home point.
@@ -68,17 +96,22 @@ pub fn whole(
     number: u8,
     sections: &[ToolSection],
     end_of_part: FreeEnd,
-) -> Result<Vec<ProgramFile>, NotWritten> {
+) -> Result<WholeProgram, NotWritten> {
     let words = control.words()?;
     let latin = file_name(name);
     let mut sheet = ProgramWriter::new(words);
     modes(&mut sheet, &format!("{name} - {number}"));
     let mut files = Vec::new();
     let mut before: Option<&ToolSection> = None;
+    let mut remarks = Vec::new();
     let calls = sections.iter().enumerate().map(|(index, section)| {
-        let task = section.cycle.as_ref().map(|one| CycleTask::new(&one.rough, one.corner, one.roughing));
+        let task = match &section.cycle {
+            Some(SectionCycle::Thread(cut, side)) => return Ok(Call::Thread(thread::call(control, cut, *side))),
+            Some(SectionCycle::Rough(one)) => CycleTask::new(&one.rough, one.corner, one.roughing),
+            None => return Ok(Call::Motions),
+        };
         // Work without a possible cycle is written as motions.
-        let (Some(Ok(task)), Some((cycles, writer))) = (task, &control.cycles) else { return Ok(None) };
+        let (Ok(task), Some((cycles, writer))) = (task, &control.cycles) else { return Ok(Call::Motions) };
         let setting = Setting {
             name: name.to_owned(),
             tool: section.tool,
@@ -87,12 +120,15 @@ pub fn whole(
             coolant: section.coolant,
         };
         setting.check()?;
-        Ok(writer(control, cycles, &task, &setting, index).ok().map(|call| (call, task.begins())))
+        let call = writer(control, cycles, &task, &setting, index);
+        Ok(call.map_or(Call::Motions, |call| Call::Rough(call, task.begins())))
     });
     let calls: Vec<_> = calls.collect::<Result<_, NotWritten>>()?;
-    for (call, _) in calls.iter().flatten() {
-        sheet.lines(&call.before);
-        files.extend(call.file.clone());
+    for call in &calls {
+        if let Call::Rough(call, _) = call {
+            sheet.lines(&call.before);
+            files.extend(call.file.clone());
+        }
     }
     for (section, call) in sections.iter().zip(&calls) {
         check(section, name, words)?;
@@ -112,13 +148,30 @@ pub fn whole(
             sheet.forget();
         }
         match call {
-            Some((call, begins)) => {
+            Call::Rough(call, begins) => {
                 sheet.approach(*begins, end_of_part);
                 sheet.lines(&call.call);
                 sheet.forget();
                 sheet.rapid(*begins);
             }
-            None => along(&mut sheet, section, end_of_part),
+            Call::Thread(Ok(call)) => {
+                let home = section.path.from;
+                let beside = Point { radius: home.radius, z: call.start.z };
+                sheet.approach(home, end_of_part);
+                sheet.rapid(beside);
+                sheet.rapid(call.start);
+                sheet.lines(&call.lines);
+                sheet.forget();
+                sheet.rapid(call.start);
+                sheet.rapid(beside);
+                sheet.rapid(home);
+            }
+            Call::Thread(Err(why)) => {
+                sheet.comment(why.name());
+                remarks.push(why.note());
+                along(&mut sheet, section, end_of_part);
+            }
+            Call::Motions => along(&mut sheet, section, end_of_part),
         }
         before = Some(section);
     }
@@ -126,7 +179,7 @@ pub fn whole(
     end(&mut sheet);
     let ending = &control.ending;
     files.insert(0, ProgramFile { name: format!("{latin}_{number}{ending}"), text: sheet.finish() });
-    Ok(files)
+    Ok(WholeProgram { files, remarks })
 }
 
 /// To the change position; after a tool its spindle and coolant stop there.

@@ -172,6 +172,8 @@ turn-setting-thread = Thread
 turn-setting-crests = Ø of crests
 turn-setting-wire = Wire
 turn-setting-over-wires = Over three wires
+turn-setting-thread-cut = { $thread }: { $how }
+turn-single-passes = A thread of this program is cut by single passes: { $why }.
 turn-setting-thread-measured = d2 is the pitch diameter: the last pass ends in the middle of its limits. It is measured with a thread micrometer, outside with three wires too, in a bore with a thread plug gauge.
 turn-setting-wires = The wire of the table is the best one, P/√3, which touches the flanks at d2. With another wire dw the size over the wires is M = d2 + 3·dw − 0.866·P.
 turn-setting-measured = How the offsets are measured

@@ -10,7 +10,6 @@ scheme-levels = level after level over all cylinders
 scheme-horizontals-a = straight passes leave at most one depth over each cylinder, which a pass along the contour takes
 scheme-horizontals-b = straight passes leave less than the depth everywhere, a pass along the contour takes the rest
 scheme-quickest = { $variant }: the quickest, { $margin } min ({ $percent } %) less than { $rival }
-scheme-as-quick = { $variant }: as quick as { $rival }; the lecture prefers { $variant }
 # What the schemes of rough transitions are.
 transition-loop = straight passes, drawn back and returned through air
 transition-loop-against-stop = straight passes against a stop: step after step, at the full depth to its shoulder

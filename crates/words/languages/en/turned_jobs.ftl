@@ -46,6 +46,12 @@ thread-passes = { $surface }: { $thread } by { $tool }, { $depth } mm deep; { $p
        *[other] passes
     }, then { $springs } more at full depth; fed in at { $angle }°
 thread-ways = { $surface }: the tool begins { $entry } mm before the thread and ends { $run-out } mm behind it
+thread-cycled = { $cycle } cuts it with --show cycle: the passes that the control makes are the planned ones
+thread-not-cycled = single passes cut it, with --show cycle too: { $why }
+not-cycled-unknown = the threading cycle of the control is not known
+not-cycled-pulled-out = the tool is drawn out over the run-out, because nothing is cut away behind the thread, and the cycle does that otherwise
+not-cycled-count = the cycle makes { $made } passes, { $planned } are planned
+not-cycled-passes = the passes of the cycle are off the planned ones by up to { $off } mm
 thread-pulled-out = { $surface }: nothing is cut away behind the thread, so over { $length } mm the tool is drawn out of the metal; full depth ends before
 thread-crests = { $surface }: turned to Ø{ $turned } before the thread, the middle of Ø{ $least } to Ø{ $most } that ISO 965-1 leaves for crests of { $class }
 thread-crests-nominal = { $surface }: the limits of the crests of { $thread } are not known here, so it is turned to the nominal diameter before the thread

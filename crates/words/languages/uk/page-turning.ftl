@@ -173,6 +173,8 @@ turn-setting-thread = Різь
 turn-setting-crests = Ø вершин
 turn-setting-wire = Дріт
 turn-setting-over-wires = На трьох дротах
+turn-setting-thread-cut = { $thread }: { $how }
+turn-single-passes = Різь у цій програмі нарізають окремі ходи: { $why }.
 turn-setting-thread-measured = d2 – середній діаметр: чистовий прохід ведуть до середини його поля. Міряють різьбовим мікрометром, зовнішню різь – ще й трьома дротами, внутрішню – різьбовим калібром-пробкою.
 turn-setting-wires = Дріт у таблиці – найвигідніший: P/√3, торкається профілю на d2. Для іншого дроту dw розмір на дротах M = d2 + 3·dw − 0,866·P.
 turn-setting-measured = Як виміряти вильоти

@@ -10,8 +10,6 @@ scheme-levels = припуск знімається рівень за рівне
 scheme-horizontals-a = прямі ходи лишають над кожним циліндром не більше за одну глибину, яку знімає хід уздовж контуру
 scheme-horizontals-b = прямі ходи лишають усюди менше за глибину, решту знімає хід уздовж контуру
 scheme-quickest = найшвидше: «{ $variant }», на { $margin } хв ({ $percent } %) швидше, ніж «{ $rival }»
-scheme-as-quick = «{ $variant }»: час той самий, що й у «{ $rival }»; лекція віддає перевагу першій
-scheme-quickest = { $variant }: найшвидша, на { $margin } хв ({ $percent } %) швидша, ніж { $rival }
 # What the schemes of rough transitions are.
 transition-loop = прямі ходи з відводом і поверненням через повітря
 transition-loop-against-stop = прямі ходи від упора: ступінь за ступенем на повну глибину до її уступу

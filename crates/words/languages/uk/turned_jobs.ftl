@@ -43,6 +43,12 @@ job-limit = { $name } = { $value }
 grooving-practice = виробник леза: від { $feed-min } до { $feed-max } мм/об, щонайменше { $speed } м/хв за ширини { $width } мм
 thread-passes = { $surface }: { $thread }, { $tool }, глибина { $depth } мм, ходів { $passes }, потім на останній глибині ще { $springs }; врізання під { $angle }°
 thread-ways = { $surface }: різець починає за { $entry } мм перед різзю і закінчує за { $run-out } мм за нею
+thread-cycled = з --show cycle її нарізає { $cycle }: ходи, які робить пристрій ЧПК, такі, як заплановано
+thread-not-cycled = її нарізають окремі ходи, також із --show cycle: { $why }
+not-cycled-unknown = цикл нарізання різі цього пристрою ЧПК невідомий
+not-cycled-pulled-out = за різзю немає проточки, тож різець виводять на довжині збігу, а цикл робить це інакше
+not-cycled-count = цикл робить ходів { $made }, а заплановано { $planned }
+not-cycled-passes = ходи циклу відхиляються від запланованих до { $off } мм
 thread-pulled-out = { $surface }: за різзю немає проточки, тож на довжині { $length } мм різець виходить із металу; повна глибина закінчується раніше
 thread-crests = { $surface }: перед різзю обточується до Ø{ $turned }, середини між Ø{ $least } і Ø{ $most }, які ISO 965-1 лишає вершинам різі { $class }
 thread-crests-nominal = { $surface }: граничні діаметри вершин різі { $thread } тут не відомі, тож перед різзю обточується до номінального діаметра

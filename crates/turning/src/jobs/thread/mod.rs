@@ -99,6 +99,10 @@ pub fn thread(
         pitch_mm: thread.pitch,
         from_z_mm: found.from,
         to_z_mm: found.to,
+        begins_z_mm: piece.from.z,
+        ends_z_mm: piece.to.z,
+        pulled_out: found.pull_out,
+        return_radius_mm: outwards(side, crest, lift),
         crest_radius_mm: crest,
         root_radius_mm: root,
         depths_mm: depths
@@ -108,7 +112,7 @@ pub fn thread(
             .collect(),
         infeed_angle_deg: angle,
     };
-    let path = toolpath(&cut, side, lift, found.pull_out.then_some(piece.to.z), site);
+    let path = toolpath(&cut, side, site);
     let (speed, feeds) = (Speed::Spindle(rpm), Feeds::all(MillimetresPerRev(thread.pitch.to_mm())));
     let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
     let mut notes = vec![
@@ -278,9 +282,8 @@ fn divided(
 
 /// The toolpath: from before the thread, pass by pass, and back. With an inclined infeed, a shallower pass begins
 /// earlier by the remaining travel along the flank.
-fn toolpath(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>, site: Site<'_>) -> Toolpath {
-    let out = |radius: Half, by: Half| if side == Side::Outer { radius + by } else { radius - by };
-    let above = out(cut.crest_radius_mm, lift);
+fn toolpath(cut: &ThreadCut, side: Side, site: Site<'_>) -> Toolpath {
+    let above = cut.return_radius_mm;
     let deepest = cut.depths_mm.last().copied().unwrap_or_default();
     let slope = libm::tan(cut.infeed_angle_deg.0.to_radians());
     let start = match side {
@@ -290,14 +293,14 @@ fn toolpath(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>,
     let mut path = Toolpath::at(start);
     path.go(Point { radius: start.radius, z: cut.from_z_mm }, Purpose::Rapid);
     for depth in &cut.depths_mm {
-        let at = out(cut.crest_radius_mm, Half::ZERO - *depth);
+        let at = outwards(side, cut.crest_radius_mm, Half::ZERO - *depth);
         let before = cut.from_z_mm - Half::from((deepest - *depth).to_mm() * slope);
         path.go(Point { radius: above, z: before }, Purpose::Rapid);
         path.go(Point { radius: at, z: before }, Purpose::Rapid);
-        if let Some(end) = pulls_out_at {
-            path.go(Point { radius: at, z: end }, Purpose::Thread);
+        if cut.pulled_out {
+            path.go(Point { radius: at, z: cut.ends_z_mm }, Purpose::Thread);
         }
-        let at = if pulls_out_at.is_some() { above } else { at };
+        let at = if cut.pulled_out { above } else { at };
         path.go(Point { radius: at, z: cut.to_z_mm }, Purpose::Thread);
         path.go(Point { radius: above, z: cut.to_z_mm }, Purpose::Rapid);
     }
@@ -305,6 +308,11 @@ fn toolpath(cut: &ThreadCut, side: Side, lift: Half, pulls_out_at: Option<Half>,
     path.go(Point { radius: start.radius, z: cut.from_z_mm }, Purpose::Rapid);
     path.go(start, Purpose::Rapid);
     path
+}
+
+/// A radius moved away from the metal.
+fn outwards(side: Side, radius: Half, by: Half) -> Half {
+    if side == Side::Outer { radius + by } else { radius - by }
 }
 
 /// To which pitch diameter the passes go, and between which limits it is measured.
