@@ -9,7 +9,7 @@ use technolog::cases::FileKind;
 use technolog::document::Document;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
-use technolog::note::Note;
+use technolog::note::{Figure, Note};
 use technolog::report::{self, Lang};
 use technolog::turning::length::Half;
 use technolog::turning::operation::Operation;
@@ -235,6 +235,11 @@ fn by_way(
 ) -> Result<Operation, CliError> {
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let ways = ways::find(shaft, objective(args, shaft, context)?, knowledge).map_err(lacking)?;
+    let taken = ways.ways.iter().find(|one| one.name == way.name());
+    if let Some(why) = taken.and_then(|one| one.refused.as_ref()) {
+        let told = say!(context.lang, "turn-ways-refused", way = Figure::word(way.name()), why = why);
+        super::output::complain(&format!("{told}\n"));
+    }
     ways.operation_by(way.name()).ok_or_else(|| refused("way-without-tool", context))
 }
 
