@@ -2,8 +2,8 @@
 //! paper) and the removal schemes ([`schemes`], the lecture).
 //!
 //! All have the same rates, distances and stock, so their times can be compared. A way holds unless the rule
-//! `pass-direction` refuses it, or the proof finds that its program damages something or leaves metal standing. The quickest
-//! of those that hold is recommended.
+//! `pass-direction` refuses it, or the proof finds that its program damages something. The quickest of those that hold and
+//! leave no metal standing is recommended; where all leave some, the quickest that holds.
 
 use serde::Serialize;
 
@@ -62,6 +62,9 @@ pub struct Way {
     /// Why it does not hold; none if it does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refused: Option<Note>,
+    /// Where it leaves metal that a finishing pass must take; none if it leaves none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub leaves: Option<Note>,
     /// Decides among ways of the same time, the least first.
     #[serde(skip)]
     preference: i64,
@@ -107,8 +110,13 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
     let all = (5..).zip(&ways.sequences.variants).map(|(preference, one)| of_variant(one, preference, allowed));
     let mut all: Vec<Way> = all.chain(ways.schemes.schemes.iter().map(of_scheme)).collect();
     for way in &mut all {
-        let fault = || by_way::fault(&ways.operation, &ways.operation_by(way.name)?);
-        way.refused = way.refused.take().or_else(|| Some(Note::new("way-by-proof").with("why", fault()?)));
+        if way.refused.is_none()
+            && let Some(operation) = ways.operation_by(way.name)
+        {
+            let faults = by_way::faults(&ways.operation, &operation);
+            way.refused = faults.damage.map(|why| Note::new("way-by-proof").with("why", why));
+            way.leaves = faults.leaves;
+        }
     }
     ways.ways = all;
     ways.recommended = Some(ways.recommend());
@@ -143,9 +151,11 @@ impl Ways {
         by_way::by_way(self, name)
     }
 
-    /// The quickest of the ways that hold.
+    /// The quickest of the ways that hold, those that leave no metal standing before the others.
     fn recommend(&self) -> Recommended {
-        let mut order: Vec<&Way> = self.ways.iter().filter(|way| way.refused.is_none()).collect();
+        let hold = || self.ways.iter().filter(|way| way.refused.is_none());
+        let clean: Vec<&Way> = hold().filter(|way| way.leaves.is_none()).collect();
+        let mut order = if clean.is_empty() { hold().collect() } else { clean };
         order.sort_by(|a, b| a.time_min.0.total_cmp(&b.time_min.0).then(a.preference.cmp(&b.preference)));
         let (best, next) = (order.first(), order.get(1));
         let margin = best.zip(next).map_or(0.0, |(best, next)| next.time_min.0 - best.time_min.0);
@@ -212,6 +222,7 @@ fn of_variant(variant: &Variant, preference: i64, allowed: Passes) -> Way {
         transverse_passes: across,
         time_min: variant.time_min,
         refused,
+        leaves: None,
         preference,
     }
 }
@@ -225,6 +236,7 @@ fn of_scheme(scheme: &SchemeEntry) -> Way {
         transverse_passes: 0,
         time_min: scheme.measures.time_min,
         refused: None,
+        leaves: None,
         preference: scheme.preference,
     }
 }

@@ -65,5 +65,7 @@ fn remarks(found: &Ways, lang: Lang) -> Vec<Inlines> {
         let place = lang.place(&because.place);
         say!(lang, "turn-scheme-is", scheme = word(scheme.name), what = &because.note, place = place)
     });
-    refused.chain(schemes).map(|said| Inlines::sentence(&said)).collect()
+    let leaves = found.ways.iter().filter_map(|way| Some((way, way.leaves.as_ref()?)));
+    let leaves = leaves.map(|(way, what)| say!(lang, "turn-ways-leaves", way = word(way.name), what = what));
+    refused.chain(leaves).chain(schemes).map(|said| Inlines::sentence(&said)).collect()
 }

@@ -1,13 +1,13 @@
 //! The operation of a stepped shaft, roughed by one of its ways ([`crate::turning::ways`]) instead of the schemes of its
 //! zones.
 
-use crate::note::{Note, Severity};
+use crate::note::{Finding, Note, Severity};
 use crate::turning::jobs::{Body, Work};
 use crate::turning::length::Half;
 use crate::turning::ways::Ways;
 use crate::units::{Degrees, Micrometres};
 
-use super::Operation;
+use super::{Operation, proof};
 
 /// How far the wall that a pass leaves extends before its foot, plus a clearance: an edge with φ above 90° leaves it
 /// inclined over the depth of the pass.
@@ -40,9 +40,21 @@ pub fn by_way(ways: &Ways, name: &str) -> Option<Operation> {
     Some(operation)
 }
 
-/// The first thing that is wrong with the operation by a way and not with the usual one: a place where it damages
-/// something, or metal that it leaves.
-pub fn fault(usual: &Operation, by_way: &Operation) -> Option<Note> {
-    let mut wrong = by_way.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
-    wrong.find(|finding| !usual.findings.contains(finding)).map(|finding| finding.note.clone())
+/// What is wrong with the operation by a way and not with the usual one.
+#[derive(Clone, Debug, Default)]
+pub struct Faults {
+    /// The first place where it damages something.
+    pub damage: Option<Note>,
+    /// The first place where it leaves metal standing.
+    pub leaves: Option<Note>,
+}
+
+/// The faults that an operation has by a way and not as usual.
+pub fn faults(usual: &Operation, by_way: &Operation) -> Faults {
+    let wrong = by_way.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+    let own = wrong.filter(|finding| !usual.findings.contains(finding));
+    let all_standing = proof::standing(by_way);
+    let (standing, damage): (Vec<&Finding>, Vec<&Finding>) = own.partition(|own| all_standing.contains(own));
+    let first = |findings: &[&Finding]| findings.first().map(|finding| finding.note.clone());
+    Faults { damage: first(&damage), leaves: first(&standing) }
 }

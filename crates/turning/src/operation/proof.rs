@@ -131,11 +131,23 @@ pub(super) fn findings(operation: &Operation) -> Vec<Finding> {
     operation.proven.iter().flat_map(|proven| findings_of(operation, proven)).collect()
 }
 
+/// The findings about metal that is left standing.
+pub(super) fn standing(operation: &Operation) -> Vec<Finding> {
+    let proven = operation.proven.iter().filter_map(|one| Some((one.set_up, one.proof.as_ref().ok()?)));
+    let standing = proven.flat_map(|(set_up, proof)| told(operation, set_up, proof).map(move |one| (set_up, one)));
+    let standing = standing.filter(|(_, (_, fault))| matches!(fault, Fault::Stands { .. }));
+    standing.map(|(set_up, (severity, fault))| finding_of(set_up, severity, fault)).collect()
+}
+
+fn finding_of(set_up: u8, severity: Severity, fault: &Fault) -> Finding {
+    Finding::of_part(severity, fault.note().with("number", set_up))
+}
+
 /// The findings of one set-up.
 fn findings_of(operation: &Operation, one: &Proven) -> Vec<Finding> {
     match &one.proof {
         Ok(proof) => told(operation, one.set_up, proof)
-            .map(|(severity, fault)| Finding::of_part(severity, fault.note().with("number", one.set_up)))
+            .map(|(severity, fault)| finding_of(one.set_up, severity, fault))
             .collect(),
         Err(refused) => vec![Finding::of_part(
             Severity::Wrong,

@@ -215,3 +215,4 @@ characteristic-overlong = dwell that is too long
 characteristic-load-tool-time = loading a tool by hand
 characteristic-set-bar-time = setting a boring bar
 characteristic-turn-over-time = turning the part over
+characteristic-near-tie-share = share of a near tie

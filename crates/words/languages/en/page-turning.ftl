@@ -33,6 +33,7 @@ turn-rich-moves = Rich moves: a pass may stop anywhere on the grid and take less
 turn-ways = Ways of roughing
 turn-ways-name = Way
 turn-ways-refused = × { $way }: { $why }
+turn-ways-leaves = { $way } leaves metal for a finishing pass: { $what }
 turn-ways-program = Its program: `--show program --variant { $name }`; every way of the table is written so, if it is safe.
 turn-path = Cutting path
 turn-passes-across = Transverse passes

@@ -215,3 +215,4 @@ characteristic-overlong = надто довга витримка
 characteristic-load-tool-time = установлення інструмента вручну
 characteristic-set-bar-time = переналагодження розточувального різця
 characteristic-turn-over-time = перевертання деталі
+characteristic-near-tie-share = частка майже рівних маршрутів

@@ -33,6 +33,7 @@ turn-rich-moves = Ходи розширені: робочий хід може з
 turn-ways = Способи чорнової обробки
 turn-ways-name = Спосіб
 turn-ways-refused = × { $way }: { $why }
+turn-ways-leaves = { $way }: лишається метал для чистового ходу: { $what }
 turn-ways-program = Програма цього способу: `--show program --variant { $name }`; так само пишеться кожен безпечний спосіб таблиці.
 turn-path = Шлях різання
 turn-passes-across = Поперечні ходи
