@@ -8,7 +8,7 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::{Finding, Note, Severity};
 use technolog::report;
 use technolog::turning::jobs::Work;
-use technolog::turning::operation::programs::{Form, OperationProgram, programs};
+use technolog::turning::operation::programs::{Form, OperationProgram, programs_named};
 use technolog::turning::operation::setting;
 use technolog::turning::operation::times::{Times, times};
 use technolog::turning::operation::tool_table;
@@ -106,7 +106,9 @@ pub fn program(
     context: &Context,
 ) -> Result<Outcome, CliError> {
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let all = programs(operation, wanted.control.name(), wanted.form, wanted.spindle, knowledge).map_err(lacking)?;
+    let (control, form) = (wanted.control.name(), wanted.form);
+    let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
+    let all = programs_named(operation, control, form, wanted.spindle, &named, knowledge).map_err(lacking)?;
     let Some(written) = wanted.number.checked_sub(1).and_then(|index| all.get(index)) else {
         let (message, help) = if all.is_empty() {
             (say!(context.lang, "turn-no-programs"), context.word("turn-see-operation").to_owned())

@@ -245,3 +245,21 @@ fn a_stored_sentence_is_told_as_it_was_made() {
         assert_eq!(serde_json::to_value(&stored).unwrap(), serde_json::to_value(&note).unwrap());
     }
 }
+
+/// A key that stands twice in a language would hide one of its sentences.
+#[test]
+fn no_language_has_a_message_twice() {
+    for language in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/words/languages")).unwrap() {
+        let mut known = std::collections::BTreeMap::new();
+        for file in fs::read_dir(language.unwrap().path()).unwrap() {
+            let path = file.unwrap().path();
+            let text = std::fs::read_to_string(&path).unwrap();
+            let is_key = |letter: char| letter.is_alphanumeric() || letter == '-';
+            let keys = text.lines().filter_map(|line| line.split_once(" =")).map(|(key, _)| key);
+            for key in keys.filter(|key| !key.is_empty() && key.chars().all(is_key)) {
+                let before = known.insert(key.to_owned(), path.clone());
+                assert!(before.is_none(), "{key} stands in {before:?} and {}", path.display());
+            }
+        }
+    }
+}

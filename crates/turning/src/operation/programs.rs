@@ -75,7 +75,7 @@ pub fn place(stations: &[Station], job: &Job) -> Option<u32> {
     stations.iter().find(is_it).map(|one| one.place)
 }
 
-/// The program of each set-up; `spindle` is the spindle speed that the user states.
+/// The program of each set-up; `spindle` is the spindle speed that the user states. Comments name works by their ids.
 ///
 /// # Errors
 /// There is no such control, or a table lacks something of it.
@@ -84,6 +84,21 @@ pub fn programs(
     control: &str,
     form: Form,
     spindle: Option<RevsPerMinute>,
+    knowledge: &Knowledge,
+) -> Result<Vec<OperationProgram>, KnowledgeError> {
+    programs_named(operation, control, form, spindle, &by_id, knowledge)
+}
+
+/// The same with comments in a language: `named` says a work in it.
+///
+/// # Errors
+/// Those of [`programs`].
+pub fn programs_named(
+    operation: &Operation,
+    control: &str,
+    form: Form,
+    spindle: Option<RevsPerMinute>,
+    named: &dyn Fn(JobWork) -> String,
     knowledge: &Knowledge,
 ) -> Result<Vec<OperationProgram>, KnowledgeError> {
     let control = Control::read(control, knowledge)?;
@@ -99,7 +114,8 @@ pub fn programs(
         } else if let Some(why) = proof::rejects(operation, number) {
             Err(NotWritten::Unsafe { why })
         } else {
-            sections(set_up, &stations, form, spindle, operation.workpiece.machine.is_some()).and_then(|sections| {
+            let lathe_is_named = operation.workpiece.machine.is_some();
+            sections(set_up, &stations, form, spindle, lathe_is_named, named).and_then(|sections| {
                 program::whole(&control, &operation.workpiece.name, number, &sections, end_of_part)
             })
         };
@@ -110,6 +126,11 @@ pub fn programs(
         OperationProgram { set_up: number, places, remarks, files }
     });
     Ok(written.collect())
+}
+
+/// A work by its id.
+pub(super) fn by_id(work: JobWork) -> String {
+    work.name().to_owned()
 }
 
 /// Whether a job goes to the axis, where a tailstock centre would be.
@@ -124,6 +145,7 @@ pub(super) fn sections(
     form: Form,
     spindle: Option<RevsPerMinute>,
     lathe_is_named: bool,
+    named: &dyn Fn(JobWork) -> String,
 ) -> Result<Vec<ToolSection>, NotWritten> {
     let mut sections: Vec<ToolSection> = Vec::new();
     for job in &set_up.jobs {
@@ -144,7 +166,7 @@ pub(super) fn sections(
             Form::Cycles => cycle(set_up, job).map(SectionCycle::Rough).or_else(thread),
             Form::Motions => None,
         };
-        let title = format!("T{tool} {}, {}", job.tool.designation, job.work.name());
+        let title = format!("T{tool} {}, {}", job.tool.designation, named(job.work));
         let one = |last: &&mut ToolSection| {
             last.tool == tool
                 && last.speed == speed

@@ -15,7 +15,7 @@ use crate::turning::tooling::{Lathe, Seconds};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{MillimetresPerMinute, Minutes};
 
-use super::programs::{Form, Station, place, sections, stations};
+use super::programs::{Form, Station, by_id, place, sections, stations};
 use super::{Operation, SetUpWork};
 
 /// The times of a set-up, min.
@@ -93,7 +93,7 @@ fn cutting(set_up: &SetUpWork) -> Minutes {
 
 /// The toolpaths by the places of the tools, as in a program. If none can be written, those of the jobs.
 fn ways(set_up: &SetUpWork, stations: &[Station]) -> Vec<(u32, Toolpath)> {
-    match sections(set_up, stations, Form::Motions, None, false) {
+    match sections(set_up, stations, Form::Motions, None, false, &by_id) {
         Ok(sections) => sections.into_iter().map(|section| (section.tool, section.path)).collect(),
         Err(_) => {
             let of = |job| place(stations, job).unwrap_or_default();
