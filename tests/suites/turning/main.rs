@@ -24,6 +24,7 @@ mod schemes;
 mod setting;
 mod tailstock;
 mod tapping;
+mod tapping_laws;
 mod threads;
 mod tools;
 mod transitions;

@@ -4,6 +4,7 @@
 use technolog::audit::turned::{compare_with_part, read_back};
 use technolog::note::{Note, Severity};
 use technolog::program::lathe::{LatheLanguage, Subprogram, read};
+use technolog::turning::contour::Side;
 use technolog::turning::jobs::{Body, Job, Work};
 use technolog::turning::length::Half;
 use technolog::turning::operation::programs::{Form, programs};
@@ -111,6 +112,46 @@ fn a_thread_of_the_far_end_is_tapped_in_the_second_set_up() {
     assert!(second.jobs.iter().any(|job| job.work == Work::Flatten));
 }
 
+/// A tap that came through the plain hole would thread it as well: the far thread waits for the second set-up. Both fronts go 3.75 of
+/// lead behind 16 and 50 - 34 of full thread.
+#[test]
+fn threads_of_both_ends_are_tapped_each_from_its_own() {
+    let operation = planned("tapped-both-ends");
+    assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
+    let fronts: Vec<f64> = operation.set_ups.iter().map(|one| deepest(tap_of(one))).collect();
+    assert_eq!(fronts, [19.75; 2]);
+    let surfaces: Vec<String> = operation.set_ups.iter().map(|one| tap_of(one).surfaces[0].to_string()).collect();
+    assert_eq!(surfaces, ["inner 2", "inner 4"]);
+    assert_eq!((drills(&operation.set_ups[0]), drills(&operation.set_ups[1])), (vec!["6.8".to_owned()], vec![]));
+}
+
+/// The bar makes the seat down to the hole, a countersink of 90° goes through it: its point ends 6.5 below the bottom at 12.
+#[test]
+fn a_chamfer_behind_a_seat_is_countersunk() {
+    let operation = planned("tapped-in-seat");
+    assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
+    let jobs = &operation.set_ups[0].jobs;
+    let countersink = jobs.iter().find(|job| job.work == Work::Countersink).unwrap();
+    assert!((deepest(countersink) - 18.5).abs() < 0.001);
+    assert!(jobs.iter().any(|job| job.work == Work::Finish && job.side == Side::Inner));
+    assert_eq!(deepest(tap_of(&operation.set_ups[0])), 40.0 + 7.0);
+}
+
+/// M4: six tenths of its drill of 3.3 are 1.98, which the cone of the smallest centre drill of 1 mm opens 0.849 deep behind its pilot of
+/// 1.3 (60°, ГОСТ 14034).
+#[test]
+fn the_spot_of_a_small_thread_is_as_wide_as_its_drill_allows() {
+    let text =
+        text("tapped-blind").replace("M12-6H", "M4").replace("13.106", "4.6").replace("chamfer: 1.5", "chamfer: 0.65");
+    let text =
+        text.replace("to: -20", "to: -8").replace("cylinder: -28", "cylinder: -12").replace("-30.917", "-12.991");
+    let operation = read_part("m4", &text);
+    assert_eq!(wrong(&operation), [""; 0], "{:?}\n{text}", operation.findings);
+    let set_up = &operation.set_ups[0];
+    let spot = set_up.jobs.iter().find(|job| job.work == Work::Centre).unwrap();
+    assert_eq!(spot.spot_diameter(set_up.rough_face()).map(|wide| wide.to_string()), Some("1.98".to_owned()));
+}
+
 /// No tap, a tap too short, no room behind the thread: each is told, and the thread is not there.
 #[test]
 fn what_cannot_be_tapped_is_told() {
@@ -126,7 +167,7 @@ fn what_cannot_be_tapped_is_told() {
     let told = operation.findings.iter().find(|one| one.note.code() == "job-tap-no-run-out").unwrap();
     let figure = |note: &Note, name: &str| note.figure(name).map(|figure| figure.text().into_owned()).unwrap();
     assert_eq!((figure(&told.note, "needs"), figure(&told.note, "room")), ("7".into(), "2".into()));
-    // A plain hole of the drill's diameter before the thread would be threaded too.
+    // A plain hole of the drill's diameter before a blind thread would be threaded too, and from the other end there is no hole.
     let plain = text("tapped-blind").replace("  - {thread:", "  - {cylinder: -6}\n  - {thread:");
     assert_eq!(wrong(&read_part("plain", &plain)), ["job-plain-before-tap", "thread-not-cut"]);
 }
@@ -134,7 +175,7 @@ fn what_cannot_be_tapped_is_told() {
 /// The program of each control is read back and its tap followed through the stock.
 #[test]
 fn programs_tap_as_the_plan_does() {
-    for name in ["tapped-through", "tapped-blind", "tapped-far"] {
+    for name in ["tapped-through", "tapped-blind", "tapped-far", "tapped-both-ends", "tapped-in-seat"] {
         let operation = planned(name);
         for control in ["linuxcnc", "fanuc", "sinumerik"] {
             for written in programs(&operation, control, Form::Motions, None, &KNOWLEDGE).unwrap() {

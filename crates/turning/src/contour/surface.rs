@@ -91,4 +91,14 @@ impl Profile {
             pieces: self.surfaces.iter().flat_map(|surface| surface.pieces.iter().copied()).collect(),
         }
     }
+
+    /// The same of the part turned over.
+    #[must_use]
+    pub fn turned_over(&self, length: Half) -> Self {
+        let over = |surface: &Surface| {
+            let contour = Contour { side: self.side, pieces: surface.pieces.clone() }.turned_over(length);
+            Surface { pieces: contour.pieces, ..surface.clone() }
+        };
+        Self { side: self.side, surfaces: self.surfaces.iter().rev().map(over).collect() }
+    }
 }

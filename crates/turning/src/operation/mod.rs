@@ -270,7 +270,14 @@ fn plan_without(
         findings.push(Finding::of_part(Severity::Doubtful, Note::new("far-face-as-parted")));
     }
     let axials = set_ups.iter().map(|one| one.inner.as_ref().map(|inner| Axial::of(inner, &bench)).transpose());
-    let axials = axials.map(|axial| Ok(axial?.flatten())).collect::<Result<Vec<_>, KnowledgeError>>()?;
+    let mut axials = axials.map(|axial| Ok(axial?.flatten())).collect::<Result<Vec<_>, KnowledgeError>>()?;
+    if let ([Some(near), far], Some(inner)) = (axials.as_mut_slice(), &workpiece.inner) {
+        near.leave(&bench);
+        if !near.left.is_empty() {
+            let bored = set_ups.get(1).and_then(|second| second.inner.clone());
+            *far = Some(Axial::take(far.take(), &near.left, bored, inner.turned_over(workpiece.length())));
+        }
+    }
     let mut elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     // What tools on the axis make to size does not hang on what the lathe holds with a bar.
     elsewhere.retain(|one| axials.iter().flatten().flat_map(Axial::surfaces).all(|name| *name != one.surface));

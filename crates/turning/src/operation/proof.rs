@@ -15,7 +15,7 @@ use crate::units::{Degrees, Micrometres};
 use proof::{At, Block, Cutter, Fault, Holder, Mm, Motion, MotionKind, Sense, SetUp, Stock};
 
 use super::unfinished::{undone, undone_on_axis};
-use super::{Operation, SetUpWork, Tailstock};
+use super::{Axial, Operation, SetUpWork, Tailstock};
 
 /// The result of the proof for each set-up, in the order of work.
 #[derive(Clone, Debug)]
@@ -166,11 +166,12 @@ pub fn told<'a>(
     let of_sides = |work: &&&'a SetUpWork| work.sides.iter().flat_map(|side| undone(work, side)).collect::<Vec<_>>();
     let undone: Vec<_> = works.iter().flat_map(|work| [of_sides(&work), undone_on_axis(work)]).flatten().collect();
     let stretches = works.iter().flat_map(|work| [&work.set_up.outer, &work.set_up.inner]).flatten();
-    let own: Vec<Figure> = stretches
-        .flat_map(|stretch| &stretch.profile.surfaces)
-        .filter(|surface| undone.iter().all(|(name, _)| **name != surface.name))
-        .map(|surface| (&surface.name).into_figure())
-        .collect();
+    let axial = || works.iter().filter_map(|work| work.axial.as_ref());
+    let left = || axial().flat_map(|axial| &axial.left);
+    let names = stretches.flat_map(|stretch| &stretch.profile.surfaces).map(|surface| &surface.name);
+    let names = names.filter(|name| !left().any(|other| other == *name)).chain(axial().flat_map(Axial::far));
+    let own: Vec<Figure> =
+        names.filter(|name| undone.iter().all(|(other, _)| other != name)).map(|name| name.into_figure()).collect();
     let is_told = move |fault: &&Fault| match fault {
         // The end of an allowance for another machine lies on the slope beside it.
         Fault::Stands { surface, thickness, at, .. }
@@ -316,8 +317,9 @@ pub fn motions(path: &Toolpath, tool: usize) -> Vec<Motion> {
 fn profile(operation: &Operation, set_up: &SetUpWork) -> proof::Profile {
     let workpiece = &operation.workpiece;
     let last = operation.set_ups.last().is_some_and(|last| last.set_up.number == set_up.set_up.number);
-    let seen =
-        |profile: &Profile| if set_up.set_up.turned_over { over(profile, workpiece.length()) } else { profile.clone() };
+    let seen = |profile: &Profile| {
+        if set_up.set_up.turned_over { profile.turned_over(workpiece.length()) } else { profile.clone() }
+    };
     let (outer, inner) = if last {
         (Some(seen(&workpiece.outer)), workpiece.inner.as_ref().map(seen))
     } else {
@@ -335,15 +337,6 @@ fn profile(operation: &Operation, set_up: &SetUpWork) -> proof::Profile {
         outside.insert(0, proof::ProfilePiece::new(face, None));
     }
     proof::Profile { outside, bore }
-}
-
-/// A profile seen from the other end.
-fn over(profile: &Profile, length: Half) -> Profile {
-    let surfaces = profile.surfaces.iter().rev().map(|surface| {
-        let contour = Contour { side: profile.side, pieces: surface.pieces.clone() };
-        Surface { pieces: contour.turned_over(length).pieces, ..surface.clone() }
-    });
-    Profile { side: profile.side, surfaces: surfaces.collect() }
 }
 
 fn surface_pieces(profile: &Profile, at: usize, operation: &Operation) -> Vec<proof::ProfilePiece> {

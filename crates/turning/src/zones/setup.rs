@@ -152,7 +152,7 @@ fn set_ups_of(
     if !second {
         return Ok(vec![first]);
     }
-    let over = |profile: Option<Profile>| profile.map(|one| turned_over(&one, part.length));
+    let over = |profile: Option<Profile>| profile.map(|one| one.turned_over(part.length));
     let mut notes = Vec::new();
     let lip = far.as_ref().and_then(|far| far.contour().start());
     if let Some(lent) = lent {
@@ -191,13 +191,4 @@ fn stretch(profile: Profile, tool: Angles, knowledge: &Knowledge) -> Result<Turn
     let classes = classify(&profile, tool, knowledge)?;
     let main = main_contour(&profile, &classes, tool);
     Ok(TurnedSide { profile, classes, main })
-}
-
-/// A profile of the part turned over.
-fn turned_over(profile: &Profile, length: Half) -> Profile {
-    let over = |surface: &Surface| {
-        let contour = Contour { side: profile.side, pieces: surface.pieces.clone() }.turned_over(length);
-        Surface { pieces: contour.pieces, ..surface.clone() }
-    };
-    Profile { side: profile.side, surfaces: profile.surfaces.iter().rev().map(over).collect() }
 }

@@ -55,15 +55,23 @@ pub fn spot(drill: Micrometres, face: Half, end: Half, bench: &Bench<'_, '_>) ->
     let mut limits = Limits::of(bench.knowledge);
     let share = limits.ratio(JobLimit::SpotShare)?;
     let most = Micrometres::from_mm_rounded(drill.to_mm() * share);
-    let rows = bench.knowledge.rows::<CentreHole<'_>>()?;
-    let least = rows.iter().map(|row| row.cone).min().unwrap_or_default();
+    let mut rows = bench.knowledge.rows::<CentreHole<'_>>()?;
+    rows.sort_by_key(|row| row.pilot);
+    let least = rows.first().map(|row| row.pilot).unwrap_or_default();
     // It goes no deeper than the drill.
-    let fits = |row: &CentreHole<'_>| row.cone <= most && face + Half::of(row.cone_depth + row.pilot_length) < end;
-    let fitting = rows.into_iter().filter(fits).max_by_key(|row| row.pilot);
-    let Some(row) = fitting else {
+    let fits = |row: &&CentreHole<'_>| row.cone <= most && face + Half::of(row.cone_depth + row.pilot_length) < end;
+    // Under the smallest drills the cone of the smallest goes in only so far.
+    let goes_in =
+        |row: &&CentreHole<'_>| row.pilot < most && row.cone > most && face + Half::of(row.pilot_length) < end;
+    let smallest = || rows.first().filter(goes_in);
+    let Some(row) = rows.iter().rfind(fits).or_else(smallest) else {
         let least = Micrometres::from_mm_rounded(least.to_mm() / share.max(0.01));
         return Err(Refusal::Not(NoJob::NoCentreHole { diameter: drill, least }));
     };
+    let narrower = row.cone - most.min(row.cone);
+    // A cone of 60°: less wide by twice the tangent of 30° times what it is less deep.
+    let higher = Micrometres::from_mm_rounded(narrower.to_mm() / 2.0 / libm::tan(30_f64.to_radians()));
+    let row = CentreHole { cone: row.cone - narrower, cone_depth: row.cone_depth - higher, ..row.clone() };
     let mut job = centred(&row, CentreForm::A, face, Note::new("job-spot").with("drill", drill), bench)?;
     job.because.extend(limits.because);
     Ok(job)

@@ -35,8 +35,8 @@ use super::site;
 use super::{Body, Job, JobTool, Work};
 pub use centre::{CentreForm, centre_hole, centre_hole_for, spot};
 use pace::AxialConditions;
-pub use tap::{drilled_behind, tap};
-pub use widen::{Mouth, Widening, countersink, widen};
+pub use tap::{drilled_behind, plain_before, tap};
+pub use widen::{Mouth, Widening, countersink, has_countersink, widen};
 
 /// The end of a drilled hole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

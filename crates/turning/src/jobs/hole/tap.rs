@@ -49,6 +49,7 @@ pub fn tap(
     let full = piece.to.z;
     let bottom = bottom(surfaces, index);
     let tip = match bottom {
+        None if plain_behind(surfaces, index) >= lead => full + lead,
         Some(bottom) if bottom < full + lead + stop => {
             let (needs, room) = (lead + stop, bottom - full);
             return Err(Refusal::Not(NoJob::NoTapRunOut {
@@ -94,8 +95,12 @@ pub fn tap(
         .with("full", full)
         .with("tip", tip);
     notes.push(note);
-    let through = if bottom.is_some() { "job-tap-blind" } else { "job-tap-through" };
-    notes.push(Note::new(through).with("surface", &surface.name).with("stop", stop));
+    let end = match bottom {
+        Some(_) => Some("job-tap-blind"),
+        None if tip > full + lead => Some("job-tap-through"),
+        None => None,
+    };
+    notes.extend(end.map(|code| Note::new(code).with("surface", &surface.name).with("stop", stop)));
     let mut because: Vec<Because> = thread.way.iter().cloned().chain([of_lead]).collect();
     because.extend(limits.because);
     let stroke = Stroke {
@@ -128,12 +133,20 @@ fn pitches(name: HoleDefault, pitch: Micrometres, bench: &Bench<'_, '_>) -> Resu
 }
 
 /// A plain cylinder of the same diameter before the thread, which a tap would cut as well.
-fn plain_before(surfaces: &[Surface], index: usize) -> Option<SurfaceName> {
+pub fn plain_before(surfaces: &[Surface], index: usize) -> Option<SurfaceName> {
     let radius = surfaces.get(index)?.pieces.first()?.from.radius;
     let same =
         |surface: &&Surface| surface.pieces.iter().all(|piece| piece.is_cylinder() && piece.from.radius == radius);
     let before = surfaces.get(..index)?.iter().rev().take_while(same);
     before.filter(|one| one.kind != SurfaceKind::Thread).map(|one| one.name.clone()).next()
+}
+
+/// The length of the plain hole of the same diameter behind the thread.
+fn plain_behind(surfaces: &[Surface], index: usize) -> Half {
+    let same = |piece: &&Piece, radius: Half| piece.is_cylinder() && piece.from.radius == radius;
+    let Some(thread) = surfaces.get(index).and_then(|one| one.pieces.first()) else { return Half::ZERO };
+    let behind = surfaces.get(index + 1..).unwrap_or_default().iter().flat_map(|surface| &surface.pieces);
+    behind.take_while(|piece| same(piece, thread.from.radius)).map(|piece| piece.to.z - piece.from.z).sum()
 }
 
 /// Z where the hole of a thread narrows behind it; none if it goes through.

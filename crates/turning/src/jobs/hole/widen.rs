@@ -12,7 +12,7 @@ use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::program::Speed;
 use crate::turning::tooling::Lathe;
-use crate::turning::toolpath::Purpose;
+use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Degrees, ItGrade, Micrometres, Roughness};
 use technolog_cutting::reaming::rough_instead;
 use technolog_cutting::{Cut, speed_at};
@@ -21,7 +21,7 @@ use super::super::limits::Limits;
 use super::super::refused::NoJob;
 use super::super::{Body, Job, JobTool, Work, site};
 use super::pace::{self, AxialConditions};
-use super::{HoleEnd, Stroke, cone_length, cut, in_and_out};
+use super::{HoleEnd, Stroke, before, cone_length, cut, in_and_out, on_axis};
 
 /// A hole that a core drill or a reamer makes wider.
 #[derive(Clone, Debug)]
@@ -211,6 +211,8 @@ pub struct Mouth {
     pub face: Half,
     /// From where the tool comes: Z of the rough face.
     pub rough_face: Half,
+    /// The diameter of the bore before it, through which the countersink goes; none at the face of the part.
+    pub within: Option<Micrometres>,
     /// Its surface.
     pub surface: SurfaceName,
 }
@@ -223,19 +225,7 @@ pub fn countersink(mouth: &Mouth, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
     let tip = mouth.face + cone_length(Half::radius_of(mouth.wide), mouth.angle);
     let depth = tip - mouth.rough_face;
-    let of = |(row, material): (CutterRow<'_>, ToolMaterial)| {
-        let (diameter, angle, designation) = (row.diameter?, row.cone_angle?, row.designations().next()?);
-        let same_angle = (angle.0 - mouth.angle.0).abs() < SAME_ANGLE;
-        let fits = same_angle && diameter >= mouth.wide && row.tip_diameter.is_none_or(|tip| tip <= mouth.hole);
-        let body = Body::Drill {
-            diameter_mm: diameter,
-            point_angle_deg: mouth.angle,
-            flute_mm: Some(row.cutting_length.unwrap_or(diameter)),
-        };
-        let taken = Because::row(row.row, Note::new("job-tool-taken").with("tool", designation));
-        fits.then(|| (diameter, JobTool { designation: designation.to_owned(), body }, material, taken))
-    };
-    let found = rows(Operation::Chamfer, mouth.wide, bench)?.into_iter().filter_map(of).min_by_key(|one| one.0);
+    let found = countersinks(mouth, bench)?.into_iter().min_by_key(|one| one.0);
     let Some((_, tool, material, row)) = found else {
         let (operation, diameter) = (Operation::Chamfer, mouth.wide);
         return Err(Refusal::Not(NoJob::NoCutter { operation, diameter, depth }));
@@ -246,16 +236,55 @@ pub fn countersink(mouth: &Mouth, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let middle = mouth.hole + Micrometres::from_mm_rounded((mouth.wide - mouth.hole).to_mm() * share);
     let cut = cut(Operation::Drill, middle, Micrometres::ZERO, depth.rounded_up(), material);
     let conditions = pace::pace(&cut, lathe, bench)?;
+    let mut path = in_and_out(mouth.rough_face, tip, Purpose::Rapid, bench)?;
+    if mouth.within.is_some() {
+        // Through the wider bore at rapid.
+        let (from, near) = (path.from, on_axis(before(mouth.face, bench)?));
+        path = Toolpath::at(from);
+        path.go(near, Purpose::Rapid);
+        path.go(on_axis(tip), Purpose::Plunge);
+        path.go(from, Purpose::Rapid);
+    }
     let stroke = Stroke {
         work: Work::Countersink,
         tool,
         surfaces: vec![mouth.surface.clone()],
-        path: in_and_out(mouth.rough_face, tip, Purpose::Rapid, bench)?,
+        path,
         notes: Vec::new(),
         row,
         because: limits.because,
     };
     Ok(stroke.job(conditions, lathe, bench))
+}
+
+/// Whether a countersink of the catalogs makes a mouth.
+///
+/// # Errors
+/// A table of tools is broken.
+pub fn has_countersink(mouth: &Mouth, bench: &Bench<'_, '_>) -> Result<bool, KnowledgeError> {
+    Ok(!countersinks(mouth, bench)?.is_empty())
+}
+
+/// The countersinks of the angle of a mouth, as wide as it or wider, that go in: with their diameters and the materials of their tables.
+fn countersinks(
+    mouth: &Mouth,
+    bench: &Bench<'_, '_>,
+) -> Result<Vec<(Micrometres, JobTool, ToolMaterial, Because)>, KnowledgeError> {
+    let of = |(row, material): (CutterRow<'_>, ToolMaterial)| {
+        let (diameter, angle, designation) = (row.diameter?, row.cone_angle?, row.designations().next()?);
+        let same_angle = (angle.0 - mouth.angle.0).abs() < SAME_ANGLE;
+        let enters = mouth.within.is_none_or(|within| diameter < within);
+        let wide = diameter >= mouth.wide && row.tip_diameter.is_none_or(|tip| tip <= mouth.hole);
+        let body = Body::Drill {
+            diameter_mm: diameter,
+            point_angle_deg: mouth.angle,
+            flute_mm: Some(row.cutting_length.unwrap_or(diameter)),
+        };
+        let taken = Because::row(row.row, Note::new("job-tool-taken").with("tool", designation));
+        let tool = JobTool { designation: designation.to_owned(), body };
+        (same_angle && wide && enters).then_some((diameter, tool, material, taken))
+    };
+    Ok(rows(Operation::Chamfer, mouth.wide, bench)?.into_iter().filter_map(of).collect())
 }
 
 /// Angles nearer than this are the same, degrees.

@@ -3,6 +3,7 @@
 //!
 //! It is found on the bore of a set-up before anything is bored. What is left of the bore is bored as if it ended there.
 
+mod mouth;
 mod sizes;
 
 use serde::Serialize;
@@ -11,20 +12,23 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::vocabulary::Operation;
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::{AxialHoleFor, AxialWay};
-use crate::turning::contour::{Contour, Profile, Surface, SurfaceKind, SurfaceName};
+use crate::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName};
 use crate::turning::cutting::unsaid_roughness;
 use crate::turning::elements::Main;
-use crate::turning::jobs::hole::{self, Hole, HoleEnd, Mouth, Widening, point_length};
+use crate::turning::jobs::hole::{self, Hole, HoleEnd, Widening, point_length};
 use crate::turning::jobs::{Job, NoJob, Site};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
 use crate::turning::zones::TurnedSide;
-use crate::units::{Degrees, ItGrade, Micrometres, Roughness};
+use crate::units::{ItGrade, Micrometres, Roughness};
 
 use super::features::{made, thread_job};
 use super::tools::Bench;
+use mouth::{far_mouth, mouth};
 use sizes::Sizes;
+
+pub use mouth::MouthOf;
 
 /// A cylinder that is made on the axis, with what ends it.
 #[derive(Clone, Debug, Serialize)]
@@ -43,6 +47,9 @@ pub struct AxialHole {
     /// How far behind its end the drill of a tapped hole goes, if it goes through.
     #[serde(skip)]
     pub tapped: Option<Half>,
+    /// The chamfer at its mouth, if a countersink makes it.
+    #[serde(skip)]
+    pub mouth: Option<MouthOf>,
     /// Z where it begins in the set-up, mm.
     #[serde(skip)]
     pub begins: Half,
@@ -81,15 +88,21 @@ impl AxialEnd {
 pub struct Axial {
     /// Its cylinders, from the widest.
     pub holes: Vec<AxialHole>,
-    /// The chamfer at its mouth, if nothing before it is bored; without a hole that of one made from the other end.
+    /// The chamfer of a hole that is made from the other end.
     #[serde(skip)]
-    pub mouth: Option<MouthOf>,
+    pub far_mouth: Option<MouthOf>,
     /// What is bored before it; none if it is the whole bore.
     #[serde(skip)]
     pub bored: Option<TurnedSide>,
     /// The whole bore, for the threads in it.
     #[serde(skip)]
     whole: Profile,
+    /// Threads behind a plain cylinder of their diameter, which are tapped from the other end.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub left: Vec<SurfaceName>,
+    /// The bore of the part as this set-up sees it, and the threads in it that the set-up before has left.
+    #[serde(skip)]
+    far: Option<(Profile, Vec<SurfaceName>)>,
 }
 
 impl Axial {
@@ -102,30 +115,58 @@ impl Axial {
         let mut holes: Vec<AxialHole> = Vec::new();
         let mut first = surfaces.len();
         while let Some((index, end)) = next(surfaces, first, holes.last()) {
-            let Some(hole) = axial(surfaces, index, first, end, bench)? else { break };
+            let Some(mut hole) = axial(surfaces, index, first, end, bench)? else { break };
+            hole.mouth = mouth(surfaces, index, hole.diameter_mm, bench)?;
+            first = if hole.mouth.is_some() { index - 1 } else { index };
             holes.push(hole);
-            first = index;
         }
         holes.reverse();
-        let mouth = match holes.first() {
-            Some(hole) => mouth(surfaces, first, hole.diameter_mm),
-            None => far_mouth(surfaces, bench)?,
-        };
-        if holes.is_empty() && mouth.is_none() {
+        let far_mouth = if holes.is_empty() { far_mouth(surfaces, bench)? } else { None };
+        if holes.is_empty() && far_mouth.is_none() {
             return Ok(None);
         }
-        let bored = if first == 0 || mouth.is_some() { None } else { Some(before(stretch, first, &holes)) };
-        Ok(Some(Self { holes, mouth, bored, whole: stretch.profile.clone() }))
+        let bored = if first == 0 || far_mouth.is_some() { None } else { Some(before(stretch, first, &holes)) };
+        let whole = stretch.profile.clone();
+        Ok(Some(Self { holes, far_mouth, bored, whole, left: Vec::new(), far: None }))
+    }
+
+    /// Leaves the tapped threads behind plain cylinders of their diameter to the next set-up.
+    pub fn leave(&mut self, bench: &Bench<'_, '_>) {
+        let is_tapped = |name: &SurfaceName| {
+            let name = name.to_string();
+            bench.workpiece.threads.iter().any(|thread| thread.tapped.is_some() && thread.surface == name)
+        };
+        let surfaces = &self.whole.surfaces;
+        let behind = (0..surfaces.len()).filter(|index| hole::plain_before(surfaces, *index).is_some());
+        let names = behind.filter_map(|index| surfaces.get(index)).map(|surface| surface.name.clone());
+        let known: Vec<&SurfaceName> = self.holes.iter().flat_map(|hole| &hole.threads).collect();
+        self.left = names.filter(|name| known.contains(&name) && is_tapped(name)).collect();
+    }
+
+    /// With the threads that the set-up before has left; `bored` is the bore of this one, `whole` that of the part as it sees it.
+    pub fn take(axial: Option<Self>, left: &[SurfaceName], bored: Option<TurnedSide>, whole: Profile) -> Self {
+        let (far, nothing) = (Some((whole, left.to_vec())), Profile { side: Side::Inner, surfaces: Vec::new() });
+        match axial {
+            Some(axial) => Self { far, ..axial },
+            None => Self { holes: Vec::new(), far_mouth: None, bored, whole: nothing, left: Vec::new(), far },
+        }
+    }
+
+    /// The threads that the set-up before has left to this one.
+    pub fn far(&self) -> impl Iterator<Item = &SurfaceName> {
+        self.far.iter().flat_map(|(_, names)| names)
     }
 
     /// The names of the surfaces that it makes.
     pub fn surfaces(&self) -> impl Iterator<Item = &SurfaceName> {
-        self.holes.iter().flat_map(|hole| &hole.surfaces).chain(self.mouth.iter().map(|mouth| &mouth.surface))
+        let mouths = self.holes.iter().filter_map(|hole| hole.mouth.as_ref()).chain(&self.far_mouth);
+        self.holes.iter().flat_map(|hole| &hole.surfaces).chain(mouths.map(|mouth| &mouth.surface))
     }
 
     /// The names of the threads in it, under which it is drilled.
     pub fn threads(&self) -> impl Iterator<Item = &SurfaceName> {
-        self.holes.iter().flat_map(|hole| &hole.threads)
+        let own = self.holes.iter().flat_map(|hole| &hole.threads).filter(|name| !self.left.contains(name));
+        own.chain(self.far())
     }
 
     /// Whether a surface is the cone that the point of its drill leaves.
@@ -168,25 +209,18 @@ impl Axial {
             }
             from = from.max(sizes.drill);
         }
-        if let Some(MouthOf { surface, wide, hole, angle }) = &self.mouth {
-            let mouth = Mouth {
-                wide: *wide,
-                hole: *hole,
-                angle: *angle,
-                face: Half::ZERO,
-                rough_face: face,
-                surface: surface.clone(),
-            };
-            jobs.extend(made(hole::countersink(&mouth, bench), findings)?);
+        for mouth in self.holes.iter().filter_map(|hole| hole.mouth.as_ref()).chain(&self.far_mouth) {
+            jobs.extend(made(hole::countersink(&mouth.task(face), bench), findings)?);
         }
         let (table, _) = rates::of_table(bench.knowledge)?;
         let own = bench.workpiece.rates.map_or(table, |rates| rates.main);
-        let threads = self.whole.surfaces.iter().enumerate();
-        for (index, surface) in threads.filter(|(_, surface)| self.threads().any(|name| *name == surface.name)) {
-            let Some((radius, _)) = cylinder(surface) else { continue };
-            let clear = Point { radius: radius - Half::of(own.retract), z: face - Half::of(own.approach) };
-            let site = Site { profile: &self.whole, clear };
-            jobs.extend(thread_job(site, index, face, bench, findings)?);
+        for profile in std::iter::once(&self.whole).chain(self.far.iter().map(|(whole, _)| whole)) {
+            let threads = profile.surfaces.iter().enumerate();
+            for (index, surface) in threads.filter(|(_, surface)| self.threads().any(|name| *name == surface.name)) {
+                let Some((radius, _)) = cylinder(surface) else { continue };
+                let clear = Point { radius: radius - Half::of(own.retract), z: face - Half::of(own.approach) };
+                jobs.extend(thread_job(Site { profile, clear }, index, face, bench, findings)?);
+            }
         }
         Ok(jobs)
     }
@@ -215,7 +249,8 @@ fn last_cylinder(before: &[Surface], behind: Option<&AxialHole>) -> Option<(usiz
     let [piece] = last.pieces.as_slice() else { return None };
     let within = piece.to.radius;
     // Without a hole behind it the narrower one is made from the other end.
-    let is_shoulder = behind.is_none_or(|hole| Half::radius_of(hole.diameter_mm) == within);
+    let edge = |hole: &AxialHole| hole.mouth.as_ref().map_or(hole.diameter_mm, |mouth| mouth.wide);
+    let is_shoulder = behind.is_none_or(|hole| Half::radius_of(edge(hole)) == within);
     if piece.is_face() && within < wide && is_shoulder {
         return Some((index - 1, AxialEnd::Flat(z, within)));
     }
@@ -275,6 +310,7 @@ fn axial(
         surfaces: taken.iter().filter(|one| !is_thread(one)).map(|one| one.name.clone()).collect(),
         threads,
         tapped,
+        mouth: None,
         begins: begin.z,
         end,
         asked: (it, roughness),
@@ -282,47 +318,24 @@ fn axial(
     }))
 }
 
-/// A chamfer at the mouth of a hole.
-#[derive(Clone, Debug)]
-pub struct MouthOf {
-    surface: SurfaceName,
-    wide: Micrometres,
-    hole: Micrometres,
-    angle: Degrees,
-}
-
-/// The chamfer at the mouth, where only it is before the first hole.
-fn mouth(surfaces: &[Surface], first: usize, hole: Micrometres) -> Option<MouthOf> {
-    let [surface] = surfaces.get(..first)? else { return None };
-    let [piece] = surface.pieces.as_slice() else { return None };
-    let along = piece.chord();
-    let narrows = !piece.is_face() && !piece.is_cylinder() && piece.to.radius == Half::radius_of(hole);
-    let angle = Degrees(2.0 * libm::atan2(-along.radius, along.z).to_degrees());
-    let wide = piece.from.radius.diameter();
-    (narrows && angle.0 > 0.0).then(|| MouthOf { surface: surface.name.clone(), wide, hole, angle })
-}
-
-/// The chamfer of a hole that an earlier set-up has made from the other end, where that is all there is of the bore and no bar enters.
-fn far_mouth(surfaces: &[Surface], bench: &Bench<'_, '_>) -> Result<Option<MouthOf>, KnowledgeError> {
-    let hole = surfaces.last().and_then(|one| one.pieces.last()).map_or(Half::ZERO, |piece| piece.to.radius).diameter();
-    if surfaces.len() != 1 || hole <= Micrometres::ZERO {
-        return Ok(None);
-    }
-    let asked = bench.knowledge.ask(&AxialHoleFor { diameter: hole, tapped: false, it: None, roughness: None })?;
-    let bored = asked.need(&hole.to_string())?.made == AxialWay::Bored;
-    Ok(mouth(surfaces, surfaces.len(), hole).filter(|_| !bored))
-}
-
-/// The bore before the first hole, which begins with it.
+/// The bore before the first hole, which begins with it. Over a countersunk mouth its bottom goes on to the hole.
 fn before(stretch: &TurnedSide, first: usize, holes: &[AxialHole]) -> TurnedSide {
-    let begin = holes.first().map_or(Half::ZERO, |hole| hole.begins);
-    let kept = stretch.profile.surfaces.iter().take(first).cloned().collect();
+    let mouth = holes.first().and_then(|hole| hole.mouth.as_ref());
+    let begin = mouth.map_or_else(|| holes.first().map_or(Half::ZERO, |hole| hole.begins), |mouth| mouth.face);
+    let mut kept: Vec<Surface> = stretch.profile.surfaces.iter().take(first).cloned().collect();
     let pieces = stretch.main.contour.pieces.iter().filter(|piece| piece.from.z <= begin && piece.to.z <= begin);
+    let mut pieces: Vec<Piece> = pieces.copied().collect();
+    if let Some(mouth) = mouth {
+        let last = kept.last_mut().and_then(|surface| surface.pieces.last_mut());
+        for bottom in last.into_iter().chain(pieces.last_mut()) {
+            bottom.to.radius = Half::radius_of(mouth.hole);
+        }
+    }
     TurnedSide {
         profile: Profile { side: stretch.profile.side, surfaces: kept },
         classes: stretch.classes.iter().take(first).cloned().collect(),
         main: Main {
-            contour: Contour { side: stretch.main.contour.side, pieces: pieces.copied().collect() },
+            contour: Contour { side: stretch.main.contour.side, pieces },
             valleys: stretch.main.valleys.iter().filter(|valley| valley.lips.1.z <= begin).cloned().collect(),
         },
     }
