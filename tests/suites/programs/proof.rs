@@ -408,7 +408,7 @@ fn the_command_shows_what_is_made_of_what_is_needed() {
     fs::remove_file(&file).unwrap();
     let text = String::from_utf8(right.stdout).unwrap();
     assert_eq!(right.status.code(), Some(0), "{text}");
-    assert!(text.starts_with("Made of what the plan requires\n"), "{text}");
+    assert!(text.starts_with("What the plan requires, and what the program makes of it\n"), "{text}");
     assert!(text.contains("\n B    | drilling out | T3 |  4/4\n"), "{text}");
 
     let printed = ["check", "examples/appendix-g/program.nc", "--setting", "examples/appendix-g/setting.yaml"];
