@@ -10,7 +10,9 @@ use technolog::turning::length::Half;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::setting::setting;
 use technolog::turning::operation::{Operation, SetUpWork, plan};
+use technolog::turning::program::Speed;
 use technolog::turning::workpiece::read_turned;
+use technolog::units::RevsPerMinute;
 use technolog_testing::KNOWLEDGE;
 
 fn read_part(path: &str, text: &str) -> Operation {
@@ -73,14 +75,16 @@ fn a_tap_goes_through_with_its_lead() {
     assert_eq!(second.jobs.iter().filter(|job| job.work == Work::Countersink).count(), 1);
 }
 
-/// Handbook: V = 64.8·10^1.2 / (90^0.9·1.5^0.5) = 14.6 m/min, times 1.2 for steel of 600 MPa; the spindle is not reversed above 500
-/// 1/min, and the step below is 400. In and back by 25 of depth, 0.5 of allowance on the face and 4.5 of entry: 60 mm at 600 mm/min.
+/// Handbook: V = 64.8·10^1.2 / (90^0.9·1.5^0.5) = 14.6 m/min, times 1.2 for steel of 600 MPa; shops tap it at 7 to 20 m/min, so the
+/// middle of these is taken, 13.5, which is 430 1/min, and the step below is 400. In and back by 25 of depth, 0.5 of allowance on the
+/// face and 4.5 of entry: 60 mm at 600 mm/min.
 #[test]
 fn speed_and_time_of_a_tap_are_those_of_its_formula() {
     let operation = planned("tapped-through");
     let tap = tap_of(&operation.set_ups[0]);
     let pace = tap.pace.feeds().unwrap();
     assert_eq!(pace.thread.0, 1.5);
+    assert!(matches!(tap.pace.speed(), Some(Speed::Spindle(RevsPerMinute(rpm))) if rpm == 400.0), "{:?}", tap.pace);
     assert!((tap.time_min.0 - 60.0 / 600.0).abs() < 0.001, "{:?}", tap.time_min);
 }
 
@@ -185,6 +189,26 @@ fn programs_tap_as_the_plan_does() {
             }
         }
     }
+}
+
+/// The blocks by hand: M12 at 13.5 m/min is 358 1/min, and a stepless spindle takes it. The tap begins three pitches before the face, which
+/// has 0.6 of allowance. A speed that the user states does not drive it faster.
+#[test]
+fn each_control_has_its_own_words_for_a_tap() {
+    let operation = planned("tapped-blind");
+    let text = |control: &str, spindle: Option<f64>| {
+        let written = programs(&operation, control, Form::Motions, spindle.map(RevsPerMinute), &KNOWLEDGE).unwrap();
+        written[0].files.as_ref().unwrap()[0].text.clone()
+    };
+    for (control, blocks) in [
+        ("linuxcnc", "G97 S358 M3\nM8\nG0 X0 Z5.85\nG33.1 Z-25.25 K1.75\nG28\n"),
+        ("fanuc", "G0 X0. Z5.85\nM29 S358\nG84 Z-25.25 F1.75\nG80\nG28 U0. W0.\n"),
+        ("sinumerik", "G0 X0 Z5.85\nCYCLE84(5.85, 4.85, 1, -25.25, , , 5, , 1.75, 0, 358,358, 1)\nG75 X0 Z0\n"),
+    ] {
+        assert!(text(control, None).contains(blocks), "{control}\n{}", text(control, None));
+    }
+    assert!(text("fanuc", Some(900.0)).contains("M29 S358\n"));
+    assert!(text("fanuc", Some(200.0)).contains("M29 S200\n"));
 }
 
 /// A hand that spoils the program is found out: another pitch, too deep, too short, a tap where no drill was.

@@ -151,6 +151,10 @@ pub(super) fn sections(
     for job in &set_up.jobs {
         let tool = place(stations, job).ok_or(NotWritten::NoTool)?;
         let (speed, feeds) = match job.pace {
+            // A tap is not reversed faster than it was planned.
+            Pace::PerRev { speed: Speed::Spindle(own), feeds } if job.work == JobWork::Tap => {
+                (Speed::Spindle(spindle.map_or(own, |stated| RevsPerMinute(stated.0.min(own.0)))), feeds)
+            }
             Pace::PerRev { speed, feeds } => (spindle.map_or(speed, Speed::Spindle), feeds),
             Pace::PerMinute { rates, spindle: known } => {
                 // A spindle speed that the user gives does not stand for figures that the named lathe or tool lacks.

@@ -76,7 +76,8 @@ impl Signs {
         match (word, value) {
             ("X", _) => self.x = true,
             ("Z", _) => self.z = true,
-            ("Y" | "J" | "A" | "B" | "H", _) | ("G", Some(17 | 19 | 81..=89)) => self.of_mill = true,
+            // G84 taps the face on a lathe too.
+            ("Y" | "J" | "A" | "B" | "H", _) | ("G", Some(17 | 19 | 81..=83 | 85..=89)) => self.of_mill = true,
             ("G", Some(7 | 8)) => self.diameter = true,
             ("G", Some(18)) => self.plane = true,
             ("G", Some(96)) => self.cutting_speed = true,
@@ -97,6 +98,7 @@ mod tests {
         for (text, controls) in [
             ("G18 G21 G7 G40 G90 G95\nT1 M6 G43\nG0 X64 Z4", &[LatheReader::LinuxCnc][..]),
             ("O0001\nG21 G40 G99\nT0101\nG97 S560 M3\nG0 X64. Z4.", &[LatheReader::Fanuc]),
+            ("O0001\nT0606\nG97 S355 M3\nG0 X0. Z5.\nM29 S355\nG84 Z-25. F1.75\nG80", &[LatheReader::Fanuc]),
             ("G18 DIAMON G95\nT1 D1\nG0 X64 Z4\nCYCLE95(\"Y\", 5)", &[LatheReader::Sinumerik]),
             ("G18 G96 S150\nT1 D1\nG0 X64 Z4 (Y is none)", &[LatheReader::LinuxCnc, LatheReader::Sinumerik]),
         ] {
