@@ -253,7 +253,10 @@ fn no_language_has_a_message_twice() {
         let mut known = std::collections::BTreeMap::new();
         for file in fs::read_dir(language.unwrap().path()).unwrap() {
             let path = file.unwrap().path();
-            let text = std::fs::read_to_string(&path).unwrap();
+            if path.extension().is_none_or(|ending| ending != "ftl") {
+                continue;
+            }
+            let text = fs::read_to_string(&path).unwrap();
             let is_key = |letter: char| letter.is_alphanumeric() || letter == '-';
             let keys = text.lines().filter_map(|line| line.split_once(" =")).map(|(key, _)| key);
             for key in keys.filter(|key| !key.is_empty() && key.chars().all(is_key)) {

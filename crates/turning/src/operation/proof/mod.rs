@@ -4,18 +4,20 @@
 use technolog_turning_proof as proof;
 
 use crate::note::{Figure, Finding, IntoFigure, Note, Severity};
-use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Surface, SurfaceKind, Turn};
-use crate::turning::jobs::hole::point_length;
-use crate::turning::jobs::{Body, Job, JobTool, UNKNOWN_EDGE};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Turn};
+use crate::turning::jobs::Job;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::tooling::{Hand, Place, ToolKind};
 use crate::turning::toolpath::{Purpose, Toolpath};
-use crate::units::{Degrees, Micrometres};
-use proof::{At, Block, Cutter, Fault, Holder, Mm, Motion, MotionKind, Sense, SetUp, Stock};
+use proof::{At, Block, Fault, Mm, Motion, MotionKind, Sense, SetUp, Stock};
+
+mod profile;
+mod tool;
 
 use super::unfinished::{undone, undone_on_axis};
 use super::{Axial, Operation, SetUpWork, Tailstock};
+use profile::profile;
+use tool::tool;
 
 /// The result of the proof for each set-up, in the order of work.
 #[derive(Clone, Debug)]
@@ -310,195 +312,6 @@ pub fn motions(path: &Toolpath, tool: usize) -> Vec<Motion> {
         block: Block(index + 1),
     };
     pieces.map(moved).collect()
-}
-
-/// The required profile after a set-up. After the last one it is the whole part, seen from its free end; before that
-/// the range that the set-up turns.
-fn profile(operation: &Operation, set_up: &SetUpWork) -> proof::Profile {
-    let workpiece = &operation.workpiece;
-    let last = operation.set_ups.last().is_some_and(|last| last.set_up.number == set_up.set_up.number);
-    let seen = |profile: &Profile| {
-        if set_up.set_up.turned_over { profile.turned_over(workpiece.length()) } else { profile.clone() }
-    };
-    let (outer, inner) = if last {
-        (Some(seen(&workpiece.outer)), workpiece.inner.as_ref().map(seen))
-    } else {
-        let own = |side: &Option<crate::turning::zones::TurnedSide>| side.as_ref().map(|side| side.profile.clone());
-        (own(&set_up.set_up.outer), own(&set_up.set_up.inner))
-    };
-    let pieces =
-        |profile: &Profile| (0..profile.surfaces.len()).flat_map(|at| surface_pieces(profile, at, operation)).collect();
-    let bore: Vec<proof::ProfilePiece> = inner.as_ref().map(pieces).unwrap_or_default();
-    let mut outside: Vec<proof::ProfilePiece> = outer.as_ref().map(pieces).unwrap_or_default();
-    // The file may leave out the face of the end.
-    let within = bore.first().map_or(Mm(0.0), |first| first.path.from().radius);
-    if let Some(first) = outside.first().map(|first| first.path.from()).filter(|first| first.radius.0 > within.0) {
-        let face = proof::Piece::Line { from: At::new(first.z, within), to: first };
-        outside.insert(0, proof::ProfilePiece::new(face, None));
-    }
-    proof::Profile { outside, bore }
-}
-
-fn surface_pieces(profile: &Profile, at: usize, operation: &Operation) -> Vec<proof::ProfilePiece> {
-    let surface = &profile.surfaces[at];
-    let later = operation.elsewhere.iter().find(|one| one.surface == surface.name);
-    let thread = (surface.kind == SurfaceKind::Thread).then(|| thread(profile, at, operation)).flatten();
-    let piece = |piece: &Piece| proof::ProfilePiece {
-        path: proof_piece(piece),
-        surface: Some((&surface.name).into_figure()),
-        allowance: Mm(later.map_or(0.0, |one| one.allowance_mm.to_mm())),
-        thread,
-    };
-    // A drawn cone at the bottom of a drilled hole stands for the point of the drill, whatever its angle.
-    let axial = operation.set_ups.iter().filter_map(|set_up| set_up.axial.as_ref());
-    if axial.into_iter().any(|axial| axial.is_point(&surface.name)) {
-        return surface.pieces.iter().map(|one| piece(&as_drilled(one))).collect();
-    }
-    surface.pieces.iter().map(piece).collect()
-}
-
-/// A cone to the axis as the point of a drill leaves it.
-fn as_drilled(cone: &Piece) -> Piece {
-    let tip = |wall: Point, axis: Point| {
-        let length = point_length(wall.radius);
-        Point { z: if axis.z > wall.z { wall.z + length } else { wall.z - length }, ..axis }
-    };
-    match (cone.from.radius, cone.to.radius) {
-        (_, Half::ZERO) => Piece::line(cone.from, tip(cone.from, cone.to)),
-        (Half::ZERO, _) => Piece::line(tip(cone.to, cone.from), cone.to),
-        _ => *cone,
-    }
-}
-
-/// The crests of a thread are its surface as it is turned. Its passes must come between the limits of the pitch diameter: the
-/// tip of a pass lies H/2 − r = √3/4 · P − r beyond the pitch line that it makes, with the nose radius r of the tool.
-fn thread(profile: &Profile, at: usize, operation: &Operation) -> Option<proof::Thread> {
-    let surface = &profile.surfaces[at];
-    let name = surface.name.to_string();
-    let thread = operation.workpiece.threads.iter().find(|thread| thread.surface == name)?;
-    let crest = surface.pieces.first()?.from.radius.to_mm();
-    let inside = crest < thread.size.to_mm() / 2.0 - 1e-6;
-    let basic = thread.basic_pitch_diameter();
-    let (least, most) = thread.flanks.as_ref().map_or((basic, basic), |limits| (limits.least, limits.most));
-    let beyond = libm::sqrt(3.0) / 4.0 * thread.pitch.to_mm() - threading_nose(surface, operation);
-    let tip = |pitch_diameter: Micrometres, outwards: f64| pitch_diameter.to_mm() / 2.0 + outwards * beyond;
-    let (shallow, root) = if inside {
-        (tip(least, 1.0) - ROUNDING, tip(most, 1.0) + ROUNDING)
-    } else {
-        (tip(most, -1.0) + ROUNDING, tip(least, -1.0) - ROUNDING)
-    };
-    // It is drawn at the nominal diameter and turned to the middle of what its tolerance leaves.
-    let turned = thread.crests.as_ref().map_or(crest, |crests| crests.middle_radius().to_mm());
-    let run_out = Mm(run_out(profile, at, thread.longest_run_out));
-    let mm = |length: Micrometres| Mm(length.to_mm());
-    let tap = thread.tapped.as_ref().map(|tapped| proof::TapLimits {
-        diameter: mm(thread.size),
-        pitch: mm(thread.pitch),
-        largest_hole: mm(tapped.largest_hole_mm),
-        run_out: mm(tapped.run_out_mm),
-    });
-    Some(proof::Thread { crest: Mm(turned), shallow: Mm(shallow), root: Mm(root), run_out, tap })
-}
-
-/// How far a thread may cut into the metal behind it: as the standard allows, but not into a seat, mm.
-fn run_out(profile: &Profile, at: usize, longest: Option<Micrometres>) -> f64 {
-    /// The coarsest grade of a seat.
-    const SEAT: u8 = 9;
-    let Some(longest) = longest.map(Micrometres::to_mm) else { return 0.0 };
-    let Some(end) = profile.surfaces[at].pieces.last().map(|last| last.to.z.to_mm()) else { return 0.0 };
-    let mut behind = profile.surfaces.iter().skip(at + 1);
-    let seat = behind.find(|next| next.grade.is_some_and(|grade| grade.number() <= SEAT));
-    let seat = seat.and_then(|seat| seat.pieces.first()).map(|first| (first.from.z.to_mm() - end).abs());
-    seat.map_or(longest, |seat| seat.min(longest))
-}
-
-/// The nose radius of the tool that cuts a thread, mm; a sharp point where none does.
-fn threading_nose(surface: &Surface, operation: &Operation) -> f64 {
-    let mut jobs = operation.set_ups.iter().flat_map(|work| &work.jobs);
-    let job = jobs.find(|job| job.thread.is_some() && job.surfaces.contains(&surface.name));
-    match job.map(|job| &job.tool.body) {
-        Some(Body::Insert { nose_radius_mm, .. }) => nose_radius_mm.to_mm(),
-        _ => 0.0,
-    }
-}
-
-fn tool(tool: &JobTool) -> proof::Tool {
-    let mm = |length: Micrometres| Mm(length.to_mm());
-    let degrees = |angle: Degrees| proof::Degrees(angle.0);
-    let (cutter, holder) = match &tool.body {
-        Body::Drill { diameter_mm, point_angle_deg, flute_mm } => {
-            // If the length is unknown, the whole edge cuts.
-            let flute = flute_mm.map_or(Mm(1000.0), mm);
-            let point_angle = degrees(*point_angle_deg);
-            (Cutter::Drill { diameter: mm(*diameter_mm), point_angle, flute }, Holder::None)
-        }
-        Body::Reamer { diameter_mm, front_mm, lead_mm, reach_mm } => {
-            let (diameter, front, lead, reach) = (mm(*diameter_mm), mm(*front_mm), mm(*lead_mm), mm(*reach_mm));
-            (Cutter::Reamer { diameter, front, lead, reach }, Holder::None)
-        }
-        Body::Tap { diameter_mm, pitch_mm, core_mm, lead_mm, thread_mm, neck_mm, shank_mm, free_mm } => {
-            let (diameter, pitch, core, lead) = (mm(*diameter_mm), mm(*pitch_mm), mm(*core_mm), mm(*lead_mm));
-            let (thread, neck, shank, free) = (mm(*thread_mm), mm(*neck_mm), mm(*shank_mm), mm(*free_mm));
-            (Cutter::Tap { diameter, pitch, core, lead, thread, neck, shank, free }, Holder::None)
-        }
-        Body::CentreDrill { pilot_mm, pilot_length_mm, body_mm } => (
-            Cutter::CentreDrill { pilot: mm(*pilot_mm), pilot_length: mm(*pilot_length_mm), body: mm(*body_mm) },
-            Holder::None,
-        ),
-        Body::Insert {
-            kind,
-            works,
-            hand,
-            lead_angle_deg,
-            trail_angle_deg,
-            nose_radius_mm,
-            edge_mm,
-            width_mm,
-            blade_depth_mm,
-            side_mm,
-            shank_mm,
-            bar_mm,
-            min_bore_mm,
-        } => {
-            let side = if *works == Place::Inner { proof::Side::Inside } else { proof::Side::Outside };
-            let hand = match hand {
-                Hand::R => proof::Hand::Right,
-                Hand::L => proof::Hand::Left,
-                Hand::N => proof::Hand::Neutral,
-            };
-            let (width, depth) = (width_mm.map_or(Mm(0.0), mm), blade_depth_mm.map_or(Mm(0.0), mm));
-            let corner_radius = mm(*nose_radius_mm);
-            let cutter = match kind {
-                ToolKind::Turning | ToolKind::Boring => Cutter::Insert {
-                    lead_angle: degrees(*lead_angle_deg),
-                    trail_angle: degrees(*trail_angle_deg),
-                    nose_radius: mm(*nose_radius_mm),
-                    edge_length: mm(edge_mm.unwrap_or(UNKNOWN_EDGE)),
-                    hand,
-                    side,
-                },
-                ToolKind::Grooving => Cutter::Blade { width, corner_radius, depth, side },
-                ToolKind::FaceGrooving => Cutter::FaceBlade { width, corner_radius, depth },
-                ToolKind::Threading => {
-                    let reach = mm(edge_mm.unwrap_or(UNKNOWN_EDGE));
-                    Cutter::Thread { angle: proof::Degrees(60.0), reach, beside: side_mm.map_or(reach, mm), side }
-                }
-            };
-            let blade = matches!(kind, ToolKind::Grooving | ToolKind::FaceGrooving);
-            let holder = match (shank_mm, bar_mm) {
-                (Some((_, width)), _) if blade => Holder::shank_of_blade(mm(*width)),
-                (Some((_, width)), _) => Holder::shank(mm(*width), hand),
-                (None, Some(bar)) => {
-                    // If the smallest bore is unknown, a quarter more than the diameter of the bar.
-                    let least = min_bore_mm.map_or(Mm(bar.to_mm() * 1.25), mm);
-                    Holder::bar(mm(*bar), least)
-                }
-                (None, None) => Holder::None,
-            };
-            (cutter, holder)
-        }
-    };
-    proof::Tool { designation: tool.designation.clone(), cutter, holder }
 }
 
 /// The largest error of a depth by rounding of a path, mm.
