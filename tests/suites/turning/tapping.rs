@@ -156,6 +156,17 @@ fn the_spot_of_a_small_thread_is_as_wide_as_its_drill_allows() {
     assert_eq!(spot.spot_diameter(set_up.rough_face()).map(|wide| wide.to_string()), Some("1.98".to_owned()));
 }
 
+/// M16x1.5 in steel 45: 10·0.027·16^1.4·1.5^1.5 = 24.1 N·m, times (600/750)^0.75 = 0.85 for its strength. Soft jaws on Ø28 hold it with at
+/// least 2·2·20.4/0.028/0.1 = 29 kN.
+#[test]
+fn the_jaws_hold_against_a_tap() {
+    let operation = planned("tapped-far");
+    let torque = tap_of(&operation.set_ups[1]).torque_n_m.unwrap().0;
+    assert!((torque - 20.4).abs() < 0.2, "{torque}");
+    let grip = operation.set_ups[1].grip.as_ref().unwrap();
+    assert!(grip.pull_n.0 >= 2.0 * torque / 0.028 - 1.0, "{grip:?}");
+}
+
 /// No tap, a tap too short, no room behind the thread: each is told, and the thread is not there.
 #[test]
 fn what_cannot_be_tapped_is_told() {

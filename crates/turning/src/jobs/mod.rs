@@ -37,7 +37,7 @@ use crate::turning::length::Half;
 use crate::turning::point::Vector;
 use crate::turning::tooling::{Hand, Place, Shank, ToolKind, TurningTool};
 use crate::turning::toolpath::Toolpath;
-use crate::units::{Decimal, Degrees, Micrometres, Minutes};
+use crate::units::{Decimal, Degrees, Micrometres, Minutes, NewtonMetres};
 pub use pace::Pace;
 
 /// The work of a job.
@@ -144,6 +144,9 @@ pub struct Job {
     /// The thread that it cuts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thread: Option<ThreadCut>,
+    /// The torque of a tap, which has no other conditions; none where it is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torque_n_m: Option<NewtonMetres>,
     /// For roughing: the index of its zone and of the work in it.
     #[serde(skip)]
     pub zone: Option<(usize, usize)>,

@@ -113,6 +113,7 @@ pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         pace: Pace::PerRev { speed, feeds },
         conditions: None,
         thread: None,
+        torque_n_m: None,
         zone: None,
         notes,
         because,

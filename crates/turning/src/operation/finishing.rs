@@ -290,6 +290,7 @@ impl<'a> Finishing<'a> {
             conditions: paced.conditions.clone(),
             pace,
             thread: None,
+            torque_n_m: None,
             zone: None,
             notes,
             because: {

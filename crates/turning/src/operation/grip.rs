@@ -129,6 +129,9 @@ fn thousands(force: Newtons) -> f64 {
 
 /// The pull of a job at a diameter of the jaws, N; none if its forces are not known.
 fn pull(job: &Job, grips: Micrometres) -> Option<f64> {
+    if let Some(torque) = job.torque_n_m {
+        return Some(turning_pull(torque, Newtons(0.0), grips).0);
+    }
     let conditions = job.conditions.as_ref()?;
     // Across the axis the feed is along X, and what acts along the axis is Py; a blade is fed against Py.
     let along = match job.work {

@@ -182,6 +182,7 @@ fn rough(
         conditions: work.pace.conditions.clone(),
         pace,
         thread: None,
+        torque_n_m: None,
         zone: place,
         notes: Vec::new(),
         because: vec![chosen.because.clone(), transition.because.clone()],

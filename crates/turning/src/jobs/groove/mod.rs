@@ -76,6 +76,7 @@ pub fn groove(site: Site<'_>, surface: &Surface, bench: &Bench<'_, '_>) -> Tried
         pace: Pace::PerRev { speed, feeds },
         conditions: None,
         thread: None,
+        torque_n_m: None,
         zone: None,
         notes,
         because,

@@ -263,7 +263,7 @@ impl Stroke {
     /// Its job with these conditions.
     fn job(self, conditions: AxialConditions, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Job {
         let Self { work, tool, surfaces, path, notes, row, because: of_path } = self;
-        let AxialConditions { speed, feed, because: of_pace } = conditions;
+        let AxialConditions { speed, feed, torque, because: of_pace } = conditions;
         let because = [row].into_iter().chain(of_pace).chain(of_path).collect();
         let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
         Job {
@@ -276,6 +276,7 @@ impl Stroke {
             pace: super::Pace::PerRev { speed, feeds: feed },
             conditions: None,
             thread: None,
+            torque_n_m: torque,
             zone: None,
             notes,
             because,

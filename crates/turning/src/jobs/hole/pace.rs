@@ -21,6 +21,8 @@ use super::super::refused::{NoJob, Operation, of_tables};
 pub(super) struct AxialConditions {
     pub speed: Speed,
     pub feed: Feeds,
+    /// Of a tap, where it is known: it turns the part in its jaws.
+    pub torque: Option<NewtonMetres>,
     pub because: Vec<Because>,
 }
 
@@ -88,7 +90,7 @@ pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried
     let note =
         Note::new("job-drill-speed").with("wanted", round_to(wanted.0, 1)).with("speed", used.0).with("spindle", rpm.0);
     because.push(Because::table(lathe.table, note));
-    Ok(AxialConditions { speed: Speed::Spindle(RevsPerMinute(rpm.0)), feed: Feeds::all(feed), because })
+    Ok(AxialConditions { speed: Speed::Spindle(RevsPerMinute(rpm.0)), feed: Feeds::all(feed), torque: None, because })
 }
 
 /// The spindle of a tap: the speed of its formula, compared with practice, as far as the spindle is reversed and the feed follows; slower
@@ -131,7 +133,12 @@ pub(super) fn tap_pace(
     let note =
         Note::new("job-drill-speed").with("wanted", round_to(wanted.0, 1)).with("speed", used.0).with("spindle", rpm.0);
     because.push(Because::table(lathe.table, note));
-    Ok(AxialConditions { speed: Speed::Spindle(rpm), feed: Feeds::all(MillimetresPerRev(pitch)), because })
+    Ok(AxialConditions {
+        speed: Speed::Spindle(rpm),
+        feed: Feeds::all(MillimetresPerRev(pitch)),
+        torque: law.torque,
+        because,
+    })
 }
 
 fn lathe_limit(lathe: &Lathe<'_>, quantity: LatheQuantity, limit: f64) -> Tried<Because, NoJob> {

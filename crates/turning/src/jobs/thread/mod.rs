@@ -146,6 +146,7 @@ pub fn thread(
         pace: Pace::PerRev { speed, feeds },
         conditions: None,
         thread: Some(cut),
+        torque_n_m: None,
         zone: None,
         notes,
         because,
