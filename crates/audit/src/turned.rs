@@ -14,7 +14,7 @@ use crate::knowledge::contract::Word;
 use crate::motion;
 use crate::note::{Note, Severity};
 use crate::program::lathe::{
-    LatheAct, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, Subprogram, is_serious, read,
+    LatheAct, LatheFeed, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, Subprogram, is_serious, read,
 };
 use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
@@ -272,6 +272,7 @@ fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<Vec<Motion>, Not
         };
         let lead = match one.act {
             LatheAct::Thread { lead } => Some(Mm(lead.0)),
+            LatheAct::Feed { feed: LatheFeed::PerRevolution(feed) } => Some(Mm(feed.0)),
             _ => None,
         };
         motions.push(Motion { kind, path, tool, lead, block: Block(usize::try_from(line).unwrap_or(usize::MAX)) });

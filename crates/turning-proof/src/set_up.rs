@@ -172,7 +172,7 @@ pub struct Motion {
     pub path: Piece,
     /// The index of its tool in [`SetUp::tools`].
     pub tool: usize,
-    /// Its travel per turn of the spindle, where both go in step.
+    /// Its travel per turn of the spindle, in step with it or as its feed; none where the feed is by time.
     pub lead: Option<Mm>,
     /// Its block in the program.
     pub block: Block,

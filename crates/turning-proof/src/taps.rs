@@ -3,7 +3,7 @@
 use crate::carry::{Carried, TOLERANCE, thickest};
 use crate::fault::Fault;
 use crate::plane::{Convex, Region, Rule, Vector};
-use crate::set_up::{Motion, MotionKind};
+use crate::set_up::Motion;
 use crate::target::Threaded;
 use crate::tool::Cutter;
 use crate::units::Mm;
@@ -19,7 +19,8 @@ impl Carried<'_> {
         self.take_off();
         let (from, to, block) = (motion.path.from(), motion.path.to(), motion.block);
         let cut = self.overlap(cuts, &[]).is_some();
-        let travel = motion.lead.filter(|_| motion.kind == MotionKind::Thread);
+        // In step, or at a feed per turn, which a chuck with compensation follows.
+        let travel = motion.lead;
         if cut && travel.is_none_or(|travel| (travel.0 - pitch.0).abs() > LEAD) {
             let (tool, lead) = (tool.designation.clone(), travel.unwrap_or_default());
             self.faults.add(Fault::TapOutOfStep { tool, pitch, lead, at: to, block, count: 1 });

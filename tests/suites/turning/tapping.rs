@@ -222,7 +222,8 @@ fn each_control_has_its_own_words_for_a_tap() {
     assert!(text("fanuc", Some(200.0)).contains("M29 S200\n"));
 }
 
-/// A hand that spoils the program is found out: another pitch, too deep, too short, a tap where no drill was.
+/// A hand that spoils the program is found out: another pitch, too deep, too short, a feed that is not the pitch, out at rapid, a tap
+/// where no drill was.
 #[test]
 fn a_spoilt_tapping_program_is_found_out() {
     let operation = planned("tapped-blind");
@@ -242,7 +243,8 @@ fn a_spoilt_tapping_program_is_found_out() {
         ("G33.1 Z-25.25 K1.5", "swept-tap-out-of-step"),
         ("G33.1 Z-28.5 K1.75", "swept-tap-blocked"),
         ("G33.1 Z-21 K1.75", "swept-thread-short"),
-        ("G1 Z-25.25 F1.75", "swept-tap-out-of-step"),
+        ("G1 Z-25.25 F1.5", "swept-tap-out-of-step"),
+        ("G1 Z-25.25 F1.75", "swept-rapid"),
     ] {
         let codes = found(&good.replace(block, to));
         assert!(codes.contains(&code), "{to}: {codes:?}");

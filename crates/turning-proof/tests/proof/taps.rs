@@ -64,6 +64,12 @@ fn codes(one: &Made) -> Vec<&'static str> {
 #[test]
 fn a_thread_is_tapped_in_its_hole() {
     assert_eq!(wrong(&made(&GOOD)), []);
+    // A chuck with compensation follows a feed of its pitch per turn.
+    assert_eq!(wrong(&made(&Made { kinds: [Feed, Feed], ..GOOD })), []);
+    // A feed by time is none.
+    let mut work = made(&Made { kinds: [Feed, Feed], ..GOOD });
+    work.motions.iter_mut().for_each(|motion| motion.lead = None);
+    assert_eq!(wrong(&work).iter().map(Fault::code).collect::<Vec<_>>(), ["swept-tap-out-of-step"]);
 }
 
 #[test]
@@ -74,7 +80,7 @@ fn what_spoils_a_tapped_thread_is_told() {
         ("a wide hole", Made { hole: 10.5, ..GOOD }, "swept-tap-hole-wide"),
         ("against the bottom", Made { tip: -28.5, ..GOOD }, "swept-tap-blocked"),
         ("another lead", Made { lead: 1.5, ..GOOD }, "swept-tap-out-of-step"),
-        ("at a feed", Made { kinds: [Feed, InStep], ..GOOD }, "swept-tap-out-of-step"),
+        ("at another feed", Made { kinds: [Feed, Feed], lead: 0.3, ..GOOD }, "swept-tap-out-of-step"),
         ("out at rapid", Made { kinds: [InStep, Rapid], ..GOOD }, "swept-rapid"),
         ("beside the axis", Made { beside: 0.5, ..GOOD }, "swept-off-axis"),
         ("too short", Made { tip: -22.0, ..GOOD }, "swept-thread-short"),

@@ -317,6 +317,9 @@ impl Maker<'_> {
             return;
         }
         if mode == WordEffect::Tap {
+            if self.is(LatheReader::Fanuc) {
+                self.starts_spindle();
+            }
             self.before_moving(span, true);
             self.tap(words, span);
             return;

@@ -42,10 +42,20 @@ impl Maker<'_> {
         }
     }
 
+    /// A cycle that starts the spindle itself, where its speed is known.
+    pub(super) fn starts_spindle(&mut self) {
+        if self.state.turning == Turning::Stopped && self.state.speed.is_some_and(|speed| speed > 0.0) {
+            self.state.turning = Turning::Clockwise;
+        }
+    }
+
     /// CYCLE84(RTP, RFP, SDIS, DP, DPR, DTB, SDAC, MPIT, PIT, POSS, SST, SST1, _AXN).
     pub(super) fn cycle84(&mut self, arguments: &[Argument], span: TextSpan) {
-        self.before_moving(span, true);
         let Some(fields) = self.call_fields("CYCLE84", arguments, span) else { return };
+        let speed = fields.or_zero("SST");
+        self.state.speed = Some(speed);
+        self.starts_spindle();
+        self.before_moving(span, true);
         let (retract, reference) = (fields.or_zero("RTP"), fields.or_zero("RFP"));
         let depth = fields.get("DP").or_else(|| Some(reference - fields.get("DPR")?));
         // MPIT names a metric thread by its size, whose pitch is not looked up here.
@@ -56,7 +66,6 @@ impl Maker<'_> {
             5 => Some(Turning::Stopped),
             _ => None,
         };
-        let speed = fields.or_zero("SST");
         let wrong = [
             ("DP", depth.is_none_or(|depth| depth >= reference)),
             ("PIT", lead <= 0.0 || fields.get("MPIT").is_some()),
@@ -79,7 +88,6 @@ impl Maker<'_> {
         let at = |z_mm: f64| LathePoint { z_mm, ..here };
         let begin = at(reference + fields.or_zero("SDIS"));
         self.rapid_to(begin);
-        self.state.speed = Some(speed);
         self.in_and_out(begin, at(depth), lead, span);
         self.state.turning = after;
         self.rapid_to(at(retract));
