@@ -9,6 +9,8 @@ use crate::stock::between;
 /// How far beyond both ends of a thread its passes may go down to the root, in depths of the thread: half a profile,
 /// and a chamfer as deep as the thread.
 const RUN: f64 = 2.0;
+/// Two steps of the grid of regions, mm: places are no nearer to what they lie beside.
+const GRID: f64 = 2e-5;
 /// The rounding of a program, mm.
 const ROUNDING: f64 = 0.002;
 /// Longer than any part, mm.
@@ -189,7 +191,7 @@ impl Target {
 
     /// Whether metal at a point, at that distance from the contour, belongs to another set-up.
     pub fn is_elsewhere(&self, spot: Vector, distance: f64) -> bool {
-        self.open.iter().chain(&self.extended).any(|[from, to]| spot.distance(*from, *to) <= distance)
+        self.open.iter().chain(&self.extended).any(|[from, to]| spot.distance(*from, *to) <= distance + GRID)
     }
 
     /// The range along the axis that the set-up makes, mm.

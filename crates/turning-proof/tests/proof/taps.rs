@@ -114,3 +114,27 @@ fn a_tap_of_another_thread_makes_none() {
     }
     assert_eq!(wrong(&work).iter().map(Fault::code).collect::<Vec<_>>(), ["swept-thread-shallow"]);
 }
+
+/// A hole of Ø6.8 that is drilled 8.25 behind the end of its thread: the bar around it is of the next set-up, though its wall is as far
+/// from the thread as from that set-up's metal, to the last digit.
+#[test]
+fn the_bar_behind_a_thread_is_of_the_next_set_up() {
+    let outside = chain(&[(0.0, 12.0), (0.0, 23.0), (-24.882, 23.0)]);
+    let bore = vec![
+        line("seat", (0.0, 12.0), (-5.682, 12.0)),
+        line("bottom", (-5.682, 12.0), (-5.682, 3.4)),
+        line("hole", (-5.682, 3.4), (-24.882, 3.4)),
+    ];
+    let lines = |places: &[(f64, f64)]| Piece::lines(&places.iter().map(|(z, r)| at(*z, *r)).collect::<Vec<_>>());
+    let outer = [(0.0, 12.0), (0.0, 23.0), (-24.882, 23.0), (-24.882, 26.0), (-68.882, 26.0)];
+    let tip = -33.132 - 3.4 / 59_f64.to_radians().tan();
+    let inner = [(0.0, 12.0), (-5.682, 12.0), (-5.682, 3.4), (-33.132, 3.4), (tip, 0.0)];
+    let work = SetUp {
+        profile: Profile { outside, bore },
+        stock: Stock::between(&lines(&outer), &lines(&inner)),
+        bodies: Vec::new(),
+        tools: Vec::new(),
+        motions: Vec::new(),
+    };
+    assert_eq!(wrong(&work), []);
+}
