@@ -6,6 +6,7 @@ mod counts;
 mod keys;
 pub mod many;
 mod marks;
+mod symbols;
 mod words;
 
 use std::collections::BTreeSet;
@@ -105,7 +106,7 @@ fn headline(finding: &AuditFinding, lang: Lang) -> String {
 fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
     let mut lines = Vec::new();
     if !finding.formula.is_empty() {
-        lines.push(figure(&finding.formula, lang));
+        lines.push(figure(&symbols::written(&finding.formula, lang), lang));
     }
     if let Some(by_stated) = &finding.by_stated {
         lines.push(say!(lang, "audit-by-stated", value = figure(by_stated, lang)));

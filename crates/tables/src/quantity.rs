@@ -88,8 +88,8 @@ quantities! {
     HolderUsed: "holder_used", "lопр", Millimetre, "holder length counted with";
     Assembly: "assembly", "Lк", Millimetre, "length of the assembly";
     LongestAssembly: "reference_length", "Lет", Millimetre, "length of the reference tool";
-    Corrector: "corrector", "H", None, "corrector";
-    Correction: "correction", "K", Millimetre, "length correction";
+    Corrector: "corrector", "H", None, "offset register";
+    Correction: "correction", "K", Millimetre, "length offset";
     BookCorrection: "book_correction", "K", Millimetre, "correction as the book writes it";
     Safety: "safety", "k", None, "safety factor";
     Friction: "friction", "f", None, "coefficient of friction";

@@ -223,7 +223,7 @@ fn words_mean_what_the_manuals_say() {
         ("2c42-65", "N5 G82 U1 Z-5 F60 H120", vec!["F60: feed on 1-2 = 60 mm/min", "H120: feed on 2-3 = 120 mm/min"]),
         ("2c42-65", "N5 G82 U1 Z-5 F60", vec!["F60: feed on 1-2 and feed on 2-3 = 60 mm/min"]),
         ("2c42-65", "N6 G85 U1 Z-5 M5", vec!["M5: spindle state at point 4: spindle stop"]),
-        ("2c42-65", "N7 H12 X10", vec!["H12: length corrector", "X10: motion along X to 10 mm"]),
+        ("2c42-65", "N7 H12 X10", vec!["H12: length offset register", "X10: motion along X to 10 mm"]),
         ("2c42-65", "N8 M8", vec!["M8: coolant on"]),
         ("2c42-65", "N9 G99", vec!["G99: the control's tables do not know this word"]),
         (

@@ -12,7 +12,7 @@ plan-tools = 2. Cutters and holders
 plan-conditions = 3. Cutting conditions
 plan-clamping = 4. Clamping
 plan-no-clamping = The plan sets no clamps.
-plan-corrections = 5. Tool-length corrections
+plan-corrections = 5. Tool-length offsets
 plan-time = 6. Time
 plan-findings = 7. Findings
 # The route.

@@ -24,7 +24,7 @@ tool-by-work = T{ $tool } of the program does the work of the plan's T{ $plan }
     .help = check what stands in the magazine
 not-loaded = the plan's tool { $tool } is not put into place { $place }: there is no stop before it is called
     .help = put M00 before this tool
-no-correction = T{ $tool } cuts without length correction; its H{ $own } is { $needed } (H{ $corrector } = { $value } acts)
+no-correction = T{ $tool } cuts without length offset; its H{ $own } is { $needed } (H{ $corrector } = { $value } acts)
     .help = turn it on: G43 H
 wrong-correction = T{ $tool } cuts with H{ $corrector } = { $value }{ $whose ->
         [none] {""}
@@ -166,7 +166,7 @@ travel-high = the move to { $at } is at Z{ $made }, higher than Z{ $needed }
     .help = remove it, or make sure that it is intended
 travel-not-up = the move from or to the tool change ({ $at }) is at Z{ $z }, not with the quill up
     .help = raise the quill first
-radius-correction = a radius correction acts, which is not in the plan
+radius-correction = a radius compensation acts, which is not in the plan
     .help = cancel it: G40
 approach-standing = the move down to Z{ $z } while the spindle is stopped
     .help = start the spindle before it: S and M03
@@ -174,7 +174,7 @@ dwell-in-air = a dwell of { $made } s over the part
     .help = remove it, or make sure that it is intended
 turns-to-change = the spindle turns on the way to the tool change
     .help = stop the spindle: M05
-correction-at-change = the length correction still acts at the tool change
+correction-at-change = the length offset still acts at the tool change
     .help = cancel it: G49
 turns-at-change = the spindle turns until the tool change
     .help = stop the spindle: M05
