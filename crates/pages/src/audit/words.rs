@@ -77,7 +77,12 @@ pub(super) fn place(finding: &AuditFinding, file: &str) -> Option<String> {
 
 /// `подача S`.
 pub(super) fn name(quantity: Quantity, lang: Lang) -> String {
-    say!(lang, "audit-quantity", name = quantity_noun(quantity, lang), symbol = super::symbols::written(quantity.symbol(), lang))
+    say!(
+        lang,
+        "audit-quantity",
+        name = quantity_noun(quantity, lang),
+        symbol = super::symbols::written(quantity.symbol(), lang)
+    )
 }
 
 /// `свердління A, B`, `T2`.
