@@ -127,8 +127,7 @@ fn the_bar_behind_a_thread_is_of_the_next_set_up() {
     ];
     let lines = |places: &[(f64, f64)]| Piece::lines(&places.iter().map(|(z, r)| at(*z, *r)).collect::<Vec<_>>());
     let outer = [(0.0, 12.0), (0.0, 23.0), (-24.882, 23.0), (-24.882, 26.0), (-68.882, 26.0)];
-    let tip = -33.132 - 3.4 / 59_f64.to_radians().tan();
-    let inner = [(0.0, 12.0), (-5.682, 12.0), (-5.682, 3.4), (-33.132, 3.4), (tip, 0.0)];
+    let inner = [(0.0, 12.0), (-5.682, 12.0), (-5.682, 3.4), (-33.132, 3.4), (-35.175, 0.0)];
     let work = SetUp {
         profile: Profile { outside, bore },
         stock: Stock::between(&lines(&outer), &lines(&inner)),

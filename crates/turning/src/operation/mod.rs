@@ -176,24 +176,12 @@ impl Operation {
 /// The knowledge base lacks a table or a row that must be there.
 pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     if let Some((centred, finding)) = centred::centred(workpiece, knowledge)? {
-        let mut operation = plan_threads(&centred, knowledge)?;
+        let mut operation = tapped::planned(&centred, knowledge, |part| plan_best(part, knowledge))?;
         operation.findings.insert(0, finding);
         operation.blank_before = Some(workpiece.blank.clone());
         return Ok(operation);
     }
-    plan_threads(workpiece, knowledge)
-}
-
-/// The plan with its inner threads tapped or turned as the rule says; what is not cut that way is tried the other way.
-fn plan_threads(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
-    let by_rule = tapped::decided(workpiece, &tapped::Other::new(), knowledge)?;
-    let planned = plan_best(&by_rule, knowledge)?;
-    let others = tapped::others(&planned, knowledge)?;
-    if others.is_empty() {
-        return Ok(planned);
-    }
-    let again = plan_best(&tapped::decided(workpiece, &others, knowledge)?, knowledge)?;
-    Ok(if again.badness() < planned.badness() { again } else { planned })
+    tapped::planned(workpiece, knowledge, |part| plan_best(part, knowledge))
 }
 
 /// The best plan of several attempts.
@@ -269,15 +257,7 @@ fn plan_without(
         set_ups.truncate(1);
         findings.push(Finding::of_part(Severity::Doubtful, Note::new("far-face-as-parted")));
     }
-    let axials = set_ups.iter().map(|one| one.inner.as_ref().map(|inner| Axial::of(inner, &bench)).transpose());
-    let mut axials = axials.map(|axial| Ok(axial?.flatten())).collect::<Result<Vec<_>, KnowledgeError>>()?;
-    if let ([Some(near), far], Some(inner)) = (axials.as_mut_slice(), &workpiece.inner) {
-        near.leave(&bench);
-        if !near.left.is_empty() {
-            let bored = set_ups.get(1).and_then(|second| second.inner.clone());
-            *far = Some(Axial::take(far.take(), &near.left, bored, inner.turned_over(workpiece.length())));
-        }
-    }
+    let axials = Axial::of_set_ups(&set_ups, &bench)?;
     let mut elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     // What tools on the axis make to size does not hang on what the lathe holds with a bar.
     elsewhere.retain(|one| axials.iter().flatten().flat_map(Axial::surfaces).all(|name| *name != one.surface));

@@ -22,17 +22,13 @@ use crate::units::Micrometres;
 use super::Operation as Planned;
 
 /// Threads that are cut another way than the rule takes first, by their surface.
-pub(super) type Other = BTreeMap<String, InnerThreadWay>;
+type Other = BTreeMap<String, InnerThreadWay>;
 
 /// The workpiece with the way of each thread in its bore.
 ///
 /// # Errors
 /// The knowledge base lacks the rule, or a table.
-pub(super) fn decided(
-    workpiece: &Workpiece,
-    other: &Other,
-    knowledge: &Knowledge,
-) -> Result<Workpiece, KnowledgeError> {
+fn decided(workpiece: &Workpiece, other: &Other, knowledge: &Knowledge) -> Result<Workpiece, KnowledgeError> {
     let mut part = workpiece.clone();
     let Some(mut inner) = part.inner.take() else { return Ok(part) };
     for thread in &mut part.threads {
@@ -57,11 +53,29 @@ pub(super) fn decided(
     Ok(part)
 }
 
+/// The plan with the threads in the bore tapped or turned as the rule says; what is not cut that way is tried the other way.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub(super) fn planned(
+    workpiece: &Workpiece,
+    knowledge: &Knowledge,
+    plan: impl Fn(&Workpiece) -> Result<Planned, KnowledgeError>,
+) -> Result<Planned, KnowledgeError> {
+    let planned = plan(&decided(workpiece, &Other::new(), knowledge)?)?;
+    let others = others(&planned, knowledge)?;
+    if others.is_empty() {
+        return Ok(planned);
+    }
+    let again = plan(&decided(workpiece, &others, knowledge)?)?;
+    Ok(if again.badness() < planned.badness() { again } else { planned })
+}
+
 /// The threads of a plan that nothing cuts, each with its other way, if it has one.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
-pub(super) fn others(operation: &Planned, knowledge: &Knowledge) -> Result<Other, KnowledgeError> {
+fn others(operation: &Planned, knowledge: &Knowledge) -> Result<Other, KnowledgeError> {
     let mut others = Other::new();
     let Some(inner) = &operation.workpiece.inner else { return Ok(others) };
     let cut = |thread: &Thread| {

@@ -3,6 +3,7 @@
 //!
 //! It is found on the bore of a set-up before anything is bored. What is left of the bore is bored as if it ended there.
 
+mod far;
 mod mouth;
 mod sizes;
 
@@ -12,7 +13,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::vocabulary::Operation;
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::{AxialHoleFor, AxialWay};
-use crate::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName};
+use crate::turning::contour::{Contour, Piece, Profile, Surface, SurfaceKind, SurfaceName};
 use crate::turning::cutting::unsaid_roughness;
 use crate::turning::elements::Main;
 use crate::turning::jobs::hole::{self, Hole, HoleEnd, Widening, point_length};
@@ -128,33 +129,6 @@ impl Axial {
         let bored = if first == 0 || far_mouth.is_some() { None } else { Some(before(stretch, first, &holes)) };
         let whole = stretch.profile.clone();
         Ok(Some(Self { holes, far_mouth, bored, whole, left: Vec::new(), far: None }))
-    }
-
-    /// Leaves the tapped threads behind plain cylinders of their diameter to the next set-up.
-    pub fn leave(&mut self, bench: &Bench<'_, '_>) {
-        let is_tapped = |name: &SurfaceName| {
-            let name = name.to_string();
-            bench.workpiece.threads.iter().any(|thread| thread.tapped.is_some() && thread.surface == name)
-        };
-        let surfaces = &self.whole.surfaces;
-        let behind = (0..surfaces.len()).filter(|index| hole::plain_before(surfaces, *index).is_some());
-        let names = behind.filter_map(|index| surfaces.get(index)).map(|surface| surface.name.clone());
-        let known: Vec<&SurfaceName> = self.holes.iter().flat_map(|hole| &hole.threads).collect();
-        self.left = names.filter(|name| known.contains(&name) && is_tapped(name)).collect();
-    }
-
-    /// With the threads that the set-up before has left; `bored` is the bore of this one, `whole` that of the part as it sees it.
-    pub fn take(axial: Option<Self>, left: &[SurfaceName], bored: Option<TurnedSide>, whole: Profile) -> Self {
-        let (far, nothing) = (Some((whole, left.to_vec())), Profile { side: Side::Inner, surfaces: Vec::new() });
-        match axial {
-            Some(axial) => Self { far, ..axial },
-            None => Self { holes: Vec::new(), far_mouth: None, bored, whole: nothing, left: Vec::new(), far },
-        }
-    }
-
-    /// The threads that the set-up before has left to this one.
-    pub fn far(&self) -> impl Iterator<Item = &SurfaceName> {
-        self.far.iter().flat_map(|(_, names)| names)
     }
 
     /// The names of the surfaces that it makes.
