@@ -22,7 +22,7 @@ pub enum Speed {
 
 impl Speed {
     /// A constant cutting speed in whole metres per minute, as controls read it; rounded down.
-    pub const fn whole(speed: MetresPerMinute, limit: RevsPerMinute) -> Self {
+    pub fn whole(speed: MetresPerMinute, limit: RevsPerMinute) -> Self {
         Self::Cutting { speed: MetresPerMinute(speed.0.floor().max(1.0)), limit }
     }
 }
