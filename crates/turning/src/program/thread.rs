@@ -1,7 +1,7 @@
 //! A thread as the cycle of a control, which makes the passes itself: G76 of LinuxCNC and of Fanuc, CYCLE97 of Sinumerik.
 //!
 //! Each control has a law of infeed of its own. The arguments are chosen so that the law makes the planned passes; where
-//! it cannot, to [`NEAR`], the passes are written one by one. In all laws h is the whole depth from the crests and d the
+//! it cannot, to `NEAR`, the passes are written one by one. In all laws h is the whole depth from the crests and d the
 //! depth of pass n; a is the angle of infeed, so that a pass is shifted by d·tan a along the flank.
 //!
 //! - LinuxCNC (manual, G76; run in rs274): d = J·n^(1/R) while that is less than K = h, then K, then H spring passes. R is
