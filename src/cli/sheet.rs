@@ -43,7 +43,7 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang,
     let one_source = rows.iter().all(|row| Some(row.row().source) == first);
     let heads: Vec<Head> = columns_of(table, lang)
         .map(|(index, column)| {
-            let head = shown::head(lang, column, keep(table, index));
+            let head = shown::head(lang, column, keep(table, index, lang));
             match column.role {
                 ColumnRole::Output => Head { heading: Inlines::from("→ ").append(head.heading.clone()), ..head },
                 _ => head,
@@ -92,14 +92,20 @@ fn columns_of(table: &Table, lang: Lang) -> impl Iterator<Item = (usize, &Column
     columns.filter(move |(_, column)| !shown::is_of_other_language(lang, table, column))
 }
 
-/// The key columns and the result columns are never left out.
-fn keep(table: &Table, index: usize) -> Keep {
+/// The key columns and the result columns are never left out; ids go before what the language has words for beside them, and
+/// words of another language before their ids.
+fn keep(table: &Table, index: usize, lang: Lang) -> Keep {
     let column = &table.columns[index];
+    let has = |name: String| table.column_index(&name).is_some();
+    let in_words = has(format!("{}_{}", column.name, lang.tag()));
+    let is_foreign = column.name.rsplit_once('_').is_some_and(|(id, tag)| {
+        has(id.to_owned()) && tag != lang.tag() && Lang::all().any(|known| known.tag() == tag)
+    });
     let sought = match table.kind {
         TableKind::Decision => column.role == ColumnRole::Input || results(table).contains(&index),
         TableKind::Catalog => index == 0 || table.key.contains(&column.name) || table.result.contains(&column.name),
     };
-    match (sought, column.optional) {
+    match (sought, column.optional || in_words || is_foreign) {
         (true, _) => Keep::Always,
         (false, false) => Keep::Useful,
         (false, true) => Keep::Optional,

@@ -39,6 +39,8 @@ pub enum Fault {
     TooShallow { operation: Operation, depth: Micrometres, required: Micrometres },
     /// The tip comes out of a blind hole's floor.
     BreaksThrough { operation: Operation, tip: Micrometres, thickness: Micrometres },
+    /// The floor under the tip of a blind hole is so thin that it may burst.
+    ThinFloor { operation: Operation, tip: Micrometres, floor: Micrometres, least: Micrometres },
     /// The tool goes below what was opened for it.
     Floor { operation: Operation, tip: Micrometres, opened: Micrometres },
     /// The drill under a thread is out of the limits of its minor diameter.
@@ -58,10 +60,11 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// What is reached only at best is doubtful; everything else damages the part or the tool.
+    /// What is reached only at best and a thin floor are doubtful; everything else damages the part or the tool.
     pub fn severity(&self) -> Severity {
         match self {
             Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
+            Self::ThinFloor { .. } => Severity::Doubtful,
             _ => Severity::Error,
         }
     }
@@ -96,6 +99,9 @@ impl Fault {
             }
             Self::BreaksThrough { operation, tip, thickness } => {
                 of("proof-breaks-through", operation).with("tip", tip).with("thickness", thickness)
+            }
+            Self::ThinFloor { operation, tip, floor, least } => {
+                of("proof-thin-floor", operation).with("tip", tip).with("floor", floor).with("least", least)
             }
             Self::Floor { operation, tip, opened } => {
                 of("proof-floor", operation).with("tip", tip).with("opened", opened)

@@ -89,7 +89,7 @@ impl Walk<'_, '_> {
         // A step begins with the state of the cylinder that it widens.
         let before = self.states.get(&place).or_else(|| self.states.get(&CylinderId::Main)).copied();
         self.enters(transition, &required);
-        self.depths(transition, &required, before);
+        self.depths(transition, &required, before)?;
         if transition.operation == Operation::Tap {
             return Ok(());
         }
@@ -175,11 +175,22 @@ impl Walk<'_, '_> {
     }
 
     /// Checks depths: that of the drawing, the floor, and what was opened before.
-    fn depths(&mut self, transition: &Transition, required: &CylinderRequirements<'_>, before: Option<State>) {
+    fn depths(
+        &mut self,
+        transition: &Transition,
+        required: &CylinderRequirements<'_>,
+        before: Option<State>,
+    ) -> Result<(), KnowledgeError> {
         let (operation, tip) = (transition.operation, transition.end());
-        if !self.hole.through && tip >= self.part.blank.thickness {
-            let thickness = self.part.blank.thickness;
+        let thickness = self.part.blank.thickness;
+        let floor = thickness - tip;
+        let least = Micrometres::from_mm_rounded(tool::limit(ProofLimit::LeastFloor, self.shop)?);
+        if self.hole.through {
+            // It has no floor.
+        } else if tip >= thickness {
             self.faults.push(Fault::BreaksThrough { operation, tip, thickness });
+        } else if floor < least && matches!(operation, Operation::Drill | Operation::DrillOut) {
+            self.faults.push(Fault::ThinFloor { operation, tip, floor, least });
         }
         let follows = operation.is_reaming() || operation == Operation::Tap;
         if let Some(before) = before.filter(|_| follows && !required.through && !self.hole.through)
@@ -188,6 +199,7 @@ impl Walk<'_, '_> {
         {
             self.faults.push(Fault::Floor { operation, tip, opened: before.depth });
         }
+        Ok(())
     }
 
     /// The stock in the worst case: the widest hole before, with its axis offset to one side.

@@ -193,6 +193,7 @@ vocabulary! {
         DrillBucklingShare = "drill-buckling-share",
         SemiFinishBoreStock = "semi-finish-bore-stock",
         FinishBoreStock = "finish-bore-stock",
+        LeastFloor = "least-floor",
     }
 
     /// The kinds of work in tables of high-speed steel.

@@ -60,7 +60,9 @@ fn a_hole_is_reamed_by_the_handbook_and_parted() {
         .iter()
         .filter_map(|job| match job.tool.body {
             Body::Drill { diameter_mm, .. } if job.work == Work::Drill => Some((job.work, diameter_mm.to_string())),
-            Body::Reamer { diameter_mm, .. } => Some((job.work, diameter_mm.to_string())),
+            Body::Reamer { diameter_mm, .. } if job.work != Work::Countersink => {
+                Some((job.work, diameter_mm.to_string()))
+            }
             _ => None,
         })
         .collect();

@@ -37,6 +37,7 @@ pub(super) fn check<'a>(
                 | Fault::Twists { .. }
                 | Fault::Buckles { .. }
                 | Fault::BarSlender { .. }
+                | Fault::ThinFloor { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Enters { .. } | Fault::TapHole { .. } => Severity::Wrong,
                 Fault::NotFinished { .. }

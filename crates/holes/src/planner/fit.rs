@@ -26,7 +26,7 @@ use crate::units::{ItGrade, Micrometres, Roughness};
 
 pub(super) use centring::widest_spot;
 use one_drill::{SingleDrill, SingleKey};
-use reach::point_angle;
+use reach::{beyond_cone, point_angle};
 
 /// A step with its tool and cutting conditions.
 #[derive(Clone, Debug)]
@@ -361,7 +361,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         // A step drill continues until its wide part is as deep as the opening.
         let travel = match (step.also, cutter.row.step_length) {
             (Some(_), Some(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
-            _ => travel,
+            _ => travel + beyond_cone(step, cutter.row.tip_diameter),
         };
         let roughness = left_by(step, last).map(|(_, roughness)| roughness);
         let cut = Cut {

@@ -53,7 +53,7 @@ fn is_of_size(row: &CutterRow<'_>, need: &CutterNeed<'_>, ground: bool) -> bool 
                 && row.tip_diameter.is_some_and(|tip| tip < need.enters)
         }
         Operation::Tap => row.thread == need.thread,
-        _ if ground => own > need.nominal && own - need.nominal <= need.grind_limit,
+        _ if ground => own > need.nominal && own - need.diameter <= need.grind_limit,
         _ => row.diameter == Some(need.nominal),
     }
 }

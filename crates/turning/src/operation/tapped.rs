@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::knowledge::vocabulary::Operation;
-use crate::note::{Because, Note};
+use crate::note::{Because, Finding, Note, Severity};
 use crate::tables::holes::{HoleConvention, HoleDefault};
 use crate::tables::rules::ToolTablesFor;
 use crate::tables::tools::CutterRow;
@@ -98,6 +98,33 @@ fn others(operation: &Planned, knowledge: &Knowledge) -> Result<Other, Knowledge
         }
     }
     Ok(others)
+}
+
+/// Threads turned in a bore that is drawn at the least minor diameter: a bore that comes out any narrower is scrap.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub(super) fn bored_to_least(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Vec<Finding>, KnowledgeError> {
+    let mut findings = Vec::new();
+    let Some(inner) = &workpiece.inner else { return Ok(findings) };
+    for thread in &workpiece.threads {
+        let is_6h = thread.flanks.as_ref().is_some_and(|limits| limits.class == "6H");
+        let Some((index, surface)) = index_of(inner, thread).filter(|_| is_6h && thread.tapped.is_none()) else {
+            continue;
+        };
+        let Some(drawn) = inner.surfaces[index].pieces.first().map(|piece| piece.from.radius.diameter()) else {
+            continue;
+        };
+        let (least, most) = minor_diameter(thread.size, thread.pitch, knowledge)?;
+        let room = Micrometres::new((most - least).micrometres() / 10);
+        if drawn < least + room {
+            let middle = Micrometres::new((least.micrometres() + most.micrometres()) / 2);
+            let note = Note::new("thread-bored-to-least").with("surface", &surface).with("drawn", drawn);
+            let note = note.with("least", least).with("most", most).with("middle", middle);
+            findings.push(Finding::of_part(Severity::Doubtful, note));
+        }
+    }
+    Ok(findings)
 }
 
 /// The thread's surface in the bore.

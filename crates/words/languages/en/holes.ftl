@@ -21,6 +21,7 @@ grade-without-distance = centre_tolerance: IT{ $it } needs two holes in the grou
 grade-outside-table = IT{ $it } at a centre distance of { $distance } mm is outside the table: { $why }
 point-breaks-through = the point of the drill Ø{ $diameter } reaches { $depth } mm, and the blank is { $limit } mm thick: the blind hole breaks through
 spot-too-deep = the spot Ø{ $diameter } is { $depth } mm deep, and the hole { $limit } mm
+countersink-too-deep = the front of the countersink for Ø{ $diameter } comes { $depth } mm deep, and the hole is { $limit } mm deep: it would meet the floor
 too-heavy = mass { $mass } kg, and the machine takes { $limit } kg at most
 not-planned = { $operation }: not planned here
 rows-rejected = rows by the column “{ $column }”: { $rows }

@@ -216,3 +216,4 @@ characteristic-load-tool-time = loading a tool by hand
 characteristic-set-bar-time = setting a boring bar
 characteristic-turn-over-time = turning the part over
 characteristic-near-tie-share = share of a near tie
+characteristic-least-floor = least floor under a drill

@@ -13,6 +13,7 @@ proof-enters = { $operation }: the tool of Ø{ $tool } is wider than the finishe
 proof-spot-stays = the centring spot of Ø{ $spot } is wider than the hole and its chamfer, Ø{ $limit }: it stays on the part
 proof-too-shallow = { $operation }: full diameter down to { $depth } mm, and { $asked } mm are needed
 proof-breaks-through = { $operation }: the tip at a depth of { $tip } mm comes out of the floor; the blank is { $thickness } mm thick
+proof-thin-floor = { $operation }: under the tip at a depth of { $tip } mm { $floor } mm of floor are left, less than { $least } mm: it may burst; make the hole shallower or the part thicker
 proof-floor = { $operation }: the tool goes down to { $tip } mm, and the hole is open at full diameter down to { $opened } mm
 proof-tap-hole = the drill of Ø{ $diameter } under the thread is outside the minor diameter of 6H: { $smallest } to { $largest } mm
 proof-thrust = { $operation }: thrust { $value } N > { $percent } % of the permissible { $limit } N
@@ -22,7 +23,7 @@ not-proven = the plan is not proven: { $why }
 reamed-short = over the flat floor the reamer leaves { $lead } mm of the depth unreamed: its lead
 lost-by-preference = the tables are preferred; it would be quicker by { $quicker } min
 tables-preferred = the tables are preferred: { $own } min; the best plan takes { $best } min and saves { $saves } min
-no-place-for-clamps = there is no place on the face where two or four straps would hold the part: { $why }; a vice or a special fixture is needed, to hold against M = { $torque } N·m
+no-place-for-clamps = none of the places that are tried for two or four straps on the face would hold the part: { $why }; give places under `clamps`, or take a vice or a special fixture, to hold against M = { $torque } N·m
 proof-too-fast = { $operation }: speed { $value } m/min > { $percent } % of the upper end of practice, { $usual } m/min
 proof-twists = { $operation }: torque { $value } N·m > { $limit } N·m that the drill of Ø{ $drill } bears
 proof-buckles = { $operation }: thrust { $value } N > { $limit } N that the drill of Ø{ $drill } with flutes of { $flutes } mm bears without buckling

@@ -96,3 +96,4 @@ job-tapped = { $surface }: { $thread } is tapped in a hole of Ø{ $hole } (Ø{ $
 job-tap-blind = { $surface }: behind the front of the tap at least { $stop } mm are left: the spindle runs on while it stops, and the tap with it. Measure that over a free hole, or take a chuck with compensation
 job-tap-through = { $surface }: the tap goes through with its lead and { $stop } mm more
 job-tap-torque = the tap takes { $torque } N·m
+thread-bored-to-least = { $surface }: bored to Ø{ $drawn } as drawn, and 6H leaves Ø{ $least } to Ø{ $most }: nothing is left for what the bore comes out narrower; draw it in the middle, Ø{ $middle }

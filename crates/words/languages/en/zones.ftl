@@ -18,9 +18,9 @@ setup-parts-off = in the end the part is parted off behind Z { $z }
 setup-bore-widens = the bore widens towards the far face
 setup-far-face = there is stock on the far face
 hold-centres = the part is held between centres
-hold-blank = { $length } mm of the blank's Ø{ $diameter } are left to hold it by ({ $least } mm are needed, at the very least { $shortest } mm)
-hold-blank-short = only { $length } mm of the blank's Ø{ $diameter } are left; { $least } mm are needed, at the very least { $shortest } mm and { $clearance } mm more up to the tool: take a longer blank or centres
-hold-surface = the part is held by { $surface }, Ø{ $diameter }, { $length } mm long ({ $least } mm are needed, at the very least { $shortest } mm): the thickest of the cylinders that are long enough
+hold-blank = { $length } mm of the blank's Ø{ $diameter } are left to hold it by ({ $least } mm are wanted, at the very least { $shortest } mm)
+hold-blank-short = only { $length } mm of the blank's Ø{ $diameter } are left; { $least } mm are wanted, at the very least { $shortest } mm and { $clearance } mm more up to the tool: take a longer blank or centres
+hold-surface = the part is held by { $surface }, Ø{ $diameter }, { $length } mm long ({ $least } mm are wanted, at the very least { $shortest } mm): the thickest of the cylinders that are long enough
 hold-surface-short = { $surface }: { $length } mm are less than { $least } mm
 hold-nowhere = no turned cylinder is long enough: centres, a mandrel or bored jaws are needed
 # Tools against zones.

@@ -21,6 +21,7 @@ grade-without-distance = centre_tolerance: IT{ $it } потребує двох �
 grade-outside-table = IT{ $it } на міжосьовій відстані { $distance } мм поза таблицею: { $why }
 point-breaks-through = вершина свердла Ø{ $diameter } сягає { $depth } мм, а заготовка завтовшки { $limit } мм: глухий отвір проб’ється
 spot-too-deep = центрувальне заглиблення Ø{ $diameter } завглибшки { $depth } мм, а отвір – { $limit } мм
+countersink-too-deep = торець зенківки для Ø{ $diameter } доходить до { $depth } мм, а глибина отвору { $limit } мм: вона вперлася б у дно
 too-heavy = маса { $mass } кг, а верстат приймає щонайбільше { $limit } кг
 not-planned = { $operation }: цей перехід тут не проєктують
 rows-rejected = рядки за графою «{ $column }»: { $rows }

@@ -216,3 +216,4 @@ characteristic-load-tool-time = установлення інструмента 
 characteristic-set-bar-time = переналагодження розточувального різця
 characteristic-turn-over-time = перевертання деталі
 characteristic-near-tie-share = частка майже рівних маршрутів
+characteristic-least-floor = найтонше дно під свердлом

@@ -107,6 +107,9 @@ impl Fitting<'_, '_> {
                     (step.place.depth + self.point(step.diameter), thickness, "point-breaks-through")
                 }
                 Operation::CentreDrill => (step.diameter.half(), self.hole.depth, "spot-too-deep"),
+                Operation::Countersink | Operation::Chamfer if !self.hole.through => {
+                    (step.place.start + one.travel - one.approach, self.hole.depth, "countersink-too-deep")
+                }
                 _ => continue,
             };
             if depth >= limit {
@@ -115,6 +118,13 @@ impl Fitting<'_, '_> {
         }
         notes
     }
+}
+
+/// How far the flat front of a countersink stands beyond the drawn cone, in the hole below it.
+pub(super) fn beyond_cone(step: &RouteStep, front: Option<Micrometres>) -> Micrometres {
+    let (Some(angle), Some(front)) = (step.angle_millideg, front) else { return Micrometres::ZERO };
+    let slope = libm::tan((f64::from(angle) / 2000.0).to_radians());
+    Micrometres::from_mm_rounded((step.from - front).max(Micrometres::ZERO).to_mm() / 2.0 / slope)
 }
 
 /// The sharpest point angle in the tables of an operation's cutters, degrees. It gives the longest cone, so every

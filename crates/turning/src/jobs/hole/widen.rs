@@ -223,13 +223,15 @@ pub struct Mouth {
 /// No countersink has its angle and size; the tables have no figures; the knowledge base lacks a table.
 pub fn countersink(mouth: &Mouth, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
-    let tip = mouth.face + cone_length(Half::radius_of(mouth.wide), mouth.angle);
-    let depth = tip - mouth.rough_face;
-    let found = countersinks(mouth, bench)?.into_iter().min_by_key(|one| one.0);
-    let Some((_, tool, material, row)) = found else {
-        let (operation, diameter) = (Operation::Chamfer, mouth.wide);
+    let point = mouth.face + cone_length(Half::radius_of(mouth.wide), mouth.angle);
+    let found = countersinks(mouth, bench)?.into_iter().min_by_key(|one| one.diameter);
+    let Some(Countersink { front, tool, material, row, .. }) = found else {
+        let (operation, diameter, depth) = (Operation::Chamfer, mouth.wide, point - mouth.rough_face);
         return Err(Refusal::Not(NoJob::NoCutter { operation, diameter, depth }));
     };
+    // It is set by its front, which is flat.
+    let tip = point - cone_length(Half::radius_of(front), mouth.angle);
+    let depth = tip - mouth.rough_face;
     // A maker runs and feeds it as a drill of the middle diameter.
     let mut limits = Limits::of(bench.knowledge);
     let share = limits.ratio(JobLimit::CountersinkShare)?;
@@ -265,24 +267,34 @@ pub fn has_countersink(mouth: &Mouth, bench: &Bench<'_, '_>) -> Result<bool, Kno
     Ok(!countersinks(mouth, bench)?.is_empty())
 }
 
-/// The countersinks of the angle of a mouth, as wide as it or wider, that go in: with their diameters and the materials of their tables.
-fn countersinks(
-    mouth: &Mouth,
-    bench: &Bench<'_, '_>,
-) -> Result<Vec<(Micrometres, JobTool, ToolMaterial, Because)>, KnowledgeError> {
+/// A countersink of the catalogs.
+struct Countersink {
+    diameter: Micrometres,
+    /// The diameter of its flat front; zero where its cone ends in a point.
+    front: Micrometres,
+    tool: JobTool,
+    material: ToolMaterial,
+    row: Because,
+}
+
+/// The countersinks of the angle of a mouth, as wide as it or wider, that go in.
+fn countersinks(mouth: &Mouth, bench: &Bench<'_, '_>) -> Result<Vec<Countersink>, KnowledgeError> {
     let of = |(row, material): (CutterRow<'_>, ToolMaterial)| {
         let (diameter, angle, designation) = (row.diameter?, row.cone_angle?, row.designations().next()?);
         let same_angle = (angle.0 - mouth.angle.0).abs() < SAME_ANGLE;
         let enters = mouth.within.is_none_or(|within| diameter < within);
-        let wide = diameter >= mouth.wide && row.tip_diameter.is_none_or(|tip| tip <= mouth.hole);
-        let body = Body::Drill {
+        let front = row.tip_diameter.unwrap_or_default();
+        let wide = diameter >= mouth.wide && front <= mouth.hole;
+        let cone = cone_length(Half::radius_of(diameter) - Half::radius_of(front), mouth.angle).rounded_up();
+        let body = Body::Reamer {
             diameter_mm: diameter,
-            point_angle_deg: mouth.angle,
-            flute_mm: Some(row.cutting_length.unwrap_or(diameter)),
+            front_mm: front,
+            lead_mm: cone,
+            reach_mm: row.cutting_length.unwrap_or(cone).max(cone),
         };
         let taken = Because::row(row.row, Note::new("job-tool-taken").with("tool", designation));
         let tool = JobTool { designation: designation.to_owned(), body };
-        (same_angle && wide && enters).then_some((diameter, tool, material, taken))
+        (same_angle && wide && enters).then_some(Countersink { diameter, front, tool, material, row: taken })
     };
     Ok(rows(Operation::Chamfer, mouth.wide, bench)?.into_iter().filter_map(of).collect())
 }
