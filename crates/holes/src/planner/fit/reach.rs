@@ -107,8 +107,11 @@ impl Fitting<'_, '_> {
                     (step.place.depth + self.point(step.diameter), thickness, "point-breaks-through")
                 }
                 Operation::CentreDrill => (step.diameter.half(), self.hole.depth, "spot-too-deep"),
-                Operation::Countersink | Operation::Chamfer if !self.hole.through => {
-                    (step.place.start + one.travel - one.approach, self.hole.depth, "countersink-too-deep")
+                Operation::Countersink | Operation::Chamfer => {
+                    let end = step.place.start + one.travel - one.approach;
+                    let Some(floor) = self.floor_below(step, end) else { continue };
+                    // It may touch the floor, as a mill does.
+                    (end - Micrometres::new(1), floor, "countersink-too-deep")
                 }
                 _ => continue,
             };
@@ -117,6 +120,21 @@ impl Fitting<'_, '_> {
             }
         }
         notes
+    }
+}
+
+impl Fitting<'_, '_> {
+    /// The depth of what stands in the way of a countersink's front below its cone: a narrower cylinder under an opening, or
+    /// the floor of a blind hole.
+    fn floor_below(&self, step: &RouteStep, end: Micrometres) -> Option<Micrometres> {
+        let angle = f64::from(step.angle_millideg?) / 2000.0;
+        let beyond = (end - step.place.depth).max(Micrometres::ZERO);
+        let front = step.from.to_mm() - 2.0 * beyond.to_mm() * libm::tan(angle.to_radians());
+        let narrow = self.hole.diameter.nominal.to_mm() < front;
+        match self.flat_opening_depth().filter(|_| narrow && step.place.face == Face::Entry) {
+            Some(opening) => Some(opening),
+            None => (!self.hole.through).then_some(self.hole.depth),
+        }
     }
 }
 
