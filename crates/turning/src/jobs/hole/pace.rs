@@ -9,7 +9,7 @@ use crate::tables::lathes::LatheQuantity;
 use crate::tables::turning::tools::{Limit, TurningLimits};
 use crate::turning::operation::tools::Bench;
 use crate::turning::program::{Feeds, Speed};
-use crate::turning::tooling::{Lathe, Spindle};
+use crate::turning::tooling::Lathe;
 use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons, RevsPerMinute, round_to};
 use technolog_cutting::figures::Asking;
 use technolog_cutting::laws::LoadLaw;
@@ -124,11 +124,6 @@ pub(super) fn tap_pace(
         because.push(Because::table(lathe.table, Note::new("job-tap-torque").with("torque", round_to(torque.0, 1))));
     }
     let rpm = lathe.spindle.at_most(RevsPerMinute(rpm));
-    // Whole revolutions, as in a program.
-    let rpm = match lathe.spindle {
-        Spindle::Steps(_) => rpm,
-        Spindle::Range { min, .. } => RevsPerMinute(rpm.0.floor().max(min.0)),
-    };
     let used = speed_at(rpm, cut.diameter).rounded(1);
     let note =
         Note::new("job-drill-speed").with("wanted", round_to(wanted.0, 1)).with("speed", used.0).with("spindle", rpm.0);

@@ -24,7 +24,7 @@ use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
-use crate::turning::tooling::{Hand, Lathe, Place, Spindle, ToolKind, TurningTool};
+use crate::turning::tooling::{Hand, Lathe, Place, ToolKind, TurningTool};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::workpiece::{Thread, ThreadLimits, ToleranceRow, longest_run_out, tolerance_rows};
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
@@ -239,11 +239,6 @@ fn spindle(
     if rate.0 > most.0 {
         return Err(Refusal::Not(NoJob::PitchTooQuick { pitch, spindle: rpm, rate, most }));
     }
-    let rpm = match lathe.spindle {
-        Spindle::Steps(_) => rpm,
-        // Whole revolutions, as in a program; rounded down to keep the feed within the limit.
-        Spindle::Range { min, .. } => RevsPerMinute(rpm.0.floor().max(min.0)),
-    };
     let MetresPerMinute(used) = speed_at(rpm, diameter).rounded(1);
     let note = Note::new("thread-speed").with("wanted", speed.0).with("speed", used).with("spindle", rpm.0);
     let mut because = vec![Because::answer(&asked.answer, note)];
