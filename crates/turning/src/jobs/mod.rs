@@ -11,7 +11,7 @@
 //! | face grooving | the corner of the blade towards the axis, as a theoretical point |
 //! | threading | the sharp point of the profile |
 //! | centre drill, drill | its point on the axis |
-//! | core drill, reamer, tap | the middle of its front |
+//! | core drill, reamer, countersink, tap | the middle of its front |
 
 pub mod along;
 mod clock;
@@ -221,7 +221,7 @@ pub enum Body {
         /// The usable length of its flutes, mm.
         flute_mm: Option<Micrometres>,
     },
-    /// A core drill or a reamer.
+    /// A core drill, a reamer or a countersink.
     Reamer {
         /// Its diameter, mm.
         diameter_mm: Micrometres,
