@@ -2,7 +2,7 @@
 
 use technolog_knowledge::units::{ItGrade, Micrometres, Microns, Percent, Roughness};
 use technolog_knowledge::vocabulary::Operation;
-use technolog_knowledge::{rows, vocabulary};
+use technolog_knowledge::{Knowledge, KnowledgeError, rows, vocabulary};
 
 use crate::rules::BlankState;
 
@@ -239,5 +239,15 @@ rows! {
         ra_coarsest: Microns,
         ra_finest: Microns,
         prepares: Option<Vec<Operation>>,
+    }
+}
+
+impl<'k> HoleConvention<'k> {
+    /// The row of a convention.
+    ///
+    /// # Errors
+    /// The knowledge base lacks it.
+    pub fn of(name: HoleDefault, knowledge: &'k Knowledge) -> Result<Self, KnowledgeError> {
+        knowledge.need(name.name(), |row: &Self| row.name == name)
     }
 }

@@ -231,8 +231,7 @@ fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), Note> {
 
 /// A figure of the table `hole-defaults`.
 fn convention(name: HoleDefault, knowledge: &Knowledge) -> Result<f64, Note> {
-    let row = knowledge.need(name.name(), |row: &HoleConvention<'_>| row.name == name);
-    row.map(|row| row.value).map_err(|error| Note::from(&error))
+    HoleConvention::of(name, knowledge).map(|row| row.value).map_err(|error| Note::from(&error))
 }
 
 /// The width of a grade at a size, by the table `it-grades` (ISO 286-1).

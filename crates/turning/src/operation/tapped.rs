@@ -147,8 +147,7 @@ impl Ways {
     fn of(thread: &Thread, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let hole = tap_hole(thread.size, thread.pitch, knowledge)?;
         let (smallest_hole_mm, largest_hole_mm) = minor_diameter(thread.size, thread.pitch, knowledge)?;
-        let name = HoleDefault::ThreadRunoutPitches;
-        let run_out = knowledge.need(name.name(), |row: &HoleConvention<'_>| row.name == name)?.value;
+        let run_out = HoleConvention::of(HoleDefault::ThreadRunoutPitches, knowledge)?.value;
         let run_out_mm = Micrometres::from_mm_rounded(run_out * thread.pitch.to_mm());
         let has_tap = !taps(&hole.id, thread.size, knowledge)?.is_empty();
         let mut bars = TurningTool::all(knowledge)?;

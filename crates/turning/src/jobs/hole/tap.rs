@@ -127,7 +127,7 @@ pub fn drilled_behind(thread: &Thread, bench: &Bench<'_, '_>) -> Result<Half, Kn
 
 /// A length in pitches, by the conventions for holes in plates.
 fn pitches(name: HoleDefault, pitch: Micrometres, bench: &Bench<'_, '_>) -> Result<(Half, Because), KnowledgeError> {
-    let row = bench.knowledge.need(name.name(), |row: &HoleConvention<'_>| row.name == name)?;
+    let row = HoleConvention::of(name, bench.knowledge)?;
     let length = Half::from(row.value * pitch.to_mm());
     Ok((length, Because::row(row.row, Note::new("tap-lead").with("lead", length))))
 }
@@ -172,8 +172,7 @@ impl Tap {
         lead: Half,
         bench: &Bench<'_, '_>,
     ) -> Tried<Self, NoJob> {
-        let clamped = HoleDefault::TapClampDiameters;
-        let clamped = bench.knowledge.need(clamped.name(), |row: &HoleConvention<'_>| row.name == clamped)?.value;
+        let clamped = HoleConvention::of(HoleDefault::TapClampDiameters, bench.knowledge)?.value;
         let mut longest = Half::ZERO;
         for row in taps(&tapped.id, thread.size, bench.knowledge)? {
             let Some((designation, body)) = body(&row, thread, tapped, lead, clamped) else { continue };

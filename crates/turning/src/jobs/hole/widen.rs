@@ -136,7 +136,7 @@ fn lead_angle(bench: &Bench<'_, '_>) -> Result<Lead, KnowledgeError> {
 
 /// A convention on holes.
 fn convention(name: HoleDefault, bench: &Bench<'_, '_>) -> Result<f64, KnowledgeError> {
-    Ok(bench.knowledge.need(name.name(), |row: &HoleConvention<'_>| row.name == name)?.value)
+    Ok(HoleConvention::of(name, bench.knowledge)?.value)
 }
 
 /// Conditions at a speed that is at most that of a rough reamer, for the last one, as for holes in plates.
