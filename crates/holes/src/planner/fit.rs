@@ -92,6 +92,8 @@ pub(super) struct FittedTool {
     pub designation: String,
     pub table: String,
     pub diameter: Micrometres,
+    /// The diameter of its flat front, where the catalog has one.
+    pub front: Option<Micrometres>,
     /// The size the cutter is ground or set to; it distinguishes two tools of one designation.
     pub size: Micrometres,
     /// The catalog diameter, where the cutter is ground down from it.
@@ -389,6 +391,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             designation: cutter.designation.to_owned(),
             table: cutter.row.row.table.id.clone(),
             diameter: cutter.diameter,
+            front: cutter.row.tip_diameter,
             size: if fixed_size(step.operation) { cutter.diameter } else { step.diameter },
             ground_from: (grinds && cutter.diameter > step.diameter).then_some(cutter.diameter),
             assembly,

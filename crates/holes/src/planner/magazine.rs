@@ -54,6 +54,7 @@ pub(super) fn choose_centre_drill(
             designation: cutter.designation.to_owned(),
             table: cutter.row.row.table.id.clone(),
             diameter: cutter.diameter,
+            front: cutter.row.tip_diameter,
             ground_from: None,
             size: cutter.diameter,
             assembly,

@@ -109,7 +109,8 @@ impl Fitting<'_, '_> {
                 Operation::CentreDrill => (step.diameter.half(), self.hole.depth, "spot-too-deep"),
                 Operation::Countersink | Operation::Chamfer => {
                     let end = step.place.start + one.travel - one.approach;
-                    let Some(floor) = self.floor_below(step, end) else { continue };
+                    let front = one.tool.as_ref().and_then(|tool| tool.front);
+                    let Some(floor) = self.floor_below(step, front) else { continue };
                     // It may touch the floor, as a mill does.
                     (end - Micrometres::new(1), floor, "countersink-too-deep")
                 }
@@ -121,16 +122,11 @@ impl Fitting<'_, '_> {
         }
         notes
     }
-}
 
-impl Fitting<'_, '_> {
     /// The depth of what stands in the way of a countersink's front below its cone: a narrower cylinder under an opening, or
     /// the floor of a blind hole.
-    fn floor_below(&self, step: &RouteStep, end: Micrometres) -> Option<Micrometres> {
-        let angle = f64::from(step.angle_millideg?) / 2000.0;
-        let beyond = (end - step.place.depth).max(Micrometres::ZERO);
-        let front = step.from.to_mm() - 2.0 * beyond.to_mm() * libm::tan(angle.to_radians());
-        let narrow = self.hole.diameter.nominal.to_mm() < front;
+    fn floor_below(&self, step: &RouteStep, front: Option<Micrometres>) -> Option<Micrometres> {
+        let narrow = self.hole.diameter.nominal < front.unwrap_or(step.from).min(step.from);
         match self.flat_opening_depth().filter(|_| narrow && step.place.face == Face::Entry) {
             Some(opening) => Some(opening),
             None => (!self.hole.through).then_some(self.hole.depth),
