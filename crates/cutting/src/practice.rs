@@ -51,7 +51,9 @@ pub fn second_opinion(
         return Ok((formula, PracticeComparison::FormulaKept, Vec::new()));
     };
     let share = formula.0 / practice.typical.0;
-    let answer = knowledge.ask(&SecondOpinionFor { operation: cut.operation, share })?;
+    let (material_group, spread) = (material.group, practice.high.0 / practice.typical.0);
+    let question = SecondOpinionFor { operation: cut.operation, material_group, share, spread };
+    let answer = knowledge.ask(&question)?;
     let taken = answer.need(cut.operation.name())?.take;
     let (speed, comparison) = match taken {
         Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, PracticeComparison::Slower),

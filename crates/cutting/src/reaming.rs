@@ -14,7 +14,7 @@ use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
 use super::feed::Feed;
 use super::figures::{self, Asking, missing};
-use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors, feed, laws};
+use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors, feed, laws, practice};
 
 /// Conditions of a reamer (Косилова/Мещеряков т.2 table 29; facts 1, 1.2).
 ///
@@ -71,7 +71,8 @@ pub fn rough_instead<'k>(
 /// Limits the speed of a draft to that of [`rough_instead`]; whether it does.
 pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
     let Some((rough, row)) = rough_instead(cut, shop.knowledge)? else { return Ok(false) };
-    let speed = self::draft(&rough, None, shop)?.speed;
+    let formula = self::draft(&rough, None, shop)?.speed;
+    let (speed, ..) = practice::second_opinion(formula, &rough, &shop.material, shop.knowledge)?;
     if speed.0 >= draft.speed.0 {
         return Ok(false);
     }
@@ -91,6 +92,7 @@ pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Fee
     // Only the last pass needs a roughness.
     let rule = knowledge.ask(&ReamingFeedConditionFor {
         tool_material: cut.tool_material,
+        material_group: shop.material().group,
         final_: cut.roughness.map(|_| true),
         roughness: cut.roughness,
     })?;

@@ -41,6 +41,8 @@ pub enum Fault {
     BreaksThrough { operation: Operation, tip: Micrometres, thickness: Micrometres },
     /// The floor under the tip of a blind hole is so thin that it may burst.
     ThinFloor { operation: Operation, tip: Micrometres, floor: Micrometres, least: Micrometres },
+    /// A reamer or boring bar runs into a flat floor.
+    MeetsFloor { operation: Operation, tip: Micrometres },
     /// The tool goes below what was opened for it.
     Floor { operation: Operation, tip: Micrometres, opened: Micrometres },
     /// The drill under a thread is out of the limits of its minor diameter.
@@ -60,11 +62,11 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// What is reached only at best and a thin floor are doubtful; everything else damages the part or the tool.
+    /// What is reached only at best, a thin floor and a tool that just meets a flat one are doubtful; everything else damages the part or the tool.
     pub fn severity(&self) -> Severity {
         match self {
             Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
-            Self::ThinFloor { .. } => Severity::Doubtful,
+            Self::ThinFloor { .. } | Self::MeetsFloor { .. } => Severity::Doubtful,
             _ => Severity::Error,
         }
     }
@@ -103,6 +105,7 @@ impl Fault {
             Self::ThinFloor { operation, tip, floor, least } => {
                 of("proof-thin-floor", operation).with("tip", tip).with("floor", floor).with("least", least)
             }
+            Self::MeetsFloor { operation, tip } => of("proof-meets-floor", operation).with("tip", tip),
             Self::Floor { operation, tip, opened } => {
                 of("proof-floor", operation).with("tip", tip).with("opened", opened)
             }

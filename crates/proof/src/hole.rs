@@ -192,10 +192,15 @@ impl Walk<'_, '_> {
         } else if floor < least && matches!(operation, Operation::Drill | Operation::DrillOut) {
             self.faults.push(Fault::ThinFloor { operation, tip, floor, least });
         }
+        let main = CylinderId::of(transition) == Some(CylinderId::Main);
+        let floored = main && required.flat && !self.hole.through && !transition.elsewhere;
+        if floored && (operation.is_reaming() || operation.is_boring()) && tip == required.depth {
+            self.faults.push(Fault::MeetsFloor { operation, tip });
+        }
         let follows = operation.is_reaming() || operation == Operation::Tap;
         if let Some(before) = before.filter(|_| follows && !required.through && !self.hole.through)
             && tip > before.depth
-            && CylinderId::of(transition) == Some(CylinderId::Main)
+            && main
         {
             self.faults.push(Fault::Floor { operation, tip, opened: before.depth });
         }

@@ -75,6 +75,7 @@ vocabulary! {
         LeastStockCoreDrill = "least-stock-core-drill-mm",
         LeastStockMill = "least-stock-mill-mm",
         FloorClearance = "floor-clearance-mm",
+        FlatFloorGap = "flat-floor-gap-mm",
         NearTieShare = "near-tie-share",
     }
 }

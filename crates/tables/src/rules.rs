@@ -155,9 +155,11 @@ rows! {
     }
 
     /// When the speed is that of practice.
-    pub struct SecondOpinion of One("second-opinion") asked by SecondOpinionFor {
+    pub struct SecondOpinion of One("second-opinion") asked by SecondOpinionFor<'t> {
         operation: Operation,
+        material_group: &'t str,
         share: f64,
+        spread: f64,
     } {
         take: Taken,
     }
@@ -187,8 +189,9 @@ rows! {
     }
 
     /// Which factors on the reaming feed apply.
-    pub struct ReamingFeedCondition of One("reaming-feed-condition") asked by ReamingFeedConditionFor {
+    pub struct ReamingFeedCondition of One("reaming-feed-condition") asked by ReamingFeedConditionFor<'t> {
         tool_material: ToolMaterial,
+        material_group: &'t str,
         final_ as "final": Option<bool>,
         roughness: Option<Roughness>,
     } {

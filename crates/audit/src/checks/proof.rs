@@ -38,6 +38,7 @@ pub(super) fn check<'a>(
                 | Fault::Buckles { .. }
                 | Fault::BarSlender { .. }
                 | Fault::ThinFloor { .. }
+                | Fault::MeetsFloor { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Enters { .. } | Fault::TapHole { .. } => Severity::Wrong,
                 Fault::NotFinished { .. }

@@ -108,6 +108,10 @@ pub enum Reason {
     BoringAsked { position: Micrometres },
     /// The position does not require boring, and it bores.
     BoringNotAsked { position: Micrometres },
+    /// It leaves the finish to another machine, and another route finishes the hole here.
+    FinishedHere,
+    /// The tables leave the finish to another machine, and this route holds the drawing at best or not at all.
+    NotSurelyFinishedHere,
 }
 
 impl Reason {
@@ -242,6 +246,8 @@ impl Reason {
                 new("same-as").with("table", table).with("same", Figure::scheme(scheme))
             }
             Self::BoringAsked { position } => new("position-asks-boring").with("position", position),
+            Self::FinishedHere => new("finished-here"),
+            Self::NotSurelyFinishedHere => new("not-surely-finished-here"),
             Self::BoringNotAsked { position } => new("boring-not-asked").with("position", position),
         }
     }

@@ -153,6 +153,8 @@ pub(super) struct Fitting<'p, 'k> {
     grind_limit: Micrometres,
     /// The lead of a reamer as a multiple of the lead that its stock requires.
     reamer_lead_share: f64,
+    /// How far above a flat floor a reamer or boring bar stops.
+    flat_floor_gap: Micrometres,
     /// Lead of a tap, pitches.
     tap_lead: f64,
     known: RefCell<BTreeMap<StepKey, Result<ToolAndConditions, Reason>>>,
@@ -199,6 +201,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             floor_clearance: shop.convention(HoleDefault::FloorClearance)?,
             grind_limit: shop.convention(HoleDefault::CutterGrindLimit)?,
             reamer_lead_share: shop.share(HoleDefault::ReamerLeadShare)?,
+            flat_floor_gap: shop.convention(HoleDefault::FlatFloorGap)?,
             tap_lead: shop.share(HoleDefault::TapLeadPitches)?,
             known: RefCell::new(BTreeMap::new()),
             spots: RefCell::new(BTreeMap::new()),

@@ -197,7 +197,9 @@ fn draft(
             Remark::FinishedElsewhere(diameter) => {
                 report(Severity::Note, Note::new("step-finished-elsewhere").with("diameter", diameter));
             }
-            Remark::ReamedShort(lead) => report(Severity::Doubtful, Note::new("reamed-short").with("lead", lead)),
+            Remark::EndsAboveFloor(left) => {
+                report(Severity::Doubtful, Note::new("ends-above-floor").with("left", left))
+            }
             Remark::Promised { it: grade, own } => {
                 let note = Note::new("promised-finer").with("it", grade).with("own", own);
                 report(Severity::Doubtful, note.with("table", &choice.candidate.table));

@@ -100,6 +100,25 @@ pub(super) struct Options {
 }
 
 impl Options {
+    /// Keeps either the routes that finish the hole here or those that leave it to another machine: the former if one of them
+    /// holds every requirement, and not only at best. Time does not decide, because that of the other machine is not known.
+    pub fn finish_here_or_elsewhere(&mut self) {
+        let holds = |choice: &Choice| choice.meets_requirements() && choice.at_best.is_empty();
+        let here = |choice: &Choice| !choice.candidate.finish_elsewhere;
+        let finishes_here = self.choices.iter().any(|choice| here(choice) && holds(choice));
+        let (kept, back): (Vec<Choice>, Vec<Choice>) = self
+            .choices
+            .drain(..)
+            .partition(|choice| if finishes_here { here(choice) && holds(choice) } else { !here(choice) });
+        self.choices = kept;
+        let why = if finishes_here { Reason::FinishedHere } else { Reason::NotSurelyFinishedHere };
+        for choice in back {
+            let operations = Self::operations(&choice);
+            let refused = refused(&choice.candidate, why.clone());
+            self.refused.push(RefusedRoute { operations, meets: choice.meets_requirements(), ..refused });
+        }
+    }
+
     /// The transitions of a choice with their diameters, as a plan shows them.
     pub fn operations(choice: &Choice) -> Vec<AlternativeStep> {
         let made = |fitted: &Fitted| AlternativeStep {

@@ -21,16 +21,26 @@ impl Finder<'_, '_> {
         AuxiliaryKind::of(self.hole, &self.task.main, self.drilled)
     }
 
-    /// Tries all three sources; routes finished on another machine are not compared with the others.
+    /// Tries all three sources. Where the tables finish a hole on another machine, the other two are asked only for a route that
+    /// finishes it here without a doubt.
     pub fn try_all_sources(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         if let Some(candidate) = self.tapped_at_once()? {
             self.try_candidate(&candidate, options)?;
             return Ok(());
         }
         self.tables(kind, options)?;
-        if options.choices.iter().any(|choice| choice.candidate.finish_elsewhere) {
+        let elsewhere = options.choices.iter().any(|choice| choice.candidate.finish_elsewhere);
+        if elsewhere && self.preference == Preference::Tables {
             return Ok(());
         }
+        self.other_sources(options)?;
+        if elsewhere {
+            options.finish_here_or_elsewhere();
+        }
+        Ok(())
+    }
+
+    fn other_sources(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         self.complexes(options)?;
         // A.10 says how a hole in solid metal is made for a thread, up to the sizes where it bores; nothing exceeds
         // those.

@@ -112,8 +112,8 @@ pub struct RouteStep {
 pub enum Remark {
     /// A step of the hole, of that diameter, is finished on another machine.
     FinishedElsewhere(ToleratedDiameter),
-    /// Over a flat floor a reamer ends above it by the length of its lead.
-    ReamedShort(Micrometres),
+    /// A reamer or boring bar ends above a flat floor by that length.
+    EndsAboveFloor(Micrometres),
     /// A table promises a finer grade than the chain of transitions reaches.
     Promised {
         /// The grade that is promised.

@@ -14,13 +14,14 @@ proof-spot-stays = the centring spot of Ø{ $spot } is wider than the hole and i
 proof-too-shallow = { $operation }: full diameter down to { $depth } mm, and { $asked } mm are needed
 proof-breaks-through = { $operation }: the tip at a depth of { $tip } mm comes out of the floor; the blank is { $thickness } mm thick
 proof-thin-floor = { $operation }: under the tip at a depth of { $tip } mm { $floor } mm of floor are left, less than { $least } mm: it may burst; make the hole shallower or the part thicker
+proof-meets-floor = { $operation }: the tool goes down to { $tip } mm, just the flat floor, where it has nothing to cut; let it stop a little above
 proof-floor = { $operation }: the tool goes down to { $tip } mm, and the hole is open at full diameter down to { $opened } mm
 proof-tap-hole = the drill of Ø{ $diameter } under the thread is outside the minor diameter of 6H: { $smallest } to { $largest } mm
 proof-thrust = { $operation }: thrust { $value } N > { $percent } % of the permissible { $limit } N
 proof-torque = { $operation }: torque { $value } N·m > { $percent } % of the permissible { $limit } N·m
 proof-power = { $operation }: power { $value } kW > { $percent } % of the drive's { $limit } kW
 not-proven = the plan is not proven: { $why }
-reamed-short = over the flat floor the reamer leaves { $lead } mm of the depth unreamed: its lead
+ends-above-floor = over the flat floor the last { $left } mm of the depth are not finished: the tool stops above the floor so as not to run into it, and a reamer by its lead
 lost-by-preference = the tables are preferred; it would be quicker by { $quicker } min
 tables-preferred = the tables are preferred: { $own } min; the best plan takes { $best } min and saves { $saves } min
 no-place-for-clamps = none of the places that are tried for two or four straps on the face would hold the part: { $why }; give places under `clamps`, or take a vice or a special fixture, to hold against M = { $torque } N·m

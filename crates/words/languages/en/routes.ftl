@@ -29,6 +29,8 @@ misses-unknown = the tables do not say what it reaches
 not-bored = the position of the axis requires boring (1.2), but no boring bar can be used here; the route does not bore
 position-asks-boring = does not bore, though the permitted position is { $position } < 0.1 mm (1.2)
 boring-not-asked = bores, though the permitted position { $position } ≥ 0.1 mm does not require it (1.2)
+finished-here = leaves the finish to another machine, and another route finishes the hole here
+not-surely-finished-here = the tables leave the finish of this hole to another machine, and this route holds the drawing at best or not at all
 milled-not-round = milled to Ø{ $diameter }: the machine's roundness is { $roundness } mm, its share of the tolerance { $most } mm
 # Why a route lost.
 lost-by-time = longer by { $slower } min

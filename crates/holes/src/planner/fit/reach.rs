@@ -70,20 +70,33 @@ impl Fitting<'_, '_> {
     }
 
     /// Makes room below a blind hole for the leads of its reamers: the steps before them go deeper by that length.
-    /// Over a flat floor there is no room: the reamers end above it.
+    /// Over a flat floor there is no room: the reamers end above it, and boring bars, too.
     pub fn room_for_leads(&self, steps: &mut [RouteStep], flat: bool) {
         let reams = |step: &RouteStep| step.operation.is_reaming() && !step.place.through && !step.elsewhere;
-        let Some(first) = steps.iter().position(reams) else { return };
-        let room = steps.iter().filter(|step| reams(step)).map(|step| self.lead(step)).max().unwrap_or_default();
+        let room = steps.iter().filter(|step| reams(step)).map(|step| self.lead(step)).max();
         if flat {
-            for step in steps.iter_mut().filter(|step| reams(step)) {
-                step.place.depth = (step.place.depth - room).max(Micrometres::new(1));
-                step.remarks.push(Remark::ReamedShort(room));
-            }
+            self.stop_above_floor(steps, room);
             return;
         }
+        let (Some(first), Some(room)) = (steps.iter().position(reams), room) else { return };
         for step in steps[..first].iter_mut().filter(|step| step.operation != Operation::CentreDrill) {
             step.place.depth = step.place.depth + room;
+        }
+    }
+
+    /// Ends reamers and boring bars above a flat floor: they would meet it with nothing left to cut. `lead` is that of the
+    /// reamers; what stands is told of the last transition.
+    fn stop_above_floor(&self, steps: &mut [RouteStep], lead: Option<Micrometres>) {
+        let stops = |step: &RouteStep| step.operation.is_reaming() || step.operation.is_boring();
+        let mut last = None;
+        for step in steps.iter_mut().filter(|step| stops(step) && !step.place.through && !step.elsewhere) {
+            let lead = lead.filter(|_| step.operation.is_reaming()).unwrap_or_default();
+            let short = lead + self.flat_floor_gap;
+            step.place.depth = (step.place.depth - short).max(Micrometres::new(1));
+            last = Some((step, short));
+        }
+        if let Some((step, short)) = last {
+            step.remarks.push(Remark::EndsAboveFloor(short));
         }
     }
 
