@@ -76,6 +76,7 @@ vocabulary! {
         LeastStockMill = "least-stock-mill-mm",
         FloorClearance = "floor-clearance-mm",
         FlatFloorGap = "flat-floor-gap-mm",
+        ReamerChipRoom = "reamer-chip-room-mm",
         NearTieShare = "near-tie-share",
     }
 }

@@ -13,6 +13,7 @@ mod architecture;
 mod book;
 mod cases;
 mod formats;
+mod hand_plans;
 mod provenance;
 mod reasons;
 mod statements;

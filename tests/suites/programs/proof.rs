@@ -123,7 +123,6 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("two-sides", "V9", "V8", "step-smaller"),
     ("two-sides", "W1", "W2", "step-clearance"),
     ("two-sides", "G83", "G86", "step-return"),
-    ("two-sides", "G86", "G83", "step-return"),
     ("plate", "G81 U3 Z-46.01 I15", "G83 U3 Z-46.01 V10 W1 I15", "steps-not-planned"),
     ("two-sides", "G83 U3 Z-46.5 V5 W1", "G81 U3 Z-46.5", "step-too-large"),
     ("two-sides", "G82", "G81", "out-at-rapid"),

@@ -6,7 +6,7 @@
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
-use crate::plan::Operation;
+use crate::plan::{Operation, Route};
 use crate::route::diameters::{Range, range};
 use crate::units::Micrometres;
 
@@ -118,7 +118,7 @@ fn leaves(graph: &Graph<'_>, at: usize) -> Option<Micrometres> {
 /// The diameter that the last row must leave; the route check reports where that is not the drawing's.
 fn finished(context: &Context<'_>, hole: &Hole, last: Micrometres) -> Micrometres {
     let reference = context.plan.holes.iter().find(|plan| plan.name == hole.name);
-    let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(|route| route.finish_elsewhere);
+    let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(Route::may_finish_elsewhere);
     let right = (hole.diameter.smallest()..=hole.diameter.largest()).contains(&last);
     if right || elsewhere || hole.thread.is_some() { last } else { hole.diameter.nominal }
 }

@@ -5,6 +5,7 @@ use crate::error::KnowledgeError;
 use crate::note::{self, Figure, Note, Severity};
 use crate::part::{Bottom, Hole};
 use crate::plan::Operation;
+use crate::tables::holes::HoleDefault;
 use crate::tooling::named;
 use crate::units::Micrometres;
 
@@ -65,9 +66,9 @@ pub(super) fn check<'a>(
         // A later mill makes the flat bottom, and the point of the drill stays above it.
         let milled = context.stated.mill_follows(&hole.name, at) && !hole.through;
         let plain = plain && !milled;
-        // Before a reamer a blind hole is drilled deeper, for its lead; over a flat floor the reamer ends above it.
+        // Before a reamer a blind hole is drilled deeper, for its lead and for chips; over a flat floor the reamer ends above it.
         let stated = Micrometres::from_mm_rounded(figure.value);
-        let room = hole.diameter.nominal.half();
+        let room = hole.diameter.nominal.half() + context.shop.convention(HoleDefault::ReamerChipRoom)?;
         let deeper = context.stated.reamer_follows(&hole.name, at) && !hole.through;
         let above = row.operation.value.is_reaming() && hole.bottom == Bottom::Flat && !hole.through;
         let most = if deeper { hole.depth + room } else { hole.depth };

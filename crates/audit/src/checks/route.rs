@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
-use crate::plan::Operation;
+use crate::plan::{Operation, Route};
 use crate::tables::rules::TransitionOrderFor;
 use crate::units::{Micrometres, round_to};
 
@@ -111,7 +111,7 @@ fn finished(
     }
     // The hole of a thread is that of its tap; a hole finished elsewhere keeps its stock.
     let reference = context.plan.holes.iter().find(|plan| plan.name == hole.name);
-    let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(|route| route.finish_elsewhere);
+    let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(Route::may_finish_elsewhere);
     if hole.thread.is_some() || elsewhere {
         return;
     }

@@ -102,6 +102,14 @@ pub struct Route {
 }
 
 impl Route {
+    /// Whether the tables permit that another machine finishes the hole, by this route or by one beside it.
+    pub fn may_finish_elsewhere(&self) -> bool {
+        let cuts = |other: &Alternative| {
+            other.operations.iter().any(|made| made.elsewhere && made.operation != Operation::Tap)
+        };
+        self.finish_elsewhere || self.alternatives.iter().any(cuts)
+    }
+
     /// The best feasible route among those that were not taken.
     pub fn runner_up(&self) -> Option<&Alternative> {
         self.alternatives.iter().find(|other| other.time_min.is_some())

@@ -155,6 +155,9 @@ pub(super) struct Fitting<'p, 'k> {
     reamer_lead_share: f64,
     /// How far above a flat floor a reamer or boring bar stops.
     flat_floor_gap: Micrometres,
+    /// Room for chips below a reamer in a blind hole, where the part has it.
+    reamer_chip_room: Micrometres,
+    thickness: Micrometres,
     /// Lead of a tap, pitches.
     tap_lead: f64,
     known: RefCell<BTreeMap<StepKey, Result<ToolAndConditions, Reason>>>,
@@ -202,6 +205,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             grind_limit: shop.convention(HoleDefault::CutterGrindLimit)?,
             reamer_lead_share: shop.share(HoleDefault::ReamerLeadShare)?,
             flat_floor_gap: shop.convention(HoleDefault::FlatFloorGap)?,
+            reamer_chip_room: shop.convention(HoleDefault::ReamerChipRoom)?,
+            thickness: part.blank.thickness,
             tap_lead: shop.share(HoleDefault::TapLeadPitches)?,
             known: RefCell::new(BTreeMap::new()),
             spots: RefCell::new(BTreeMap::new()),

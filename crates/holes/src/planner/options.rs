@@ -59,6 +59,8 @@ pub(super) struct RefusedRoute {
     pub operations: Vec<AlternativeStep>,
     /// Whether it would hold grade, roughness and position.
     pub meets: bool,
+    /// Its time, where it can be carried out.
+    pub time: Option<Minutes>,
     pub why: Reason,
 }
 
@@ -70,7 +72,7 @@ impl RefusedRoute {
             table: self.table.clone(),
             scheme: self.scheme.clone(),
             operations: self.operations.clone(),
-            time_min: None,
+            time_min: self.time,
             new_tools: None,
             meets: self.meets,
             why: self.why.note(),
@@ -103,19 +105,18 @@ impl Options {
     /// Keeps either the routes that finish the hole here or those that leave it to another machine: the former if one of them
     /// holds every requirement, and not only at best. Time does not decide, because that of the other machine is not known.
     pub fn finish_here_or_elsewhere(&mut self) {
-        let holds = |choice: &Choice| choice.meets_requirements() && choice.at_best.is_empty();
-        let here = |choice: &Choice| !choice.candidate.finish_elsewhere;
-        let finishes_here = self.choices.iter().any(|choice| here(choice) && holds(choice));
-        let (kept, back): (Vec<Choice>, Vec<Choice>) = self
-            .choices
-            .drain(..)
-            .partition(|choice| if finishes_here { here(choice) && holds(choice) } else { !here(choice) });
+        let elsewhere = |choice: &Choice| choice.candidate.finish_elsewhere;
+        let sure = |choice: &Choice| !elsewhere(choice) && choice.meets_requirements() && choice.at_best.is_empty();
+        let here = self.choices.iter().any(sure);
+        let kept = |choice: &Choice| if here { sure(choice) } else { elsewhere(choice) };
+        let (kept, back): (Vec<Choice>, Vec<Choice>) = self.choices.drain(..).partition(kept);
         self.choices = kept;
-        let why = if finishes_here { Reason::FinishedHere } else { Reason::NotSurelyFinishedHere };
         for choice in back {
+            let why = if elsewhere(&choice) { Reason::FinishedHere } else { Reason::NotSurelyFinishedHere };
             let operations = Self::operations(&choice);
-            let refused = refused(&choice.candidate, why.clone());
-            self.refused.push(RefusedRoute { operations, meets: choice.meets_requirements(), ..refused });
+            let refused = refused(&choice.candidate, why);
+            let (meets, time) = (choice.meets_requirements(), Some(choice.own_time));
+            self.refused.push(RefusedRoute { operations, meets, time, ..refused });
         }
     }
 
@@ -264,7 +265,7 @@ impl Finder<'_, '_> {
     }
 
     /// Whether the position would require boring, if a boring bar could enter.
-    fn close(&self) -> Result<bool, KnowledgeError> {
+    pub fn close(&self) -> Result<bool, KnowledgeError> {
         self.asks_for_boring(true)
     }
 

@@ -22,7 +22,7 @@ impl Finder<'_, '_> {
     }
 
     /// Tries all three sources. Where the tables finish a hole on another machine, the other two are asked only for a route that
-    /// finishes it here without a doubt.
+    /// finishes it here without a doubt, and not at all where the position asks for boring: what bars hold here is just that.
     pub fn try_all_sources(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         if let Some(candidate) = self.tapped_at_once()? {
             self.try_candidate(&candidate, options)?;
@@ -30,7 +30,7 @@ impl Finder<'_, '_> {
         }
         self.tables(kind, options)?;
         let elsewhere = options.choices.iter().any(|choice| choice.candidate.finish_elsewhere);
-        if elsewhere && self.preference == Preference::Tables {
+        if elsewhere && (self.preference == Preference::Tables || self.close()?) {
             return Ok(());
         }
         self.other_sources(options)?;
@@ -286,5 +286,13 @@ pub(super) fn refused(candidate: &Candidate, why: Reason) -> RefusedRoute {
 
 /// The refusal of a source that has no candidate.
 pub(super) fn no_candidate(source: RouteSource, table: &str, why: Reason) -> RefusedRoute {
-    RefusedRoute { source, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
+    RefusedRoute {
+        source,
+        table: table.to_owned(),
+        scheme: String::new(),
+        operations: Vec::new(),
+        meets: false,
+        time: None,
+        why,
+    }
 }

@@ -69,8 +69,8 @@ impl Fitting<'_, '_> {
         Micrometres::from_mm_rounded(self.reamer_lead_share * one_side / libm::tan(angle.to_radians()))
     }
 
-    /// Makes room below a blind hole for the leads of its reamers: the steps before them go deeper by that length.
-    /// Over a flat floor there is no room: the reamers end above it, and boring bars, too.
+    /// Makes room below a blind hole for the leads of its reamers and for chips: the steps before them go deeper by that length.
+    /// Chips have no more room than half of what the part has below. Over a flat floor there is no room: the reamers end above it, and boring bars, too.
     pub fn room_for_leads(&self, steps: &mut [RouteStep], flat: bool) {
         let reams = |step: &RouteStep| step.operation.is_reaming() && !step.place.through && !step.elsewhere;
         let room = steps.iter().filter(|step| reams(step)).map(|step| self.lead(step)).max();
@@ -79,6 +79,10 @@ impl Fitting<'_, '_> {
             return;
         }
         let (Some(first), Some(room)) = (steps.iter().position(reams), room) else { return };
+        let before = |step: &&RouteStep| step.operation != Operation::CentreDrill;
+        let deepest = steps[..first].iter().filter(before).map(|step| step.place.depth + room + self.lead(step)).max();
+        let below = self.thickness - deepest.unwrap_or(self.thickness);
+        let room = room + self.reamer_chip_room.min(below.half()).max(Micrometres::ZERO);
         for step in steps[..first].iter_mut().filter(|step| step.operation != Operation::CentreDrill) {
             step.place.depth = step.place.depth + room;
         }
