@@ -36,7 +36,8 @@ impl Feed {
 /// The tabulated feed of a drill, core drill or reamer with its corrections.
 pub(super) fn tabulated<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Uncut> {
     let knowledge = shop.knowledge();
-    let question = FeedChoiceFor { operation: cut.operation, method: shop.method() };
+    let material_group = shop.material().group;
+    let question = FeedChoiceFor { operation: cut.operation, method: shop.method(), material_group };
     let choice = knowledge.ask(&question)?.need(cut.operation.name())?;
     let multiple = choice.multiple;
     let multiple = knowledge.need(multiple.name(), |step: &FeedStep<'_>| step.name == multiple)?.factor;
@@ -54,7 +55,7 @@ pub(super) fn tabulated<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Un
         feed *= factor;
         because.push(reason);
         doubts.extend(left_out);
-        if cut.reamer_follows {
+        if cut.reamer_follows && choice.eased {
             let condition = FeedCondition::BeforeFinishing;
             let row = knowledge.need(condition.name(), |row: &FeedFactor<'_>| row.condition.is(condition))?;
             feed *= row.factor;

@@ -3,6 +3,7 @@
 use crate::note::{Figure, Note, Severity};
 use crate::plan::Operation;
 use crate::units::{ItGrade, MetresPerMinute, Micrometres, NewtonMetres, Newtons, Roughness, round_to};
+use technolog_knowledge::units::Brinell;
 
 pub use crate::tables::rules::Load;
 
@@ -51,6 +52,8 @@ pub enum Fault {
     Overload { operation: Operation, load: Load, value: f64, limit: f64, share: f64 },
     /// The speed is above shop practice by more than good tables differ among themselves.
     TooFast { operation: Operation, value: MetresPerMinute, usual: MetresPerMinute, share: f64 },
+    /// The metal is too hard for a tool of high-speed steel.
+    TooHard { operation: Operation, hardness: Brinell, limit: f64 },
     /// The torque exceeds the strength of a thin drill.
     Twists { operation: Operation, drill: Micrometres, value: NewtonMetres, limit: NewtonMetres },
     /// The thrust exceeds the buckling load of a long drill.
@@ -121,6 +124,9 @@ impl Fault {
                 .with("value", round_to(value.0, 1))
                 .with("percent", round_to(share * 100.0, 0))
                 .with("usual", round_to(usual.0, 1)),
+            Self::TooHard { operation, hardness, limit } => {
+                of("proof-too-hard", operation).with("hardness", hardness.0).with("limit", *limit)
+            }
             Self::Twists { operation, drill, value, limit } => of("proof-twists", operation)
                 .with("drill", drill)
                 .with("value", round_to(value.0, 2))

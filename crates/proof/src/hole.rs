@@ -93,8 +93,11 @@ impl Walk<'_, '_> {
         if transition.operation == Operation::Tap {
             return Ok(());
         }
-        // An end mill that only levels a floor leaves the cylinder as it is.
+        // An end mill that only levels a floor leaves the cylinder as it is, and opens it down to the floor.
         if transition.operation == Operation::Mill && transition.from_diameter_mm == transition.diameter_mm {
+            if let Some(state) = self.states.get_mut(&place) {
+                state.depth = state.depth.max(transition.depth_mm);
+            }
             return Ok(());
         }
         let follows: Vec<&Transition> = self.transitions[at + 1..]
@@ -197,9 +200,14 @@ impl Walk<'_, '_> {
         if floored && (operation.is_reaming() || operation.is_boring()) && tip == required.depth {
             self.faults.push(Fault::MeetsFloor { operation, tip });
         }
-        let follows = operation.is_reaming() || operation == Operation::Tap;
+        let follows = operation.is_reaming() || matches!(operation, Operation::Tap | Operation::CoreDrill);
+        // A core drill cuts as far inwards as its lips go, so that it may enter the cone of the drill a little.
+        let lips =
+            if operation == Operation::CoreDrill { tool::limit(ProofLimit::CoreDrillLips, self.shop)? } else { 0.0 };
+        let enters = Micrometres::from_mm_rounded(lips * transition.diameter_mm.to_mm());
         if let Some(before) = before.filter(|_| follows && !required.through && !self.hole.through)
-            && tip > before.depth
+            && before.made_by != MadeBy::BlankHole
+            && tip > before.depth + enters
             && main
         {
             self.faults.push(Fault::Floor { operation, tip, opened: before.depth });

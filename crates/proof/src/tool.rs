@@ -10,16 +10,22 @@ use crate::tables::cutting::DrillStrength;
 use crate::tables::practice::{ProofLimit, ProofLimits, SpecificCuttingForceFor};
 use crate::tables::tools::CutterRow;
 use crate::units::{Micrometres, NewtonMetres, Newtons};
+use technolog_knowledge::units::Brinell;
+use technolog_knowledge::vocabulary::ToolMaterial;
 
 use super::Fault;
 use super::loads::SLACK;
 
 /// The conditions of speed and strength that do not hold.
 pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fault>, KnowledgeError> {
-    Ok([too_fast(transition, shop)?, twists(transition, shop)?, buckles(transition, shop)?, slender(transition, shop)?]
-        .into_iter()
-        .flatten()
-        .collect())
+    let found = [
+        too_hard(transition, shop)?,
+        too_fast(transition, shop)?,
+        twists(transition, shop)?,
+        buckles(transition, shop)?,
+        slender(transition, shop)?,
+    ];
+    Ok(found.into_iter().flatten().collect())
 }
 
 /// The deflection of a boring bar, on the diameter, when its stock varies; none for other tools.
@@ -48,6 +54,15 @@ pub(crate) fn spring(
 
 pub(crate) fn limit(name: ProofLimit, shop: &Shop<'_>) -> Result<f64, KnowledgeError> {
     Ok(shop.knowledge.need(name.name(), |row: &ProofLimits<'_>| row.name.is(name))?.value)
+}
+
+/// Checks that high-speed steel is not asked to cut what is as hard as a tool.
+fn too_hard(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
+    let table = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table);
+    let steel = table.is_some_and(|table| table.head.material == ToolMaterial::HighSpeedSteel);
+    let (hardness, limit) = (Brinell(shop.material.hardness), limit(ProofLimit::HardestForSteel, shop)?);
+    let operation = transition.operation;
+    Ok((steel && hardness.0.to_f64() > limit).then_some(Fault::TooHard { operation, hardness, limit }))
 }
 
 /// Checks that the speed is not above shop practice for such a tool.

@@ -194,6 +194,8 @@ vocabulary! {
         SemiFinishBoreStock = "semi-finish-bore-stock",
         FinishBoreStock = "finish-bore-stock",
         LeastFloor = "least-floor",
+        CoreDrillLips = "core-drill-lips",
+        HardestForSteel = "hardest-for-high-speed-steel",
     }
 
     /// The kinds of work in tables of high-speed steel.

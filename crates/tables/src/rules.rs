@@ -96,12 +96,14 @@ rows! {
     }
 
     /// Where the feed comes from.
-    pub struct FeedChoice of One("feed-choice") asked by FeedChoiceFor {
+    pub struct FeedChoice of One("feed-choice") asked by FeedChoiceFor<'t> {
         operation: Operation,
         method: CuttingMethod,
+        material_group: &'t str,
     } {
         feed_table: FeedTable,
         multiple: FeedMultiple,
+        eased: bool,
     }
 
     /// Which holder takes a shank.

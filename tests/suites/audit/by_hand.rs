@@ -64,10 +64,10 @@ fn what_we_plan_is_right_when_it_is_written_by_hand() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// The tables' own route through 25H7 in grey iron takes 2 % longer than ours: nobody is blamed for it.
+/// The tables' own route through 18H7 in grey iron takes 0.4 % longer than ours: nobody is blamed for it.
 #[test]
 fn a_route_that_is_hardly_longer_is_only_noted() {
-    let keys = "diameter: 25H7, through: true, roughness: Ra 2.5, centre_tolerance: 0.46, at: [[-50, 0], [50, 0]]";
+    let keys = "diameter: 18H7, through: true, roughness: Ra 2.5, centre_tolerance: 0.46, at: [[-50, 0], [50, 0]]";
     let plan = plan_of_hole_by_tables("СЧ20", "gf2171", "30", keys);
     let text = serde_json::to_string(&plan).unwrap();
     let stated = read_plan("plan.json", &text, &KNOWLEDGE, &|_: &str| Err("no file".to_owned())).unwrap();

@@ -291,3 +291,39 @@ fn reamers_and_bars_stop_above_a_flat_floor() {
     assert!(!ends.is_empty() && ends.iter().all(|end| *end <= Micrometres::new(29_800)), "{ends:?}");
     assert!(plan.findings.iter().any(|finding| finding.note.code() == "ends-above-floor"));
 }
+
+/// A core drill does not cut in the middle: before the floor is milled it stops where the cone of the drill begins, Ø13 over
+/// 13/2/tan 59° = 3.91 mm; a reamer stops above a flat shoulder as above a floor.
+#[test]
+fn core_drills_stop_at_the_cone_and_reamers_above_the_shoulder() {
+    let keys = "diameter: 14H8, depth: 20, bottom: flat, roughness: Ra 1.6, centre_tolerance: 0.3, at: [[0, 0]]";
+    let plan = plan_of_hole("steel-45", "gf2171", "40", keys);
+    let of = |plan: &Plan, operation: Operation| {
+        let made = plan.holes[0].transitions.iter().rfind(|step| step.operation == operation).cloned();
+        made.unwrap_or_else(|| panic!("no {operation:?}")).end().to_mm()
+    };
+    assert!(of(&plan, Operation::CoreDrill) <= 20.0 - 3.90, "{}", of(&plan, Operation::CoreDrill));
+    assert!((of(&plan, Operation::Mill) - 20.0).abs() < 0.01);
+    let keys = "diameter: 30H8, through: true, roughness: Ra 1.6, centre_tolerance: 0.3, at: [[0, 0]], \
+                steps: [{diameter: 45H9, depth: 20, roughness: Ra 1.6, bottom: flat}]";
+    let plan = plan_of_hole("steel-45", "gf2171", "60", keys);
+    assert!(of(&plan, Operation::FinishReam) <= 19.8, "{}", of(&plan, Operation::FinishReam));
+}
+
+/// Tables of high-speed steel end at HB 425; half of the feed of stainless steel is below the 0.102 mm/rev that two pages begin
+/// with at 6.35 to 12.7 mm; three pages ream steel 20 at 10.7 to 24.4 m/min, where the formula, cut for the surface, has 4.2.
+#[test]
+fn figures_that_an_inspector_struck_out() {
+    let keys =
+        |size: &str| format!("diameter: {size}, through: true, roughness: Ra 1.6, centre_tolerance: 0.3, at: [[0, 0]]");
+    let hard = plan_of_hole("{grade: 40Х, hardness: 440}", "gf2171", "30", &keys("10H12"));
+    assert!(hard.holes[0].route.is_none() && hard.findings.iter().any(|finding| finding.severity == Severity::Error));
+    let made = |material: &str, size: &str, operation: Operation| {
+        let plan = plan_of_hole(material, "gf2171", "30", &keys(size));
+        let found = plan.holes[0].transitions.iter().find(|step| step.operation == operation).cloned();
+        found.unwrap_or_else(|| panic!("no {operation:?}")).conditions
+    };
+    assert!(made("12Х18Н10Т", "8H9", Operation::Drill).feed_mm_per_rev.0 >= 0.102);
+    assert!(made("steel-20", "12H7", Operation::RoughReam).speed_m_per_min.0 >= 10.7);
+    assert!(made("БрО5Ц5С5", "15H8", Operation::Drill).speed_m_per_min.0 <= 30.5);
+}

@@ -34,6 +34,7 @@ pub(super) fn check<'a>(
                 | Fault::Wanting { .. }
                 | Fault::Overload { .. }
                 | Fault::TooFast { .. }
+                | Fault::TooHard { .. }
                 | Fault::Twists { .. }
                 | Fault::Buckles { .. }
                 | Fault::BarSlender { .. }

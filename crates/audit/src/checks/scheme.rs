@@ -200,7 +200,8 @@ impl Group<'_, '_> {
             main(&here.map(|made| made.operation).collect::<Vec<_>>()) == main(&stated)
         };
         let others = || self.route.alternatives.iter().enumerate();
-        let can_be = |other: &Alternative| other.meets && other.time_min.is_some();
+        // What the tables leave to another machine has no time to compare.
+        let can_be = |other: &Alternative| other.meets && (other.time_min.is_some() || other.finishes_elsewhere());
         let ranked = others().find(|(_, other)| alike(other) && can_be(other)).filter(|_| !merged);
         if let Some((rank, other)) = ranked {
             let (severity, note) = self.dominated(rank, other)?;

@@ -104,10 +104,7 @@ pub struct Route {
 impl Route {
     /// Whether the tables permit that another machine finishes the hole, by this route or by one beside it.
     pub fn may_finish_elsewhere(&self) -> bool {
-        let cuts = |other: &Alternative| {
-            other.operations.iter().any(|made| made.elsewhere && made.operation != Operation::Tap)
-        };
-        self.finish_elsewhere || self.alternatives.iter().any(cuts)
+        self.finish_elsewhere || self.alternatives.iter().any(Alternative::finishes_elsewhere)
     }
 
     /// The best feasible route among those that were not taken.
@@ -150,4 +147,11 @@ pub struct Alternative {
     pub meets: bool,
     /// Why it lost.
     pub why: Note,
+}
+
+impl Alternative {
+    /// Whether it leaves cutting to another machine, more than a thread.
+    pub fn finishes_elsewhere(&self) -> bool {
+        self.operations.iter().any(|made| made.elsewhere && made.operation != Operation::Tap)
+    }
 }

@@ -192,13 +192,15 @@ fn draft(
     if steps.iter().any(|fitted| fitted.step.operation.is_set_by_hand(fitted.step.passes)) {
         report(Severity::Note, Note::new("bar-set-by-hand"));
     }
-    for remark in steps.iter().flat_map(|fitted| &fitted.step.remarks) {
+    let remarks =
+        steps.iter().flat_map(|Fitted { step, .. }| step.remarks.iter().map(move |remark| (step.diameter, remark)));
+    for (diameter, remark) in remarks {
         match remark {
-            Remark::FinishedElsewhere(diameter) => {
-                report(Severity::Note, Note::new("step-finished-elsewhere").with("diameter", diameter));
+            Remark::FinishedElsewhere(finished) => {
+                report(Severity::Note, Note::new("step-finished-elsewhere").with("diameter", finished));
             }
             Remark::EndsAboveFloor(left) => {
-                report(Severity::Doubtful, Note::new("ends-above-floor").with("left", left))
+                report(Severity::Doubtful, Note::new("ends-above-floor").with("left", left).with("diameter", diameter));
             }
             Remark::Promised { it: grade, own } => {
                 let note = Note::new("promised-finer").with("it", grade).with("own", own);

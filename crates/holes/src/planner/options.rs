@@ -59,8 +59,6 @@ pub(super) struct RefusedRoute {
     pub operations: Vec<AlternativeStep>,
     /// Whether it would hold grade, roughness and position.
     pub meets: bool,
-    /// Its time, where it can be carried out.
-    pub time: Option<Minutes>,
     pub why: Reason,
 }
 
@@ -72,7 +70,7 @@ impl RefusedRoute {
             table: self.table.clone(),
             scheme: self.scheme.clone(),
             operations: self.operations.clone(),
-            time_min: self.time,
+            time_min: None,
             new_tools: None,
             meets: self.meets,
             why: self.why.note(),
@@ -115,8 +113,7 @@ impl Options {
             let why = if elsewhere(&choice) { Reason::FinishedHere } else { Reason::NotSurelyFinishedHere };
             let operations = Self::operations(&choice);
             let refused = refused(&choice.candidate, why);
-            let (meets, time) = (choice.meets_requirements(), Some(choice.own_time));
-            self.refused.push(RefusedRoute { operations, meets, time, ..refused });
+            self.refused.push(RefusedRoute { operations, meets: choice.meets_requirements(), ..refused });
         }
     }
 
@@ -217,9 +214,11 @@ pub(super) fn options(
         finder.level_floor = false;
         let refused = std::mem::take(&mut options.refused);
         finder.try_all_sources(kind, &mut options)?;
-        match (why, options.choices.is_empty()) {
-            (Some(why), false) => options.impossible.extend([Note::new("floor-not-flat"), why]),
-            _ => options.refused = refused,
+        if options.choices.is_empty() {
+            options.refused = refused;
+        } else {
+            let why = why.or_else(|| refused.first().map(|other| other.why.note()));
+            options.impossible.extend(std::iter::once(Note::new("floor-not-flat")).chain(why));
         }
     }
     if options.choices.is_empty()

@@ -286,13 +286,5 @@ pub(super) fn refused(candidate: &Candidate, why: Reason) -> RefusedRoute {
 
 /// The refusal of a source that has no candidate.
 pub(super) fn no_candidate(source: RouteSource, table: &str, why: Reason) -> RefusedRoute {
-    RefusedRoute {
-        source,
-        table: table.to_owned(),
-        scheme: String::new(),
-        operations: Vec::new(),
-        meets: false,
-        time: None,
-        why,
-    }
+    RefusedRoute { source, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
 }

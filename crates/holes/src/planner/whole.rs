@@ -203,7 +203,8 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// A flat floor: drills and core drills stop where their points touch it, and an end mill then levels it.
+    /// A flat floor: drills stop where their points touch it, core drills where the drill's cone begins, because they do not cut
+    /// in the middle; an end mill then levels the floor.
     fn flat_floor(&self, steps: &mut Vec<RouteStep>) -> Tried<()> {
         if !self.task.main.flat {
             return Ok(());
@@ -212,12 +213,15 @@ impl Finder<'_, '_> {
             |step: &RouteStep| matches!(step.operation, Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
         let Some(last) = steps.iter().rposition(pointed) else { return Ok(()) };
         let (diameter, depth, whole) = (steps[last].diameter, steps[last].place.depth, steps[last].place);
+        let mut open = depth;
         for step in steps[..=last].iter_mut().filter(|step| pointed(step)) {
-            let stop = depth - self.fitting.lead(step);
+            let core = step.operation == Operation::CoreDrill;
+            let stop = if core { open } else { depth } - self.fitting.lead(step);
             if stop <= Micrometres::ZERO {
                 return Err(Refusal::Not(Reason::TooShallowForFlat { depth, diameter: step.diameter }));
             }
             step.place.depth = stop;
+            open = stop;
         }
         let stop = steps[..=last].iter().filter(|step| pointed(step)).map(|step| step.place.depth).min();
         let stop = stop.unwrap_or(depth);
@@ -267,6 +271,11 @@ impl Finder<'_, '_> {
                         last.because.extend(table.map(|table| Because::table(table, note)));
                     }
                     cone_above_shoulder(&mut steps, bore, start, self.fitting);
+                    if bore.flat {
+                        self.fitting.stop_above_floor(&mut steps, |operation| {
+                            operation.is_reaming() || operation == Operation::CoreDrill
+                        });
+                    }
                     for step in &mut steps {
                         step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
                     }

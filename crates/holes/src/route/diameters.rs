@@ -47,9 +47,9 @@ pub struct Sizes<'a> {
 /// # Errors
 /// The knowledge base has no answer. Where no diameters fit, the refusal says why.
 pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<RouteStep>> {
+    let Finished { mut after, slack, because: left, elsewhere } = finished(candidate, bore, shop)?;
     let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
     let mut steps: Vec<RouteStep> = Vec::new();
-    let Finished { mut after, slack, because: left, elsewhere } = finished(candidate, bore, shop)?;
     let (after_here, mut bored_elsewhere) = (after, Vec::new());
     for index in (0..transitions.len()).rev() {
         let previous = index.checked_sub(1).map(|before| transitions[before]);
@@ -143,9 +143,14 @@ fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finis
     }
     let rule = shop.knowledge.ask(&StockForElsewhereFor { diameter: target })?.need("this diameter")?;
     let (mut after, mut slack, mut elsewhere) = (target, Micrometres::ZERO, Vec::new());
-    for (index, operation) in rule.transitions.iter().enumerate().rev() {
+    // What is bored here already is not bored so there once more; the last transition is always that machine's.
+    let done = |operation: &Operation| candidate.transitions.contains(operation);
+    let begin = rule.transitions.iter().position(|operation| !done(operation)).unwrap_or(rule.transitions.len());
+    let there = &rule.transitions[begin.min(rule.transitions.len().saturating_sub(1))..];
+    for (index, operation) in there.iter().enumerate().rev() {
         elsewhere.push((*operation, after));
-        let previous = index.checked_sub(1).map_or(Operation::Drill, |before| rule.transitions[before]);
+        let own = candidate.transitions.last().copied().filter(|operation| operation.is_boring());
+        let previous = index.checked_sub(1).map_or(own.unwrap_or(Operation::Drill), |before| there[before]);
         let range = allowance(*operation, after, bore.diameter.nominal, Some(previous), shop)?;
         (after, slack) = (after - range.high, range.high - range.low);
     }

@@ -21,10 +21,11 @@ proof-thrust = { $operation }: thrust { $value } N > { $percent } % of the permi
 proof-torque = { $operation }: torque { $value } N·m > { $percent } % of the permissible { $limit } N·m
 proof-power = { $operation }: power { $value } kW > { $percent } % of the drive's { $limit } kW
 not-proven = the plan is not proven: { $why }
-ends-above-floor = over the flat floor the last { $left } mm of the depth are not finished: the tool stops above the floor so as not to run into it, and a reamer by its lead
+ends-above-floor = over the flat floor or shoulder the last { $left } mm of Ø{ $diameter } are not finished: the tool stops above it so as not to run into it, a reamer or core drill by its lead, too
 lost-by-preference = the tables are preferred; it would be quicker by { $quicker } min
 tables-preferred = the tables are preferred: { $own } min; the best plan takes { $best } min and saves { $saves } min
 no-place-for-clamps = none of the places that are tried for two or four straps on the face would hold the part: { $why }; give places under `clamps`, or take a vice or a special fixture, to hold against M = { $torque } N·m
+proof-too-hard = { $operation }: HB { $hardness } > HB { $limit }, where tools of high-speed steel end; carbide is needed, and the catalogs have no such tool here
 proof-too-fast = { $operation }: speed { $value } m/min > { $percent } % of the upper end of practice, { $usual } m/min
 proof-twists = { $operation }: torque { $value } N·m > { $limit } N·m that the drill of Ø{ $drill } bears
 proof-buckles = { $operation }: thrust { $value } N > { $limit } N that the drill of Ø{ $drill } with flutes of { $flutes } mm bears without buckling

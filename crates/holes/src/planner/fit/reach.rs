@@ -75,7 +75,7 @@ impl Fitting<'_, '_> {
         let reams = |step: &RouteStep| step.operation.is_reaming() && !step.place.through && !step.elsewhere;
         let room = steps.iter().filter(|step| reams(step)).map(|step| self.lead(step)).max();
         if flat {
-            self.stop_above_floor(steps, room);
+            self.stop_above_floor(steps, |operation| operation.is_reaming() || operation.is_boring());
             return;
         }
         let (Some(first), Some(room)) = (steps.iter().position(reams), room) else { return };
@@ -88,15 +88,22 @@ impl Fitting<'_, '_> {
         }
     }
 
-    /// Ends reamers and boring bars above a flat floor: they would meet it with nothing left to cut. `lead` is that of the
-    /// reamers; what stands is told of the last transition.
-    fn stop_above_floor(&self, steps: &mut [RouteStep], lead: Option<Micrometres>) {
-        let stops = |step: &RouteStep| step.operation.is_reaming() || step.operation.is_boring();
-        let mut last = None;
-        for step in steps.iter_mut().filter(|step| stops(step) && !step.place.through && !step.elsewhere) {
-            let lead = lead.filter(|_| step.operation.is_reaming()).unwrap_or_default();
-            let short = lead + self.flat_floor_gap;
-            step.place.depth = (step.place.depth - short).max(Micrometres::new(1));
+    /// Ends core drills, reamers and boring bars above a flat floor or shoulder that is cut already: they would meet it with
+    /// nothing left to cut. A core drill leaves a ring of its lead, and no reamer goes below what is open. What stands is told of
+    /// the last transition.
+    pub fn stop_above_floor(&self, steps: &mut [RouteStep], stops: impl Fn(Operation) -> bool) {
+        let stops = |step: &RouteStep| stops(step.operation) && !step.place.through && !step.elsewhere;
+        let lead = steps.iter().filter(|step| step.operation.is_reaming()).map(|step| self.lead(step)).max();
+        let (mut open, mut last) = (None, None);
+        for step in steps.iter_mut().filter(|step| stops(step)) {
+            let floor = step.place.depth;
+            let deepest = open.unwrap_or(floor - self.flat_floor_gap);
+            let lead = if step.operation.is_reaming() { lead.unwrap_or_default() } else { self.lead(step) };
+            step.place.depth = (deepest - lead).max(Micrometres::new(1));
+            if step.operation == Operation::CoreDrill {
+                open = Some(step.place.depth);
+            }
+            let short = floor - step.place.depth;
             last = Some((step, short));
         }
         if let Some((step, short)) = last {
