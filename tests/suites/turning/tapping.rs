@@ -265,5 +265,5 @@ fn a_tap_is_on_the_setting_sheet() {
     assert_eq!((thread.thread.as_str(), thread.set_up), ("M12-6H", 1));
     assert!(thread.pitch_diameter.is_some() && thread.wire_mm.is_none());
     let tool = sheet.tools.iter().find(|tool| tool.works == [Work::Tap]).unwrap();
-    assert_eq!((tool.x.code(), tool.z.code()), ("set-x-axis", "set-z-point"));
+    assert_eq!((tool.x.code(), tool.z.code()), ("set-x-axis", "set-z-front"));
 }

@@ -237,11 +237,16 @@ const fn along_x(tool: &JobTool) -> &'static str {
     }
 }
 
+/// The point angle of a drill that is reground for a flat bottom: it has no point.
+const FLAT: Degrees = Degrees(180.0);
+
 /// How Z of the reference point is measured. A face touches the theoretical point if the edge does not lean over it,
 /// that is from φ = 90° on.
 fn along_z(tool: &JobTool) -> &'static str {
     match tool.body {
-        Body::Drill { .. } | Body::Reamer { .. } | Body::Tap { .. } | Body::CentreDrill { .. } => "set-z-point",
+        Body::Drill { point_angle_deg, .. } if point_angle_deg >= FLAT => "set-z-front",
+        Body::Drill { .. } | Body::CentreDrill { .. } => "set-z-point",
+        Body::Reamer { .. } | Body::Tap { .. } => "set-z-front",
         Body::Insert { kind: ToolKind::Threading, .. } => "set-z-thread",
         Body::Insert { kind: ToolKind::Grooving, .. } => "set-z-blade",
         Body::Insert { kind: ToolKind::FaceGrooving, .. } => "set-z-face",

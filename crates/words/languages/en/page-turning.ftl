@@ -187,6 +187,7 @@ set-z-face = touch a finished face and enter its Z
 set-z-blade = touch a finished face with the side of the blade towards the chuck and enter its Z
 set-z-shoulder = touch a shoulder that looks towards the chuck and enter its Z
 set-z-point = touch a finished face with the point and enter its Z
+set-z-front = touch a finished face with its front and enter its Z
 set-z-thread = bring the point over a finished face by eye and enter its Z
 set-z-nose = the centre of the nose; no face touches it, so measure it with a presetter
 set-z-presetter = the theoretical point; the edge leans over a face, so measure it with a presetter
