@@ -18,8 +18,9 @@ use crate::program::lathe::{
 };
 use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
+use crate::turning::operation::beside::beside;
 use crate::turning::operation::programs::{place, stations};
-use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told};
+use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told_of_program};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::turning::program::ProgramFile;
 
@@ -50,15 +51,33 @@ pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &La
         Some(motion) => taken.iter().all(|tool| motion.modes.tool.is_none_or(|of| of.number != tool.number)),
         None => taken.is_empty(),
     };
-    faults.extend(told(operation, set_up, proof).map(|(severity, found)| {
+    let found = told_of_program(operation, set_up, proof).map(|(severity, found)| {
         let line = found.block().and_then(|block| u32::try_from(block.0).ok());
         let least = if is_sure(line) { Severity::Error } else { Severity::Doubtful };
         fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
-    }));
+    });
+    let found: Vec<Fault> = found.collect();
+    faults.extend(of_plan(operation, set_up, found.iter().any(is_serious), end));
+    faults.extend(found);
     let note = Note::new(HELD).with("number", set_up).with("of", operation.set_ups.len());
     faults.push(fault(HELD, Severity::Note, note, end));
     faults
 }
+
+/// What is wrong with the part beside the motions of a program: the plan says it, at the end of the program. What the plan cannot
+/// do in a set-up is doubtful at most where the program does all of that set-up.
+fn of_plan(operation: &Operation, set_up: u8, fails: bool, end: u32) -> Vec<Fault> {
+    let beside = beside(operation, set_up);
+    let does_better = beside.fails_here && !fails;
+    let least = if does_better { Severity::Doubtful } else { Severity::Error };
+    let planned = beside.planned.into_iter().map(|finding| (finding.severity.max(least), finding.note));
+    let left = beside.left.into_iter().map(|finding| (finding.severity, finding.note));
+    let of_part = |(severity, why)| fault(OF_PLAN, severity, Note::new(OF_PLAN).with("why", why), end);
+    left.chain(planned).map(of_part).collect()
+}
+
+/// The code of what is wrong with the part, whatever the program does.
+const OF_PLAN: &str = "turned-of-plan";
 
 /// Reads a program of ours back, and simulates the in-process stock with the motions that the control reads from its
 /// text. Returns the first reason why the program must not be run; none if there is none, or if no reader for the

@@ -101,6 +101,9 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
     let mut ways = Ways { sequences, schemes, ways: Vec::new(), pass_direction, recommended: None, operation };
     let findings = ways.schemes.findings.clone();
     ways.sequences.findings.extend(findings);
+    // Whichever way is taken, what is wrong with the operation stays wrong.
+    let wrong = ways.operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+    ways.sequences.findings.extend(wrong.cloned());
     if ways.schemes.schemes.is_empty() {
         return Ok(ways);
     }

@@ -8,6 +8,7 @@
     reason = "clippy allows it in tests, but not in the functions they share"
 )]
 
+mod agree;
 mod allowances;
 mod elements;
 mod equidistant;

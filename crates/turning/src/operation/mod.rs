@@ -15,6 +15,7 @@
 
 mod axial;
 mod barred;
+pub mod beside;
 pub mod by_way;
 mod centred;
 mod clip;
@@ -121,6 +122,13 @@ pub struct SetUpWork {
 }
 
 impl SetUpWork {
+    /// That nothing holds the part. Where no tool works, as long as it is held for nothing, it is doubtful only.
+    pub(crate) fn not_held(&self) -> Option<Finding> {
+        let severity = if self.jobs.is_empty() { Severity::Doubtful } else { Severity::Wrong };
+        let note = || Note::new("set-up-not-held").with("number", self.set_up.number);
+        self.set_up.holds_at.is_none().then(|| Finding::of_part(severity, note()))
+    }
+
     /// Z of its free face before it is finished, where a spot and a drill begin.
     pub fn rough_face(&self) -> Half {
         jobs::rough_face(&self.sides)
@@ -266,12 +274,6 @@ fn plan_without(
     let mut done = Vec::new();
     for (mut set_up, axial) in set_ups.into_iter().zip(axials) {
         let workpiece = cut_off.as_ref().filter(|_| set_up.turned_over).unwrap_or(workpiece);
-        if set_up.holds_at.is_none() {
-            let note = Note::new("set-up-not-held").with("number", set_up.number);
-            // A far face alone can be parted off in the first set-up.
-            let turns = set_up.outer.is_some() || set_up.inner.is_some();
-            findings.push(Finding::of_part(if turns { Severity::Wrong } else { Severity::Doubtful }, note));
-        }
         if let Err(why) = tried
             && set_up.faces
             && set_up.outer.is_none()
@@ -310,7 +312,9 @@ fn plan_without(
         findings.extend(grip.as_ref().and_then(|grip| grip.finding(set_up.number)));
         findings.extend(slug(&set_up, &done, &jobs, workpiece));
         let parted_mm = parts.map(Parted::face);
-        done.push(SetUpWork { set_up, jaws, grip, tailstock, axial, sides, jobs, parted_mm });
+        let work = SetUpWork { set_up, jaws, grip, tailstock, axial, sides, jobs, parted_mm };
+        findings.extend(work.not_held());
+        done.push(work);
     }
     let mut operation = Operation {
         workpiece: workpiece.clone(),
@@ -402,7 +406,7 @@ fn sides(
 }
 
 /// The figures in which merged findings may differ.
-const LISTED: [&str; 2] = ["surface", "row"];
+const LISTED: [&str; 3] = ["surface", "row", "z"];
 
 /// Each finding once, in the order of the first. Findings that differ only in a surface or a row are merged.
 fn merged(findings: Vec<Finding>) -> Vec<Finding> {

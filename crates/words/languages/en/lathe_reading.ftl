@@ -59,6 +59,8 @@ lathe-contour-behind = the contour { $name } is read from behind the end of the 
     .help = on the control it is a file of its own, { $name }.SPF
 # A program held against its turned part.
 turned-held = the program was followed through set-up { $number } of { $of } of the part: stock, inserts with their nose, holders
+turned-of-plan = the plan of the part: { $why }
+    .help = `technolog turn` shows the plan with its reasons
 turned-mend-first = the program was not held against the part: blocks with errors do not move
     .help = mend the errors first
 turned-no-set-up = the part has no set-up { $number }; it has { $known }
