@@ -8,10 +8,11 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::{Finding, Note, Severity};
 use technolog::report;
 use technolog::turning::jobs::Work;
-use technolog::turning::operation::programs::{Form, OperationProgram, programs_named};
+use technolog::turning::operation::programs::{Form, OperationProgram, Remarks, programs_named};
 use technolog::turning::operation::setting;
 use technolog::turning::operation::times::{Times, times};
 use technolog::turning::operation::tool_table;
+use technolog::turning::operation::turret::Put;
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::program::NotWritten;
 use technolog::turning::workpiece::Workpiece;
@@ -108,7 +109,9 @@ pub fn program(
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let (control, form) = (wanted.control.name(), wanted.form);
     let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
-    let all = programs_named(operation, control, form, wanted.spindle, &named, knowledge).map_err(lacking)?;
+    let put = |put: &Put<'_>, offset: u32| context.lang.say(&put.note(offset));
+    let remarks = Remarks { work: &named, put: &put };
+    let all = programs_named(operation, control, form, wanted.spindle, remarks, knowledge).map_err(lacking)?;
     let Some(written) = wanted.number.checked_sub(1).and_then(|index| all.get(index)) else {
         let (message, help) = if all.is_empty() {
             (say!(context.lang, "turn-no-programs"), context.word("turn-see-operation").to_owned())

@@ -5,6 +5,8 @@
 //! toolpaths. Before its first motion, and after a motion to a reference point, the tool is far away. A tool that the
 //! text does not name is the program's tool at that place of the turret; then no finding is worse than doubtful.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use technolog_core::ascii::ascii;
 use technolog_turning_proof::{At, Block, Mm, Motion, MotionKind, Piece, Sense};
 
@@ -14,13 +16,14 @@ use crate::knowledge::contract::Word;
 use crate::motion;
 use crate::note::{Note, Severity};
 use crate::program::lathe::{
-    LatheAct, LatheFeed, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, Subprogram, is_serious, read,
+    LatheAct, LatheFeed, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, LatheTool, Subprogram,
+    is_serious, read,
 };
 use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
 use crate::turning::operation::beside::beside;
-use crate::turning::operation::programs::{place, stations};
 use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told_of_program};
+use crate::turning::operation::turret::{Station, station, stations};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::turning::program::ProgramFile;
 
@@ -48,7 +51,7 @@ pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &La
     // The final shape is the work of all tools; what is cut or hit in a line is the work of the tool that moves
     // there.
     let is_sure = |line: Option<u32>| match line.and_then(|line| run.motions.iter().find(|one| one.line == line)) {
-        Some(motion) => taken.iter().all(|tool| motion.modes.tool.is_none_or(|of| of.number != tool.number)),
+        Some(motion) => taken.iter().all(|tool| motion.modes.tool.is_none_or(|of| of != tool.called)),
         None => taken.is_empty(),
     };
     let found = told_of_program(operation, set_up, proof).map(|(severity, found)| {
@@ -57,6 +60,7 @@ pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &La
         fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
     });
     let found: Vec<Fault> = found.collect();
+    faults.extend(exchanges(operation, work, run, &tools));
     faults.extend(of_plan(operation, set_up, found.iter().any(is_serious), end));
     faults.extend(found);
     let note = Note::new(HELD).with("number", set_up).with("of", operation.set_ups.len());
@@ -103,7 +107,12 @@ pub fn read_back(
         return Ok(Some(at_line(fault.span.line, fault.note.clone())));
     }
     Ok(match compared(operation, set_up, &main.text, &run) {
-        Ok(compared) => rejected(operation, &compared.proven),
+        Ok(compared) => {
+            let exchange = exchanges(operation, compared.work, &run, &compared.tools);
+            let exchange = exchange.into_iter().find(is_serious);
+            let of_exchange = exchange.map(|fault| at_line(fault.span.line, fault.note));
+            rejected(operation, &compared.proven).or(of_exchange)
+        }
         Err(why) => Some(at_line(why.span.line, why.note.clone())),
     })
 }
@@ -160,8 +169,8 @@ fn fault(code: &'static str, severity: Severity, note: Note, line: u32) -> Fault
 /// A tool that a program calls.
 #[derive(Clone, Copy, Debug)]
 struct CalledTool {
-    /// Its number in the program.
-    number: u32,
+    /// Its place and its offset in the program.
+    called: LatheTool,
     /// The first line that calls it.
     line: u32,
     /// The job of the set-up whose tool it is.
@@ -173,7 +182,7 @@ struct CalledTool {
 impl CalledTool {
     fn taken(self, work: &SetUpWork) -> Fault {
         let tool = work.jobs.get(self.job).map_or("", |job| &job.tool.designation);
-        let note = Note::new("turned-tool-taken").with("number", self.number).with("tool", tool.to_owned());
+        let note = Note::new("turned-tool-taken").with("number", self.called.number).with("tool", tool.to_owned());
         fault("turned-tool-taken", Severity::Note, note, self.line)
     }
 }
@@ -185,7 +194,7 @@ fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) ->
     let mut tools: Vec<CalledTool> = Vec::new();
     for motion in &run.motions {
         let (Some(tool), line) = (motion.modes.tool, motion.line) else { continue };
-        if tools.iter().any(|known| known.number == tool.number) {
+        if tools.iter().any(|known| known.called == tool) {
             continue;
         }
         // A comment is in the block of the call or before it.
@@ -200,17 +209,58 @@ fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) ->
         };
         let length = |index: &usize| work.jobs.get(*index).map_or(0, |job| job.tool.designation.len());
         let named = (0..work.jobs.len()).filter(names).max_by_key(length);
-        let placed = || work.jobs.iter().position(|job| place(&stations, job) == Some(tool.number));
+        let of = |fits: &dyn Fn(&Station) -> bool| {
+            work.jobs.iter().position(|job| station(&stations, job).is_some_and(fits))
+        };
+        // Where tools share a place, their offsets may tell them apart.
+        let mut seated = stations.iter().filter(|one| is_seated(one, tool));
+        let only = seated.next().filter(|_| seated.next().is_none());
+        let placed = || of(&|one| Some(one) == only).or_else(|| of(&|one| one.seat.place == tool.number));
         if let Some(job) = named.or_else(placed) {
-            tools.push(CalledTool { number: tool.number, line, job, is_named: named.is_some() });
+            tools.push(CalledTool { called: tool, line, job, is_named: named.is_some() });
         }
     }
     tools
 }
 
+/// Whether a call means a station: by place and by offset, which controls number for each place or over all places.
+fn is_seated(station: &Station, called: LatheTool) -> bool {
+    let offsets = [station.seat.offset, station.seat.edge];
+    station.seat.place == called.number && called.offset.is_some_and(|offset| offsets.contains(&offset))
+}
+
 /// A text for comparing designations: capitals, digits and all other characters but blanks.
 fn plain(text: &str) -> String {
     text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_uppercase).collect()
+}
+
+/// Tools that nobody can have put in: another one at the same place, with no stop since. A place that the turret of the record
+/// does not have is doubtful: turrets of one lathe differ.
+fn exchanges(operation: &Operation, work: &SetUpWork, run: &LatheRun, tools: &[CalledTool]) -> Vec<Fault> {
+    let designation = |tool: &CalledTool| work.jobs.get(tool.job).map_or("", |job| &*job.tool.designation);
+    let mut faults = Vec::new();
+    let mut standing: BTreeMap<u32, &CalledTool> = BTreeMap::new();
+    let mut beyond = BTreeSet::new();
+    for motion in &run.motions {
+        if motion.act == LatheAct::Stop {
+            standing.clear();
+        }
+        let Some(called) = motion.modes.tool.filter(|_| motion.act.moves()) else { continue };
+        let Some(tool) = tools.iter().find(|tool| tool.called == called) else { continue };
+        let note = |code| Note::new(code).with("number", called.number);
+        if let Some(places) = operation.turret_places.filter(|places| called.number as usize > *places)
+            && beyond.insert(called.number)
+        {
+            let note = note("turned-beyond-turret").with("places", places);
+            faults.push(fault("turned-beyond-turret", Severity::Doubtful, note, motion.line));
+        }
+        let before = standing.insert(called.number, tool);
+        let Some(before) = before.filter(|before| designation(before) != designation(tool)) else { continue };
+        let severity = if before.is_named && tool.is_named { Severity::Wrong } else { Severity::Doubtful };
+        let note = note("turned-no-stop").with("before", designation(before)).with("tool", designation(tool));
+        faults.push(fault("turned-no-stop", severity, note, motion.line));
+    }
+    faults
 }
 
 /// Why a program cannot be compared with the part.
@@ -265,14 +315,15 @@ fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<Vec<Motion>, Not
         if from == to {
             continue;
         }
-        let Some(number) = one.modes.tool.map(|tool| tool.number) else {
+        let Some(called) = one.modes.tool else {
             // On a move from or to an unknown position no tool is needed yet.
             if known.is_none() {
                 continue;
             }
             return Err(NotHeld::NoTool { line });
         };
-        let tool = tools.iter().find(|tool| tool.number == number).ok_or(NotHeld::Tool { line, number })?.job;
+        let number = called.number;
+        let tool = tools.iter().find(|tool| tool.called == called).ok_or(NotHeld::Tool { line, number })?.job;
         if cuts && one.modes.compensation != motion::Side::Off {
             return Err(NotHeld::Compensated { line });
         }

@@ -86,7 +86,8 @@ fn every_answer_of_every_part_agrees() {
         let all = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap();
         let names = all.map(|entry| entry.unwrap().file_name().into_string().unwrap());
         let turned = |name: &String| folder != "examples" || name.starts_with("turned-") || name.starts_with("shaft");
-        parts.extend(names.filter(|name| name.ends_with(".yaml")).filter(turned).map(|name| format!("{folder}/{name}")));
+        parts
+            .extend(names.filter(|name| name.ends_with(".yaml")).filter(turned).map(|name| format!("{folder}/{name}")));
     }
     parts.sort();
     assert!(parts.len() > 40, "{parts:?}");

@@ -44,6 +44,7 @@ pub(crate) mod tapped;
 pub mod times;
 pub mod tool_table;
 pub mod tools;
+pub mod turret;
 mod unfinished;
 pub mod work;
 
@@ -87,6 +88,9 @@ pub struct Operation {
     pub elsewhere: Vec<Elsewhere>,
     /// The set-ups.
     pub set_ups: Vec<SetUpWork>,
+    /// How many tools the turret of its lathe holds.
+    #[serde(skip)]
+    pub turret_places: Option<usize>,
     /// The results of the proof of its jobs.
     #[serde(skip)]
     pub proven: Vec<proof::Proven>,
@@ -322,6 +326,7 @@ fn plan_without(
         blank_advice,
         elsewhere,
         set_ups: done,
+        turret_places: lathe.as_ref().and_then(|lathe| lathe.turret_places),
         proven: Vec::new(),
         findings: Vec::new(),
     };
@@ -335,12 +340,15 @@ fn plan_without(
     Ok(operation)
 }
 
-/// That the turret has fewer places than the operation has tools.
+/// That the turret has fewer places than the operation has tools, and at how many stops tools are put in.
 fn turret(operation: &Operation, lathe: &Lathe<'_>) -> Option<Finding> {
-    let (places, tools) = (lathe.turret_places?, programs::stations(operation).len());
+    let stations = turret::stations(operation);
+    let (places, tools) = (operation.turret_places?, stations.len());
+    let stops = turret::loads(operation, &stations).iter().filter(|load| load.before > 0).count();
     let note = Note::new("turret-too-small")
         .with("tools", tools)
         .with("places", places)
+        .with("stops", stops)
         .with("lathe", Figure::word_of("machine", lathe.id().to_owned()));
     (tools > places).then(|| Finding::of_part(Severity::Doubtful, note))
 }

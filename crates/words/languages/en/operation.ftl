@@ -56,4 +56,8 @@ nose-fills-hollow = the nose of radius { $nose } mm fills the hollow of radius {
 lathe-unsafe = its program is not written, because the proof rejects it: { $why }
     .help = the page of the operation lists every finding; change the part, its blank, tool or scheme until there is none
 turning-not-proven = set-up { $number }: what it does to the stock could not be proven: { $why }
-turret-too-small = { $tools } tools, and the turret of { $lathe } has { $places } places: put the others in by hand at a stop, at the number of a place that is free then
+turret-too-small = { $tools } tools, and the turret of { $lathe } has { $places } places: they share places, T1/7 is tool 7 in place 1; { $stops ->
+        [0] they are changed by hand between the set-ups
+        [one] at one planned stop (M0) of the programs they are changed by hand
+       *[other] at { $stops } planned stops (M0) of the programs they are changed by hand
+    }, see the setting sheet

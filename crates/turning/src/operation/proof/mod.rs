@@ -191,8 +191,7 @@ fn told_but<'a>(
     let left = || axial().flat_map(|axial| &axial.left);
     let names = stretches.flat_map(|stretch| &stretch.profile.surfaces).map(|surface| &surface.name);
     let names = names.filter(|name| !left().any(|other| other == *name)).chain(axial().flat_map(Axial::far));
-    let own: Vec<Figure> =
-        names.filter(|name| !undone.contains(name)).map(|name| name.into_figure()).collect();
+    let own: Vec<Figure> = names.filter(|name| !undone.contains(name)).map(|name| name.into_figure()).collect();
     let is_told = move |fault: &&Fault| match fault {
         // The end of an allowance for another machine lies on the slope beside it.
         Fault::Stands { surface, thickness, at, .. }
