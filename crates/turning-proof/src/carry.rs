@@ -5,6 +5,7 @@ use crate::note::Figure;
 use crate::plane::{Convex, Region, Rule, Vector, Window};
 use crate::set_up::{Motion, MotionKind, SetUp};
 use crate::stock::Stock;
+use crate::taps::LEAD;
 use crate::target::Target;
 use crate::tool::{Outline, Tool};
 use crate::units::{At, Mm};
@@ -211,9 +212,16 @@ impl<'s> Carried<'s> {
                 continue;
             }
             let here = from.r + (to.r - from.r) * (middle - from.z) / (to.z - from.z);
-            let outwards = thread.thread.root.0 > thread.thread.crest.0;
+            let (crest, root) = (thread.thread.crest.0, thread.thread.root.0);
+            let outwards = root > crest;
             let deeper = |known: f64| if outwards { known.max(here) } else { known.min(here) };
             *deepest = Some(deepest.map_or(here, deeper));
+            let cuts = (here - crest) * (root - crest).signum() > TOLERANCE;
+            let pitch = thread.thread.pitch;
+            if let Some(lead) = motion.lead.filter(|lead| cuts && (lead.0 - pitch.0).abs() > LEAD) {
+                let (surface, at, block) = (thread.surface.clone(), motion.path.to(), motion.block);
+                self.faults.add(Fault::ThreadLead { surface, pitch, lead, at, block, count: 1 });
+            }
         }
     }
 

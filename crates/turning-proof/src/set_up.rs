@@ -91,6 +91,8 @@ pub struct Thread {
     pub shallow: Mm,
     /// The radius that no pass may go beyond: the pitch diameter with the least metal.
     pub root: Mm,
+    /// Its pitch, by which its passes are fed.
+    pub pitch: Mm,
     /// How far its passes may cut into the metal towards the chuck; 0 where it ends in a relief.
     pub run_out: Mm,
     /// What a tap must meet; none for a thread outside.

@@ -21,6 +21,7 @@ mod pages;
 mod passes;
 mod programs;
 mod read_back;
+mod read_pace;
 mod schemes;
 mod setting;
 mod tailstock;

@@ -17,7 +17,7 @@ const CONTROLS: [&str; 3] = ["linuxcnc", "fanuc", "sinumerik"];
 fn found(operation: &Operation, text: &str) -> Vec<Fault> {
     let language = LatheLanguage::read("linuxcnc-lathe", &KNOWLEDGE).unwrap();
     let run = read(text, &language, &[] as &[Subprogram<'_>]);
-    compare_with_part(operation, 1, text, &run)
+    compare_with_part(operation, 1, text, &run, &KNOWLEDGE).unwrap()
 }
 
 /// Codes with how grave they are and their lines, without the notes.
@@ -62,7 +62,7 @@ fn programs_of_the_examples_do_what_their_toolpaths_do() {
                     .collect();
                 let language = LatheLanguage::read(reader(control, &KNOWLEDGE).unwrap().unwrap(), &KNOWLEDGE).unwrap();
                 let run = read(&files[0].text, &language, &beside);
-                let faults = compare_with_part(&operation, written.set_up, &files[0].text, &run);
+                let faults = compare_with_part(&operation, written.set_up, &files[0].text, &run, &KNOWLEDGE).unwrap();
                 // A centre of Morse 5 before a thin end is doubtful: the page says so too.
                 let mut grave = grave(&faults);
                 grave.retain(|one| (one.0, one.1) != ("swept-struck", Severity::Doubtful));
@@ -173,7 +173,7 @@ fn a_turret_that_is_too_small_is_filled_at_a_stop() {
         assert_eq!(why.code(), "turned-read-back");
         let language = LatheLanguage::read(reader(control, &KNOWLEDGE).unwrap().unwrap(), &KNOWLEDGE).unwrap();
         let run = read(&files[0].text, &language, &[] as &[Subprogram<'_>]);
-        let faults = compare_with_part(&operation, 1, &files[0].text, &run);
+        let faults = compare_with_part(&operation, 1, &files[0].text, &run, &KNOWLEDGE).unwrap();
         let found: Vec<_> = grave(&faults).iter().map(|one| (one.0, one.1)).collect();
         assert_eq!(found, [("turned-no-stop", Severity::Wrong); 4], "{control}");
     }

@@ -235,7 +235,7 @@ fn a_spoilt_tapping_program_is_found_out() {
     let language = LatheLanguage::read("linuxcnc-lathe", &KNOWLEDGE).unwrap();
     let found = |text: &str| {
         let run = read(text, &language, &[] as &[Subprogram<'_>]);
-        let faults = compare_with_part(&operation, 1, text, &run);
+        let faults = compare_with_part(&operation, 1, text, &run, &KNOWLEDGE).unwrap();
         let grave = faults.into_iter().filter(|fault| fault.severity <= Severity::Wrong);
         grave.map(|fault| fault.code).collect::<Vec<_>>()
     };

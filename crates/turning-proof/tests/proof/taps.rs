@@ -29,7 +29,14 @@ fn made(made: &Made) -> SetUp {
         line("bottom", (-28.0, 5.1), (-28.0, 0.0)),
     ];
     let tap = TapLimits { diameter: Mm(12.0), pitch: Mm(1.75), largest_hole: Mm(10.441), run_out: Mm(7.0) };
-    bore[1].thread = Some(Thread { crest: Mm(5.1), shallow: Mm(5.8), root: Mm(6.0), run_out: Mm(0.0), tap: Some(tap) });
+    bore[1].thread = Some(Thread {
+        crest: Mm(5.1),
+        shallow: Mm(5.8),
+        root: Mm(6.0),
+        pitch: tap.pitch,
+        run_out: Mm(0.0),
+        tap: Some(tap),
+    });
     let radius = made.hole / 2.0;
     let chamfer = 6.6 - radius;
     let inner = [(0.0, 6.6), (-chamfer, radius), (made.deep, radius), (made.deep, 0.0)];

@@ -221,6 +221,7 @@ fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
         Fault::Struck { .. } => !meets_tailstock(fault),
         Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
         Fault::TapBlocked { .. } | Fault::TapOutOfStep { .. } | Fault::TapHoleWide { .. } => true,
+        Fault::ThreadLead { .. } => true,
     }
 }
 

@@ -99,7 +99,14 @@ fn thread(profile: &Profile, at: usize, operation: &Operation) -> Option<proof::
         largest_hole: mm(tapped.largest_hole_mm),
         run_out: mm(tapped.run_out_mm),
     });
-    Some(proof::Thread { crest: Mm(turned), shallow: Mm(shallow), root: Mm(root), run_out, tap })
+    Some(proof::Thread {
+        crest: Mm(turned),
+        shallow: Mm(shallow),
+        root: Mm(root),
+        pitch: mm(thread.pitch),
+        run_out,
+        tap,
+    })
 }
 
 /// How far a thread may cut into the metal behind it: as the standard allows, but not into a seat, mm.

@@ -5,10 +5,14 @@
 //! toolpaths. Before its first motion, and after a motion to a reference point, the tool is far away. A tool that the
 //! text does not name is the program's tool at that place of the turret; then no finding is worse than doubtful.
 
-use std::collections::{BTreeMap, BTreeSet};
+mod calls;
+mod lathe;
+mod pace;
 
-use technolog_core::ascii::ascii;
 use technolog_turning_proof::{At, Block, Mm, Motion, MotionKind, Piece, Sense};
+
+use calls::{CalledTool, exchanges, tools};
+pub use lathe::against_lathe;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -16,26 +20,34 @@ use crate::knowledge::contract::Word;
 use crate::motion;
 use crate::note::{Note, Severity};
 use crate::program::lathe::{
-    LatheAct, LatheFeed, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, LatheTool, Subprogram,
-    is_serious, read,
+    LatheAct, LatheFeed, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, Subprogram, is_serious, read,
 };
 use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
 use crate::turning::operation::beside::beside;
 use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told_of_program};
-use crate::turning::operation::turret::{Station, station, stations};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::turning::program::ProgramFile;
+use crate::turning::tooling::Lathe;
 
 /// The assumed position of a tool that is not known, mm from the axis and from the face.
 const FAR: f64 = 1000.0;
 
 /// Compares a program of a set-up with the part, after the jobs of earlier set-ups. Returns the findings of the proof
 /// with their lines, or why there is no comparison.
-pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn compare_with_part(
+    operation: &Operation,
+    set_up: u8,
+    text: &str,
+    run: &LatheRun,
+    knowledge: &Knowledge,
+) -> Result<Vec<Fault>, KnowledgeError> {
     let Compared { work, proven, tools } = match compared(operation, set_up, text, run) {
         Ok(compared) => compared,
-        Err(why) => return vec![*why],
+        Err(why) => return Ok(vec![*why]),
     };
     let taken: Vec<&CalledTool> = tools.iter().filter(|tool| !tool.is_named).collect();
     let mut faults: Vec<Fault> = taken.iter().map(|tool| tool.taken(work)).collect();
@@ -45,7 +57,7 @@ pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &La
         Err(refused) => {
             let note = Note::new("turning-not-proven").with("number", set_up).with("why", refused.note());
             faults.push(fault("turning-not-proven", Severity::Doubtful, note, end));
-            return faults;
+            return Ok(faults);
         }
     };
     // The final shape is the work of all tools; what is cut or hit in a line is the work of the tool that moves
@@ -61,11 +73,12 @@ pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &La
     });
     let found: Vec<Fault> = found.collect();
     faults.extend(exchanges(operation, work, run, &tools));
+    faults.extend(pace::paced(operation, work, run, &tools, knowledge)?);
     faults.extend(of_plan(operation, set_up, found.iter().any(is_serious), end));
     faults.extend(found);
     let note = Note::new(HELD).with("number", set_up).with("of", operation.set_ups.len());
     faults.push(fault(HELD, Severity::Note, note, end));
-    faults
+    Ok(faults)
 }
 
 /// What is wrong with the part beside the motions of a program: the plan says it, at the end of the program. What the plan cannot
@@ -108,10 +121,14 @@ pub fn read_back(
     }
     Ok(match compared(operation, set_up, &main.text, &run) {
         Ok(compared) => {
-            let exchange = exchanges(operation, compared.work, &run, &compared.tools);
-            let exchange = exchange.into_iter().find(is_serious);
-            let of_exchange = exchange.map(|fault| at_line(fault.span.line, fault.note));
-            rejected(operation, &compared.proven).or(of_exchange)
+            let (work, tools) = (compared.work, &compared.tools);
+            let mut faults = exchanges(operation, work, &run, tools);
+            faults.extend(pace::paced(operation, work, &run, tools, knowledge)?);
+            if let Some(id) = &operation.workpiece.machine {
+                faults.extend(against_lathe(&run, &Lathe::find(knowledge, id)?)?);
+            }
+            let serious = faults.into_iter().find(is_serious).map(|fault| at_line(fault.span.line, fault.note));
+            rejected(operation, &compared.proven).or(serious)
         }
         Err(why) => Some(at_line(why.span.line, why.note.clone())),
     })
@@ -164,103 +181,6 @@ pub const HELD: &str = "turned-held";
 fn fault(code: &'static str, severity: Severity, note: Note, line: u32) -> Fault {
     let span = TextSpan { line, column: 1, width: 1 };
     Fault { code, severity, rule: RULE, block: None, calls: Vec::new(), span, subject: None, note }
-}
-
-/// A tool that a program calls.
-#[derive(Clone, Copy, Debug)]
-struct CalledTool {
-    /// Its place and its offset in the program.
-    called: LatheTool,
-    /// The first line that calls it.
-    line: u32,
-    /// The job of the set-up whose tool it is.
-    job: usize,
-    /// Whether the text names it; otherwise it is identified by its place.
-    is_named: bool,
-}
-
-impl CalledTool {
-    fn taken(self, work: &SetUpWork) -> Fault {
-        let tool = work.jobs.get(self.job).map_or("", |job| &job.tool.designation);
-        let note = Note::new("turned-tool-taken").with("number", self.called.number).with("tool", tool.to_owned());
-        fault("turned-tool-taken", Severity::Note, note, self.line)
-    }
-}
-
-/// The tools that a program calls and that the set-up has.
-fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) -> Vec<CalledTool> {
-    let lines: Vec<String> = text.lines().map(plain).collect();
-    let stations = stations(operation);
-    let mut tools: Vec<CalledTool> = Vec::new();
-    for motion in &run.motions {
-        let (Some(tool), line) = (motion.modes.tool, motion.line) else { continue };
-        if tools.iter().any(|known| known.called == tool) {
-            continue;
-        }
-        // A comment is in the block of the call or before it.
-        let at = usize::try_from(line).unwrap_or(usize::MAX);
-        let near = [at.checked_sub(2), at.checked_sub(1)].into_iter().flatten().filter_map(|index| lines.get(index));
-        let remarks: Vec<&String> = near.collect();
-        let names = |index: &usize| {
-            let name = work.jobs.get(*index).map_or("", |job| &job.tool.designation);
-            // Controls can show only Latin letters.
-            let names = [plain(name), plain(&ascii(name))];
-            names.iter().any(|name| !name.is_empty() && remarks.iter().any(|remark| remark.contains(name)))
-        };
-        let length = |index: &usize| work.jobs.get(*index).map_or(0, |job| job.tool.designation.len());
-        let named = (0..work.jobs.len()).filter(names).max_by_key(length);
-        let of = |fits: &dyn Fn(&Station) -> bool| {
-            work.jobs.iter().position(|job| station(&stations, job).is_some_and(fits))
-        };
-        // Where tools share a place, their offsets may tell them apart.
-        let mut seated = stations.iter().filter(|one| is_seated(one, tool));
-        let only = seated.next().filter(|_| seated.next().is_none());
-        let placed = || of(&|one| Some(one) == only).or_else(|| of(&|one| one.seat.place == tool.number));
-        if let Some(job) = named.or_else(placed) {
-            tools.push(CalledTool { called: tool, line, job, is_named: named.is_some() });
-        }
-    }
-    tools
-}
-
-/// Whether a call means a station: by place and by offset, which controls number for each place or over all places.
-fn is_seated(station: &Station, called: LatheTool) -> bool {
-    let offsets = [station.seat.offset, station.seat.edge];
-    station.seat.place == called.number && called.offset.is_some_and(|offset| offsets.contains(&offset))
-}
-
-/// A text for comparing designations: capitals, digits and all other characters but blanks.
-fn plain(text: &str) -> String {
-    text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_uppercase).collect()
-}
-
-/// Tools that nobody can have put in: another one at the same place, with no stop since. A place that the turret of the record
-/// does not have is doubtful: turrets of one lathe differ.
-fn exchanges(operation: &Operation, work: &SetUpWork, run: &LatheRun, tools: &[CalledTool]) -> Vec<Fault> {
-    let designation = |tool: &CalledTool| work.jobs.get(tool.job).map_or("", |job| &*job.tool.designation);
-    let mut faults = Vec::new();
-    let mut standing: BTreeMap<u32, &CalledTool> = BTreeMap::new();
-    let mut beyond = BTreeSet::new();
-    for motion in &run.motions {
-        if motion.act == LatheAct::Stop {
-            standing.clear();
-        }
-        let Some(called) = motion.modes.tool.filter(|_| motion.act.moves()) else { continue };
-        let Some(tool) = tools.iter().find(|tool| tool.called == called) else { continue };
-        let note = |code| Note::new(code).with("number", called.number);
-        if let Some(places) = operation.turret_places.filter(|places| called.number as usize > *places)
-            && beyond.insert(called.number)
-        {
-            let note = note("turned-beyond-turret").with("places", places);
-            faults.push(fault("turned-beyond-turret", Severity::Doubtful, note, motion.line));
-        }
-        let before = standing.insert(called.number, tool);
-        let Some(before) = before.filter(|before| designation(before) != designation(tool)) else { continue };
-        let severity = if before.is_named && tool.is_named { Severity::Wrong } else { Severity::Doubtful };
-        let note = note("turned-no-stop").with("before", designation(before)).with("tool", designation(tool));
-        faults.push(fault("turned-no-stop", severity, note, motion.line));
-    }
-    faults
 }
 
 /// Why a program cannot be compared with the part.
