@@ -103,15 +103,8 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
     let operation = operation::plan(&Workpiece::from(shaft), knowledge)?;
     let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
     let operation_findings = wrong.cloned().collect();
-    let mut ways = Ways {
-        sequences,
-        schemes,
-        ways: Vec::new(),
-        pass_direction,
-        recommended: None,
-        operation_findings,
-        operation,
-    };
+    let mut ways =
+        Ways { sequences, schemes, ways: Vec::new(), pass_direction, recommended: None, operation_findings, operation };
     let findings = ways.schemes.findings.clone();
     ways.sequences.findings.extend(findings);
     if ways.schemes.schemes.is_empty() {
