@@ -185,6 +185,8 @@ pub struct Motion {
 pub struct SetUp {
     /// The finished part.
     pub profile: Profile,
+    /// The whole of it, where the profile is the stretch that this set-up makes: no later one puts metal back.
+    pub finished: Option<Profile>,
     /// The stock before: the blank, or the remaining metal of the previous set-up.
     pub stock: Stock,
     /// Obstacles: jaws, centres, steady rests.

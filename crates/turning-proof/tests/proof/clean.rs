@@ -264,3 +264,28 @@ fn the_stock_is_turned_over_with_the_part() {
     assert_eq!(over.turned_over(Mm(50.0)).volume(), stock.volume());
     assert!(prove(&SetUp::default()).is_err());
 }
+
+/// A set-up that makes the face only: 1 mm of a bar of Ø40 stands over it, π·20² mm³. The pin of Ø30 behind the face is made in a later
+/// set-up, which cannot put back what a pass at Ø29 cuts away, half a millimetre a side.
+#[test]
+fn what_a_later_set_up_makes_is_not_cut_before() {
+    let face = vec![line("face", (0.0, 0.0), (0.0, 15.0))];
+    let tool = || bare(insert(95.0, 5.0, 0.0, Hand::Right, Side::Outside));
+    let faced = program(0, (5.0, 25.0), &[(Rapid, 0.0, 25.0), (Feed, 0.0, -0.5), (Rapid, 5.0, -0.5)]);
+    let mut work = bar_work(face, 20.0, (-60.0, 1.0), tool(), faced);
+    let mut whole = chain(&[(0.0, 0.0), (0.0, 15.0)]);
+    whole.extend([line("pin", (0.0, 15.0), (-30.0, 15.0)), line("end", (-30.0, 15.0), (-30.0, 0.0))]);
+    work.finished = Some(Profile { outside: whole, bore: Vec::new() });
+    let proof = proven(&work);
+    assert_eq!(proof.faults, []);
+    let over = std::f64::consts::PI * 400.0;
+    for volume in [proof.volumes.to_remove, proof.volumes.removed] {
+        assert!((volume.0 - over).abs() < 0.1, "{volume:?}");
+    }
+    let turned = [(Rapid, 0.0, 25.0), (Feed, 0.0, -0.5), (Rapid, 2.0, -0.5), (Rapid, 2.0, 14.5), (Feed, -10.0, 14.5)];
+    work.motions = program(0, (5.0, 25.0), &turned);
+    let faults = wrong(&work);
+    let [Fault::Gouge { surface, depth, .. }] = &faults[..] else { panic!("{faults:?}") };
+    assert_eq!(surface.as_ref().map(|one| one.text().into_owned()), Some("pin".to_owned()));
+    assert!((depth.0 - 0.5).abs() < 0.001, "{depth:?}");
+}

@@ -57,6 +57,7 @@ fn made(made: &Made) -> SetUp {
     let motions = motions.into_iter().map(|one| Motion { lead: Some(Mm(made.lead)), ..one }).collect();
     SetUp {
         profile: Profile { outside, bore },
+        finished: None,
         stock: Stock::between(&lines(&outer), &lines(&inner)),
         bodies: Vec::new(),
         tools: vec![bare(cutter)],
@@ -137,6 +138,7 @@ fn the_bar_behind_a_thread_is_of_the_next_set_up() {
     let inner = [(0.0, 12.0), (-5.682, 12.0), (-5.682, 3.4), (-33.132, 3.4), (-35.175, 0.0)];
     let work = SetUp {
         profile: Profile { outside, bore },
+        finished: None,
         stock: Stock::between(&lines(&outer), &lines(&inner)),
         bodies: Vec::new(),
         tools: Vec::new(),

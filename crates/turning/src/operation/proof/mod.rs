@@ -16,7 +16,7 @@ mod tool;
 
 use super::unfinished::undone;
 use super::{Axial, Operation, SetUpWork, Tailstock};
-use profile::profile;
+use profile::profiles;
 use tool::tool;
 
 /// The result of the proof for each set-up, in the order of work.
@@ -68,8 +68,10 @@ pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork
     if set_up.set_up.turned_over != over {
         stock = stock.turned_over(Mm(workpiece.length().to_mm()));
     }
+    let (profile, finished) = profiles(operation, set_up);
     let task = SetUp {
-        profile: profile(operation, set_up),
+        profile,
+        finished,
         stock,
         bodies: bodies(set_up),
         tools: set_up.jobs.iter().map(|job| tool(&job.tool)).collect(),
