@@ -48,7 +48,7 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
     if let Some((lathe, own)) = lathe.as_ref().zip(of_part) {
         control::same_machine(lathe.id(), own, context)?;
     }
-    let rates = lathe.map(|lathe| LatheRates { rapid_z: lathe.rapid_z, rapid_x: None });
+    let rates = lathe.as_ref().map(|lathe| LatheRates { rapid_z: lathe.rapid_z, rapid_x: None });
     let shown = args.program.display().to_string();
     let text = context.text(&args.program)?;
     let beside = contours(&args.program, &text, context)?;
@@ -57,7 +57,12 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
     if let Some(part) = &part {
         let operation = turn_operation::plan(part, knowledge, context)?;
         let set_up = args.set_up.and_then(|number| u8::try_from(number).ok()).unwrap_or(1);
-        run.faults.extend(turned::compare_with_part(&operation, set_up, &text, &run));
+        let compared = turned::compare_with_part(&operation, set_up, &text, &run, knowledge);
+        run.faults.extend(compared.map_err(at_fault)?);
+    }
+    if let Some(lathe) = &lathe {
+        let faults = turned::against_lathe(&run, lathe).map_err(at_fault)?;
+        run.faults.extend(faults);
     }
     let time = times(&run.motions, rates);
     match format {

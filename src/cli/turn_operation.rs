@@ -8,10 +8,11 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::{Finding, Note, Severity};
 use technolog::report;
 use technolog::turning::jobs::Work;
-use technolog::turning::operation::programs::{Form, OperationProgram, programs_named};
+use technolog::turning::operation::programs::{Form, OperationProgram, Remarks, programs_named};
 use technolog::turning::operation::setting;
 use technolog::turning::operation::times::{Times, times};
 use technolog::turning::operation::tool_table;
+use technolog::turning::operation::turret::Put;
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::program::NotWritten;
 use technolog::turning::workpiece::Workpiece;
@@ -108,7 +109,9 @@ pub fn program(
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let (control, form) = (wanted.control.name(), wanted.form);
     let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
-    let all = programs_named(operation, control, form, wanted.spindle, &named, knowledge).map_err(lacking)?;
+    let put = |put: &Put<'_>, offset: u32| context.lang.say(&put.note(offset));
+    let remarks = Remarks { work: &named, put: &put };
+    let all = programs_named(operation, control, form, wanted.spindle, remarks, knowledge).map_err(lacking)?;
     let Some(written) = wanted.number.checked_sub(1).and_then(|index| all.get(index)) else {
         let (message, help) = if all.is_empty() {
             (say!(context.lang, "turn-no-programs"), context.word("turn-see-operation").to_owned())
@@ -129,7 +132,7 @@ pub fn program(
                     // The passes of a cycle are made by the control itself.
                     Form::Cycles => Note::new("turned-cycle-rejected").with("why", why),
                 };
-                return Err(not_written(written, note, context));
+                return Ok(refused(operation, written, note, context));
             }
             if turned::reader(wanted.control.name(), knowledge).map_err(lacking)?.is_none() {
                 super::output::complain(&say!(context.lang, "turn-not-read-back", control = wanted.control.name()));
@@ -155,13 +158,10 @@ pub fn program(
                 );
                 super::output::complain(&format!("{text}\n"));
             }
-            let mut set_ups = operation.set_ups.iter().map(|one| &one.set_up);
-            let is_held = set_ups.any(|one| one.number == written.set_up && one.holds_at.is_some());
-            let not_held =
-                || Finding::of_part(Severity::Wrong, Note::new("set-up-not-held").with("number", written.set_up));
-            Ok(leave(operation, (!is_held).then(not_held), context))
+            Ok(leave(operation, context))
         }
-        Err(error) => Err(not_written(written, error.note(), context)),
+        Err(error) if error.is_found() => Ok(refused(operation, written, error.note(), context)),
+        Err(error) => Err(not_written(written, error.note(), context).into()),
     }
 }
 
@@ -182,7 +182,7 @@ pub fn setting(
         Format::Yaml => context.emit_yaml(&setting)?,
         _ => context.emit_document(&report::turning::setting_page(&setting, context.lang), format)?,
     }
-    Ok(leave(operation, None, context))
+    Ok(leave(operation, context))
 }
 
 /// Writes the tool table of LinuxCNC.
@@ -202,24 +202,34 @@ pub fn tool_table(
     let head = say!(context.lang, "turn-tool-table-head", part = setting.part.as_str());
     let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
     context.emit(&tool_table::tool_table(&setting, &head, named))?;
-    Ok(leave(operation, None, context))
+    Ok(leave(operation, context))
 }
 
-/// Says what is wrong with an operation, or doubtful, beside what goes to the machine, where nobody sees its page; `also` is wrong only there.
-fn leave(operation: &Operation, also: Option<Finding>, context: &Context) -> Outcome {
-    let also = also.filter(|finding| !operation.findings.contains(finding));
-    // Rows that nothing confirms are counted on the page.
-    let told = |finding: &&Finding| finding.severity <= Severity::Doubtful && !report::is_of_row(&finding.note);
-    let told: Vec<&Finding> = operation.findings.iter().filter(told).chain(&also).collect();
-    if told.is_empty() {
-        return Outcome::Done;
-    }
-    let problems = super::proof::part_diagnostics(&told, context);
-    super::output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
-    if told.iter().all(|finding| finding.severity > Severity::Wrong) {
+/// Says what is wrong with an operation, or doubtful, beside what goes to the machine, where nobody sees its page.
+fn leave(operation: &Operation, context: &Context) -> Outcome {
+    tell(operation, context);
+    if !operation.has_errors() {
         return Outcome::Done;
     }
     super::output::complain(&format!("{}\n", context.word("turn-written-despite")));
+    Outcome::Findings
+}
+
+/// Tells the findings of an operation; those about rows that nothing confirms are counted on its page.
+fn tell(operation: &Operation, context: &Context) {
+    let told = |finding: &&Finding| finding.severity <= Severity::Doubtful && !report::is_of_row(&finding.note);
+    let told: Vec<&Finding> = operation.findings.iter().filter(told).collect();
+    if !told.is_empty() {
+        let problems = super::proof::part_diagnostics(&told, context);
+        super::output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
+    }
+}
+
+/// A program that must not be run is not written: something is found wrong, as on the page of the operation.
+fn refused(operation: &Operation, written: &OperationProgram, note: Note, context: &Context) -> Outcome {
+    tell(operation, context);
+    let problem = not_written(written, note, context);
+    super::output::complain(&render(vec![problem], &Texts::default(), context.amount, context.lang));
     Outcome::Findings
 }
 
@@ -233,13 +243,13 @@ fn set(
     set.map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
-fn not_written(written: &OperationProgram, note: Note, context: &Context) -> CliError {
+fn not_written(written: &OperationProgram, note: Note, context: &Context) -> Diagnostic {
     let set_up = say!(context.lang, "turn-job-of", number = written.set_up);
     let text = say!(context.lang, "turn-tool-not-written", tool = set_up, why = &note);
     let problem = Diagnostic::error("not-written", text, None);
     match context.lang.remedy(&note) {
-        Some(remedy) => problem.help(remedy).into(),
-        None => problem.into(),
+        Some(remedy) => problem.help(remedy),
+        None => problem,
     }
 }
 

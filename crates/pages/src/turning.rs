@@ -52,7 +52,7 @@ pub fn page(ways: &Ways, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> D
         }
     }
     schemes::section_of_levels(&mut page, &ways.schemes, lang);
-    findings(&mut page, found.findings.iter(), doubts, lang);
+    findings(&mut page, found.findings.iter().chain(&ways.operation_findings), doubts, lang);
     page
 }
 

@@ -39,6 +39,14 @@ vocabulary! {
         Rapid = "rapid",
     }
 
+    /// A figure of the pace of a lathe program.
+    pub enum PaceFigure {
+        /// The cutting speed.
+        Speed = "speed",
+        /// The feed per revolution.
+        Feed = "feed",
+    }
+
     /// How a load compares with the formula.
     pub enum Judgement {
         /// Too low.
@@ -117,6 +125,14 @@ rows! {
         of_formula: Percent,
     } {
         judgement: Judgement,
+    }
+
+    /// Speed and feed of a lathe program.
+    pub struct AuditLathePace of One("audit-lathe-pace") asked by AuditLathePaceFor {
+        figure: PaceFigure,
+        share: f64,
+    } {
+        severity: Severity,
     }
 
     /// A spindle speed that differs from the rule's.

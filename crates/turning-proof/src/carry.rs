@@ -5,6 +5,7 @@ use crate::note::Figure;
 use crate::plane::{Convex, Region, Rule, Vector, Window};
 use crate::set_up::{Motion, MotionKind, SetUp};
 use crate::stock::Stock;
+use crate::taps::LEAD;
 use crate::target::Target;
 use crate::tool::{Outline, Tool};
 use crate::units::{At, Mm};
@@ -22,6 +23,8 @@ pub struct Carried<'s> {
     outlines: Vec<Outline>,
     bodies: Vec<(Figure, Region)>,
     pub target: Target,
+    /// The whole part, where the target is a stretch of it.
+    finished: Option<Target>,
     pub stock: Stock,
     /// Cut, but not yet subtracted from the stock.
     waiting: Waiting,
@@ -52,6 +55,7 @@ impl<'s> Carried<'s> {
             passes: vec![None; target.threads.len()],
             tapped: vec![None; target.threads.len()],
             target,
+            finished: set_up.finished.as_ref().map(Target::of),
             faults: Faults::default(),
         };
         for (index, motion) in set_up.motions.iter().enumerate() {
@@ -186,20 +190,18 @@ impl<'s> Carried<'s> {
         }
     }
 
-    /// Checks how deep a motion cuts into the finished part.
+    /// Checks how deep a motion cuts into the finished part: into what this set-up makes, then into what others make.
     fn hold_profile(&mut self, motion: &Motion, cuts: &[Convex], thread: bool) {
-        let keep = if thread { &self.target.keep_thread } else { &self.target.keep };
-        let local = keep.within(around(cuts, keep.window()));
-        if local.is_empty() {
-            return;
+        let mut found = gouges(&self.target, kept(&self.target, thread), motion, cuts);
+        if let Some(whole) = &self.finished {
+            let near = kept(whole, thread).within(around(cuts, whole.keep.window()));
+            if !near.is_empty() {
+                let elsewhere = near.made(kept(&self.target, thread), Rule::Without);
+                found.extend(gouges(whole, &elsewhere, motion, cuts));
+            }
         }
-        for piece in local.made(&Region::pieces(cuts), Rule::Both).outer_pieces() {
-            let spots = samples(&piece, 16);
-            let nearest = self.target.nearest(&spots);
-            let deepest = nearest.iter().zip(&spots).max_by(|a, b| a.0.distance.total_cmp(&b.0.distance));
-            let Some((near, &spot)) = deepest.filter(|(near, _)| near.distance > TOLERANCE) else { continue };
-            let (surface, depth, at) = (self.target.surface(near.piece), Mm(near.distance), At::of(spot));
-            self.faults.add(Fault::Gouge { surface, depth, at, block: motion.block, count: 1 });
+        for gouge in found {
+            self.faults.add(gouge);
         }
     }
 
@@ -211,9 +213,16 @@ impl<'s> Carried<'s> {
                 continue;
             }
             let here = from.r + (to.r - from.r) * (middle - from.z) / (to.z - from.z);
-            let outwards = thread.thread.root.0 > thread.thread.crest.0;
+            let (crest, root) = (thread.thread.crest.0, thread.thread.root.0);
+            let outwards = root > crest;
             let deeper = |known: f64| if outwards { known.max(here) } else { known.min(here) };
             *deepest = Some(deepest.map_or(here, deeper));
+            let cuts = (here - crest) * (root - crest).signum() > TOLERANCE;
+            let pitch = thread.thread.pitch;
+            if let Some(lead) = motion.lead.filter(|lead| cuts && (lead.0 - pitch.0).abs() > LEAD) {
+                let (surface, at, block) = (thread.surface.clone(), motion.path.to(), motion.block);
+                self.faults.add(Fault::ThreadLead { surface, pitch, lead, at, block, count: 1 });
+            }
         }
     }
 
@@ -233,6 +242,29 @@ impl<'s> Carried<'s> {
             }
         }
     }
+}
+
+/// The metal that a motion must not cut.
+const fn kept(target: &Target, thread: bool) -> &Region {
+    if thread { &target.keep_thread } else { &target.keep }
+}
+
+/// Where a motion cuts into metal that must stay.
+fn gouges(target: &Target, keep: &Region, motion: &Motion, cuts: &[Convex]) -> Vec<Fault> {
+    let local = keep.within(around(cuts, keep.window()));
+    if local.is_empty() {
+        return Vec::new();
+    }
+    let pieces = local.made(&Region::pieces(cuts), Rule::Both);
+    let gouge = |piece: Region| {
+        let spots = samples(&piece, 16);
+        let nearest = target.nearest(&spots);
+        let deepest = nearest.iter().zip(&spots).max_by(|a, b| a.0.distance.total_cmp(&b.0.distance));
+        let (near, &spot) = deepest.filter(|(near, _)| near.distance > TOLERANCE)?;
+        let (surface, depth, at) = (target.surface(near.piece), Mm(near.distance), At::of(spot));
+        Some(Fault::Gouge { surface, depth, at, block: motion.block, count: 1 })
+    };
+    pieces.outer_pieces().filter_map(gouge).collect()
 }
 
 /// Unites swept pieces in pairs, then the pairs, and so on: pieces of one pass overlap, and a union of all of them at

@@ -128,6 +128,21 @@ pub enum Fault {
         /// The number of motions.
         count: usize,
     },
+    /// A pass of a thread is not fed by its pitch.
+    ThreadLead {
+        /// The thread's surface.
+        surface: Option<Figure>,
+        /// Its pitch.
+        pitch: Mm,
+        /// The travel per turn.
+        lead: Mm,
+        /// The end of the pass.
+        at: At,
+        /// Its block.
+        block: Block,
+        /// The number of passes.
+        count: usize,
+    },
     /// The hole before a tap is wider than the tolerance of the minor diameter.
     TapHoleWide {
         /// The thread's surface.
@@ -170,6 +185,7 @@ impl Fault {
             Self::Stands { .. } => "swept-stands",
             Self::Corner { .. } => "swept-corner",
             Self::ThreadShallow { .. } => "swept-thread-shallow",
+            Self::ThreadLead { .. } => "swept-thread-lead",
             Self::TapBlocked { .. } => "swept-tap-blocked",
             Self::TapOutOfStep { .. } => "swept-tap-out-of-step",
             Self::TapHoleWide { .. } => "swept-tap-hole-wide",
@@ -187,6 +203,7 @@ impl Fault {
             | Self::OffAxis { block, .. }
             | Self::TapBlocked { block, .. }
             | Self::TapOutOfStep { block, .. }
+            | Self::ThreadLead { block, .. }
             | Self::TapHoleWide { block, .. } => Some(*block),
             Self::Stands { .. } | Self::Corner { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } => None,
         }
@@ -210,6 +227,10 @@ impl Fault {
             }
             Self::TapOutOfStep { tool, pitch, lead, at, count, .. } => {
                 let note = Note::new(code).with("z", at.z).with("tool", tool);
+                note.with("pitch", pitch).with("lead", lead).with("count", count)
+            }
+            Self::ThreadLead { surface, pitch, lead, at, count, .. } => {
+                let note = of_surface(Note::new(code).with("z", at.z), surface);
                 note.with("pitch", pitch).with("lead", lead).with("count", count)
             }
             Self::TapHoleWide { surface, width, at, count, .. } => {
@@ -265,6 +286,7 @@ impl Fault {
             {
                 false
             }
+            (Self::ThreadLead { surface: a, .. }, Self::ThreadLead { surface: b, .. }) if a == b => false,
             (Self::Stands { surface: a, thickness: mine, .. }, Self::Stands { surface: b, thickness, .. })
                 if a == b =>
             {
@@ -307,6 +329,7 @@ impl Fault {
             | Self::TapBlocked { count, .. }
             | Self::TapOutOfStep { count, .. }
             | Self::TapHoleWide { count, .. }
+            | Self::ThreadLead { count, .. }
             | Self::Corner { count, .. } => *count,
             Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } => 1,
         }
@@ -322,6 +345,7 @@ impl Fault {
             | Self::TapBlocked { count, .. }
             | Self::TapOutOfStep { count, .. }
             | Self::TapHoleWide { count, .. }
+            | Self::ThreadLead { count, .. }
             | Self::Corner { count, .. } => Some(count),
             Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } => None,
         }

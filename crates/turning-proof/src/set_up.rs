@@ -91,6 +91,8 @@ pub struct Thread {
     pub shallow: Mm,
     /// The radius that no pass may go beyond: the pitch diameter with the least metal.
     pub root: Mm,
+    /// Its pitch, by which its passes are fed.
+    pub pitch: Mm,
     /// How far its passes may cut into the metal towards the chuck; 0 where it ends in a relief.
     pub run_out: Mm,
     /// What a tap must meet; none for a thread outside.
@@ -183,6 +185,8 @@ pub struct Motion {
 pub struct SetUp {
     /// The finished part.
     pub profile: Profile,
+    /// The whole of it, where the profile is the stretch that this set-up makes: no later one puts metal back.
+    pub finished: Option<Profile>,
     /// The stock before: the blank, or the remaining metal of the previous set-up.
     pub stock: Stock,
     /// Obstacles: jaws, centres, steady rests.

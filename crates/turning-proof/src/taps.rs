@@ -9,7 +9,7 @@ use crate::tool::Cutter;
 use crate::units::Mm;
 
 /// How far the lead of a program may differ from the pitch, mm per turn: the last decimal that programs write.
-const LEAD: f64 = 0.0001;
+pub(crate) const LEAD: f64 = 0.0001;
 
 impl Carried<'_> {
     /// A motion of a tap at feed: what it swept, and its body.

@@ -200,7 +200,8 @@ impl Target {
         let edges = Window::around(self.edges.iter().flat_map(|edge| [edge.from, edge.to]));
         let middle = (edges.least.z + edges.most.z) / 2.0;
         self.open.iter().fold(whole, |mut whole, [from, _]| {
-            if from.z < middle {
+            // A contour that is one face ends there towards the chuck.
+            if from.z <= middle {
                 whole.least.z = whole.least.z.max(from.z);
             } else {
                 whole.most.z = whole.most.z.min(from.z);

@@ -41,6 +41,9 @@ pub struct Ways {
     /// The answer; none if there is no stock.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub recommended: Option<Recommended>,
+    /// What is wrong with the operation of the shaft, whichever way is taken. The findings beside it are of the ways alone.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub operation_findings: Vec<Finding>,
     /// The operation of the shaft, whose tool and conditions the program of a way has.
     #[serde(skip)]
     pub operation: Operation,
@@ -98,7 +101,10 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
     let allowed = asked.need(shaft.holding.name())?.direction;
     let pass_direction = Because::answer(&asked.answer, Note::new(code(allowed)));
     let operation = operation::plan(&Workpiece::from(shaft), knowledge)?;
-    let mut ways = Ways { sequences, schemes, ways: Vec::new(), pass_direction, recommended: None, operation };
+    let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+    let operation_findings = wrong.cloned().collect();
+    let mut ways =
+        Ways { sequences, schemes, ways: Vec::new(), pass_direction, recommended: None, operation_findings, operation };
     let findings = ways.schemes.findings.clone();
     ways.sequences.findings.extend(findings);
     if ways.schemes.schemes.is_empty() {

@@ -8,6 +8,7 @@
     reason = "clippy allows it in tests, but not in the functions they share"
 )]
 
+mod agree;
 mod allowances;
 mod elements;
 mod equidistant;
@@ -20,6 +21,7 @@ mod pages;
 mod passes;
 mod programs;
 mod read_back;
+mod read_pace;
 mod schemes;
 mod setting;
 mod tailstock;

@@ -3,8 +3,9 @@
 
 use proptest::prelude::*;
 use serde_json::json;
-use technolog::audit::turned::read_back;
-use technolog::note::Severity;
+use technolog::audit::turned::{compare_with_part, read_back, reader};
+use technolog::note::{Figure, Severity};
+use technolog::program::lathe::{LatheLanguage, is_serious, read};
 use technolog::turning::contour::Side;
 use technolog::turning::length::Half;
 use technolog::turning::operation::programs::{Form, programs};
@@ -314,8 +315,23 @@ proptest! {
                 for one in &written {
                     let Ok(files) = &one.files else { continue };
                     let why = read_back(&operation, one.set_up, control, files, &KNOWLEDGE).unwrap();
-                    let is_own = form == Form::Cycles;
+                    // A spindle that is asked for may be too fast for the lathe or its tools.
+                    let is_of_speed = why.as_ref().is_some_and(|why| match why.figure("why") {
+                        Some(Figure::Note(why)) => why.code().starts_with("lathe-") || why.code() == "turned-speed",
+                        _ => false,
+                    });
+                    let is_own = form == Form::Cycles || (rpm.is_some() && is_of_speed);
                     prop_assert!(is_own || why.is_none(), "{} {}: {:?}\n{}", control, one.set_up, why, draft.text());
+                }
+                // What is wrong with the part is wrong in the check of each of its programs, and nothing else is.
+                for one in written.iter().filter(|_| form == Form::Motions && rpm.is_none()) {
+                    let Ok([main]) = one.files.as_deref() else { continue };
+                    let Some(reader) = reader(control, &KNOWLEDGE).unwrap() else { continue };
+                    let run = read(&main.text, &LatheLanguage::read(reader, &KNOWLEDGE).unwrap(), &[]);
+                    let faults = compare_with_part(&operation, one.set_up, &main.text, &run, &KNOWLEDGE).unwrap();
+                    let serious: Vec<_> = faults.iter().filter(|fault| is_serious(fault)).collect();
+                    let told = (control, one.set_up, &serious, &operation.findings);
+                    prop_assert_eq!(operation.has_errors(), !serious.is_empty(), "{:?}\n{}", told, draft.text());
                 }
                 let worked = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty());
                 let numbers: Vec<u8> = worked.map(|set_up| set_up.set_up.number).collect();

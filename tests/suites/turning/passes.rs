@@ -30,7 +30,9 @@ fn run(args: &[&str]) -> Output {
 
 fn text(args: &[&str]) -> String {
     let output = run(args);
-    assert_eq!((output.status.code(), &*String::from_utf8_lossy(&output.stderr)), (Some(0), ""), "{args:?}");
+    // 1: nothing holds some of these shafts.
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{args:?}");
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{args:?}");
     String::from_utf8(output.stdout).unwrap()
 }
 

@@ -6,6 +6,7 @@ use technolog::program::Fault;
 use technolog::program::lathe::{LatheLanguage, Subprogram, read};
 use technolog::turning::operation::Operation;
 use technolog::turning::operation::programs::{Form, programs};
+use technolog::turning::workpiece::read_turned;
 use technolog_testing::KNOWLEDGE;
 
 use crate::operation::{example, planned};
@@ -16,7 +17,7 @@ const CONTROLS: [&str; 3] = ["linuxcnc", "fanuc", "sinumerik"];
 fn found(operation: &Operation, text: &str) -> Vec<Fault> {
     let language = LatheLanguage::read("linuxcnc-lathe", &KNOWLEDGE).unwrap();
     let run = read(text, &language, &[] as &[Subprogram<'_>]);
-    compare_with_part(operation, 1, text, &run)
+    compare_with_part(operation, 1, text, &run, &KNOWLEDGE).unwrap()
 }
 
 /// Codes with how grave they are and their lines, without the notes.
@@ -61,7 +62,7 @@ fn programs_of_the_examples_do_what_their_toolpaths_do() {
                     .collect();
                 let language = LatheLanguage::read(reader(control, &KNOWLEDGE).unwrap().unwrap(), &KNOWLEDGE).unwrap();
                 let run = read(&files[0].text, &language, &beside);
-                let faults = compare_with_part(&operation, written.set_up, &files[0].text, &run);
+                let faults = compare_with_part(&operation, written.set_up, &files[0].text, &run, &KNOWLEDGE).unwrap();
                 // A centre of Morse 5 before a thin end is doubtful: the page says so too.
                 let mut grave = grave(&faults);
                 grave.retain(|one| (one.0, one.1) != ("swept-struck", Severity::Doubtful));
@@ -135,4 +136,57 @@ fn what_is_not_known_is_not_blamed() {
     assert_eq!(faults_of(&changed(&text, line, "G0 G42 X61.1 Z2.6")), doubtful("turned-compensated"));
     // A text with errors does not move as it says.
     assert_eq!(faults_of(&changed(&text, line, "G0 X61.1 Q")), []);
+}
+
+/// Ten tools in six places: after the six first the program stops once for the other four. A tool comes into the place of one that
+/// has done its work; its offset is its own, of Sinumerik the second one of the place. Without the stop nobody can have put
+/// them in, and the program is not given out.
+#[test]
+fn a_turret_that_is_too_small_is_filled_at_a_stop() {
+    let path = format!("{}/tests/everyday/many-tools.yaml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap();
+    let operation = planned(&read_turned(&path, &text, &KNOWLEDGE).unwrap().into_workpiece());
+    assert_eq!(operation.turret_places, Some(6));
+    let calls = [
+        ("linuxcnc", ["T2 M6 G43 H7", "T3 M6 G43 H8", "T4 M6 G43 H9", "T5 M6 G43 H10"]),
+        ("fanuc", ["T0207", "T0308", "T0409", "T0510"]),
+        ("sinumerik", ["T2 D2", "T3 D2", "T4 D2", "T5 D2"]),
+    ];
+    for (control, calls) in calls {
+        let written = programs(&operation, control, Form::Motions, None, &KNOWLEDGE).unwrap();
+        let mut files = written[0].files.clone().unwrap();
+        let (before, after) = files[0].text.split_once("\nM0\n").unwrap();
+        assert!(!after.contains("\nM0\n"), "one stop is enough");
+        for call in calls {
+            assert!(
+                !before.contains(&format!("\n{call}\n")) && after.contains(&format!("\n{call}\n")),
+                "{control} {call}"
+            );
+        }
+        // The turret is away, the spindle and the coolant are off; then the operator is told the tools.
+        let told = before.lines().rev().take(6).collect::<Vec<_>>();
+        assert_eq!(&told[4..], ["M9", "M5"], "{before}");
+        assert!(told[3].contains("S12M-SCLCR06") && told[0].contains("SER 2525M16"), "{told:?}");
+        assert!(read_back(&operation, 1, control, &files, &KNOWLEDGE).unwrap().is_none(), "{control}");
+        files[0].text = format!("{before}\n{after}");
+        let why = read_back(&operation, 1, control, &files, &KNOWLEDGE).unwrap().unwrap();
+        assert_eq!(why.code(), "turned-read-back");
+        let language = LatheLanguage::read(reader(control, &KNOWLEDGE).unwrap().unwrap(), &KNOWLEDGE).unwrap();
+        let run = read(&files[0].text, &language, &[] as &[Subprogram<'_>]);
+        let faults = compare_with_part(&operation, 1, &files[0].text, &run, &KNOWLEDGE).unwrap();
+        let found: Vec<_> = grave(&faults).iter().map(|one| (one.0, one.1)).collect();
+        assert_eq!(found, [("turned-no-stop", Severity::Wrong); 4], "{control}");
+    }
+}
+
+/// A turret of the record that has no such place: others of that lathe may have it.
+#[test]
+fn a_place_that_the_turret_does_not_have_is_doubtful() {
+    let (operation, text) = sleeve();
+    assert_eq!(operation.turret_places, Some(6));
+    let faults = found(&operation, &text.replace("T5 M6 G43", "T7 M6 G43"));
+    assert_eq!(
+        grave(&faults).iter().map(|one| (one.0, one.1)).collect::<Vec<_>>(),
+        [("turned-beyond-turret", Severity::Doubtful)]
+    );
 }

@@ -287,7 +287,9 @@ fn turn(args: &[&str]) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_technolog"));
     let output =
         command.current_dir(env!("CARGO_MANIFEST_DIR")).env_remove("LANG").arg("turn").args(args).output().unwrap();
-    assert_eq!((output.status.code(), &*String::from_utf8_lossy(&output.stderr)), (Some(0), ""), "{args:?}");
+    // 1: nothing holds some of these shafts.
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{args:?}");
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{args:?}");
     String::from_utf8(output.stdout).unwrap()
 }
 

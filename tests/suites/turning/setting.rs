@@ -5,10 +5,11 @@ use std::process::Command;
 use technolog::program::lathe::{LatheAct, LatheFeed, LatheLanguage, LatheSpeed, Subprogram, read};
 use technolog::turning::jobs::Work;
 use technolog::turning::operation::programs::{Form, programs};
-use technolog::turning::operation::setting::{DiameterLimits, setting};
+use technolog::turning::operation::setting::{DiameterLimits, SetTool, setting};
 use technolog::turning::operation::times::times;
 use technolog::turning::operation::tool_table::tool_table;
 use technolog::turning::tooling::Lathe;
+use technolog::turning::workpiece::read_turned;
 use technolog::words::{Lang, say};
 use technolog_testing::KNOWLEDGE;
 
@@ -74,6 +75,21 @@ fn a_drill_is_set_on_the_axis() {
     let of: Vec<_> = drills.map(|tool| (tool.orientation, tool.x.code(), tool.z.code())).collect();
     assert!(!of.is_empty());
     assert!(of.iter().all(|one| *one == (Some(7), "set-x-axis", "set-z-point")), "{of:?}");
+}
+
+/// The programmed point of a core drill, a reamer and a flat drill lies in its front; they have no point to touch a face with.
+#[test]
+fn a_reamer_touches_a_face_with_its_front() {
+    let everyday = |name: &str| {
+        let path = format!("{}/tests/everyday/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+        read_turned(&path, &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap().into_workpiece()
+    };
+    for (name, work) in [("reamed", Work::CoreDrill), ("reamed", Work::Ream), ("pot", Work::Flatten)] {
+        let sheet = setting(&planned(&everyday(name)), "linuxcnc", &KNOWLEDGE).unwrap();
+        let of_work = |tool: &&SetTool| tool.works.contains(&work);
+        let tool = sheet.tools.iter().find(of_work).unwrap_or_else(|| panic!("{name}: {:?}", sheet.tools));
+        assert_eq!((tool.x.code(), tool.z.code()), ("set-x-axis", "set-z-front"), "{name}");
+    }
 }
 
 /// LinuxCNC's own interpreter loads the table: nose diameter, tip and edges of each tool come out as they were written.

@@ -235,7 +235,7 @@ fn a_spoilt_tapping_program_is_found_out() {
     let language = LatheLanguage::read("linuxcnc-lathe", &KNOWLEDGE).unwrap();
     let found = |text: &str| {
         let run = read(text, &language, &[] as &[Subprogram<'_>]);
-        let faults = compare_with_part(&operation, 1, text, &run);
+        let faults = compare_with_part(&operation, 1, text, &run, &KNOWLEDGE).unwrap();
         let grave = faults.into_iter().filter(|fault| fault.severity <= Severity::Wrong);
         grave.map(|fault| fault.code).collect::<Vec<_>>()
     };
@@ -265,5 +265,5 @@ fn a_tap_is_on_the_setting_sheet() {
     assert_eq!((thread.thread.as_str(), thread.set_up), ("M12-6H", 1));
     assert!(thread.pitch_diameter.is_some() && thread.wire_mm.is_none());
     let tool = sheet.tools.iter().find(|tool| tool.works == [Work::Tap]).unwrap();
-    assert_eq!((tool.x.code(), tool.z.code()), ("set-x-axis", "set-z-point"));
+    assert_eq!((tool.x.code(), tool.z.code()), ("set-x-axis", "set-z-front"));
 }

@@ -32,7 +32,8 @@ fn ways(text: &str) -> Ways {
 fn turn(args: &[&str]) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_technolog"));
     let output = command.current_dir(env!("CARGO_MANIFEST_DIR")).arg("turn").args(args).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{args:?}");
+    // 1: nothing holds the shaft of the paper.
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{args:?}");
     String::from_utf8(output.stdout).unwrap()
 }
 

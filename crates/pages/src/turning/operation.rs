@@ -63,7 +63,7 @@ pub fn operation_page(
 /// The programs of an operation, one on each line.
 pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
     let line = |(index, program): (usize, &OperationProgram)| {
-        let tools: Vec<String> = program.places.iter().map(|place| format!("T{place}")).collect();
+        let tools: Vec<String> = program.seats.iter().map(|seat| jobs::seated(*seat)).collect();
         let summary = say!(
             lang,
             "turn-program",

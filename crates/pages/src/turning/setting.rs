@@ -39,7 +39,7 @@ pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
     page.heading(2, say!(lang, "turn-setting-measured"));
     let measured = setting.tools.iter().map(|tool| {
         let (x, z) = (lang.say(&tool.x), lang.say(&tool.z));
-        Item::from(say!(lang, "turn-setting-offsets", place = tool.station.place, x = x, z = z))
+        Item::from(say!(lang, "turn-setting-offsets", tool = seated(tool, lang), x = x, z = z))
     });
     page.push(Block::List(measured.collect()));
     page
@@ -106,7 +106,7 @@ fn row(tool: &SetTool, lang: Lang) -> Vec<Cell> {
     let set_ups: Vec<String> = tool.set_ups.iter().map(u8::to_string).collect();
     let works: Vec<&str> = tool.works.iter().map(|work: &Work| lang.term("turn-does", work.name())).collect();
     vec![
-        format!("T{}", station.place).into(),
+        seated(tool, lang).into(),
         station.tool.designation.as_str().into(),
         tool.insert.as_deref().unwrap_or_default().into(),
         shank(&station.tool).into(),
@@ -118,6 +118,15 @@ fn row(tool: &SetTool, lang: Lang) -> Vec<Cell> {
         "______".into(),
         "______".into(),
     ]
+}
+
+/// A tool by its place, with its offset where several share places.
+fn seated(tool: &SetTool, lang: Lang) -> String {
+    let place = tool.station.seat.place;
+    match tool.offset {
+        Some(offset) => say!(lang, "turn-setting-seat", place = place, offset = offset),
+        None => format!("T{place}"),
+    }
 }
 
 /// The clamped part of a tool: height and width of a square shank, or the diameter of a bar; empty where the catalog

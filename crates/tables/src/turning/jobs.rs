@@ -125,7 +125,8 @@ rows! {
         material_group: &'t str,
     } {
         speed: MetresPerMinute,
-    } shown { speed_max }
+        speed_max: MetresPerMinute,
+    }
 
     /// The least width of a parting blade by the diameter of the bar.
     pub struct PartingBlade of One("parting-blade") asked by PartingBladeFor {

@@ -123,7 +123,8 @@ pub fn thread(last: f64) -> SetUp {
     let mut part =
         chain(&[(0.0, 0.0), (0.0, 8.5), (-1.5, 10.0), (-20.0, 10.0), (-20.0, 8.5), (-24.0, 8.5), (-24.0, 12.0)]);
     part.push(line("rest", (-24.0, 12.0), (-40.0, 12.0)));
-    part[2].thread = Some(Thread { crest: Mm(9.9), shallow: Mm(8.825), root: Mm(8.775), run_out: Mm(0.0), tap: None });
+    let (crest, shallow, root) = (Mm(9.9), Mm(8.825), Mm(8.775));
+    part[2].thread = Some(Thread { crest, shallow, root, pitch: Mm(2.5), run_out: Mm(0.0), tap: None });
     let mut moves = vec![];
     for radius in [9.5, 9.1, 8.9, last] {
         moves.extend([(Rapid, 4.0, radius), (Pass, -22.0, radius), (Rapid, -22.0, 13.0), (Rapid, 4.0, 13.0)]);
@@ -151,6 +152,22 @@ fn a_thread_goes_down_to_its_root_and_leaves_its_crests() {
     assert_eq!(proof.left.volume(), work.stock.volume(), "the crests stay");
     // Drawn at its nominal diameter it is turned down to the crests all the same.
     assert_eq!(wrong(&thread(8.775)).len(), 0, "{:?}", wrong(&thread(8.775)));
+}
+
+/// Four passes at 2.5 mm per turn make its thread; one at 2.4 spoils it.
+#[test]
+fn a_pass_of_a_thread_is_fed_by_its_pitch() {
+    let mut work = thread(8.775);
+    for motion in &mut work.motions {
+        motion.lead = (motion.kind == Pass).then_some(Mm(2.5));
+    }
+    assert_eq!(wrong(&work), []);
+    let second = work.motions.iter_mut().filter(|motion| motion.kind == Pass).nth(1).unwrap();
+    second.lead = Some(Mm(2.4));
+    let block = second.block;
+    let faults = wrong(&work);
+    let [Fault::ThreadLead { pitch, lead, block: of, count: 1, .. }] = &faults[..] else { panic!("{faults:?}") };
+    assert_eq!((pitch.0, lead.0, *of), (2.5, 2.4, block));
 }
 
 /// Beside a shoulder of Ø40 the flanks of a large point would open into the metal, at 15.6 mm over the root by 9 mm to each side;
@@ -246,4 +263,29 @@ fn the_stock_is_turned_over_with_the_part() {
     assert!((over.volume().0 - volume).abs() < 0.01 && (stock.volume().0 - volume).abs() < 0.01);
     assert_eq!(over.turned_over(Mm(50.0)).volume(), stock.volume());
     assert!(prove(&SetUp::default()).is_err());
+}
+
+/// A set-up that makes the face only: 1 mm of a bar of Ø40 stands over it, π·20² mm³. The pin of Ø30 behind the face is made in a later
+/// set-up, which cannot put back what a pass at Ø29 cuts away, half a millimetre a side.
+#[test]
+fn what_a_later_set_up_makes_is_not_cut_before() {
+    let face = vec![line("face", (0.0, 0.0), (0.0, 15.0))];
+    let tool = || bare(insert(95.0, 5.0, 0.0, Hand::Right, Side::Outside));
+    let faced = program(0, (5.0, 25.0), &[(Rapid, 0.0, 25.0), (Feed, 0.0, -0.5), (Rapid, 5.0, -0.5)]);
+    let mut work = bar_work(face, 20.0, (-60.0, 1.0), tool(), faced);
+    let mut whole = chain(&[(0.0, 0.0), (0.0, 15.0)]);
+    whole.extend([line("pin", (0.0, 15.0), (-30.0, 15.0)), line("end", (-30.0, 15.0), (-30.0, 0.0))]);
+    work.finished = Some(Profile { outside: whole, bore: Vec::new() });
+    let proof = proven(&work);
+    assert_eq!(proof.faults, []);
+    let over = std::f64::consts::PI * 400.0;
+    for volume in [proof.volumes.to_remove, proof.volumes.removed] {
+        assert!((volume.0 - over).abs() < 0.1, "{volume:?}");
+    }
+    let turned = [(Rapid, 0.0, 25.0), (Feed, 0.0, -0.5), (Rapid, 2.0, -0.5), (Rapid, 2.0, 14.5), (Feed, -10.0, 14.5)];
+    work.motions = program(0, (5.0, 25.0), &turned);
+    let faults = wrong(&work);
+    let [Fault::Gouge { surface, depth, .. }] = &faults[..] else { panic!("{faults:?}") };
+    assert_eq!(surface.as_ref().map(|one| one.text().into_owned()), Some("pin".to_owned()));
+    assert!((depth.0 - 0.5).abs() < 0.001, "{depth:?}");
 }

@@ -69,6 +69,7 @@ pub fn program(tool: usize, start: (f64, f64), moves: &[(MotionKind, f64, f64)])
 pub fn bar_work(outside: Vec<ProfilePiece>, radius: f64, ends: (f64, f64), tool: Tool, motions: Vec<Motion>) -> SetUp {
     SetUp {
         profile: Profile { outside, bore: Vec::new() },
+        finished: None,
         stock: Stock::cylinder(Mm(radius), None, Mm(ends.0), Mm(ends.1)),
         bodies: Vec::new(),
         tools: vec![tool],

@@ -29,7 +29,14 @@ fn made(made: &Made) -> SetUp {
         line("bottom", (-28.0, 5.1), (-28.0, 0.0)),
     ];
     let tap = TapLimits { diameter: Mm(12.0), pitch: Mm(1.75), largest_hole: Mm(10.441), run_out: Mm(7.0) };
-    bore[1].thread = Some(Thread { crest: Mm(5.1), shallow: Mm(5.8), root: Mm(6.0), run_out: Mm(0.0), tap: Some(tap) });
+    bore[1].thread = Some(Thread {
+        crest: Mm(5.1),
+        shallow: Mm(5.8),
+        root: Mm(6.0),
+        pitch: tap.pitch,
+        run_out: Mm(0.0),
+        tap: Some(tap),
+    });
     let radius = made.hole / 2.0;
     let chamfer = 6.6 - radius;
     let inner = [(0.0, 6.6), (-chamfer, radius), (made.deep, radius), (made.deep, 0.0)];
@@ -50,6 +57,7 @@ fn made(made: &Made) -> SetUp {
     let motions = motions.into_iter().map(|one| Motion { lead: Some(Mm(made.lead)), ..one }).collect();
     SetUp {
         profile: Profile { outside, bore },
+        finished: None,
         stock: Stock::between(&lines(&outer), &lines(&inner)),
         bodies: Vec::new(),
         tools: vec![bare(cutter)],
@@ -130,6 +138,7 @@ fn the_bar_behind_a_thread_is_of_the_next_set_up() {
     let inner = [(0.0, 12.0), (-5.682, 12.0), (-5.682, 3.4), (-33.132, 3.4), (-35.175, 0.0)];
     let work = SetUp {
         profile: Profile { outside, bore },
+        finished: None,
         stock: Stock::between(&lines(&outer), &lines(&inner)),
         bodies: Vec::new(),
         tools: Vec::new(),

@@ -22,6 +22,7 @@ fn all() -> Vec<Note> {
         Fault::Corner { surface: surface.clone(), radius: Mm(0.8), left: Mm(0.2343), at, count },
         Fault::ThreadShallow { surface: surface.clone(), left: Mm(0.125) },
         Fault::TapBlocked { tool: tool.clone(), width, at, block, count },
+        Fault::ThreadLead { surface: surface.clone(), pitch: Mm(2.0), lead: Mm(1.5), at, block, count },
         Fault::TapOutOfStep { tool: tool.clone(), pitch: Mm(1.75), lead: Mm(1.5), at, block, count },
         Fault::TapHoleWide { surface: surface.clone(), width, at, block, count },
         Fault::ThreadShort { surface, left: Mm(3.25) },

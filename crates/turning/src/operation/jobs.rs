@@ -220,10 +220,15 @@ pub(super) fn pace_of(pace: &depth::Pace, bench: &Bench<'_, '_>) -> Pace {
 }
 
 /// Conditions with a constant cutting speed, if the diameter changes along the path and the spindle is stepless: a
-/// face and a contour are then cut at the same speed everywhere, up to the highest speed of the spindle.
+/// face and a contour are then cut at the same speed everywhere, up to the highest speed of the spindle, and no faster than
+/// the drives follow with the feed.
 pub(super) fn constant_speed(pace: Pace, conditions: Option<&TurningConditions>, bench: &Bench<'_, '_>) -> Pace {
     let stepless = bench.lathe.and_then(|lathe| match lathe.spindle {
-        Spindle::Range { max, .. } => Some(max),
+        Spindle::Range { max, .. } => {
+            let drive = lathe.feed_x.1.0.min(lathe.feed_z.1.0);
+            let fed = pace.feeds().map_or(max.0, |feeds| libm::floor(drive / feeds.fastest().0));
+            Some(RevsPerMinute(max.0.min(fed)))
+        }
         Spindle::Steps(_) => None,
     });
     match (pace, stepless, conditions) {

@@ -15,6 +15,7 @@
 
 mod axial;
 mod barred;
+pub mod beside;
 pub mod by_way;
 mod centred;
 mod clip;
@@ -43,6 +44,7 @@ pub(crate) mod tapped;
 pub mod times;
 pub mod tool_table;
 pub mod tools;
+pub mod turret;
 mod unfinished;
 pub mod work;
 
@@ -86,6 +88,9 @@ pub struct Operation {
     pub elsewhere: Vec<Elsewhere>,
     /// The set-ups.
     pub set_ups: Vec<SetUpWork>,
+    /// How many tools the turret of its lathe holds.
+    #[serde(skip)]
+    pub turret_places: Option<usize>,
     /// The results of the proof of its jobs.
     #[serde(skip)]
     pub proven: Vec<proof::Proven>,
@@ -121,6 +126,13 @@ pub struct SetUpWork {
 }
 
 impl SetUpWork {
+    /// That nothing holds the part. Where no tool works, as long as it is held for nothing, it is doubtful only.
+    pub(crate) fn not_held(&self) -> Option<Finding> {
+        let severity = if self.jobs.is_empty() { Severity::Doubtful } else { Severity::Wrong };
+        let note = || Note::new("set-up-not-held").with("number", self.set_up.number);
+        self.set_up.holds_at.is_none().then(|| Finding::of_part(severity, note()))
+    }
+
     /// Z of its free face before it is finished, where a spot and a drill begin.
     pub fn rough_face(&self) -> Half {
         jobs::rough_face(&self.sides)
@@ -266,12 +278,6 @@ fn plan_without(
     let mut done = Vec::new();
     for (mut set_up, axial) in set_ups.into_iter().zip(axials) {
         let workpiece = cut_off.as_ref().filter(|_| set_up.turned_over).unwrap_or(workpiece);
-        if set_up.holds_at.is_none() {
-            let note = Note::new("set-up-not-held").with("number", set_up.number);
-            // A far face alone can be parted off in the first set-up.
-            let turns = set_up.outer.is_some() || set_up.inner.is_some();
-            findings.push(Finding::of_part(if turns { Severity::Wrong } else { Severity::Doubtful }, note));
-        }
         if let Err(why) = tried
             && set_up.faces
             && set_up.outer.is_none()
@@ -310,7 +316,9 @@ fn plan_without(
         findings.extend(grip.as_ref().and_then(|grip| grip.finding(set_up.number)));
         findings.extend(slug(&set_up, &done, &jobs, workpiece));
         let parted_mm = parts.map(Parted::face);
-        done.push(SetUpWork { set_up, jaws, grip, tailstock, axial, sides, jobs, parted_mm });
+        let work = SetUpWork { set_up, jaws, grip, tailstock, axial, sides, jobs, parted_mm };
+        findings.extend(work.not_held());
+        done.push(work);
     }
     let mut operation = Operation {
         workpiece: workpiece.clone(),
@@ -318,6 +326,7 @@ fn plan_without(
         blank_advice,
         elsewhere,
         set_ups: done,
+        turret_places: lathe.as_ref().and_then(|lathe| lathe.turret_places),
         proven: Vec::new(),
         findings: Vec::new(),
     };
@@ -331,12 +340,15 @@ fn plan_without(
     Ok(operation)
 }
 
-/// That the turret has fewer places than the operation has tools.
+/// That the turret has fewer places than the operation has tools, and at how many stops tools are put in.
 fn turret(operation: &Operation, lathe: &Lathe<'_>) -> Option<Finding> {
-    let (places, tools) = (lathe.turret_places?, programs::stations(operation).len());
+    let stations = turret::stations(operation);
+    let (places, tools) = (operation.turret_places?, stations.len());
+    let stops = turret::loads(operation, &stations).iter().filter(|load| load.before > 0).count();
     let note = Note::new("turret-too-small")
         .with("tools", tools)
         .with("places", places)
+        .with("stops", stops)
         .with("lathe", Figure::word_of("machine", lathe.id().to_owned()));
     (tools > places).then(|| Finding::of_part(Severity::Doubtful, note))
 }
@@ -402,7 +414,7 @@ fn sides(
 }
 
 /// The figures in which merged findings may differ.
-const LISTED: [&str; 2] = ["surface", "row"];
+const LISTED: [&str; 3] = ["surface", "row", "z"];
 
 /// Each finding once, in the order of the first. Findings that differ only in a surface or a row are merged.
 fn merged(findings: Vec<Finding>) -> Vec<Finding> {

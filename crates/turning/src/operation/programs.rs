@@ -1,17 +1,15 @@
 //! The programs of an operation: one for each set-up, with every job of it, as motions or with the cycles of the control.
 
-use serde::Serialize;
-
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::Note;
 use crate::turning::contour::{Contour, Side};
-use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
+use crate::turning::jobs::{Job, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{
-    self, Allowance, Control, CycleOf, Direction, FreeEnd, NotWritten, ProgramFile, Roughing, SectionCycle, Speed,
-    ToolSection, WholeProgram,
+    self, Allowance, Control, CycleOf, Direction, FreeEnd, NotWritten, ProgramFile, Roughing, Seat, SectionCycle,
+    SectionLoad, Speed, ToolSection, WholeProgram,
 };
 use crate::turning::shaft::Holding;
 use crate::turning::toolpath::Toolpath;
@@ -19,6 +17,7 @@ use crate::turning::zones::Feed;
 use crate::units::RevsPerMinute;
 
 use super::jobs::per_rev;
+use super::turret::{Load, Put, Station, loads, station, stations};
 use super::unfinished::reaches_axis;
 use super::work::ZoneWork;
 use super::{Operation, SetUpWork, proof};
@@ -32,47 +31,26 @@ pub enum Form {
     Cycles,
 }
 
-/// A tool at its place of the turret.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Station {
-    /// The place, from 1.
-    pub place: u32,
-    /// The tool.
-    #[serde(flatten)]
-    pub tool: JobTool,
-    /// Whether it only finishes. A tool that roughs does not finish, because its edge is worn.
-    pub finishes: bool,
-}
-
 /// A program, or why there is none.
 #[derive(Clone, Debug)]
 pub struct OperationProgram {
     /// The set-up.
     pub set_up: u8,
-    /// The places of its tools, in the order of work.
-    pub places: Vec<u32>,
+    /// Its tools in the turret, in the order of work.
+    pub seats: Vec<Seat>,
     /// Why threads of it are cut by single passes, although cycles are requested.
     pub remarks: Vec<Note>,
     /// Its files, or the reason.
     pub files: Result<Vec<ProgramFile>, NotWritten>,
 }
 
-/// The tools of an operation by their places in the turret: in the order of their first use over all set-ups.
-pub fn stations(operation: &Operation) -> Vec<Station> {
-    let mut stations: Vec<Station> = Vec::new();
-    for job in operation.set_ups.iter().flat_map(|set_up| &set_up.jobs) {
-        if place(&stations, job).is_none() {
-            let place = u32::try_from(stations.len() + 1).unwrap_or(u32::MAX);
-            stations.push(Station { place, tool: job.tool.clone(), finishes: job.work == JobWork::Finish });
-        }
-    }
-    stations
-}
-
-/// The place of the tool of a job.
-pub fn place(stations: &[Station], job: &Job) -> Option<u32> {
-    let is_it = |one: &&Station| one.tool == job.tool && one.finishes == (job.work == JobWork::Finish);
-    stations.iter().find(is_it).map(|one| one.place)
+/// The words of comments in programs.
+#[derive(Clone, Copy)]
+pub struct Remarks<'a> {
+    /// A work.
+    pub work: &'a dyn Fn(JobWork) -> String,
+    /// A tool that is put into the turret, with the number of its offset.
+    pub put: &'a dyn Fn(&Put<'_>, u32) -> String,
 }
 
 /// The program of each set-up; `spindle` is the spindle speed that the user states. Comments name works by their ids.
@@ -86,10 +64,12 @@ pub fn programs(
     spindle: Option<RevsPerMinute>,
     knowledge: &Knowledge,
 ) -> Result<Vec<OperationProgram>, KnowledgeError> {
-    programs_named(operation, control, form, spindle, &by_id, knowledge)
+    let put =
+        |put: &Put<'_>, offset: u32| format!("T{}: {}, {offset}", put.station.seat.place, put.station.tool.designation);
+    programs_named(operation, control, form, spindle, Remarks { work: &by_id, put: &put }, knowledge)
 }
 
-/// The same with comments in a language: `named` says a work in it.
+/// The same with comments in a language.
 ///
 /// # Errors
 /// Those of [`programs`].
@@ -98,16 +78,18 @@ pub fn programs_named(
     control: &str,
     form: Form,
     spindle: Option<RevsPerMinute>,
-    named: &dyn Fn(JobWork) -> String,
+    remarks: Remarks<'_>,
     knowledge: &Knowledge,
 ) -> Result<Vec<OperationProgram>, KnowledgeError> {
     let control = Control::read(control, knowledge)?;
     let stations = stations(operation);
+    let loads = loads(operation, &stations);
     let between_centres = operation.workpiece.holding == Holding::Centres;
     let end_of_part = if between_centres { FreeEnd::Tailstock } else { FreeEnd::Open };
     let written = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty()).map(|set_up| {
-        let mut places: Vec<u32> = set_up.jobs.iter().filter_map(|job| place(&stations, job)).collect();
-        places.dedup();
+        let mut seats: Vec<Seat> =
+            set_up.jobs.iter().filter_map(|job| station(&stations, job)).map(|one| one.seat).collect();
+        seats.dedup();
         let number = set_up.set_up.number;
         let files = if between_centres && set_up.jobs.iter().any(hits_centre) {
             Err(NotWritten::ThroughCentre)
@@ -115,7 +97,9 @@ pub fn programs_named(
             Err(NotWritten::Unsafe { why })
         } else {
             let lathe_is_named = operation.workpiece.machine.is_some();
-            sections(set_up, &stations, form, spindle, lathe_is_named, named).and_then(|sections| {
+            sections(set_up, &stations, form, spindle, lathe_is_named, remarks.work).and_then(|mut sections| {
+                let put = |put: &Put<'_>| (remarks.put)(put, control.offset(put.station.seat));
+                stops(&mut sections, set_up, &stations, &loads, put);
                 program::whole(&control, &operation.workpiece.name, number, &sections, end_of_part)
             })
         };
@@ -123,7 +107,7 @@ pub fn programs_named(
             Ok(WholeProgram { files, remarks }) => (Ok(files), remarks),
             Err(why) => (Err(why), Vec::new()),
         };
-        OperationProgram { set_up: number, places, remarks, files }
+        OperationProgram { set_up: number, seats, remarks, files }
     });
     Ok(written.collect())
 }
@@ -149,7 +133,7 @@ pub(super) fn sections(
 ) -> Result<Vec<ToolSection>, NotWritten> {
     let mut sections: Vec<ToolSection> = Vec::new();
     for job in &set_up.jobs {
-        let tool = place(stations, job).ok_or(NotWritten::NoTool)?;
+        let tool = station(stations, job).ok_or(NotWritten::NoTool)?.seat;
         let (speed, feeds) = match job.pace {
             // A tap is not reversed faster than it was planned.
             Pace::PerRev { speed: Speed::Spindle(own), feeds } if job.work == JobWork::Tap => {
@@ -159,7 +143,7 @@ pub(super) fn sections(
             Pace::PerMinute { rates, spindle: known } => {
                 // A spindle speed that the user gives does not stand for figures that the named lathe or tool lacks.
                 if known.is_none() && lathe_is_named {
-                    return Err(NotWritten::NoConditions { tool });
+                    return Err(NotWritten::NoConditions { tool: tool.place });
                 }
                 let rpm = spindle.or(known).ok_or(NotWritten::NoSpeed)?;
                 (Speed::Spindle(rpm), per_rev(&rates, rpm))
@@ -170,7 +154,7 @@ pub(super) fn sections(
             Form::Cycles => cycle(set_up, job).map(SectionCycle::Rough).or_else(thread),
             Form::Motions => None,
         };
-        let title = format!("T{tool} {}, {}", job.tool.designation, named(job.work));
+        let title = format!("T{} {}, {}", tool.place, job.tool.designation, named(job.work));
         let one = |last: &&mut ToolSection| {
             last.tool == tool
                 && last.speed == speed
@@ -183,11 +167,31 @@ pub(super) fn sections(
             Some(last) => join(&mut last.path, &job.path, job.side),
             None => {
                 let (path, taps) = (job.path.clone(), job.work == JobWork::Tap);
-                sections.push(ToolSection { tool, title, speed, feeds, coolant: true, path, cycle, taps });
+                sections.push(ToolSection { tool, load: None, title, speed, feeds, coolant: true, path, cycle, taps });
             }
         }
     }
     Ok(sections)
+}
+
+/// Puts what the operator loads before the section of the first tool of each load.
+fn stops(
+    sections: &mut [ToolSection],
+    set_up: &SetUpWork,
+    stations: &[Station],
+    loads: &[Load<'_>],
+    said: impl Fn(&Put<'_>) -> String,
+) {
+    let mut from = 0;
+    for load in loads.iter().filter(|load| load.set_up == set_up.set_up.number) {
+        let Some(tool) = set_up.jobs.get(load.before).and_then(|job| station(stations, job)) else { continue };
+        let Some(at) = sections.iter().skip(from).position(|section| section.tool == tool.seat) else { continue };
+        if let Some(section) = sections.get_mut(from + at) {
+            let remarks = load.tools.iter().map(&said).collect();
+            section.load = Some(SectionLoad { remarks, stops: load.before > 0 });
+        }
+        from += at + 1;
+    }
 }
 
 /// Appends a path to another, from home point to home point.

@@ -9,10 +9,10 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::knowledge::contract::Word;
-use crate::note::Note;
+use crate::note::{Figure, IntoFigure, Note};
 use crate::tables::controls::lathe::{LatheControl, LatheControls, LatheTipPlaces};
 use crate::turning::contour::{Side, SurfaceName};
-use crate::turning::jobs::{Body, JobTool, Tip, Work};
+use crate::turning::jobs::{Body, Job, JobTool, Tip, Work};
 use crate::turning::length::Half;
 use crate::turning::program::Control;
 use crate::turning::tooling::{Hand, Place, ToolKind, TurningTool};
@@ -20,7 +20,7 @@ use crate::turning::workpiece::{Thread, ThreadLimits};
 use crate::turning::zones::Hold;
 use crate::units::{Degrees, Micrometres};
 
-use super::programs::{Station, place, stations};
+use super::turret::{Load, Station, loads, station, stations};
 use super::{Grip, Jaws, Operation, SetUpWork, Tailstock};
 
 /// The setting of an operation for a control.
@@ -108,6 +108,9 @@ pub struct SetTool {
     /// Its place in the turret, and its shape.
     #[serde(flatten)]
     pub station: Station,
+    /// The number of its offset, where several tools share places.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub offset: Option<u32>,
     /// Its insert by ISO 1832, if the catalog has it.
     pub insert: Option<String>,
     /// The set-ups that use it.
@@ -128,6 +131,7 @@ pub struct SetTool {
 /// There is no such control, or the knowledge base lacks a table.
 pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> Result<Setting, KnowledgeError> {
     let stations = stations(operation);
+    let loads = loads(operation, &stations);
     let table = knowledge.table_of::<LatheControls<'_>>()?;
     let known = LatheControl::from_word(control).ok_or_else(|| KnowledgeError::no_row(table, control))?;
     let numbering = knowledge.need(control, |row: &LatheControls<'_>| row.control == known)?.tip_numbering;
@@ -141,14 +145,15 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
             set_up: work.set_up.number,
             held: work.set_up.because.note.clone(),
             face_stock_mm: if work.set_up.turned_over { far } else { part.blank.face() },
-            notes: stand_notes(work, part.length()),
+            notes: stand_notes(work, part.length(), &loads, &language),
         }
     });
     let tools = stations.iter().map(|station| {
-        let uses = |set_up: &&SetUpWork| set_up.jobs.iter().any(|job| place(&stations, job) == Some(station.place));
+        let is_of = |job: &Job| self::station(&stations, job).is_some_and(|one| one.seat == station.seat);
+        let uses = |set_up: &&SetUpWork| set_up.jobs.iter().any(is_of);
         let mut works = Vec::new();
         for job in operation.set_ups.iter().flat_map(|set_up| &set_up.jobs) {
-            if place(&stations, job) == Some(station.place) && !works.contains(&job.work) {
+            if is_of(job) && !works.contains(&job.work) {
                 works.push(job.work);
             }
         }
@@ -170,6 +175,7 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
             orientation,
             x: Note::new(along_x(&station.tool)),
             z: Note::new(along_z(&station.tool)),
+            offset: (!loads.is_empty()).then(|| language.offset(station.seat)),
             station: station.clone(),
         })
     });
@@ -211,7 +217,7 @@ fn threads<'a>(set_up: &'a SetUpWork, all: &'a [Thread], control: &'a Control) -
 }
 
 /// What the operator sets of a set-up beside its tools.
-fn stand_notes(work: &SetUpWork, length: Half) -> Vec<Note> {
+fn stand_notes(work: &SetUpWork, length: Half, loads: &[Load<'_>], control: &Control) -> Vec<Note> {
     let mut notes: Vec<Note> = work.jaws.iter().map(Jaws::note).collect();
     notes.extend(work.jaws.iter().filter_map(Jaws::bored));
     notes.extend(work.grip.iter().map(Grip::note));
@@ -221,6 +227,14 @@ fn stand_notes(work: &SetUpWork, length: Half) -> Vec<Note> {
     }
     if work.set_up.turned_over {
         notes.push(Note::new("set-zero-again").with("length", length));
+    }
+    for load in loads.iter().filter(|load| load.set_up == work.set_up.number) {
+        let tools = Figure::list(load.tools.iter().map(|put| put.note(control.offset(put.station.seat)).into_figure()));
+        let stops = load.tools.first().map(|put| &put.station.tool).filter(|_| load.before > 0);
+        notes.push(match stops {
+            Some(first) => Note::new("turret-stop").with("before", &*first.designation).with("tools", tools),
+            None => Note::new("turret-begins").with("tools", tools),
+        });
     }
     notes
 }
@@ -237,11 +251,16 @@ const fn along_x(tool: &JobTool) -> &'static str {
     }
 }
 
+/// The point angle of a drill that is reground for a flat bottom: it has no point.
+const FLAT: Degrees = Degrees(180.0);
+
 /// How Z of the reference point is measured. A face touches the theoretical point if the edge does not lean over it,
 /// that is from φ = 90° on.
 fn along_z(tool: &JobTool) -> &'static str {
     match tool.body {
-        Body::Drill { .. } | Body::Reamer { .. } | Body::Tap { .. } | Body::CentreDrill { .. } => "set-z-point",
+        Body::Drill { point_angle_deg, .. } if point_angle_deg >= FLAT => "set-z-front",
+        Body::Drill { .. } | Body::CentreDrill { .. } => "set-z-point",
+        Body::Reamer { .. } | Body::Tap { .. } => "set-z-front",
         Body::Insert { kind: ToolKind::Threading, .. } => "set-z-thread",
         Body::Insert { kind: ToolKind::Grooving, .. } => "set-z-blade",
         Body::Insert { kind: ToolKind::FaceGrooving, .. } => "set-z-face",

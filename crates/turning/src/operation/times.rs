@@ -15,7 +15,8 @@ use crate::turning::tooling::{Lathe, Seconds};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{MillimetresPerMinute, Minutes};
 
-use super::programs::{Form, Station, by_id, place, sections, stations};
+use super::programs::{Form, by_id, sections};
+use super::turret::{Station, station, stations};
 use super::{Operation, SetUpWork};
 
 /// The times of a set-up, min.
@@ -91,12 +92,12 @@ fn cutting(set_up: &SetUpWork) -> Minutes {
     Minutes(set_up.jobs.iter().map(|job| job.pace.time(&job.path, instant).0).sum())
 }
 
-/// The toolpaths by the places of the tools, as in a program. If none can be written, those of the jobs.
+/// The toolpaths by the offsets of the tools, as in a program. If none can be written, those of the jobs.
 fn ways(set_up: &SetUpWork, stations: &[Station]) -> Vec<(u32, Toolpath)> {
     match sections(set_up, stations, Form::Motions, None, false, &by_id) {
-        Ok(sections) => sections.into_iter().map(|section| (section.tool, section.path)).collect(),
+        Ok(sections) => sections.into_iter().map(|section| (section.tool.offset, section.path)).collect(),
         Err(_) => {
-            let of = |job| place(stations, job).unwrap_or_default();
+            let of = |job| station(stations, job).map_or(0, |one| one.seat.offset);
             set_up.jobs.iter().map(|job| (of(job), job.path.clone())).collect()
         }
     }

@@ -22,7 +22,7 @@ pub fn tool_table(setting: &Setting, head: &str, named: impl Fn(Work) -> String)
     let mut file = format!("; {}\n", ascii(head).replace('\n', " "));
     for tool in &setting.tools {
         let station = &tool.station;
-        let place = station.place;
+        let number = station.seat.offset;
         let nose = 2.0 * station.tool.nose_radius().to_mm();
         let angles =
             edges(&station.tool).map_or_else(String::new, |(front, back)| format!(" I{:+.3} J{:+.3}", front.0, back.0));
@@ -30,7 +30,7 @@ pub fn tool_table(setting: &Setting, head: &str, named: impl Fn(Work) -> String)
         let works: Vec<String> = tool.works.iter().map(|work| ascii(&named(*work))).collect();
         let remark = format!("{}, {}", ascii(&station.tool.designation), works.join(", ")).replace(';', ",");
         // Writing to a string cannot fail.
-        let _ = writeln!(file, "T{place} P{place} X+0.000 Z+0.000 D{nose:+.3}{angles} Q{orientation} ;{remark}");
+        let _ = writeln!(file, "T{number} P{number} X+0.000 Z+0.000 D{nose:+.3}{angles} Q{orientation} ;{remark}");
     }
     file
 }

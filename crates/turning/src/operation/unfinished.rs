@@ -14,12 +14,7 @@ use super::{Operation, SetUpWork, SideWork};
 /// The surfaces that are not made, and the damage to the part.
 pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
     let mut findings = Vec::new();
-    for set_up in &operation.set_ups {
-        for side in &set_up.sides {
-            findings.extend(left_undone(set_up, side));
-        }
-        findings.extend(told(undone_on_axis(set_up)));
-    }
+    findings.extend(operation.set_ups.iter().flat_map(undone).map(|undone| undone.finding()));
     let holding = operation.workpiece.holding;
     let not_proven = if holding == Holding::Centres { "centre-not-proven" } else { "jaws-not-proven" };
     let has_body =
@@ -53,27 +48,50 @@ fn over_driver(set_up: &SetUpWork, length: Half) -> Option<Finding> {
     Some(Finding::of_part(Severity::Doubtful, note))
 }
 
-/// Surfaces that no job finishes, and threads and grooves that nothing cuts.
-fn left_undone(set_up: &SetUpWork, side: &SideWork) -> Vec<Finding> {
-    told(undone(set_up, side)).collect()
+/// A surface that no job of a set-up finishes, or a thread or a groove that nothing cuts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Undone<'a> {
+    /// Its name.
+    pub name: &'a SurfaceName,
+    /// The number of the set-up.
+    set_up: u8,
+    /// Z where it begins, seen from the free end of the set-up.
+    begins: Half,
+    code: &'static str,
 }
 
-fn told(undone: Vec<(&SurfaceName, &'static str)>) -> impl Iterator<Item = Finding> {
-    undone.into_iter().map(|(name, code)| Finding::of_part(Severity::Wrong, Note::new(code).with("surface", name)))
+impl Undone<'_> {
+    /// It is wrong: the part is not made.
+    pub fn finding(&self) -> Finding {
+        let note = Note::new(self.code).with("number", self.set_up).with("surface", self.name);
+        Finding::of_part(Severity::Wrong, note.with("z", Half::ZERO - self.begins))
+    }
 }
 
-/// The surfaces of the hole on the axis that nothing makes, each with the code of its finding.
-pub(super) fn undone_on_axis(set_up: &SetUpWork) -> Vec<(&SurfaceName, &'static str)> {
+/// What a set-up leaves undone, outside, inside and on the axis.
+pub(super) fn undone(set_up: &SetUpWork) -> Vec<Undone<'_>> {
+    let of_sides = set_up.sides.iter().flat_map(|side| undone_on(set_up, side));
+    of_sides.chain(undone_on_axis(set_up)).collect()
+}
+
+fn named<'a>(set_up: &'a SetUpWork, name: &'a SurfaceName, code: &'static str) -> Undone<'a> {
+    let sides = [&set_up.set_up.outer, &set_up.set_up.inner].into_iter().flatten();
+    let surface = sides.flat_map(|side| &side.profile.surfaces).find(|surface| surface.name == *name);
+    let begins = surface.and_then(|surface| surface.pieces.first()).map(|piece| piece.from.z).unwrap_or_default();
+    Undone { name, set_up: set_up.set_up.number, begins, code }
+}
+
+/// The surfaces of the hole on the axis that nothing makes.
+fn undone_on_axis(set_up: &SetUpWork) -> impl Iterator<Item = Undone<'_>> {
     let made = |name: &SurfaceName| set_up.jobs.iter().any(|job| job.surfaces.contains(name));
     let all = set_up.axial.iter().flat_map(|axial| {
         let threads = axial.threads().map(|name| (name, "thread-not-cut"));
         threads.chain(axial.surfaces().map(|name| (name, "surface-not-finished")))
     });
-    all.filter(|(name, _)| !made(name)).collect()
+    all.filter(move |(name, _)| !made(name)).map(|(name, code)| named(set_up, name, code))
 }
 
-/// The names of these surfaces, each with the code of its finding.
-pub(super) fn undone<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> Vec<(&'a SurfaceName, &'static str)> {
+fn undone_on<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> impl Iterator<Item = Undone<'a>> {
     let finished = |surface: &Surface| {
         set_up.jobs.iter().any(|job| job.work != JobWork::Rough && job.surfaces.contains(&surface.name))
     };
@@ -81,7 +99,7 @@ pub(super) fn undone<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> Vec<(&'a 
         let axial = set_up.axial.as_ref();
         axial.is_some_and(|axial| axial.surfaces().chain(axial.threads()).any(|name| *name == surface.name))
     };
-    let undone = surfaces(set_up, side).filter_map(|(surface, allowance)| {
+    surfaces(set_up, side).filter_map(move |(surface, allowance)| {
         let code = match surface.kind {
             _ if finished(surface) || on_axis(surface) => return None,
             SurfaceKind::Thread => "thread-not-cut",
@@ -90,9 +108,8 @@ pub(super) fn undone<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> Vec<(&'a 
             _ if allowance == Some(Half::ZERO) => return None,
             _ => "surface-not-finished",
         };
-        Some((&surface.name, code))
-    });
-    undone.collect()
+        Some(named(set_up, &surface.name, code))
+    })
 }
 
 /// The surfaces of a side, each with its finishing allowance.

@@ -39,7 +39,7 @@ pub use setting::{Feeds, Setting, Speed};
 use text::ProgramWriter;
 pub use thread::NotCycled;
 use thread::ThreadWriter;
-pub use whole::{CycleOf, FreeEnd, SectionCycle, ToolSection, WholeProgram, whole};
+pub use whole::{CycleOf, FreeEnd, Seat, SectionCycle, SectionLoad, ToolSection, WholeProgram, whole};
 use words::ControlWords;
 
 /// Writes the cycle of a task for a control.
@@ -111,6 +111,11 @@ impl Control {
     pub fn thread_cycle(&self, cut: &ThreadCut, side: Side) -> Result<String, NotCycled> {
         let call = thread::call(self, cut, side)?;
         Ok(call.lines.chars().take_while(char::is_ascii_alphanumeric).collect())
+    }
+
+    /// The number of the offset of a tool, as the control counts it.
+    pub fn offset(&self, seat: Seat) -> u32 {
+        self.words.as_ref().map_or(seat.offset, |words| words.offset(seat))
     }
 
     fn words(&self) -> Result<&ControlWords, NotWritten> {

@@ -8,6 +8,7 @@ use super::Control;
 use super::refused::{NotWritten, check_arc};
 use super::setting::{Setting, Speed};
 use super::text::{Pace, ProgramWriter, number};
+use super::whole::Seat;
 use super::words::{ControlWords, Use};
 
 /// The program of a toolpath on a control.
@@ -40,7 +41,7 @@ pub fn plain(control: &Control, path: &Toolpath, setting: &Setting) -> Result<St
 pub(super) fn begin(sheet: &mut ProgramWriter<'_>, control: &Control, setting: &Setting) -> Result<(), NotWritten> {
     let words = control.words()?;
     modes(sheet, &setting.name);
-    sheet.line(&words.tool(setting.tool));
+    sheet.line(&words.tool(Seat::only(setting.tool)));
     sheet.lines(&spindle(words, setting.speed));
     if setting.coolant {
         sheet.put(&[Use::CoolantOn]);

@@ -114,6 +114,11 @@ pub enum NotWritten {
 }
 
 impl NotWritten {
+    /// Whether the plan itself is at fault, and not what is asked for: something is found wrong.
+    pub const fn is_found(&self) -> bool {
+        matches!(self, Self::ThroughCentre | Self::Unsafe { .. } | Self::NoConditions { .. })
+    }
+
     /// It as a sentence.
     pub fn note(&self) -> Note {
         match self {

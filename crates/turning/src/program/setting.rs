@@ -49,6 +49,12 @@ pub struct Feeds {
 }
 
 impl Feeds {
+    /// The fastest of the feeds, threads left aside.
+    pub fn fastest(&self) -> MillimetresPerRev {
+        let all = [self.cut, self.infeed, self.pick_up, self.semi_finish, self.finish, self.back, self.plunge];
+        MillimetresPerRev(all.iter().map(|feed| feed.0).fold(0.0, f64::max))
+    }
+
     /// One feed for everything.
     pub const fn all(feed: MillimetresPerRev) -> Self {
         Self {

@@ -1,5 +1,7 @@
 //! One program of a set-up: all tools in order, with the turret at its change position between them.
 
+use serde::Serialize;
+
 use crate::note::Note;
 use crate::turning::contour::{Contour, Curve, Side};
 use crate::turning::jobs::ThreadCut;
@@ -17,11 +19,42 @@ use super::thread::{self, NotCycled, ThreadCall};
 use super::words::{ControlWords, Use};
 use super::{Control, file_name};
 
+/// A tool in the turret.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Seat {
+    /// Its place, at least 1.
+    pub place: u32,
+    /// The number of its offset, which no other tool has.
+    #[serde(skip)]
+    pub offset: u32,
+    /// Which of the tools that come into this place it is, from 1: some controls number offsets for each place.
+    #[serde(skip)]
+    pub edge: u32,
+}
+
+impl Seat {
+    /// That of a tool whose place no other tool takes.
+    pub const fn only(place: u32) -> Self {
+        Self { place, offset: place, edge: 1 }
+    }
+}
+
+/// What the operator puts into the turret before a section.
+#[derive(Clone, Debug)]
+pub struct SectionLoad {
+    /// The comments: a tool each.
+    pub remarks: Vec<String>,
+    /// Whether the program stops for it; before its first section it has not begun.
+    pub stops: bool,
+}
+
 /// The work of one tool with the same speed and feeds.
 #[derive(Clone, Debug)]
 pub struct ToolSection {
-    /// The place of the tool in the turret, at least 1.
-    pub tool: u32,
+    /// The tool in the turret.
+    pub tool: Seat,
+    /// What is put into the turret before it.
+    pub load: Option<SectionLoad>,
     /// The comment for the operator at the tool: its designation and its work.
     pub title: String,
     /// The speed of the spindle.
@@ -114,7 +147,7 @@ pub fn whole(
         let (Ok(task), Some((cycles, writer))) = (task, &control.cycles) else { return Ok(Call::Motions) };
         let setting = Setting {
             name: name.to_owned(),
-            tool: section.tool,
+            tool: section.tool.place,
             speed: section.speed,
             feeds: section.feeds,
             coolant: section.coolant,
@@ -135,6 +168,7 @@ pub fn whole(
         let same = before.filter(|before| before.tool == section.tool);
         if same.is_none() {
             change(&mut sheet, before.is_some(), end_of_part);
+            load(&mut sheet, section.load.as_ref());
             sheet.comment(&ascii(&section.title));
             sheet.line(&words.tool(section.tool));
         }
@@ -191,6 +225,17 @@ fn change(sheet: &mut ProgramWriter<'_>, after: bool, end_of_part: FreeEnd) {
     }
 }
 
+/// The turret stands at the change position, spindle and coolant are off: the operator reads what to put in, and starts again.
+fn load(sheet: &mut ProgramWriter<'_>, load: Option<&SectionLoad>) {
+    let Some(load) = load else { return };
+    for remark in &load.remarks {
+        sheet.comment(&ascii(remark));
+    }
+    if load.stops {
+        sheet.put(&[Use::Stop]);
+    }
+}
+
 /// To the change position.
 fn leave(sheet: &mut ProgramWriter<'_>, end_of_part: FreeEnd) {
     match end_of_part {
@@ -227,7 +272,7 @@ fn along(sheet: &mut ProgramWriter<'_>, section: &ToolSection, end_of_part: Free
 /// Whether a section can be written.
 fn check(section: &ToolSection, name: &str, words: &ControlWords) -> Result<(), NotWritten> {
     let ToolSection { tool, speed, feeds, coolant, .. } = *section;
-    Setting { name: name.to_owned(), tool, speed, feeds, coolant }.check()?;
+    Setting { name: name.to_owned(), tool: tool.place, speed, feeds, coolant }.check()?;
     if section.path.moves.is_empty() {
         return Err(NotWritten::EmptyWay);
     }

@@ -6,6 +6,8 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::tables::controls::lathe::{LatheControl, LatheWords};
 
+use super::whole::Seat;
+
 pub(super) use crate::tables::controls::lathe::Use;
 
 /// The words of one control.
@@ -51,9 +53,23 @@ impl ControlWords {
             .fold(self.get(wanted).to_owned(), |word, (name, value)| word.replace(&format!("{{{name}}}"), value))
     }
 
-    /// The change to a tool by its place; some controls use two digits each for tool and offset.
-    pub fn tool(&self, place: u32) -> String {
-        self.filled(Use::Tool, &[("tool", place.to_string()), ("two", format!("{place:02}"))])
+    /// The change to a tool; some controls use two digits each for place and offset.
+    pub fn tool(&self, seat: Seat) -> String {
+        let wanted = if seat == Seat::only(seat.place) { Use::Tool } else { Use::ToolOfOffset };
+        let Seat { place, offset, edge } = seat;
+        let values = [
+            ("tool", place.to_string()),
+            ("two", format!("{place:02}")),
+            ("offset", offset.to_string()),
+            ("two-of-offset", format!("{offset:02}")),
+            ("edge", edge.to_string()),
+        ];
+        self.filled(wanted, &values)
+    }
+
+    /// The number of the offset of a tool, as the control counts it.
+    pub fn offset(&self, seat: Seat) -> u32 {
+        if self.get(Use::ToolOfOffset).contains("{edge}") { seat.edge } else { seat.offset }
     }
 
     /// A length or a feed as the control takes it.

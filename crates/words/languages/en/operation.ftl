@@ -34,9 +34,9 @@ only-for-steps = this is shown for a stepped shaft (`steps:`) only
     .help = for a contour there are `--show operation`, `schemes`, `program`, `cycle`, `setting` and `tool-table`
 no-tool-table = a tool table is a file of LinuxCNC alone
     .help = give --control linuxcnc, or see --show setting
-surface-not-finished = { $surface }: keeps its finishing allowance; no job finishes it
-thread-not-cut = { $surface }: the thread is not cut
-groove-not-cut = { $surface }: the groove is not cut
+surface-not-finished = set-up { $number }: { $surface } (from Z { $z }): keeps its finishing allowance; no job finishes it
+thread-not-cut = set-up { $number }: { $surface } (from Z { $z }): the thread is not cut
+groove-not-cut = set-up { $number }: { $surface } (from Z { $z }): the groove is not cut
 ends-centred-before = between centres no tool reaches the faces: before, { $near } mm are faced off the free end and { $far } mm off the far one, and both are centred, A{ $pilot } by ГОСТ 14034-74
 ends-faced-before = between centres no tool reaches the faces: before, { $near } mm are faced off the free end and { $far } mm off the far one; no centre hole of the table fits so thin an end
 faced-through-centre = zone { $zone }: the face is turned to the axis, where the tailstock centre stands
@@ -56,4 +56,8 @@ nose-fills-hollow = the nose of radius { $nose } mm fills the hollow of radius {
 lathe-unsafe = its program is not written, because the proof rejects it: { $why }
     .help = the page of the operation lists every finding; change the part, its blank, tool or scheme until there is none
 turning-not-proven = set-up { $number }: what it does to the stock could not be proven: { $why }
-turret-too-small = { $tools } tools, and the turret of { $lathe } has { $places } places: put the others in by hand at a stop, at the number of a place that is free then
+turret-too-small = { $tools } tools, and the turret of { $lathe } has { $places } places: they share places, T1/7 is tool 7 in place 1; { $stops ->
+        [0] they are changed by hand between the set-ups
+        [one] at one planned stop (M0) of the programs they are changed by hand
+       *[other] at { $stops } planned stops (M0) of the programs they are changed by hand
+    }, see the setting sheet

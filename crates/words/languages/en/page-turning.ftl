@@ -178,7 +178,8 @@ turn-single-passes = A thread of this program is cut by single passes: { $why }.
 turn-setting-thread-measured = d2 is the pitch diameter: the last pass ends in the middle of its limits. It is measured with a thread micrometer, outside with three wires too, in a bore with a thread plug gauge.
 turn-setting-wires = The wire of the table is the best one, P/√3, which touches the flanks at d2. With another wire dw the size over the wires is M = d2 + 3·dw − 0.866·P.
 turn-setting-measured = How the offsets are measured
-turn-setting-offsets = T{ $place }: X: { $x }; Z: { $z }
+turn-setting-offsets = { $tool }: X: { $x }; Z: { $z }
+turn-setting-seat = T{ $place }, offset { $offset }
 turn-tool-table-head = { $part }: X and Z are 0 until they are measured: touch the part off and enter them in the tool table
 set-x-diameter = touch a turned diameter and enter what it measures
 set-x-bore = touch a bore and enter what it measures
@@ -187,11 +188,16 @@ set-z-face = touch a finished face and enter its Z
 set-z-blade = touch a finished face with the side of the blade towards the chuck and enter its Z
 set-z-shoulder = touch a shoulder that looks towards the chuck and enter its Z
 set-z-point = touch a finished face with the point and enter its Z
+set-z-front = touch a finished face with its front and enter its Z
 set-z-thread = bring the point over a finished face by eye and enter its Z
 set-z-nose = the centre of the nose; no face touches it, so measure it with a presetter
 set-z-presetter = the theoretical point; the edge leans over a face, so measure it with a presetter
 set-zero-again = after turning over, set Z 0 again: the finished part is { $length } mm long, so Z 0 lies that far from the finished face at the chuck
 set-driver = the driver is not chosen: a dog, or a face driver smaller than what is turned at that end; a live centre in the tailstock
+turret-holds = T{ $place }: { $tool }, offset { $offset }
+turret-exchanged = T{ $place }: { $tool } in place of { $out }, offset { $offset }
+turret-begins = the program begins with { $tools }
+turret-stop = before { $before } the program stops (M0): { $tools }; put the tools in, set their offsets, start again
 # Drawings.
 turn-panel = { $variant }: cutting path { $path } mm, { $count } { $count ->
         [one] pass

@@ -364,6 +364,7 @@ table-value-use-thread = thread
 table-value-use-thread-lead = lead of a thread
 table-value-cut-tapped = tapped
 table-value-cut-turned = turned
+table-value-use-tool-of-offset = tool change with an offset of another number
 table-value-use-tap-begins = tapping begins
 table-value-use-tap = tapping
 table-value-use-tap-ends = tapping ends

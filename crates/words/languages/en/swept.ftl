@@ -41,6 +41,10 @@ swept-tap-hole-wide = { $surface }: the hole before the tap is wider than the mi
         [one] motion
        *[other] motions
     } in all
+swept-thread-lead = { $surface }: a pass of the thread to Z{ $z } is not fed by its pitch: { $lead } mm per turn in place of { $pitch } mm; { $count } { $count ->
+        [one] pass
+       *[other] passes
+    } in all
 swept-thread-short = { $surface }: the full thread behind the lead of the tap ends { $left } mm before that of the drawing
 # What cannot be followed at all.
 swept-no-contour = the proof of the program has no outer contour of the part

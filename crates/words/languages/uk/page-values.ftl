@@ -364,6 +364,7 @@ table-value-use-thread = різь
 table-value-use-thread-lead = крок різі
 table-value-cut-tapped = мітчиком
 table-value-cut-turned = різцем
+table-value-use-tool-of-offset = заміна інструмента з корекцією під іншим номером
 table-value-use-tap-begins = початок нарізання мітчиком
 table-value-use-tap = нарізання мітчиком
 table-value-use-tap-ends = кінець нарізання мітчиком

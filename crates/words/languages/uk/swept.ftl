@@ -51,6 +51,11 @@ swept-tap-hole-wide = { $surface }: отвір перед мітчиком ши�
         [few] переміщення
        *[many] переміщень
     }
+swept-thread-lead = { $surface }: хід різі до Z{ $z } подають не за кроком: { $lead } мм на оберт замість { $pitch } мм; усього { $count } { $count ->
+        [one] хід
+        [few] ходи
+       *[many] ходів
+    }
 swept-thread-short = { $surface }: повна різь за забірною частиною мітчика закінчується за { $left } мм до кінця різі на кресленні
 # What cannot be followed at all.
 swept-no-contour = для перевірки програми немає зовнішнього контуру деталі

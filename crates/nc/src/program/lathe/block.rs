@@ -191,12 +191,15 @@ impl Maker<'_> {
                 self.state.wanted = Some(number);
             }
         }
-        let turret = self.is(LatheReader::Sinumerik) && given.is_some();
+        let sinumerik = self.is(LatheReader::Sinumerik);
+        let edge = if sinumerik { words.take("D") } else { None };
+        let offset = edge.map(|edge| (edge.value > 0.0).then_some(edge.value as u32));
+        let turret = sinumerik && given.is_some();
         if (change || turret)
             && let Some(number) = self.state.wanted
         {
             // Sinumerik activates D1 with a new tool.
-            let offset = self.is(LatheReader::Sinumerik).then_some(1);
+            let offset = if sinumerik { offset.unwrap_or(Some(1)) } else { None };
             self.state.tool = Some(LatheTool { number, offset });
             let length = words.function_for(WordEffect::Offset).is_some();
             if length && let Some(tool) = &mut self.state.tool {
@@ -206,12 +209,8 @@ impl Maker<'_> {
                 self.state.turning = Turning::Stopped;
             }
             self.put_here(LatheAct::ToolChange);
-        }
-        if self.is(LatheReader::Sinumerik)
-            && let Some(edge) = words.take("D")
-            && let Some(tool) = &mut self.state.tool
-        {
-            tool.offset = (edge.value > 0.0).then_some(edge.value as u32);
+        } else if let (Some(offset), Some(tool)) = (offset, &mut self.state.tool) {
+            tool.offset = offset;
         }
     }
 

@@ -12,6 +12,8 @@ struct Signs {
     z: bool,
     /// A word that a lathe has no use for.
     of_mill: bool,
+    /// H: of a mill, and of a lathe with LinuxCNC where tools share a place.
+    offset: bool,
     /// M6.
     change: bool,
     /// T of four digits: place and offset.
@@ -30,7 +32,7 @@ struct Signs {
 pub fn recognised(text: &str) -> Vec<LatheReader> {
     let mut signs = Signs::default();
     text.lines().for_each(|line| signs.line(line));
-    if !signs.x || !signs.z || signs.of_mill {
+    if !signs.x || !signs.z || signs.of_mill || (signs.offset && !signs.diameter) {
         Vec::new()
     } else if signs.siemens {
         vec![LatheReader::Sinumerik]
@@ -77,7 +79,8 @@ impl Signs {
             ("X", _) => self.x = true,
             ("Z", _) => self.z = true,
             // G84 taps the face on a lathe too.
-            ("Y" | "J" | "A" | "B" | "H", _) | ("G", Some(17 | 19 | 81..=83 | 85..=89)) => self.of_mill = true,
+            ("H", _) => self.offset = true,
+            ("Y" | "J" | "A" | "B", _) | ("G", Some(17 | 19 | 81..=83 | 85..=89)) => self.of_mill = true,
             ("G", Some(7 | 8)) => self.diameter = true,
             ("G", Some(18)) => self.plane = true,
             ("G", Some(96)) => self.cutting_speed = true,
@@ -97,6 +100,7 @@ mod tests {
     fn words_of_turning_tell_a_lathe() {
         for (text, controls) in [
             ("G18 G21 G7 G40 G90 G95\nT1 M6 G43\nG0 X64 Z4", &[LatheReader::LinuxCnc][..]),
+            ("G18 G21 G7\nT1 M6 G43 H7\nG0 X64 Z4", &[LatheReader::LinuxCnc]),
             ("O0001\nG21 G40 G99\nT0101\nG97 S560 M3\nG0 X64. Z4.", &[LatheReader::Fanuc]),
             ("O0001\nT0606\nG97 S355 M3\nG0 X0. Z5.\nM29 S355\nG84 Z-25. F1.75\nG80", &[LatheReader::Fanuc]),
             ("G18 DIAMON G95\nT1 D1\nG0 X64 Z4\nCYCLE95(\"Y\", 5)", &[LatheReader::Sinumerik]),

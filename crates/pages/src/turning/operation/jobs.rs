@@ -4,10 +4,10 @@ use crate::document::{Block, Column, Document, Inlines, Item, Keep};
 use crate::units::{Micrometres, MillimetresPerRev, Minutes};
 use technolog_turning::jobs::{Body, Job, Pace, Work};
 use technolog_turning::length::Half;
-use technolog_turning::operation::programs::{place, stations};
 use technolog_turning::operation::times::Times;
+use technolog_turning::operation::turret::{station, stations};
 use technolog_turning::operation::{Operation, SetUpWork};
-use technolog_turning::program::Speed;
+use technolog_turning::program::{Seat, Speed};
 use technolog_turning::toolpath::Purpose;
 use technolog_turning::zones::Hold;
 use technolog_words::say;
@@ -20,7 +20,8 @@ use super::super::cells::{Cell, fixed, table};
 pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], lang: Lang) {
     let stations = stations(operation);
     for set_up in operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty()) {
-        let rows = set_up.jobs.iter().map(|job| row(job, set_up, place(&stations, job), lang)).collect();
+        let rows =
+            set_up.jobs.iter().map(|job| row(job, set_up, station(&stations, job).map(|one| one.seat), lang)).collect();
         page.heading(3, say!(lang, "turn-set-up", number = set_up.set_up.number));
         let mut jobs = table(columns(lang), rows, lang);
         if set_up.jobs.iter().any(|job| !mark(job).is_empty()) {
@@ -31,7 +32,9 @@ pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], 
             page.paragraph(time(times, lang));
         }
         let items = set_up.jobs.iter().flat_map(|job| {
-            let place = place(&stations, job).map_or_else(String::new, |place| format!("T{place}: "));
+            let place = station(&stations, job)
+                .map(|one| one.seat)
+                .map_or_else(String::new, |seat| format!("{}: ", seated(seat)));
             job.notes.iter().map(move |note| Item::from(format!("{place}{}", lang.say(note))))
         });
         page.blocks.push(Block::List(items.collect()));
@@ -39,6 +42,11 @@ pub(super) fn jobs(page: &mut Document, operation: &Operation, times: &[Times], 
     if !times.is_empty() {
         page.paragraph(Inlines::sentence(say!(lang, "turn-job-time-without")));
     }
+}
+
+/// A tool by its place; where several tools share places, with its own number behind it.
+pub(super) fn seated(seat: Seat) -> String {
+    if seat.place == seat.offset { format!("T{}", seat.place) } else { format!("T{}/{}", seat.place, seat.offset) }
 }
 
 /// What stands behind the tool of a job that rests on an unconfirmed row.
@@ -61,7 +69,7 @@ fn columns(lang: Lang) -> [Column; 9] {
     ]
 }
 
-fn row(job: &Job, set_up: &SetUpWork, place: Option<u32>, lang: Lang) -> Vec<Cell> {
+fn row(job: &Job, set_up: &SetUpWork, seat: Option<Seat>, lang: Lang) -> Vec<Cell> {
     let nose = job.tool.nose_radius().to_mm();
     let rpm = match job.pace {
         Pace::PerRev { speed: Speed::Spindle(rpm), .. } => Some(rpm),
@@ -75,7 +83,7 @@ fn row(job: &Job, set_up: &SetUpWork, place: Option<u32>, lang: Lang) -> Vec<Cel
         .or_else(|| job.pace.cutting_speed(diameter(job, set_up)));
     let or_empty = |figure: Option<f64>, places| figure.map_or_else(Cell::empty, |figure| Cell::Figure(figure, places));
     vec![
-        place.map_or_else(|| mark(job).into(), |place| format!("T{place}{}", mark(job)).into()),
+        seat.map_or_else(|| mark(job).into(), |seat| format!("{}{}", seated(seat), mark(job)).into()),
         lang.term("turn-does", job.work.name()).into(),
         lang.term("turn-side", job.side.name()).into(),
         job.tool.designation.as_str().into(),

@@ -4,7 +4,7 @@
 use technolog_turning_proof as proof;
 
 use crate::note::{Figure, Finding, IntoFigure, Note, Severity};
-use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Turn};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, SurfaceName, Turn};
 use crate::turning::jobs::Job;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -14,9 +14,9 @@ use proof::{At, Block, Fault, Mm, Motion, MotionKind, Sense, SetUp, Stock};
 mod profile;
 mod tool;
 
-use super::unfinished::{undone, undone_on_axis};
+use super::unfinished::undone;
 use super::{Axial, Operation, SetUpWork, Tailstock};
-use profile::profile;
+use profile::profiles;
 use tool::tool;
 
 /// The result of the proof for each set-up, in the order of work.
@@ -68,8 +68,10 @@ pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork
     if set_up.set_up.turned_over != over {
         stock = stock.turned_over(Mm(workpiece.length().to_mm()));
     }
+    let (profile, finished) = profiles(operation, set_up);
     let task = SetUp {
-        profile: profile(operation, set_up),
+        profile,
+        finished,
         stock,
         bodies: bodies(set_up),
         tools: set_up.jobs.iter().map(|job| tool(&job.tool)).collect(),
@@ -146,7 +148,7 @@ fn finding_of(set_up: u8, severity: Severity, fault: &Fault) -> Finding {
 }
 
 /// The findings of one set-up.
-fn findings_of(operation: &Operation, one: &Proven) -> Vec<Finding> {
+pub(super) fn findings_of(operation: &Operation, one: &Proven) -> Vec<Finding> {
     match &one.proof {
         Ok(proof) => told(operation, one.set_up, proof)
             .map(|(severity, fault)| finding_of(one.set_up, severity, fault))
@@ -158,22 +160,40 @@ fn findings_of(operation: &Operation, one: &Proven) -> Vec<Finding> {
     }
 }
 
-/// The reported faults of a set-up with their severity, whoever made its motions.
-pub fn told<'a>(
+/// The reported faults of the jobs of a set-up with their severity. What they leave undone is told by their plan.
+fn told<'a>(
     operation: &'a Operation,
     set_up: u8,
     proof: &'a proof::Proof,
 ) -> impl Iterator<Item = (Severity, &'a Fault)> {
+    let works = operation.set_ups.iter().filter(|one| one.set_up.number == set_up);
+    told_but(operation, set_up, proof, works.flat_map(undone).map(|undone| undone.name).collect())
+}
+
+/// The reported faults of a set-up with their severity, if somebody else made its motions: what these leave of any surface is
+/// told, whatever our plan of it does.
+pub fn told_of_program<'a>(
+    operation: &'a Operation,
+    set_up: u8,
+    proof: &'a proof::Proof,
+) -> impl Iterator<Item = (Severity, &'a Fault)> {
+    told_but(operation, set_up, proof, Vec::new())
+}
+
+/// The reported faults; nothing is said of what is left of some surfaces.
+fn told_but<'a>(
+    operation: &'a Operation,
+    set_up: u8,
+    proof: &'a proof::Proof,
+    undone: Vec<&SurfaceName>,
+) -> impl Iterator<Item = (Severity, &'a Fault)> {
     let works: Vec<&SetUpWork> = operation.set_ups.iter().filter(|one| one.set_up.number == set_up).collect();
-    let of_sides = |work: &&&'a SetUpWork| work.sides.iter().flat_map(|side| undone(work, side)).collect::<Vec<_>>();
-    let undone: Vec<_> = works.iter().flat_map(|work| [of_sides(&work), undone_on_axis(work)]).flatten().collect();
     let stretches = works.iter().flat_map(|work| [&work.set_up.outer, &work.set_up.inner]).flatten();
     let axial = || works.iter().filter_map(|work| work.axial.as_ref());
     let left = || axial().flat_map(|axial| &axial.left);
     let names = stretches.flat_map(|stretch| &stretch.profile.surfaces).map(|surface| &surface.name);
     let names = names.filter(|name| !left().any(|other| other == *name)).chain(axial().flat_map(Axial::far));
-    let own: Vec<Figure> =
-        names.filter(|name| undone.iter().all(|(other, _)| other != name)).map(|name| name.into_figure()).collect();
+    let own: Vec<Figure> = names.filter(|name| !undone.contains(name)).map(|name| name.into_figure()).collect();
     let is_told = move |fault: &&Fault| match fault {
         // The end of an allowance for another machine lies on the slope beside it.
         Fault::Stands { surface, thickness, at, .. }
@@ -203,6 +223,7 @@ fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
         Fault::Struck { .. } => !meets_tailstock(fault),
         Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
         Fault::TapBlocked { .. } | Fault::TapOutOfStep { .. } | Fault::TapHoleWide { .. } => true,
+        Fault::ThreadLead { .. } => true,
     }
 }
 

@@ -15,23 +15,27 @@ use super::super::{Operation, SetUpWork};
 use super::{ROUNDING, proof_piece};
 
 /// The required profile after a set-up. After the last one it is the whole part, seen from its free end; before that
-/// the range that the set-up turns.
-pub(super) fn profile(operation: &Operation, set_up: &SetUpWork) -> proof::Profile {
+/// the range that the set-up turns, beside which no later set-up puts metal back: the whole part comes second.
+pub(super) fn profiles(operation: &Operation, set_up: &SetUpWork) -> (proof::Profile, Option<proof::Profile>) {
     let workpiece = &operation.workpiece;
     let last = operation.set_ups.last().is_some_and(|last| last.set_up.number == set_up.set_up.number);
     let seen = |profile: &Profile| {
         if set_up.set_up.turned_over { profile.turned_over(workpiece.length()) } else { profile.clone() }
     };
-    let (outer, inner) = if last {
-        (Some(seen(&workpiece.outer)), workpiece.inner.as_ref().map(seen))
-    } else {
-        let own = |side: &Option<crate::turning::zones::TurnedSide>| side.as_ref().map(|side| side.profile.clone());
-        (own(&set_up.set_up.outer), own(&set_up.set_up.inner))
-    };
+    let whole = profile(Some(&seen(&workpiece.outer)), workpiece.inner.as_ref().map(seen).as_ref(), operation);
+    if last {
+        return (whole, None);
+    }
+    let own = |side: &'_ Option<crate::turning::zones::TurnedSide>| side.as_ref().map(|side| side.profile.clone());
+    let (outer, inner) = (own(&set_up.set_up.outer), own(&set_up.set_up.inner));
+    (profile(outer.as_ref(), inner.as_ref(), operation), Some(whole))
+}
+
+fn profile(outer: Option<&Profile>, inner: Option<&Profile>, operation: &Operation) -> proof::Profile {
     let pieces =
         |profile: &Profile| (0..profile.surfaces.len()).flat_map(|at| surface_pieces(profile, at, operation)).collect();
-    let bore: Vec<proof::ProfilePiece> = inner.as_ref().map(pieces).unwrap_or_default();
-    let mut outside: Vec<proof::ProfilePiece> = outer.as_ref().map(pieces).unwrap_or_default();
+    let bore: Vec<proof::ProfilePiece> = inner.map(pieces).unwrap_or_default();
+    let mut outside: Vec<proof::ProfilePiece> = outer.map(pieces).unwrap_or_default();
     // The file may leave out the face of the end.
     let within = bore.first().map_or(Mm(0.0), |first| first.path.from().radius);
     if let Some(first) = outside.first().map(|first| first.path.from()).filter(|first| first.radius.0 > within.0) {
@@ -99,7 +103,14 @@ fn thread(profile: &Profile, at: usize, operation: &Operation) -> Option<proof::
         largest_hole: mm(tapped.largest_hole_mm),
         run_out: mm(tapped.run_out_mm),
     });
-    Some(proof::Thread { crest: Mm(turned), shallow: Mm(shallow), root: Mm(root), run_out, tap })
+    Some(proof::Thread {
+        crest: Mm(turned),
+        shallow: Mm(shallow),
+        root: Mm(root),
+        pitch: mm(thread.pitch),
+        run_out,
+        tap,
+    })
 }
 
 /// How far a thread may cut into the metal behind it: as the standard allows, but not into a seat, mm.

@@ -5,8 +5,14 @@
 //! toolpaths. Before its first motion, and after a motion to a reference point, the tool is far away. A tool that the
 //! text does not name is the program's tool at that place of the turret; then no finding is worse than doubtful.
 
-use technolog_core::ascii::ascii;
+mod calls;
+mod lathe;
+mod pace;
+
 use technolog_turning_proof::{At, Block, Mm, Motion, MotionKind, Piece, Sense};
+
+use calls::{CalledTool, exchanges, tools};
+pub use lathe::against_lathe;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -18,20 +24,30 @@ use crate::program::lathe::{
 };
 use crate::program::{Fault, TextSpan};
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
-use crate::turning::operation::programs::{place, stations};
-use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told};
+use crate::turning::operation::beside::beside;
+use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told_of_program};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::turning::program::ProgramFile;
+use crate::turning::tooling::Lathe;
 
 /// The assumed position of a tool that is not known, mm from the axis and from the face.
 const FAR: f64 = 1000.0;
 
 /// Compares a program of a set-up with the part, after the jobs of earlier set-ups. Returns the findings of the proof
 /// with their lines, or why there is no comparison.
-pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &LatheRun) -> Vec<Fault> {
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn compare_with_part(
+    operation: &Operation,
+    set_up: u8,
+    text: &str,
+    run: &LatheRun,
+    knowledge: &Knowledge,
+) -> Result<Vec<Fault>, KnowledgeError> {
     let Compared { work, proven, tools } = match compared(operation, set_up, text, run) {
         Ok(compared) => compared,
-        Err(why) => return vec![*why],
+        Err(why) => return Ok(vec![*why]),
     };
     let taken: Vec<&CalledTool> = tools.iter().filter(|tool| !tool.is_named).collect();
     let mut faults: Vec<Fault> = taken.iter().map(|tool| tool.taken(work)).collect();
@@ -41,24 +57,44 @@ pub fn compare_with_part(operation: &Operation, set_up: u8, text: &str, run: &La
         Err(refused) => {
             let note = Note::new("turning-not-proven").with("number", set_up).with("why", refused.note());
             faults.push(fault("turning-not-proven", Severity::Doubtful, note, end));
-            return faults;
+            return Ok(faults);
         }
     };
     // The final shape is the work of all tools; what is cut or hit in a line is the work of the tool that moves
     // there.
     let is_sure = |line: Option<u32>| match line.and_then(|line| run.motions.iter().find(|one| one.line == line)) {
-        Some(motion) => taken.iter().all(|tool| motion.modes.tool.is_none_or(|of| of.number != tool.number)),
+        Some(motion) => taken.iter().all(|tool| motion.modes.tool.is_none_or(|of| of != tool.called)),
         None => taken.is_empty(),
     };
-    faults.extend(told(operation, set_up, proof).map(|(severity, found)| {
+    let found = told_of_program(operation, set_up, proof).map(|(severity, found)| {
         let line = found.block().and_then(|block| u32::try_from(block.0).ok());
         let least = if is_sure(line) { Severity::Error } else { Severity::Doubtful };
         fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
-    }));
+    });
+    let found: Vec<Fault> = found.collect();
+    faults.extend(exchanges(operation, work, run, &tools));
+    faults.extend(pace::paced(operation, work, run, &tools, knowledge)?);
+    faults.extend(of_plan(operation, set_up, found.iter().any(is_serious), end));
+    faults.extend(found);
     let note = Note::new(HELD).with("number", set_up).with("of", operation.set_ups.len());
     faults.push(fault(HELD, Severity::Note, note, end));
-    faults
+    Ok(faults)
 }
+
+/// What is wrong with the part beside the motions of a program: the plan says it, at the end of the program. What the plan cannot
+/// do in a set-up is doubtful at most where the program does all of that set-up.
+fn of_plan(operation: &Operation, set_up: u8, fails: bool, end: u32) -> Vec<Fault> {
+    let beside = beside(operation, set_up);
+    let does_better = beside.fails_here && !fails;
+    let least = if does_better { Severity::Doubtful } else { Severity::Error };
+    let planned = beside.planned.into_iter().map(|finding| (finding.severity.max(least), finding.note));
+    let left = beside.left.into_iter().map(|finding| (finding.severity, finding.note));
+    let of_part = |(severity, why)| fault(OF_PLAN, severity, Note::new(OF_PLAN).with("why", why), end);
+    left.chain(planned).map(of_part).collect()
+}
+
+/// The code of what is wrong with the part, whatever the program does.
+const OF_PLAN: &str = "turned-of-plan";
 
 /// Reads a program of ours back, and simulates the in-process stock with the motions that the control reads from its
 /// text. Returns the first reason why the program must not be run; none if there is none, or if no reader for the
@@ -84,7 +120,16 @@ pub fn read_back(
         return Ok(Some(at_line(fault.span.line, fault.note.clone())));
     }
     Ok(match compared(operation, set_up, &main.text, &run) {
-        Ok(compared) => rejected(operation, &compared.proven),
+        Ok(compared) => {
+            let (work, tools) = (compared.work, &compared.tools);
+            let mut faults = exchanges(operation, work, &run, tools);
+            faults.extend(pace::paced(operation, work, &run, tools, knowledge)?);
+            if let Some(id) = &operation.workpiece.machine {
+                faults.extend(against_lathe(&run, &Lathe::find(knowledge, id)?)?);
+            }
+            let serious = faults.into_iter().find(is_serious).map(|fault| at_line(fault.span.line, fault.note));
+            rejected(operation, &compared.proven).or(serious)
+        }
         Err(why) => Some(at_line(why.span.line, why.note.clone())),
     })
 }
@@ -136,62 +181,6 @@ pub const HELD: &str = "turned-held";
 fn fault(code: &'static str, severity: Severity, note: Note, line: u32) -> Fault {
     let span = TextSpan { line, column: 1, width: 1 };
     Fault { code, severity, rule: RULE, block: None, calls: Vec::new(), span, subject: None, note }
-}
-
-/// A tool that a program calls.
-#[derive(Clone, Copy, Debug)]
-struct CalledTool {
-    /// Its number in the program.
-    number: u32,
-    /// The first line that calls it.
-    line: u32,
-    /// The job of the set-up whose tool it is.
-    job: usize,
-    /// Whether the text names it; otherwise it is identified by its place.
-    is_named: bool,
-}
-
-impl CalledTool {
-    fn taken(self, work: &SetUpWork) -> Fault {
-        let tool = work.jobs.get(self.job).map_or("", |job| &job.tool.designation);
-        let note = Note::new("turned-tool-taken").with("number", self.number).with("tool", tool.to_owned());
-        fault("turned-tool-taken", Severity::Note, note, self.line)
-    }
-}
-
-/// The tools that a program calls and that the set-up has.
-fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &LatheRun) -> Vec<CalledTool> {
-    let lines: Vec<String> = text.lines().map(plain).collect();
-    let stations = stations(operation);
-    let mut tools: Vec<CalledTool> = Vec::new();
-    for motion in &run.motions {
-        let (Some(tool), line) = (motion.modes.tool, motion.line) else { continue };
-        if tools.iter().any(|known| known.number == tool.number) {
-            continue;
-        }
-        // A comment is in the block of the call or before it.
-        let at = usize::try_from(line).unwrap_or(usize::MAX);
-        let near = [at.checked_sub(2), at.checked_sub(1)].into_iter().flatten().filter_map(|index| lines.get(index));
-        let remarks: Vec<&String> = near.collect();
-        let names = |index: &usize| {
-            let name = work.jobs.get(*index).map_or("", |job| &job.tool.designation);
-            // Controls can show only Latin letters.
-            let names = [plain(name), plain(&ascii(name))];
-            names.iter().any(|name| !name.is_empty() && remarks.iter().any(|remark| remark.contains(name)))
-        };
-        let length = |index: &usize| work.jobs.get(*index).map_or(0, |job| job.tool.designation.len());
-        let named = (0..work.jobs.len()).filter(names).max_by_key(length);
-        let placed = || work.jobs.iter().position(|job| place(&stations, job) == Some(tool.number));
-        if let Some(job) = named.or_else(placed) {
-            tools.push(CalledTool { number: tool.number, line, job, is_named: named.is_some() });
-        }
-    }
-    tools
-}
-
-/// A text for comparing designations: capitals, digits and all other characters but blanks.
-fn plain(text: &str) -> String {
-    text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_uppercase).collect()
 }
 
 /// Why a program cannot be compared with the part.
@@ -246,14 +235,15 @@ fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<Vec<Motion>, Not
         if from == to {
             continue;
         }
-        let Some(number) = one.modes.tool.map(|tool| tool.number) else {
+        let Some(called) = one.modes.tool else {
             // On a move from or to an unknown position no tool is needed yet.
             if known.is_none() {
                 continue;
             }
             return Err(NotHeld::NoTool { line });
         };
-        let tool = tools.iter().find(|tool| tool.number == number).ok_or(NotHeld::Tool { line, number })?.job;
+        let number = called.number;
+        let tool = tools.iter().find(|tool| tool.called == called).ok_or(NotHeld::Tool { line, number })?.job;
         if cuts && one.modes.compensation != motion::Side::Off {
             return Err(NotHeld::Compensated { line });
         }

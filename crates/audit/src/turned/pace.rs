@@ -1,0 +1,194 @@
+//! Whether the tools of a lathe program cut as they are meant to: which way the spindle turns, how fast, at what feed, with what power.
+
+use std::f64::consts::PI;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::knowledge::vocabulary::{Operation as Cutting, Severity as Judged, ToolMaterial};
+use crate::motion::Turning;
+use crate::note::{Note, Severity};
+use crate::program::Fault;
+use crate::program::lathe::{LatheAct, LatheMotion, LatheRun};
+use crate::tables::audit::{AuditLathePaceFor, PaceFigure};
+use crate::tables::practice::RoughOrFinish;
+use crate::tables::turning::jobs::ThreadingSpeedFor;
+use crate::turning::contour::Side;
+use crate::turning::jobs::{Body, Job, Work};
+use crate::turning::length::Half;
+use crate::turning::operation::{Operation, SetUpWork};
+use crate::turning::tooling::{Hand, Lathe, ToolKind};
+use crate::units::{Micrometres, round_to};
+use technolog_core::material::Material;
+use technolog_core::practice_speed::PracticeSpeed;
+
+use super::calls::CalledTool;
+use super::fault;
+use super::lathe::{per_turn, turns};
+
+/// The exponent of the feed in the cutting force (table `boring-force`).
+const FORCE_BY_FEED: f64 = 0.75;
+
+/// What of the pace of a program spoils its tools, for each tool and kind once, at the worst place. A tool that the text does not
+/// name is not known well enough to be wrong.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub(super) fn paced(
+    operation: &Operation,
+    work: &SetUpWork,
+    run: &LatheRun,
+    tools: &[CalledTool],
+    knowledge: &Knowledge,
+) -> Result<Vec<Fault>, KnowledgeError> {
+    let part = &operation.workpiece;
+    let material = Material::find(knowledge, &part.material)?;
+    let material = match part.material_state {
+        Some(state) => material.in_state(state, knowledge)?,
+        None => material,
+    };
+    let lathe = part.machine.as_deref().map(|id| Lathe::find(knowledge, id)).transpose()?;
+    let largest = part.blank.largest_diameter().to_mm() / 2.0;
+    let mut faults = Vec::new();
+    for tool in tools {
+        let Some(job) = work.jobs.get(tool.job) else { continue };
+        let same: Vec<&Job> = work.jobs.iter().filter(|one| one.tool.designation == job.tool.designation).collect();
+        let cuts: Vec<&LatheMotion> =
+            run.motions.iter().filter(|one| one.act.cuts() && one.modes.tool == Some(tool.called)).collect();
+        let least = if tool.is_named { Severity::Error } else { Severity::Doubtful };
+        let mut tell = |code, severity: Severity, line, note: Note| {
+            let note = note.with("tool", &*job.tool.designation);
+            faults.push(fault(code, severity.max(least), note, line));
+        };
+        // A tap is turned out of its hole backwards.
+        let comes_in = |one: &LatheMotion| one.from.z_mm.zip(one.to.z_mm).is_none_or(|(from, to)| to < from);
+        let is_tap = job.work == Work::Tap;
+        let backwards =
+            |one: &&&LatheMotion| one.modes.turning == Turning::Counterclockwise && (!is_tap || comes_in(one));
+        if let Some(motion) = cuts.iter().find(backwards).filter(|_| is_right_hand(&job.tool.body)) {
+            tell("turned-rotation", Severity::Wrong, motion.line, Note::new("turned-rotation"));
+        }
+        let worst = |share: &dyn Fn(&LatheMotion) -> Option<f64>| {
+            let each = cuts.iter().filter_map(|motion| Some((share(motion)?, motion.line)));
+            each.max_by(|a, b| a.0.total_cmp(&b.0))
+        };
+        let judged = |figure, share| -> Result<Option<Severity>, KnowledgeError> {
+            let judged = knowledge.ask(&AuditLathePaceFor { figure, share })?.need("share")?.severity;
+            Ok(match judged {
+                Judged::Note => None,
+                Judged::Doubtful => Some(Severity::Doubtful),
+                _ => Some(Severity::Wrong),
+            })
+        };
+        let face = work.rough_face();
+        let axial = diameter_on_axis(job, face);
+        let speed =
+            |motion: &LatheMotion| speed_of(motion, axial.map_or(largest, |diameter| diameter / 2.0), axial.is_some());
+        let practice: Vec<Option<f64>> =
+            same.iter().map(|one| highest(one, &material, knowledge)).collect::<Result<_, _>>()?;
+        let practice = practice.into_iter().flatten().max_by(f64::total_cmp);
+        if let (Some(high), Some((used, line))) = (practice, worst(&speed))
+            && let Some(severity) = judged(PaceFigure::Speed, used / high)?
+        {
+            let note = Note::new("turned-speed").with("speed", round_to(used, 0)).with("high", round_to(high, 0));
+            tell("turned-speed", severity, line, note);
+        }
+        let planned = same.iter().filter_map(|job| largest_feed(job)).max_by(f64::total_cmp);
+        let feed = |motion: &LatheMotion| match motion.act {
+            LatheAct::Thread { .. } => None,
+            _ => per_turn(motion, turns(motion)?.0).filter(|feed| feed.is_finite()),
+        };
+        // The feed of a tap is its pitch, which the proof holds.
+        let planned = planned.filter(|_| !is_tap);
+        if let (Some(planned), Some((used, line))) = (planned, worst(&feed))
+            && let Some(severity) = judged(PaceFigure::Feed, used / planned)?
+        {
+            let note = Note::new("turned-feed").with("feed", round_to(used, 3)).with("planned", round_to(planned, 3));
+            tell("turned-feed", severity, line, note);
+        }
+        // N ~ V·f^0.75 at the depth of the plan.
+        let load = |motion: &LatheMotion| {
+            let conditions = same.iter().filter_map(|job| job.conditions.as_ref());
+            let (speed, feed) = (speed(motion)?, feed(motion)?);
+            let power = |one: &crate::turning::cutting::TurningConditions| {
+                let share = speed / one.speed_m_per_min.0;
+                Some(one.power_kw?.0 * share * libm::pow(feed / one.feed_mm_per_rev.0, FORCE_BY_FEED))
+            };
+            conditions.filter_map(power).min_by(f64::total_cmp)
+        };
+        if let (Some(lathe), Some((used, line))) = (&lathe, worst(&load))
+            && used > lathe.power.0
+        {
+            let note = Note::new("turned-power").with("power", round_to(used, 1)).with("limit", lathe.power.0);
+            tell("turned-power", Severity::Doubtful, line, note.with("lathe", lathe.id()));
+        }
+    }
+    Ok(faults)
+}
+
+/// Whether a tool cuts only while the spindle turns with M3: what works on the axis, and a right-hand insert, which leads
+/// towards the chuck whether it stands before the axis or, upside down, behind it.
+const fn is_right_hand(body: &Body) -> bool {
+    match body {
+        Body::Insert { hand, .. } => matches!(hand, Hand::R),
+        _ => true,
+    }
+}
+
+/// The largest diameter that a tool on the axis cuts in our plan, mm; none of an insert.
+fn diameter_on_axis(job: &Job, face: Half) -> Option<f64> {
+    match job.tool.body {
+        Body::Insert { .. } => None,
+        Body::CentreDrill { pilot_mm, .. } => Some(job.spot_diameter(face).unwrap_or(pilot_mm).to_mm()),
+        // A countersink is wider than the mouth that it makes.
+        Body::Reamer { diameter_mm, front_mm, lead_mm, .. } => {
+            let deepest = job.path.moves.iter().map(|one| one.to.z).max()?;
+            let share = (deepest - face).to_mm() / lead_mm.to_mm();
+            Some(front_mm.to_mm() + (diameter_mm - front_mm).to_mm() * share.clamp(0.0, 1.0))
+        }
+        Body::Drill { diameter_mm, .. } | Body::Tap { diameter_mm, .. } => Some(diameter_mm.to_mm()),
+    }
+}
+
+/// The highest cutting speed of a motion, m/min, no farther from the axis than `farthest`, mm: there a tool on the axis cuts, and
+/// there the blank ends.
+fn speed_of(motion: &LatheMotion, farthest: f64, is_on_axis: bool) -> Option<f64> {
+    let reached = motion.from.radius_mm?.abs().max(motion.to.radius_mm?.abs());
+    let radius = if is_on_axis { farthest } else { reached.min(farthest) };
+    let (slow, _) = turns(motion)?;
+    Some(2.0 * PI * radius * slow.0 / 1000.0)
+}
+
+/// The upper end of the speeds of practice for a job, m/min; none where the tables have no figure.
+fn highest(job: &Job, material: &Material<'_>, knowledge: &Knowledge) -> Result<Option<f64>, KnowledgeError> {
+    let on_axis = |operation| PracticeSpeed::of(operation, ToolMaterial::HighSpeedSteel, material, knowledge);
+    let practice = match job.tool.body {
+        Body::Drill { .. } => on_axis(Cutting::Drill)?,
+        Body::CentreDrill { .. } => on_axis(Cutting::CentreDrill)?,
+        Body::Tap { .. } => on_axis(Cutting::Tap)?,
+        Body::Reamer { .. } => on_axis(match job.work {
+            Work::CoreDrill => Cutting::CoreDrill,
+            Work::Countersink => Cutting::Countersink,
+            _ => Cutting::FinishReam,
+        })?,
+        Body::Insert { kind: ToolKind::Threading, .. } => {
+            let asked = knowledge.ask(&ThreadingSpeedFor { material_group: material.group })?.winner()?;
+            return Ok(asked.map(|row| row.speed_max.0));
+        }
+        Body::Insert { kind: ToolKind::Grooving | ToolKind::FaceGrooving, width_mm, .. } => {
+            let of = |width: Micrometres| PracticeSpeed::of_grooving(width, material, knowledge);
+            width_mm.map(of).transpose()?.flatten()
+        }
+        Body::Insert { .. } => {
+            let pass = if job.work == Work::Finish { RoughOrFinish::Finish } else { RoughOrFinish::Rough };
+            PracticeSpeed::of_turning(pass, job.side == Side::Inner, material, knowledge)?
+        }
+    };
+    Ok(practice.map(|practice| practice.high.0))
+}
+
+/// The largest feed of a job, mm/rev; none where it is not planned per revolution.
+fn largest_feed(job: &Job) -> Option<f64> {
+    let feeds = job.pace.feeds()?;
+    let cutting = job.path.paced().filter_map(|(_, purpose, own)| own.or_else(|| feeds.of(purpose)));
+    cutting.map(|feed| feed.0).max_by(f64::total_cmp)
+}
