@@ -3,9 +3,10 @@
 use technolog::note::Severity;
 use technolog::turning::contour::Side;
 use technolog::turning::jobs::{Body, Pace, Work};
-use technolog::turning::operation::{Operation, plan};
+use technolog::turning::operation::{Operation, SetUpWork, plan};
 use technolog::turning::program::Speed;
 use technolog::turning::workpiece::read_turned;
+use technolog::turning::zones::Hold;
 use technolog_testing::KNOWLEDGE;
 
 fn planned(name: &str) -> Operation {
@@ -30,6 +31,29 @@ fn everyday_parts_are_made_whole() {
         let operation = planned(name);
         assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
         assert!(operation.set_ups.iter().all(|set_up| set_up.set_up.holds_at.is_some()) || name == "plug", "{name}");
+    }
+}
+
+/// A thread with a cylinder of its own diameter before it has no room to begin: it is cut from the other end. By hand for M20-6g
+/// (ISO 965-1, P 2.5): es 0.042, Td 0.335, so the crests are turned to 20 − 0.042 − 0.1675 = 19.79. ГОСТ 10549-80 lets the run-out
+/// be 4.5 long. The waisted stud has nothing but a thread for the jaws.
+#[test]
+fn threads_at_both_ends_are_cut_from_both_ends() {
+    for (name, threads, held) in
+        [("double-stud", [1, 1], "outer 4"), ("waisted-stud", [1, 1], "outer 3"), ("step-to-thread", [0, 1], "outer 3")]
+    {
+        let operation = planned(name);
+        assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
+        let cuts = |set_up: &SetUpWork| set_up.jobs.iter().filter_map(|job| job.thread.clone()).collect::<Vec<_>>();
+        assert_eq!(operation.set_ups.iter().map(|set_up| cuts(set_up).len()).collect::<Vec<_>>(), threads, "{name}");
+        let Some(Hold::Surface { name: by, threaded, .. }) = &operation.set_ups[1].set_up.holds_at else {
+            panic!("{name}")
+        };
+        assert_eq!((by.as_str(), *threaded), (held, name == "waisted-stud"));
+        for cut in operation.set_ups.iter().flat_map(cuts) {
+            assert!((cut.crest_radius_mm.diameter().to_mm() - 19.79).abs() < 0.0011, "{name}: {cut:?}");
+            assert!(!cut.pulled_out || (cut.to_z_mm - cut.ends_z_mm).to_mm() <= 4.5, "{name}: {cut:?}");
+        }
     }
 }
 

@@ -294,6 +294,7 @@ fn a_flange_takes_two_set_ups() {
     assert_eq!(over.main.contour.corners(), over.profile.contour().corners());
     assert!(first.faces && second.faces && second.turned_over);
     let hold = Hold::Surface {
+        threaded: false,
         name: "outer 4".into(),
         diameter_mm: mm(40.0).diameter(),
         length_mm: mm(20.0),

@@ -25,6 +25,9 @@ pub struct Jaws {
     pub least_mm: Half,
     /// Whether they grip a surface that is finished already, which hard jaws would mark.
     pub soft: bool,
+    /// Whether they grip a bushing on a thread.
+    #[serde(skip)]
+    pub threaded: bool,
     /// Their body, if the lathe's record gives the size of its chuck.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body: Option<ChuckBody>,
@@ -61,9 +64,11 @@ impl Jaws {
         }
     }
 
-    /// That jaws on a finished surface are soft and bored to it.
+    /// That jaws on a finished surface are soft and bored to it, or that a bushing goes between them and a thread.
     pub fn bored(&self) -> Option<Note> {
-        let note = Note::new("jaws-bored").with("grips", self.grips_mm).with("length", self.length_mm);
+        let note = Note::new(if self.threaded { "jaws-on-bushing" } else { "jaws-bored" })
+            .with("grips", self.grips_mm)
+            .with("length", self.length_mm);
         self.soft.then_some(note)
     }
 
@@ -103,6 +108,8 @@ impl Jaws {
             None => None,
         };
         let soft = matches!(set_up.holds_at, Some(Hold::Surface { .. }));
-        Ok(Some(Self { front_mm, grips_mm, length_mm: (to - front_mm).min(touches), least_mm: least, soft, body }))
+        let threaded = matches!(set_up.holds_at, Some(Hold::Surface { threaded: true, .. }));
+        let length_mm = (to - front_mm).min(touches);
+        Ok(Some(Self { front_mm, grips_mm, length_mm, least_mm: least, soft, threaded, body }))
     }
 }

@@ -346,7 +346,7 @@ fn finish_hollow(
 /// A contour with the cylinders of threads as turned.
 fn as_turned(contour: Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Contour {
     let Some(stretch) = stretch(set_up, contour.side) else { return contour };
-    crests::turned(contour, &stretch.profile, bench.workpiece)
+    crests::turned(contour, &features::with_made_before(set_up, &stretch.profile, bench), bench.workpiece)
 }
 
 /// The contour of a side in a set-up.

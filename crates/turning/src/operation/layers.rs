@@ -9,7 +9,7 @@ use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
-use crate::turning::contour::{Contour, Piece, Side};
+use crate::turning::contour::{Contour, Piece, Side, SurfaceKind};
 use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
@@ -156,8 +156,9 @@ pub fn layers(
         return Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }));
     }
     let by = run_out(&left, bench)?;
+    let threaded = stretch.profile.surfaces.last().is_some_and(|last| last.kind == SurfaceKind::Thread);
     let (blank, rough, left) = if set_up.turned_over {
-        let on = led_on(&left, by, bench);
+        let on = led_on(&left, threaded, by, bench);
         (blank, rough, on.unwrap_or(left))
     } else {
         (longer(blank, by), longer(rough, by), longer(left, by))
@@ -206,25 +207,28 @@ fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError
     Ok(if ends_open { Half::of(by) } else { Half::ZERO })
 }
 
-/// How far a contour rises at its end along the axis, in its own lengths; none where it ends with a cylinder, a face or a fall.
-/// In the second set-up a chamfer or a rounding goes on into the air over the cylinder that was made before, or the round nose
-/// leaves metal at its end.
+/// How far a contour rises at its end along the axis, in its own lengths; none where it ends with a face or a fall.
+/// In the second set-up a chamfer or a rounding goes on into the air over the cylinder that was made before, and a cylinder into
+/// the air over a fall, or the round nose leaves metal at its end.
 fn slope_at_end(left: &Contour) -> Option<f64> {
-    let last = left.pieces.last().filter(|last| !last.is_cylinder() && left.side == Side::Outer)?;
+    let last = left.pieces.last().filter(|_| left.side == Side::Outer)?;
     let along = last.direction_at_end();
     (along.z > LEAST_RUN && along.radius >= -1e-9).then(|| along.radius.max(0.0) / along.z)
 }
 
 /// A contour of the second set-up led on behind its end, where the round nose would leave metal: straight along its slope, over what
-/// the first set-up made, or along that, where it rises from there. None if it does not end with a slope.
-fn led_on(left: &Contour, by: Half, bench: &Bench<'_, '_>) -> Option<Contour> {
+/// the first set-up made, or along that, where it rises from there; and over the cylinder behind a thread, whose own is turned
+/// smaller. None elsewhere.
+fn led_on(left: &Contour, threaded: bool, by: Half, bench: &Bench<'_, '_>) -> Option<Contour> {
     let end = left.end().filter(|_| by > Half::ZERO)?;
     let slope = slope_at_end(left)?;
     let part = bench.workpiece.outer.contour().turned_over(bench.workpiece.length());
     let beyond = super::clip::between(&part, end.z, end.z + by);
     let over = |point: &Point| end.radius + Half::from((point.z - end.z).to_mm() * slope) >= point.radius;
     if beyond.pieces.iter().flat_map(|piece| piece.extremes()).all(|point| over(&point)) {
-        return Some(leading_on(left.clone(), by, slope));
+        // A cylinder that goes on in the same radius is made already.
+        let flush = left.pieces.iter().chain(beyond.pieces.first()).rev().take(2).all(|piece| piece.is_cylinder());
+        return (!flush || threaded && bench.elsewhere.is_empty()).then(|| leading_on(left.clone(), by, slope));
     }
     let rises = |piece: &Piece| !piece.is_face() && piece.to.radius >= piece.from.radius;
     let follows = beyond.start() == Some(end) && beyond.pieces.iter().all(rises);
@@ -241,6 +245,9 @@ const LEAST_RUN: f64 = 0.2;
 /// A contour led on along a slope at its end.
 fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour {
     let Some(end) = contour.end() else { return contour };
+    if slope == 0.0 {
+        return longer(contour, by);
+    }
     let radius = end.radius + Half::from(by.to_mm() * slope);
     contour.pieces.push(Piece::line(end, Point { radius, z: end.z + by }));
     contour

@@ -59,7 +59,7 @@ use crate::turning::jobs::{Body, Job, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::{Advice, Blank, Workpiece, advice};
-use crate::turning::zones::{self, SetUp};
+use crate::turning::zones::{self, Hold, SetUp};
 use layers::Layers;
 use parted::{NotParted, Parted};
 use tools::Bench;
@@ -250,8 +250,9 @@ fn plan_without(
         Angles::CONTOURING,
         knowledge,
     )?;
-    // A far face that nothing holds the part for is parted to length.
-    let only_faced = |one: &SetUp| one.outer.is_none() && one.inner.is_none() && one.holds_at.is_none();
+    // A far face that nothing but a thread holds the part for is parted to length.
+    let held = |one: &SetUp| !matches!(one.holds_at, None | Some(Hold::Surface { threaded: true, .. }));
+    let only_faced = |one: &SetUp| one.outer.is_none() && one.inner.is_none() && !held(one);
     if parted.is_some() && set_ups.get(1).is_some_and(only_faced) {
         parted = parted.map(Parted::to_length);
         set_ups.truncate(1);
