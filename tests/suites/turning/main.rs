@@ -9,6 +9,7 @@
 )]
 
 mod allowances;
+mod bores;
 mod elements;
 mod equidistant;
 mod everyday;

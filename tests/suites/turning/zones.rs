@@ -44,7 +44,7 @@ fn stock<'a>(rough: &'a Contour, blank: &'a Contour) -> Stock<'a> {
 
 fn tool(name: &str, main: f64, secondary: f64) -> ToolAngles {
     let angles = Angles { main: Degrees(main), secondary: Degrees(secondary), hand: Hand::Right };
-    ToolAngles { name: name.to_owned(), angles, least_bore: None, width: None }
+    ToolAngles { name: name.to_owned(), angles, least_bore: None, reach: None, width: None }
 }
 
 fn kinds(zone: &Zone) -> Vec<ZoneKind> {

@@ -148,7 +148,7 @@ fn site<'a>(stretch: &'a TurnedSide, side: &SideWork, bench: &Bench<'_, '_>) -> 
 ///
 /// # Errors
 /// The knowledge base lacks a table.
-pub(super) fn made(tried: Tried<Job, NoJob>, findings: &mut Vec<Finding>) -> Result<Option<Job>, KnowledgeError> {
+pub(super) fn made<T>(tried: Tried<T, NoJob>, findings: &mut Vec<Finding>) -> Result<Option<T>, KnowledgeError> {
     match Refusal::split(tried)? {
         Ok(job) => Ok(Some(job)),
         Err(why) => {

@@ -124,11 +124,14 @@ fn drilled(
     };
     let (diameter, from) = (drilled.diameter_mm, there.max(bench.raw_bore()));
     let mut jobs = Vec::new();
-    if from == Micrometres::ZERO {
-        jobs.extend(features::made(hole::spot(diameter, face, drilled.depth_mm, bench), findings)?);
-    }
     let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false, tapped: false };
-    let Some(made) = features::made(hole::drill(&task, bench), findings)? else { return Ok(jobs) };
+    let mut drills = features::made(hole::drilling(&task, bench), findings)?.unwrap_or_default();
+    let first = drills.first().and_then(|drill| drill.tool.diameter()).unwrap_or(diameter);
+    if from == Micrometres::ZERO {
+        jobs.extend(features::made(hole::spot(first, face, drilled.depth_mm, bench), findings)?);
+    }
+    let Some(made) = drills.pop() else { return Ok(jobs) };
+    jobs.extend(drills);
     let bottom = stretch(set_up, side.side).and_then(|stretch| stretch.profile.surfaces.last());
     let surfaces = bottom.map(|surface| surface.name.clone()).into_iter().collect();
     let flattened = drilled.flat.then(|| hole::flatten(&made, drilled.depth_mm, face, surfaces, bench));

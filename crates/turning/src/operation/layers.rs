@@ -171,10 +171,17 @@ fn is_bottom(last: &Piece) -> bool {
     last.is_face() && last.to.radius < last.from.radius
 }
 
-/// The smallest hole that a bar of the catalog enters; none if one enters every hole, or if there is none.
-fn least_bar(bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, KnowledgeError> {
+/// The smallest hole that a bar of the catalog enters which reaches so deep, or any bar where none does; none if one enters
+/// every hole, or if there is none.
+fn least_bar(deep: Half, bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, KnowledgeError> {
     let bars = tools::candidates(Side::Inner, Stage::Roughing, bench)?;
-    Ok(bars.iter().map(|bar| bar.min_bore.unwrap_or_default()).min())
+    let bars: Vec<_> =
+        bars.iter().map(|bar| tools::angles(bar, bench.knowledge)).collect::<Result<_, KnowledgeError>>()?;
+    let least = |reaching: bool| {
+        let bars = bars.iter().filter(|bar| !reaching || bar.reach.is_none_or(|reach| reach >= deep));
+        bars.map(|bar| bar.least_bore.unwrap_or_default()).min()
+    };
+    Ok(least(true).or_else(|| least(false)))
 }
 
 /// The most that a bar takes off the bottom of a bore as it faces it to its inner end; none if every bar would touch the wall on
@@ -182,17 +189,16 @@ fn least_bar(bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, KnowledgeErro
 fn faced_by_bar(bottom: &Piece, bore: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Half>, KnowledgeError> {
     let walls = bore.pieces.iter().filter(|piece| !piece.is_face());
     let Some(narrow) = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min() else { return Ok(None) };
-    let bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
-    let reaching = bars.iter().filter(|bar| {
-        let enters = bar.min_bore.is_none_or(|least| least <= narrow.diameter());
-        enters && tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius)
-    });
+    let mut bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
+    bars.retain(|bar| bar.min_bore.is_none_or(|least| least <= narrow.diameter()));
+    bars.retain(|bar| tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius));
+    let bars = tools::reaching(bars, bottom.to.z, bench.knowledge)?;
     let share = Limits::of(bench.knowledge).ratio(JobLimit::BottomEdgeShare)?;
     let rise = |bar: &TurningTool<'_>| {
         let edge = bar.edge.unwrap_or(UNKNOWN_EDGE).to_mm();
         Half::from(share * edge * libm::sin(bar.trail_angle.to_f64().to_radians()))
     };
-    Ok(reaching.map(rise).min())
+    Ok(bars.iter().map(rise).min())
 }
 
 /// The overrun at the end of a set-up's range: the round nose of the tool must leave no metal that the other set-up does not
@@ -363,7 +369,7 @@ fn standing(
         return Ok(Some(SideStock { blank, rough, drilled_first: None }));
     }
     let (raw, there) = (workpiece.blank.inner.as_ref(), bench.raw_bore());
-    let least_bar = least_bar(bench)?;
+    let least_bar = least_bar(end.z, bench)?;
     if let Some(inner) = raw.filter(|_| axial.is_none_or(|axial| axial <= there))
         && least_bar.is_none_or(|least| least <= there)
     {

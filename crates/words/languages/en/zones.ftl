@@ -29,6 +29,7 @@ hold-nowhere = no turned cylinder is long enough: centres, a mandrel or bored ja
 tool-main-angle = φ = { $has }° is less than { $needs }°
 tool-secondary-angle = φ1 = { $has }° is less than { $needs }°
 tool-bore-too-small = the bore of Ø{ $bore } is smaller than the least for the tool, Ø{ $least }
+tool-bar-too-short = the bore is { $depth } mm deep, and the bar reaches { $reach } mm
 tool-wider-than-groove = the tool is { $width } mm wide, the floor { $floor } mm
 tool-only-for-grooves = a grooving tool is for closed zones, and this one is { $kind }
 jaws-close = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm; turning they sweep at most Ø{ $sweep }

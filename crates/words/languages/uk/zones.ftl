@@ -29,6 +29,7 @@ hold-nowhere = немає досить довгого обробленого ц�
 tool-main-angle = φ = { $has }° менший за { $needs }°
 tool-secondary-angle = φ1 = { $has }° менший за { $needs }°
 tool-bore-too-small = отвір Ø{ $bore } менший за найменший для різця Ø{ $least }
+tool-bar-too-short = глибина отвору { $depth } мм, а борштанга дістає на { $reach } мм
 tool-wider-than-groove = ширина різця { $width } мм більша за дно { $floor } мм
 tool-only-for-grooves = канавковий різець лише для закритих зон, а ця { $kind }
 jaws-close = кулачки затискають Ø{ $grips } від Z { $z } на довжині { $length } мм; обертаючись, вони описують щонайбільше Ø{ $sweep }
