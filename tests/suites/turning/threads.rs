@@ -195,3 +195,29 @@ fn a_thread_that_no_cycle_makes_as_planned_says_why() {
     let sheet = setting(&stepped, "sinumerik", &KNOWLEDGE).unwrap();
     assert_eq!(sheet.threads[0].cycle.as_ref().unwrap().code(), "thread-cycled");
 }
+
+/// D1 of M36x2 is 33.835, of 6H up to 34.21 (TD1 0.375, ISO 965-1). On a bore of Ø34.1 the thread is whole; on Ø35 its crests are
+/// (36 − 35)/(36 − 33.835) = 46 % of their height, which is told, and the passes begin at the wall: H = 1.732, D2 34.701 + 0.112,
+/// a tip of H/12, so the roots are at 34.813 + 2·(H/2 − H/12) = 36.256, and the depth is (36.256 − 35)/2 = 0.628.
+#[test]
+fn a_thread_is_turned_in_any_bore_below_its_nominal_diameter() {
+    let nut = |bore: &str| {
+        let text = format!(
+            "shaft: Nut\nmaterial: steel-45\nblank: {{kind: tube, diameter: 65, bore: 30, length: 90, face: 1}}\nmachine: \
+             16k20f3\nouter:\n  - {{from: {{d: {bore}, z: 0}}}}\n  - {{face: 60}}\n  - {{cylinder: -40}}\ninner:\n  \
+             - {{from: {{d: {bore}, z: 0}}}}\n  - {{thread: M36x2-6H, to: -40}}\n"
+        );
+        planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap())
+    };
+    let wide = |operation: &Operation| -> Option<String> {
+        let told = operation.findings.iter().find(|finding| finding.note.code() == "thread-bored-wide")?;
+        told.note.figure_text("share")
+    };
+    assert_eq!(wide(&nut("34.1")), None);
+    let operation = nut("35");
+    assert_eq!(wide(&operation).as_deref(), Some("46"));
+    let cuts = operation.set_ups.iter().flat_map(|work| &work.jobs).filter_map(|job| job.thread.clone());
+    let depth = cuts.flat_map(|cut| cut.depths_mm).max().unwrap();
+    assert!((depth.to_mm() - 0.628).abs() < 0.001, "{depth:?}");
+    assert!(operation.set_ups.iter().all(|work| rejects(&operation, work.set_up.number).is_none()));
+}

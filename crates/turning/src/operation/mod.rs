@@ -327,7 +327,7 @@ fn plan_without(
     findings.extend(proof::findings(&operation));
     findings.extend(doubts::doubts(&operation));
     findings.extend(lathe.as_ref().and_then(|lathe| turret(&operation, lathe)));
-    findings.extend(tapped::bored_to_least(workpiece, knowledge)?);
+    findings.extend(tapped::bored_beside_limits(workpiece, knowledge)?);
     operation.findings = merged(findings);
     Ok(operation)
 }
