@@ -28,6 +28,8 @@ vocabulary! {
         InnerGroovingSpeed = "inner-grooving-speed",
         /// The least depth of a pass of a thread.
         ThreadLastPass = "thread-last-pass",
+        /// φ of the first pass of a thread in the makers' formula.
+        ThreadFirstShare = "thread-first-share",
         /// The number of passes at full depth after the last pass of a thread.
         ThreadSpringPasses = "thread-spring-passes",
         /// The least run-in of a thread, in pitches.

@@ -76,7 +76,7 @@ pub(super) fn thread_job(
     if let Some(tapped) = &cut.tapped {
         return made(hole::tap(surfaces, index, cut, tapped, face, bench), findings);
     }
-    let mut job = made(thread(site, surface, cut, Passes::Area, bench), findings)?;
+    let mut job = made(thread(site, surface, cut, Passes::Makers, bench), findings)?;
     match (&mut job, &cut.way) {
         (Some(job), Some(way)) => {
             job.notes.insert(0, way.note.clone());
