@@ -155,6 +155,21 @@ impl Operation {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
     }
 
+    /// Replaces each centre that a tool strikes with one that is turned down for it; whether there was one.
+    fn turns_centres_down(&mut self) -> bool {
+        let slimmer = |work: &SetUpWork| {
+            let outside = work.jobs.iter().filter(|job| job.side == Side::Outer);
+            let nearest = outside.flat_map(|job| &job.path.moves).map(|one| one.to.radius).min()?;
+            work.tailstock?.turned_down(nearest).filter(|_| proof::meets_centre(self, work.set_up.number))
+        };
+        let slimmer: Vec<_> = self.set_ups.iter().map(slimmer).collect();
+        let any = slimmer.iter().any(Option::is_some);
+        for (work, slimmer) in self.set_ups.iter_mut().zip(slimmer) {
+            work.tailstock = slimmer.or(work.tailstock);
+        }
+        any
+    }
+
     /// Its badness: first the set-ups that the proof rejects, then the number of wrong findings.
     fn badness(&self) -> (usize, usize) {
         let rejected = self.proven.iter().filter(|proven| proof::rejected(self, proven).is_some());
@@ -324,6 +339,10 @@ fn plan_without(
     };
     findings.extend(unfinished::unfinished(&operation));
     operation.proven = proof::prove(&operation);
+    if operation.turns_centres_down() {
+        operation.proven = proof::prove(&operation);
+    }
+    findings.extend(operation.set_ups.iter().filter_map(|one| one.tailstock.as_ref()?.finding(one.set_up.number)));
     findings.extend(proof::findings(&operation));
     findings.extend(doubts::doubts(&operation));
     findings.extend(lathe.as_ref().and_then(|lathe| turret(&operation, lathe)));

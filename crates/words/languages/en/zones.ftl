@@ -37,5 +37,6 @@ jaws-close-alone = the jaws close on Ø{ $grips } from Z { $z }, over { $length 
 jaws-grip-little = set-up { $number }: to stay off the tool the jaws grip { $length } mm, and { $least } mm are wanted: bore the jaws deeper, or take a smaller depth of cut
 jaws-bored = the surface is finished: soft jaws, bored to Ø{ $grips } over { $length } mm
 jaws-on-bushing = a split bushing with this thread, { $length } mm long, goes between the jaws and Ø{ $grips }: make it before
+centre-turned-down = set-up { $number }: a usual centre is in the way of the tools: take one that is turned down to Ø{ $body } or less behind its cone, or a half centre
 grip-required = on Ø{ $grips } the jaws must press with { $force } kN together: the heaviest cut pulls with { $pull } kN there, friction { $friction }, safety { $safety }
 grip-too-weak = set-up { $number }: the heaviest cut requires { $force } kN of the jaws on Ø{ $grips }, and a hand chuck of this size gives about { $given } kN: take a power chuck, a smaller depth or feed, a thicker cylinder to grip, or a tailstock
