@@ -23,6 +23,8 @@ mod programs;
 mod read_back;
 mod schemes;
 mod setting;
+mod shop;
+
 mod tailstock;
 mod tapping;
 mod tapping_laws;

@@ -3,7 +3,7 @@
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Finding, Severity};
 use crate::turning::contour::{Profile, Side, Surface, SurfaceKind};
-use crate::turning::jobs::groove::groove;
+use crate::turning::jobs::groove::{groove, with_fewer_blades};
 use crate::turning::jobs::hole;
 use crate::turning::jobs::thread::{Passes, thread};
 use crate::turning::jobs::{Job, NoJob, Site};
@@ -27,7 +27,7 @@ pub(super) fn features(
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
-    let mut jobs = Vec::new();
+    let (mut jobs, mut grooves) = (Vec::new(), Vec::new());
     let Some(stretch) = stretch(set_up, side.side) else { return Ok(jobs) };
     let site = site(stretch, side, bench)?;
     let with_made = with_made_before(set_up, &stretch.profile, bench);
@@ -38,9 +38,10 @@ pub(super) fn features(
         if surface.kind == SurfaceKind::Thread {
             jobs.extend(thread_job(of_threads, index, face, bench, findings)?);
         } else if surface.kind.is_additional() {
-            jobs.extend(made(groove(site, surface, bench), findings)?);
+            grooves.extend(made(groove(site, surface, bench), findings)?.map(|job| (surface, job)));
         }
     }
+    jobs.extend(with_fewer_blades(site, grooves, bench)?);
     Ok(jobs)
 }
 

@@ -3,10 +3,12 @@
 
 use crate::error::KnowledgeError;
 use crate::note::Finding;
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind};
 use crate::turning::elements::Element;
 use crate::turning::jobs::along::{along, dip};
 use crate::turning::jobs::hole::{self, Hole, HoleEnd};
+use crate::turning::jobs::limits::Limits;
 use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -171,10 +173,12 @@ fn rough(
     let Some(tool) = TurningTool::find(bench.knowledge, &chosen.designation)? else { return Ok(None) };
     let is_face = zone.zone.feed == Feed::Across;
     let mut pace = pace_of(&work.pace, bench);
-    if is_face {
+    let path = eased(&transition.path, work.levels.depth + work.pace.retract_mm);
+    let path = if is_face { off_the_face(&path, work.pace.retract_mm) } else { path };
+    let spread = Limits::of(bench.knowledge).ratio(JobLimit::ConstantSpeedRatio)?;
+    if is_face || widest_to_narrowest(&path) >= spread {
         pace = constant_speed(pace, work.pace.conditions.as_ref(), bench);
     }
-    let path = eased(&transition.path, work.levels.depth + work.pace.retract_mm);
     Ok(Some(Job {
         work: if is_face { JobWork::Face } else { JobWork::Rough },
         side,
@@ -209,6 +213,32 @@ fn eased(path: &Toolpath, height: Half) -> Toolpath {
         eased.follow(Piece { from: eased.end(), ..piece }, purpose);
     }
     eased
+}
+
+/// A path over a face that leaves it along the axis before it goes outwards at rapid: back along the face the tip would rub.
+fn off_the_face(path: &Toolpath, back: Half) -> Toolpath {
+    let mut off = Toolpath::at(path.from);
+    let mut cut = false;
+    for (piece, purpose) in path.pieces() {
+        let upright = piece.from.z == piece.to.z;
+        let mut to = piece.to;
+        if cut && purpose == Purpose::Rapid && upright && piece.to.radius > piece.from.radius {
+            to.z = to.z - back;
+            off.go(Point { radius: piece.from.radius, z: to.z }, Purpose::Rapid);
+            off.go(to, Purpose::Rapid);
+        } else {
+            off.follow(Piece { from: off.end(), ..piece }, purpose);
+        }
+        cut = purpose != Purpose::Rapid && upright;
+    }
+    off
+}
+
+/// The largest diameter that a path works on over the smallest.
+fn widest_to_narrowest(path: &Toolpath) -> f64 {
+    let worked = path.pieces().filter(|(_, purpose)| *purpose != Purpose::Rapid).map(|(piece, _)| piece.radii());
+    let both = worked.reduce(|(least, most), (low, high)| (least.min(low), most.max(high)));
+    both.map_or(1.0, |(least, most)| most.to_mm() / least.to_mm().max(0.001))
 }
 
 /// The conditions of a job from those of its passes: the spindle step with feeds per revolution, or rates if the file
