@@ -2,9 +2,11 @@
 
 use technolog::note::Severity;
 use technolog::turning::contour::Side;
-use technolog::turning::jobs::{Body, Pace, Work};
+use technolog::turning::jobs::{Body, Job, Pace, Work};
+use technolog::turning::length::Half;
 use technolog::turning::operation::{Operation, SetUpWork, plan};
 use technolog::turning::program::Speed;
+use technolog::turning::toolpath::Purpose;
 use technolog::turning::workpiece::read_turned;
 use technolog::turning::zones::Hold;
 use technolog_testing::KNOWLEDGE;
@@ -55,6 +57,26 @@ fn threads_at_both_ends_are_cut_from_both_ends() {
             assert!(!cut.pulled_out || (cut.to_z_mm - cut.ends_z_mm).to_mm() <= 4.5, "{name}: {cut:?}");
         }
     }
+}
+
+/// A pin of drawn bar keeps the surface of the bar: Ø40 is turned by no job, but for the chamfers. A bar of Ø40.4 leaves 0.2 for
+/// one pass. A nut of a tube bored to the thread has its chamfer and its thread cut, and nothing else in the bore.
+#[test]
+fn what_the_blank_has_already_is_not_turned() {
+    for name in ["drawn-bar", "little-stock", "nut-of-tube"] {
+        let operation = planned(name);
+        assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
+        let told = operation.findings.iter().any(|finding| finding.note.code() == "surface-of-blank");
+        assert_eq!(told, name == "drawn-bar", "{name}");
+    }
+    let drawn = planned("drawn-bar");
+    let along = drawn.set_ups.iter().flat_map(|set_up| &set_up.jobs).filter(|job| job.side == Side::Outer);
+    let body = |job: &&Job| job.surfaces.iter().any(|surface| surface.to_string() == "body");
+    assert_eq!(along.clone().filter(body).count(), 0);
+    // No feed along Ø40: the chamfer is left along its own slope.
+    let cuts = along.flat_map(|job| job.path.pieces().collect::<Vec<_>>());
+    let flat = cuts.filter(|(piece, purpose)| *purpose != Purpose::Rapid && piece.is_cylinder());
+    assert_eq!(flat.filter(|(piece, _)| piece.from.radius == Half::from(20.0)).count(), 0);
 }
 
 /// The cup has one cylinder and 9 mm of bar behind it: nothing holds it. Its bore is made whole.

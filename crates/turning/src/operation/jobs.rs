@@ -23,7 +23,7 @@ use super::depth;
 use super::finishing::{Finishing, allowance, needs};
 use super::tools::Bench;
 use super::work::{Hollow, Work, ZoneWork};
-use super::{Axial, SideWork, clip, crests, features};
+use super::{Axial, SideWork, clip, crests, features, layers, thin};
 use crate::turning::cutting::TurningConditions;
 
 /// The jobs of a set-up.
@@ -297,8 +297,8 @@ fn finish(
     } else {
         side.layers.left.clone()
     };
-    let contour = as_turned(contour, set_up, bench);
-    if contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
+    let contour = worked(as_turned(contour, set_up, bench), side, bench)?;
+    if contour.pieces.is_empty() || contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
         return Ok(Vec::new());
     }
     let stretch = stretch(set_up, side.side);
@@ -307,7 +307,9 @@ fn finish(
         surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO)
     };
     let faces = contour.start() == side.layers.left.start();
-    let surfaces: Vec<&Surface> = surfaces.into_iter().filter(|surface| faces || !face(surface)).collect();
+    let as_it_is = |surface: &Surface| thin::is_of_blank(surface, &side.layers.blank);
+    let surfaces: Vec<&Surface> =
+        surfaces.into_iter().filter(|surface| (faces || !face(surface)) && !as_it_is(surface)).collect();
     let over = |contour, surfaces: Vec<_>| Finishing {
         side: side.side,
         contour,
@@ -330,6 +332,21 @@ fn finish(
         jobs.extend(part.job(bench, findings, |seen, standing, clearance| Some(along(seen, standing, clearance)))?);
     }
     Ok(jobs)
+}
+
+/// A contour without the cylinders of the blank at its end, led on over them along its slope.
+fn worked(contour: Contour, side: &SideWork, bench: &Bench<'_, '_>) -> Result<Contour, KnowledgeError> {
+    let worked = thin::worked(contour.clone(), &side.layers.blank);
+    if side.layers.drilled_first.is_some() || worked == contour {
+        return Ok(contour);
+    }
+    let Some(along) = worked.pieces.last().map(|last| last.direction_at_end()) else { return Ok(worked) };
+    let into_air = if worked.side == Side::Outer { along.radius > 0.0 } else { along.radius < 0.0 };
+    if !into_air || along.z <= 0.0 {
+        return Ok(worked);
+    }
+    let by = layers::run_out(&worked, bench)?;
+    Ok(layers::leading_on(worked, by, along.radius / along.z))
 }
 
 /// The overlap of finishing from one zone of a hollow into the next, so that no ridge remains between two tools.

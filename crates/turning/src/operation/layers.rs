@@ -23,6 +23,7 @@ use crate::units::Micrometres;
 use super::Stage;
 use super::drill::{self, Drilled};
 use super::intermediate::left;
+use super::thin;
 use super::tools::{self, Bench};
 
 /// The layers of one side in a set-up, in its coordinates: Z = 0 at the end that is free in it.
@@ -92,7 +93,7 @@ pub fn layers(
     let (workpiece, knowledge) = (bench.workpiece, bench.knowledge);
     let length = Micrometres::new(workpiece.length().halves() / 2);
     let method = method(&workpiece.allowances);
-    let (allowances, doubts) = finishing(&stretch.profile, method, length, knowledge)?;
+    let (mut allowances, doubts) = finishing(&stretch.profile, method, length, knowledge)?;
     findings.extend(doubts);
     let main = &stretch.main.contour;
     let Some(mut left) = left(stretch, bench, findings) else { return Ok(None) };
@@ -150,6 +151,15 @@ pub fn layers(
         return Ok(None);
     };
     let part = stretch.profile.contour();
+    let rough = thin::within(rough, &blank);
+    for (surface, allowance) in stretch.profile.surfaces.iter().zip(&mut allowances) {
+        if drilled_first.is_none() && thin::is_of_blank(surface, &blank) {
+            allowance.allowance_mm = Some(Half::ZERO);
+            let asked = surface.grade.is_some() || surface.roughness.is_some();
+            let severity = if asked { Severity::Doubtful } else { Severity::Note };
+            findings.push(Finding::of_part(severity, Note::new("surface-of-blank").with("surface", &surface.name)));
+        }
+    }
     let mut areas = areas(&blank, &rough, main, &part);
     areas.finish = finish;
     if main.side == Side::Inner && left.pieces.last().is_some_and(is_bottom) {
@@ -206,7 +216,7 @@ fn faced_by_bar(bottom: &Piece, bore: &Contour, bench: &Bench<'_, '_>) -> Result
 ///
 /// # Errors
 /// The knowledge base lacks the table of motions.
-fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
+pub(super) fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
     let ends_open = left.end().is_some_and(|end| end.radius > Half::ZERO);
     let (table, _) = rates::of_table(bench.knowledge)?;
     let by = bench.workpiece.rates.map_or(table.approach, |rates| rates.main.approach);
@@ -249,7 +259,7 @@ fn led_on(left: &Contour, threaded: bool, by: Half, bench: &Bench<'_, '_>) -> Op
 const LEAST_RUN: f64 = 0.2;
 
 /// A contour led on along a slope at its end.
-fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour {
+pub(super) fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour {
     let Some(end) = contour.end() else { return contour };
     if slope == 0.0 {
         return longer(contour, by);

@@ -40,6 +40,7 @@ pub mod proof;
 pub mod setting;
 mod tailstock;
 pub(crate) mod tapped;
+mod thin;
 pub mod times;
 pub mod tool_table;
 pub mod tools;
