@@ -59,6 +59,20 @@ fn threads_at_both_ends_are_cut_from_both_ends() {
     }
 }
 
+/// M30 has P 3.5: es 0.053, Td 0.425 for 6g, so its crests are turned to 30 − 0.053 − 0.2125 = 29.7345. The jaws of the second
+/// set-up stand clear of the run-out, which ГОСТ 10549-80 lets be 6.3 long, and of the 5 mm beside it.
+#[test]
+fn coarse_threads_of_large_studs_are_cut() {
+    let operation = planned("stud-m30");
+    assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
+    let cuts: Vec<_> =
+        operation.set_ups.iter().flat_map(|set_up| &set_up.jobs).filter_map(|job| job.thread.as_ref()).collect();
+    assert_eq!(cuts.len(), 2);
+    assert!(cuts.iter().all(|cut| (cut.crest_radius_mm.diameter().to_mm() - 29.7345).abs() < 0.0011), "{cuts:?}");
+    let jaws = operation.set_ups[1].jaws.unwrap();
+    assert!((jaws.front_mm.to_mm() - (60.0 + 6.3 + 5.0)).abs() < 0.001, "{jaws:?}");
+}
+
 /// A pin of drawn bar keeps the surface of the bar: Ø40 is turned by no job, but for the chamfers. A bar of Ø40.4 leaves 0.2 for
 /// one pass. A nut of a tube bored to the thread has its chamfer and its thread cut, and nothing else in the bore.
 #[test]

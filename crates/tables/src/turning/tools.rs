@@ -137,6 +137,7 @@ rows! {
         shank_width: Option<Micrometres>,
         pitch_min: Option<Micrometres>,
         pitch_max: Option<Micrometres>,
+        insert_side: Option<Micrometres>,
     } shown { length }
 
     /// The choice among turning tools that fit.

@@ -74,7 +74,7 @@ impl Jaws {
 
     /// The jaws in a set-up; none between centres, and where no cylinder is long enough for them.
     ///
-    /// Their clearance from the end of the turned range is `jaw-clearance` of `turning-limits`, or the length of the
+    /// Their clearance from the end of the turned range, or of the run-out of a thread there, is `jaw-clearance` of `turning-limits`, or the length of the
     /// cylinder beyond the required grip (`turning-hold`), but not less than `jaw-clearance-least`.
     ///
     /// # Errors
@@ -87,7 +87,12 @@ impl Jaws {
     ) -> Result<Option<Self>, KnowledgeError> {
         let length = workpiece.length();
         let turned = set_up.outer.as_ref().and_then(|outer| outer.main.contour.end());
-        let turned = turned.map_or(Half::ZERO, |end| end.z);
+        // Behind a thread at the end of it the tool runs out.
+        let last =
+            set_up.outer.as_ref().and_then(|outer| outer.profile.surfaces.last()).map(|last| last.name.to_string());
+        let thread = workpiece.threads.iter().find(|thread| last.as_ref() == Some(&thread.surface));
+        let run_out = thread.and_then(|thread| thread.longest_run_out).map_or(Half::ZERO, Half::of);
+        let turned = turned.map_or(Half::ZERO, |end| end.z) + run_out;
         let (from, to, grips_mm, touches) = match &set_up.holds_at {
             None | Some(Hold::Centres) => return Ok(None),
             Some(Hold::Blank { diameter_mm, length_mm, from }) => (*from, *from + *length_mm, *diameter_mm, *length_mm),

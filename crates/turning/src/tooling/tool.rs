@@ -122,7 +122,7 @@ impl<'k> TurningTool<'k> {
             own_width: tool.own_width.unwrap_or_default(),
             face_diameter: tool.face_diameter_min,
             pitch: tool.pitch_min.zip(tool.pitch_max),
-            insert_side: side.filter(|_| tool.kind == ToolKind::Threading),
+            insert_side: tool.insert_side.or(side).filter(|_| tool.kind == ToolKind::Threading),
             grades: tool.grades.unwrap_or_default(),
         }
     }

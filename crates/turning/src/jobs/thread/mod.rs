@@ -73,13 +73,14 @@ pub fn thread(
     let entry =
         (limits.ratio(JobLimit::ThreadRunIn)? * lost).max(limits.ratio(JobLimit::ThreadEntry)? * thread.pitch.to_mm());
     let lift = Half::of(limits.length(JobLimit::ThreadLift)?);
+    let usual_side = limits.length(JobLimit::ThreadInsertSide)?;
     let asked = Room {
         thread: *piece,
         root,
         lift,
         entry: Half::from(entry),
         run_out: Half::from(lost),
-        side_of_insert: Half::of(limits.length(JobLimit::ThreadInsertSide)?),
+        side_of_insert: Half::of(tool.insert_side.unwrap_or(usual_side)),
         longest: thread.longest_run_out.unwrap_or_default(),
         finest: limits.ratio(JobLimit::ThreadRunOutGrade)?,
     };
