@@ -153,6 +153,9 @@ fn cylinders<'a>(profile: &'a Profile, classes: &[Class]) -> Vec<Cylinder<'a>> {
     cylinders
 }
 
+/// How well a cylinder holds a part: whether it is none with a thread, whether it has the usual length, its radius and its length.
+type Rank = (bool, bool, Half, Half);
+
 /// The clamping place of the part in the second set-up: the thickest of the cylinders that are long enough, and of
 /// these the longest. A thick cylinder transmits the torque with the least force. Where none has the usual length, one
 /// that has the shortest is taken; where there is none of these either, a thread.
@@ -167,7 +170,7 @@ pub(super) fn hold_part(
     if let Some(centres) = between_centres(part, knowledge)? {
         return Ok(centres);
     }
-    let mut best: Option<((bool, bool, Half, Half), Hold, Because)> = None;
+    let mut best: Option<(Rank, Hold, Because)> = None;
     let mut passed = Vec::new();
     for cylinder in made.iter().flat_map(|made| cylinders(&made.profile, &made.classes)) {
         let (name, diameter, length) = (&cylinder.first.name, cylinder.radius.diameter(), cylinder.touches);

@@ -35,8 +35,8 @@ use super::limits::Limits;
 use super::refused::{NoJob, Operation, no_figure};
 use super::site::{self, Site};
 use super::{Job, JobTool, Pace, ThreadCut, Work};
-pub use passes::Passes;
-use passes::{Bounds, Divided};
+use passes::Divided;
+pub use passes::{Bounds, Passes};
 use room::Room;
 
 /// The height of the triangle of the profile over the pitch, H/P (ISO 68-1).
