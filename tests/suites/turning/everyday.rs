@@ -59,6 +59,14 @@ fn threads_at_both_ends_are_cut_from_both_ends() {
     }
 }
 
+/// The nose of the tool that finishes the neck, r 1.2, meets the end of its second cone, which rises by 25°, when its reference
+/// point is behind it: that goes on over the cylinder.
+#[test]
+fn a_neck_is_finished_up_to_its_lip() {
+    let operation = planned("neck-of-cones");
+    assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
+}
+
 /// M30 has P 3.5: es 0.053, Td 0.425 for 6g, so its crests are turned to 30 − 0.053 − 0.2125 = 29.7345. The jaws of the second
 /// set-up stand clear of the run-out, which ГОСТ 10549-80 lets be 6.3 long, and of the 5 mm beside it.
 #[test]

@@ -352,6 +352,10 @@ fn worked(contour: Contour, side: &SideWork, bench: &Bench<'_, '_>) -> Result<Co
 /// The overlap of finishing from one zone of a hollow into the next, so that no ridge remains between two tools.
 const SEAM: Half = Half::new(2000);
 
+/// How far a finishing pass goes on over a cylinder behind its hollow: the reference point of a round nose reaches the end of a rise
+/// only behind it.
+const OVER_LIP: Half = Half::new(4000);
+
 /// The finishing passes along a hollow, zone by zone, each with a tool that reaches it.
 fn finish_hollow(
     set_up: &SetUp,
@@ -384,7 +388,11 @@ fn finish_hollow(
             allowances: &hollow.layers.allowances,
             needs: needs(&clip::between(contour, own.0, own.1)),
         };
-        let (from_z, to_z) = within(SEAM);
+        let (from_z, mut to_z) = within(SEAM);
+        let beyond = clip::between(contour, last, last + OVER_LIP);
+        if is_last && beyond.pieces.iter().all(|piece| piece.is_cylinder()) {
+            to_z = to_z.max(beyond.end().map_or(last, |end| end.z));
+        }
         jobs.extend(task.job(bench, findings, |seen, standing, clearance| {
             Some(dip(&clip::between(seen, from_z, to_z), standing, clearance)).filter(|path| !path.moves.is_empty())
         })?);
