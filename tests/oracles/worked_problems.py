@@ -65,6 +65,9 @@ def figures(problem):
         out["tap_drill_mm"] = g["diameter_mm"] - g["pitch_mm"]
     elif formula == "thread-passes":
         out |= {f"pass_{i}_mm": g["thread_depth_mm"] * sqrt(i / g["passes"]) for i in range(1, g["passes"] + 1)}
+    elif formula == "makers-passes":
+        reached = [g["thread_depth_mm"] * sqrt(phi / (g["passes"] - 1)) for phi in [0.3, *range(1, g["passes"])]]
+        out |= {"first_pass_mm": reached[0], "last_pass_mm": reached[-1] - reached[-2]}
     elif formula == "norms" and isinstance(problem["inputs"], list):
         products = [row["table"] * prod(row["factors"]) for row in problem["inputs"]]
         out |= {"speeds_m_per_min": products, "forces_n": products}

@@ -17,7 +17,7 @@ use technolog::tables::standards::CoarseThread;
 use technolog::tables::turning::jobs::{JobLimit, JobLimits, ThreadingFirstPassFor, ThreadingPasses};
 use technolog::tables::turning::part::Side;
 use technolog::turning::cutting::feed_of_nose;
-use technolog::turning::jobs::thread::Passes;
+use technolog::turning::jobs::thread::{Bounds, Passes};
 use technolog::turning::length::Half;
 use technolog::units::{MetresPerMinute, Micrometres, Microns, RevsPerMinute, Roughness};
 use technolog_testing::KNOWLEDGE;
@@ -162,7 +162,7 @@ fn by_our_tables(problem: &Value) -> Option<Vec<(String, f64)>> {
             let drill = KNOWLEDGE.find(|row: &CoarseThread<'_>| row.thread == thread).unwrap()?;
             ("tap_drill_mm", drill.diameter.to_mm())
         }
-        "thread-passes" => {
+        formula @ ("thread-passes" | "makers-passes") => {
             let pitch = Micrometres::from_mm_rounded(get("pitch_mm")?);
             let is = |row: &ThreadingPasses<'_>| row.side == Side::Outer && row.pitch == pitch;
             let passes = KNOWLEDGE.find(is).unwrap()?.passes;
@@ -170,7 +170,16 @@ fn by_our_tables(problem: &Value) -> Option<Vec<(String, f64)>> {
             let first = Half::of(first.need("steel").unwrap().depth);
             let least = KNOWLEDGE.find(|row: &JobLimits<'_>| row.name == JobLimit::ThreadLastPass).unwrap()?;
             let least = Half::of(least.length?);
-            let depths = Passes::Area.depths(Half::from(get("thread_depth_mm")?), passes as usize, first, least);
+            let share = KNOWLEDGE.find(|row: &JobLimits<'_>| row.name == JobLimit::ThreadFirstShare).unwrap()?;
+            let bounds = Bounds { first, least, first_share: share.ratio? };
+            let whole = Half::from(get("thread_depth_mm")?);
+            if formula == "makers-passes" {
+                let depths = Passes::Makers.depths(whole, passes as usize, bounds);
+                let [first, .., before, last] = depths.as_slice() else { return None };
+                let figures = [("first_pass_mm", *first), ("last_pass_mm", *last - *before)];
+                return Some(figures.map(|(key, depth)| (key.to_owned(), depth.to_mm())).into());
+            }
+            let depths = Passes::Area.depths(whole, passes as usize, bounds);
             let keys = (1..).map(|pass| format!("pass_{pass}_mm"));
             return Some(keys.zip(depths.iter().map(|depth| depth.to_mm())).collect());
         }

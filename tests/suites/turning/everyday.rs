@@ -2,10 +2,13 @@
 
 use technolog::note::Severity;
 use technolog::turning::contour::Side;
-use technolog::turning::jobs::{Body, Pace, Work};
-use technolog::turning::operation::{Operation, plan};
+use technolog::turning::jobs::{Body, Job, Pace, Work};
+use technolog::turning::length::Half;
+use technolog::turning::operation::{Operation, SetUpWork, plan};
 use technolog::turning::program::Speed;
+use technolog::turning::toolpath::Purpose;
 use technolog::turning::workpiece::read_turned;
+use technolog::turning::zones::Hold;
 use technolog_testing::KNOWLEDGE;
 
 fn planned(name: &str) -> Operation {
@@ -30,6 +33,71 @@ fn everyday_parts_are_made_whole() {
         assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
         assert!(operation.set_ups.iter().all(|set_up| set_up.set_up.holds_at.is_some()), "{name}");
     }
+}
+
+/// A thread with a cylinder of its own diameter before it has no room to begin: it is cut from the other end. By hand for M20-6g
+/// (ISO 965-1, P 2.5): es 0.042, Td 0.335, so the crests are turned to 20 − 0.042 − 0.1675 = 19.79. ГОСТ 10549-80 lets the run-out
+/// be 4.5 long. The waisted stud has nothing but a thread for the jaws.
+#[test]
+fn threads_at_both_ends_are_cut_from_both_ends() {
+    for (name, threads, held) in
+        [("double-stud", [1, 1], "outer 4"), ("waisted-stud", [1, 1], "outer 3"), ("step-to-thread", [0, 1], "outer 3")]
+    {
+        let operation = planned(name);
+        assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
+        let cuts = |set_up: &SetUpWork| set_up.jobs.iter().filter_map(|job| job.thread.clone()).collect::<Vec<_>>();
+        assert_eq!(operation.set_ups.iter().map(|set_up| cuts(set_up).len()).collect::<Vec<_>>(), threads, "{name}");
+        let Some(Hold::Surface { name: by, threaded, .. }) = &operation.set_ups[1].set_up.holds_at else {
+            panic!("{name}")
+        };
+        assert_eq!((by.as_str(), *threaded), (held, name == "waisted-stud"));
+        for cut in operation.set_ups.iter().flat_map(cuts) {
+            assert!((cut.crest_radius_mm.diameter().to_mm() - 19.79).abs() < 0.0011, "{name}: {cut:?}");
+            assert!(!cut.pulled_out || (cut.to_z_mm - cut.ends_z_mm).to_mm() <= 4.5, "{name}: {cut:?}");
+        }
+    }
+}
+
+/// The nose of the tool that finishes the neck, r 1.2, meets the end of its second cone, which rises by 25°, when its reference
+/// point is behind it: that goes on over the cylinder.
+#[test]
+fn a_neck_is_finished_up_to_its_lip() {
+    let operation = planned("neck-of-cones");
+    assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
+}
+
+/// M30 has P 3.5: es 0.053, Td 0.425 for 6g, so its crests are turned to 30 − 0.053 − 0.2125 = 29.7345. The jaws of the second
+/// set-up stand clear of the run-out, which ГОСТ 10549-80 lets be 6.3 long, and of the 5 mm beside it.
+#[test]
+fn coarse_threads_of_large_studs_are_cut() {
+    let operation = planned("stud-m30");
+    assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
+    let cuts: Vec<_> =
+        operation.set_ups.iter().flat_map(|set_up| &set_up.jobs).filter_map(|job| job.thread.as_ref()).collect();
+    assert_eq!(cuts.len(), 2);
+    assert!(cuts.iter().all(|cut| (cut.crest_radius_mm.diameter().to_mm() - 29.7345).abs() < 0.0011), "{cuts:?}");
+    let jaws = operation.set_ups[1].jaws.unwrap();
+    assert!((jaws.front_mm.to_mm() - (60.0 + 6.3 + 5.0)).abs() < 0.001, "{jaws:?}");
+}
+
+/// A pin of drawn bar keeps the surface of the bar: Ø40 is turned by no job, but for the chamfers. A bar of Ø40.4 leaves 0.2 for
+/// one pass. A nut of a tube bored to the thread has its chamfer and its thread cut, and nothing else in the bore.
+#[test]
+fn what_the_blank_has_already_is_not_turned() {
+    for name in ["drawn-bar", "little-stock", "nut-of-tube"] {
+        let operation = planned(name);
+        assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
+        let told = operation.findings.iter().any(|finding| finding.note.code() == "surface-of-blank");
+        assert_eq!(told, name == "drawn-bar", "{name}");
+    }
+    let drawn = planned("drawn-bar");
+    let along = drawn.set_ups.iter().flat_map(|set_up| &set_up.jobs).filter(|job| job.side == Side::Outer);
+    let body = |job: &&Job| job.surfaces.iter().any(|surface| surface.to_string() == "body");
+    assert_eq!(along.clone().filter(body).count(), 0);
+    // No feed along Ø40: the chamfer is left along its own slope.
+    let cuts = along.flat_map(|job| job.path.pieces().collect::<Vec<_>>());
+    let flat = cuts.filter(|(piece, purpose)| *purpose != Purpose::Rapid && piece.is_cylinder());
+    assert_eq!(flat.filter(|(piece, _)| piece.from.radius == Half::from(20.0)).count(), 0);
 }
 
 /// The cup has one cylinder and 9 mm of bar behind it: nothing holds it. Turned over, the plug has nothing but a thread and 7.5 mm of

@@ -10,6 +10,7 @@
 
 mod agree;
 mod allowances;
+mod bores;
 mod elements;
 mod equidistant;
 mod everyday;
@@ -24,6 +25,8 @@ mod read_back;
 mod read_pace;
 mod schemes;
 mod setting;
+mod shop;
+
 mod tailstock;
 mod tapping;
 mod tapping_laws;

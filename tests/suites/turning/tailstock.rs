@@ -38,12 +38,18 @@ fn met(operation: &Operation) -> Vec<Severity> {
 }
 
 /// By hand: a tool of a shank of 25 mm stands from Z2 to Z27 at least. There a centre of 60° in a hole of Ø8.5 has
-/// grown to Ø8.5 + 2·27·tan 30° = Ø39.7, more than a journal of Ø18; a journal of Ø60 is clear of its body of Ø44.4.
+/// grown to Ø8.5 + 2·27·tan 30° = Ø39.7, more than a journal of Ø18: it has to be turned down, 0.5 mm off the nearest tool. A
+/// journal of Ø60 is clear of its body of Ø44.4.
 #[test]
-fn a_thin_journal_brings_the_tool_into_the_centre() {
+fn a_thin_journal_asks_for_a_centre_that_is_turned_down() {
+    let slim = |operation: &Operation| {
+        let told = operation.findings.iter().find(|finding| finding.note.code() == "centre-turned-down")?;
+        Some((told.severity, told.note.figure_text("body")?))
+    };
     let thin = shaft(18, 25);
-    assert_eq!(met(&thin), [Severity::Doubtful]);
-    assert_eq!(met(&shaft(60, 70)), []);
+    assert_eq!((met(&thin), slim(&thin)), (vec![], Some((Severity::Doubtful, "17".to_owned()))));
+    let thick = shaft(60, 70);
+    assert_eq!((met(&thick), slim(&thick)), (vec![], None));
 }
 
 /// A turret that left with both axes at once would go through the quill.

@@ -86,6 +86,21 @@ pub(super) fn of_path(operation: &Operation, set_up: u8) -> Vec<(f64, f64)> {
     threads.map(|(piece, _)| (piece.from.radius.to_mm(), -piece.from.z.to_mm())).collect()
 }
 
+/// The beginning of each pass of a cycle by equal areas, h·√(n/N), and once more at the last depth: radius, and Z of the program.
+fn by_areas(operation: &Operation, set_up: u8) -> Vec<(f64, f64)> {
+    let work = operation.set_ups.iter().find(|work| work.set_up.number == set_up).unwrap();
+    let jobs = work.jobs.iter().filter_map(|job| Some((job.side, job.thread.as_ref()?)));
+    let passes = jobs.flat_map(|(side, cut)| {
+        let out = if side == Side::Outer { -1.0 } else { 1.0 };
+        let (count, whole) = (cut.cycle_depths_mm.len() - 1, cut.depths_mm[cut.depths_mm.len() - 1].to_mm());
+        let depths = (1..=count).chain([count]).map(move |n| whole * libm::sqrt(n as f64 / count as f64));
+        let slope = libm::tan(cut.infeed_angle_deg.0.to_radians());
+        let (crest, from) = (cut.crest_radius_mm.to_mm(), cut.from_z_mm.to_mm());
+        depths.map(move |depth| (crest + out * depth, -(from - (whole - depth) * slope))).collect::<Vec<_>>()
+    });
+    passes.collect()
+}
+
 /// What the controls make of their cycles, as the readers know it from the manuals, is what was planned, to 0.005 mm; a
 /// thread that no cycle makes so is cut by single passes, and it is said why.
 #[test]
@@ -101,6 +116,7 @@ fn the_cycles_of_the_controls_make_the_planned_passes() {
                 let has_cycle = text.contains("G76") || text.contains("CYCLE97");
                 assert_eq!(has_cycle, !planned.is_empty() && written.remarks.is_empty(), "{control}\n{text}");
                 assert_eq!(text.contains("not-cycled"), !written.remarks.is_empty());
+                let planned = if has_cycle { by_areas(&operation, written.set_up) } else { planned };
                 assert!(read_back(&operation, written.set_up, control, files, &KNOWLEDGE).unwrap().is_none(), "{text}");
                 let language = LatheLanguage::read(reader(control, &KNOWLEDGE).unwrap().unwrap(), &KNOWLEDGE).unwrap();
                 let beside: Vec<Subprogram<'_>> = files[1..]
@@ -170,9 +186,9 @@ fn a_thread_that_no_cycle_makes_as_planned_says_why() {
     };
     let drawn_out = changed(|cut| cut.pulled_out = true);
     // A tenth of the first pass more in the second one; and without the fourth pass, which the one after it then takes too.
-    let uneven = changed(|cut| cut.depths_mm[1] = cut.depths_mm[1] + Half::from(0.04));
+    let uneven = changed(|cut| cut.cycle_depths_mm[1] = cut.cycle_depths_mm[1] + Half::from(0.04));
     let fewer = changed(|cut| {
-        cut.depths_mm.remove(3);
+        cut.cycle_depths_mm.remove(3);
     });
     for control in ["linuxcnc", "sinumerik"] {
         let control = Control::read(control, &KNOWLEDGE).unwrap();
@@ -194,4 +210,30 @@ fn a_thread_that_no_cycle_makes_as_planned_says_why() {
     assert_eq!(sheet.threads[0].cycle.as_ref().unwrap().code(), "thread-not-cycled");
     let sheet = setting(&stepped, "sinumerik", &KNOWLEDGE).unwrap();
     assert_eq!(sheet.threads[0].cycle.as_ref().unwrap().code(), "thread-cycled");
+}
+
+/// D1 of M36x2 is 33.835, of 6H up to 34.21 (TD1 0.375, ISO 965-1). On a bore of Ø34.1 the thread is whole; on Ø35 its crests are
+/// (36 − 35)/(36 − 33.835) = 46 % of their height, which is told, and the passes begin at the wall: H = 1.732, D2 34.701 + 0.112,
+/// a tip of H/12, so the roots are at 34.813 + 2·(H/2 − H/12) = 36.256, and the depth is (36.256 − 35)/2 = 0.628.
+#[test]
+fn a_thread_is_turned_in_any_bore_below_its_nominal_diameter() {
+    let nut = |bore: &str| {
+        let text = format!(
+            "shaft: Nut\nmaterial: steel-45\nblank: {{kind: tube, diameter: 65, bore: 30, length: 90, face: 1}}\nmachine: \
+             16k20f3\nouter:\n  - {{from: {{d: {bore}, z: 0}}}}\n  - {{face: 60}}\n  - {{cylinder: -40}}\ninner:\n  \
+             - {{from: {{d: {bore}, z: 0}}}}\n  - {{thread: M36x2-6H, to: -40}}\n"
+        );
+        planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap())
+    };
+    let wide = |operation: &Operation| -> Option<String> {
+        let told = operation.findings.iter().find(|finding| finding.note.code() == "thread-bored-wide")?;
+        told.note.figure_text("share")
+    };
+    assert_eq!(wide(&nut("34.1")), None);
+    let operation = nut("35");
+    assert_eq!(wide(&operation).as_deref(), Some("46"));
+    let cuts = operation.set_ups.iter().flat_map(|work| &work.jobs).filter_map(|job| job.thread.clone());
+    let depth = cuts.flat_map(|cut| cut.depths_mm).max().unwrap();
+    assert!((depth.to_mm() - 0.628).abs() < 0.001, "{depth:?}");
+    assert!(operation.set_ups.iter().all(|work| rejects(&operation, work.set_up.number).is_none()));
 }

@@ -54,6 +54,7 @@ fn length_of(letter: char) -> i64 {
         'K' => 125,
         'M' => 150,
         'P' => 170,
+        'Q' => 180,
         'R' => 200,
         'S' => 250,
         'T' => 300,
@@ -116,6 +117,7 @@ fn every_turning_tool_is_what_its_designation_says() {
                     "{what}"
                 );
                 assert!(tool.min_bore.unwrap() > diameter, "{what}: the bar must enter its bore");
+                assert_eq!(tool.carbide_bar, what.starts_with('E'), "{what}");
                 assert_eq!(tool.works, Place::Inner, "{what}");
             }
         }

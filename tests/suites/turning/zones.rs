@@ -44,7 +44,7 @@ fn stock<'a>(rough: &'a Contour, blank: &'a Contour) -> Stock<'a> {
 
 fn tool(name: &str, main: f64, secondary: f64) -> ToolAngles {
     let angles = Angles { main: Degrees(main), secondary: Degrees(secondary), hand: Hand::Right };
-    ToolAngles { name: name.to_owned(), angles, least_bore: None, width: None }
+    ToolAngles { name: name.to_owned(), angles, least_bore: None, reach: None, width: None }
 }
 
 fn kinds(zone: &Zone) -> Vec<ZoneKind> {
@@ -294,6 +294,7 @@ fn a_flange_takes_two_set_ups() {
     assert_eq!(over.main.contour.corners(), over.profile.contour().corners());
     assert!(first.faces && second.faces && second.turned_over);
     let hold = Hold::Surface {
+        threaded: false,
         name: "outer 4".into(),
         diameter_mm: mm(40.0).diameter(),
         length_mm: mm(20.0),

@@ -28,6 +28,12 @@ vocabulary! {
         InnerGroovingSpeed = "inner-grooving-speed",
         /// The least depth of a pass of a thread.
         ThreadLastPass = "thread-last-pass",
+        /// The largest worked diameter over the smallest from which on the cutting speed is held.
+        ConstantSpeedRatio = "constant-speed-ratio",
+        /// The time, in minutes, that may be lost to save a blade.
+        BladeSaved = "blade-saved",
+        /// φ of the first pass of a thread in the makers' formula.
+        ThreadFirstShare = "thread-first-share",
         /// The number of passes at full depth after the last pass of a thread.
         ThreadSpringPasses = "thread-spring-passes",
         /// The least run-in of a thread, in pitches.

@@ -257,6 +257,7 @@ rows! {
         stock_for_bar: Option<Micrometres>,
         step: Option<Micrometres>,
         largest: Option<Micrometres>,
+        largest_for_bar: Option<Micrometres>,
     }
 
     /// Whether a thread in a hole is tapped or turned.

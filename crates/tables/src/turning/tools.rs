@@ -56,6 +56,10 @@ vocabulary! {
         OverhangRatio = "overhang-ratio",
         /// Overhang of a bar, divided by its diameter.
         BarOverhangRatio = "bar-overhang-ratio",
+        /// The same of a bar of carbide.
+        CarbideBarOverhangRatio = "carbide-bar-overhang-ratio",
+        /// The modulus of elasticity of a bar of carbide.
+        CarbideShankModulus = "carbide-shank-modulus",
         /// Share of the motor's power that reaches the spindle.
         DriveEfficiency = "drive-efficiency",
         /// The overhang of a boring bar beyond the depth of the bore.
@@ -121,6 +125,7 @@ rows! {
         insert: Option<&'t str>,
         edge: Option<Micrometres>,
         bar_diameter: Option<Micrometres>,
+        carbide_bar: Option<bool>,
         min_bore: Option<Micrometres>,
         reach: Option<Micrometres>,
         grades: Option<Vec<&'t str>>,
@@ -132,6 +137,7 @@ rows! {
         shank_width: Option<Micrometres>,
         pitch_min: Option<Micrometres>,
         pitch_max: Option<Micrometres>,
+        insert_side: Option<Micrometres>,
     } shown { length }
 
     /// The choice among turning tools that fit.

@@ -364,17 +364,47 @@ fn overhang(cut: &TurningCut<'_, '_>, shank: Shank) -> Tried<(f64, Vec<Because>)
     }
     let (size, name) = match shank {
         Shank::Square { height, .. } => (height, Limit::OverhangRatio),
-        Shank::Round { diameter } => (diameter, Limit::BarOverhangRatio),
+        Shank::Round { diameter } => (diameter, overhang_ratio(cut.tool)),
     };
     let (ratio, because) = ratio(cut.knowledge, name)?;
     Ok((ratio * size.to_mm(), vec![because]))
 }
 
+/// The largest overhang of a boring bar, and the reason: from its row, otherwise by the ratio of `turning-limits` to its
+/// diameter, for a bar of its material. None for a tool without a bar.
+///
+/// # Errors
+/// The knowledge base lacks the ratio.
+pub fn largest_overhang(
+    tool: &TurningTool<'_>,
+    knowledge: &Knowledge,
+) -> Result<Option<(Micrometres, Because)>, KnowledgeError> {
+    Ok(match (tool.reach, tool.shank) {
+        (Some(reach), _) => Some((reach, Because::row(tool.row, Note::new("overhang").with("length", reach)))),
+        (None, Some(Shank::Round { diameter })) => {
+            let (ratio, because) = ratio(knowledge, overhang_ratio(tool))?;
+            Some((Micrometres::from_mm_rounded(ratio * diameter.to_mm()), because))
+        }
+        _ => None,
+    })
+}
+
+const fn overhang_ratio(tool: &TurningTool<'_>) -> Limit {
+    if tool.carbide_bar { Limit::CarbideBarOverhangRatio } else { Limit::BarOverhangRatio }
+}
+
+/// What a boring bar stands out more than its bore is deep (`turning-limits`).
+///
+/// # Errors
+/// The table does not have it.
+pub fn bar_clearance(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    Ok(constant(knowledge, Limit::BarClearance, |row| row.length)?.0)
+}
+
 /// The overhang of a boring bar for a bore of a depth: the depth and a clearance (`turning-limits`), and the reason.
 ///
 /// # Errors
-/// The bar would stand out farther than its row says, or than `turning-limits` lets a bar of steel of its
-/// diameter: overhang ≤ ratio · d. A tool without a bar has no such limit, and its overhang is that sum.
+/// The bar would stand out farther than its [largest overhang](largest_overhang).
 pub fn bar_overhang(
     tool: &TurningTool<'_>,
     bore_depth: Micrometres,
@@ -382,24 +412,19 @@ pub fn bar_overhang(
 ) -> Tried<(Micrometres, Vec<Because>), BarTooLong> {
     let (clearance, of_clearance) = constant(knowledge, Limit::BarClearance, |row| row.length)?;
     let overhang = bore_depth + clearance;
-    let mut because = vec![of_clearance];
-    let most = match (tool.reach, tool.shank) {
-        (Some(reach), _) => Some(reach),
-        (None, Some(Shank::Round { diameter })) => {
-            let (ratio, of_ratio) = ratio(knowledge, Limit::BarOverhangRatio)?;
-            because.push(of_ratio);
-            Some(Micrometres::from_mm_rounded(ratio * diameter.to_mm()))
+    match largest_overhang(tool, knowledge)? {
+        Some((most, _)) if overhang > most => {
+            Err(Refusal::Not(BarTooLong { tool: tool.designation.to_owned(), overhang, most }))
         }
-        _ => None,
-    };
-    match most.filter(|most| overhang > *most) {
-        Some(most) => Err(Refusal::Not(BarTooLong { tool: tool.designation.to_owned(), overhang, most })),
-        None => Ok((overhang, because)),
+        most => Ok((overhang, [of_clearance].into_iter().chain(most.map(|(_, because)| because)).collect())),
     }
 }
 
 /// Refuses a cut if the overhang of its bar would be too large.
-pub(super) fn bar_reaches(cut: &TurningCut<'_, '_>) -> Tried<(), CuttingRefusal> {
+///
+/// # Errors
+/// It would be; the knowledge base lacks a constant.
+pub fn bar_reaches(cut: &TurningCut<'_, '_>) -> Tried<(), CuttingRefusal> {
     let (Some(depth), Some(Shank::Round { .. })) = (cut.bore_depth, cut.tool.shank) else { return Ok(()) };
     let reaches = bar_overhang(cut.tool, depth, cut.knowledge);
     reaches.map(|_| ()).map_err(|refusal| refusal.map(CuttingRefusal::BarTooLong))
@@ -512,7 +537,8 @@ fn shank_stiffness(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
             std::f64::consts::PI * d * d * d * d / 64.0
         }
     };
-    let (modulus, of_modulus) = stress(cut, Limit::ShankModulus)?;
+    let (modulus, of_modulus) =
+        stress(cut, if cut.tool.carbide_bar { Limit::CarbideShankModulus } else { Limit::ShankModulus })?;
     let (bend, of_bend) = constant_length(cut, Limit::ShankDeflection)?;
     let (overhang, mut because) = of_bar(cut, overhang(cut, shank))?;
     because.extend([of_modulus, of_bend]);

@@ -30,7 +30,9 @@ use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
 
 pub use bounds::{Bound, GripLimit, Load, UnknownBound, pull};
-pub use bounds::{bar_overhang, jaw_clearance, least_sensible_depth, wall_share};
+pub use bounds::{
+    bar_clearance, bar_overhang, bar_reaches, jaw_clearance, largest_overhang, least_sensible_depth, wall_share,
+};
 pub use conditions::{TurningConditions, conditions};
 pub use feed::{
     Feed, cuts_back, feed_of_nose, finish_feed, is_nose_bound, least_finishing_depth, rough_feed, unsaid_roughness,

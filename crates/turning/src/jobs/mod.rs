@@ -116,6 +116,8 @@ pub struct ThreadCut {
     pub root_radius_mm: Half,
     /// Depth of each pass from the crests, radial, ascending; the last is the whole depth; spring passes repeat it.
     pub depths_mm: Vec<Half>,
+    /// The same by equal areas, for a cycle of a control, which has no law nearer to the makers'.
+    pub cycle_depths_mm: Vec<Half>,
     /// The angle of infeed from the perpendicular to the axis, degrees; 0 is straight in.
     pub infeed_angle_deg: Degrees,
 }

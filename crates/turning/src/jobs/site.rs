@@ -2,10 +2,9 @@
 
 use crate::error::{Refusal, Tried};
 use crate::knowledge::vocabulary::Surface;
-use crate::note::{Because, Figure, Note};
-use crate::tables::turning::tools::{Limit, TurningLimits};
+use crate::note::Because;
 use crate::turning::contour::{Profile, Side};
-use crate::turning::cutting::{Direction, TurningCut};
+use crate::turning::cutting::{Direction, TurningCut, largest_overhang};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::point::Point;
@@ -71,13 +70,6 @@ pub(super) fn cut<'a, 'k>(
 /// The reach of a bar in a bore: from its row, otherwise by the ratio of `turning-limits` to its diameter. None for a
 /// tool without a bar.
 pub(super) fn bar_reach(tool: &TurningTool<'_>, bench: &Bench<'_, '_>) -> Tried<Option<(Half, Because)>, NoJob> {
-    let Some(Shank::Round { diameter }) = tool.shank else { return Ok(None) };
-    if let Some(reach) = tool.reach {
-        return Ok(Some((Half::of(reach), Because::row(tool.row, Note::new("overhang").with("length", reach)))));
-    }
-    let name = Limit::BarOverhangRatio;
-    let row = bench.knowledge.need(name.name(), |row: &TurningLimits<'_>| row.name == name)?;
-    let ratio = row.ratio.unwrap_or_default();
-    let note = Note::new("turning-limit").with("name", Figure::word(name.name())).with("value", ratio);
-    Ok(Some((Half::from(diameter.to_mm() * ratio), Because::row(row.row, note))))
+    let most = largest_overhang(tool, bench.knowledge)?.filter(|_| matches!(tool.shank, Some(Shank::Round { .. })));
+    Ok(most.map(|(most, because)| (Half::of(most), because)))
 }

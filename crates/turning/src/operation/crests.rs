@@ -1,7 +1,7 @@
 //! The turned cylinder of an outer thread: in the middle of the tolerance of its crests, not at the nominal diameter
 //! of the drawing.
 
-use crate::turning::contour::{Contour, Piece, Profile, Side, SurfaceKind};
+use crate::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::workpiece::Workpiece;
@@ -9,11 +9,16 @@ use crate::turning::workpiece::Workpiece;
 /// The cotangent of 30°.
 const RAMP: f64 = 1.732_050_807_569;
 
+/// The cotangent of 4°, which an edge with φ1 = 5° follows downwards.
+const FALL: f64 = 14.300_666_256_712;
+
 /// The cylinder of a thread, and its turned radius.
 struct Lowered {
     thread: Piece,
-    /// The end of its relief, or its own end if it has none.
-    ends: Half,
+    /// Where the groove or neck before it begins; its own beginning if there is none.
+    begins: Half,
+    /// Where the groove or neck behind it ends; its own end if there is none. None if nothing stands behind it.
+    ends: Option<Half>,
     radius: Half,
 }
 
@@ -30,15 +35,28 @@ fn lowered(profile: &Profile, workpiece: &Workpiece) -> Vec<Lowered> {
         let ([thread], true) = (surface.pieces.as_slice(), outer) else { continue };
         let name = surface.name.to_string();
         let crests = workpiece.threads.iter().find(|one| one.surface == name).and_then(|one| one.crests.as_ref());
-        let relief = profile.surfaces.get(index + 1).filter(|next| next.kind.is_additional());
-        let ends = relief.and_then(|relief| relief.pieces.last()).map_or(thread.to.z, |last| last.to.z);
-        all.extend(crests.map(|crests| Lowered { thread: *thread, ends, radius: crests.middle_radius() }));
+        let (before, from) = profile.surfaces.split_at(index);
+        let level = thread.from.radius;
+        // A neck, or a groove, which begins and ends at the level of its thread.
+        let under = |surface: &&Surface| {
+            let flush = |piece: &Piece| piece.is_cylinder() && piece.from.radius == level;
+            surface.pieces.iter().all(|piece| piece.radii().1 <= level && !flush(piece))
+        };
+        let before = before.iter().rev().take_while(under).last().and_then(|first| first.pieces.first());
+        let begins = before.filter(|first| first.from.radius == level).map_or(thread.from.z, |first| first.from.z);
+        let behind = from.iter().skip(1).take_while(under).last().and_then(|last| last.pieces.last());
+        let ends = match behind {
+            Some(last) if last.to.radius == level => Some(last.to.z),
+            None if from.len() > 1 => Some(thread.to.z),
+            _ => None,
+        };
+        all.extend(crests.map(|crests| Lowered { thread: *thread, begins, ends, radius: crests.middle_radius() }));
     }
     all
 }
 
 fn lower(mut pieces: Vec<Piece>, by: &Lowered) -> Vec<Piece> {
-    let Lowered { thread, ends, radius } = by;
+    let Lowered { thread, begins, ends, radius } = by;
     let is_it = |piece: &Piece| {
         piece.is_cylinder()
             && piece.from.radius == thread.from.radius
@@ -52,8 +70,12 @@ fn lower(mut pieces: Vec<Piece>, by: &Lowered) -> Vec<Piece> {
     // The elements before it.
     let mut from = down(thread.from);
     if whole.from.z < thread.from.z {
-        made.push(Piece { to: thread.from, ..whole });
-        made.push(Piece::line(thread.from, from));
+        // Down in what is cut away later, and no more steeply than edges follow a fall.
+        let top = Point { z: (*begins).max(whole.from.z).min(thread.from.z), ..thread.from };
+        let fall = Half::from((thread.from.radius - *radius).to_mm() * FALL);
+        from = down(Point { z: thread.from.z.max(top.z + fall).min(whole.to.z), ..thread.from });
+        made.push(Piece { to: top, ..whole });
+        made.push(Piece::line(top, from));
     } else if let Some(before) = index.checked_sub(1).and_then(|before| pieces.get_mut(before)) {
         match before.at_radius(*radius).last() {
             Some(meets) if !before.is_cylinder() => {
@@ -64,13 +86,12 @@ fn lower(mut pieces: Vec<Piece>, by: &Lowered) -> Vec<Piece> {
         }
     }
     // The cylinder itself, and the elements after it.
-    let further = whole.to.z > *ends;
     let mut to = down(whole.to);
     let mut behind = Vec::new();
-    if further {
+    if let Some(ends) = ends.filter(|ends| whole.to.z > *ends) {
         // Up at 30°, nearly as a nose rolls over a step that is lower than its radius: before an upright one it would stop
         // a whole radius too soon.
-        let up = Point { radius: whole.to.radius, z: *ends };
+        let up = Point { radius: whole.to.radius, z: ends };
         let ramp = Half::from((up.radius - *radius).to_mm() * RAMP);
         to = down(Point { z: (up.z - ramp).max(from.z), ..up });
         behind.push(Piece::line(to, up));
@@ -105,7 +126,8 @@ mod tests {
         let pieces = points.windows(2).map(|ends| Piece::line(ends[0], ends[1])).collect();
         let by = Lowered {
             thread: Piece::line(at(15.0, thread.0), at(15.0, thread.1)),
-            ends: Half::from(ends),
+            begins: Half::from(thread.0),
+            ends: Some(Half::from(ends)),
             radius: Half::from(14.9),
         };
         let pieces = lower(pieces, &by);
@@ -135,7 +157,8 @@ mod tests {
         let drawn = [at(15.0, 0.0), at(15.0, 60.0)];
         let turned = [at(14.9, 0.0), at(14.9, 34.827), at(15.0, 35.0), at(15.0, 60.0)];
         assert_eq!(after(&drawn, (0.0, 35.0), 35.0), turned);
-        let turned = [at(15.0, 0.0), at(15.0, 10.0), at(14.9, 10.0), at(14.9, 34.827), at(15.0, 35.0), at(15.0, 60.0)];
+        // Down by 0.1·cot 4°.
+        let turned = [at(15.0, 0.0), at(15.0, 10.0), at(14.9, 11.43), at(14.9, 34.827), at(15.0, 35.0), at(15.0, 60.0)];
         assert_eq!(after(&drawn, (10.0, 35.0), 35.0), turned);
     }
 }

@@ -6,8 +6,8 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::TurningSkinFor;
 use crate::turning::cutting::{
-    Bound, CuttingRefusal, Direction, Flexibility, LimitingDepth, Speed, TurningConditions, TurningCut, conditions,
-    least_sensible_depth, limiting_depth, rough_feed,
+    Bound, CuttingRefusal, Direction, Flexibility, LimitingDepth, Speed, TurningConditions, TurningCut, bar_reaches,
+    conditions, least_sensible_depth, limiting_depth, rough_feed,
 };
 use crate::turning::length::Half;
 use crate::turning::schemes::rates;
@@ -130,6 +130,7 @@ const MOST_PASSES: i64 = 60;
 /// table has that feed for it: deeper passes have another feed. The number of passes at which the search ends is the
 /// least that the limit permits.
 fn limit(cut: &TurningCut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), CuttingRefusal> {
+    bar_reaches(cut)?;
     let mut first: Option<Tried<LimitingDepth, CuttingRefusal>> = None;
     for passes in 1..=MOST_PASSES {
         let depth = stock.part(passes);

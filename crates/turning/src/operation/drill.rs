@@ -40,7 +40,7 @@ impl Drilled {
 
 /// The hole to drill under a rough bore, and the bore without the part of its bottom that the drill removes; none,
 /// with a finding, if the bore is too narrow to be drilled and bored. `there` is the diameter of the hole that is there before:
-/// that of the blank, or one that is made to size behind this bore; `least_bar` the smallest hole that a bar enters.
+/// that of the blank, or one that is made to size behind this bore; `least_bar` the smallest hole that a bar enters which reaches the end.
 ///
 /// # Errors
 /// The knowledge base lacks the rule `bore-drill`, or a row of it.
@@ -57,7 +57,7 @@ pub(super) fn before_boring(
     let asked = knowledge.ask(&BoreDrillFor { diameter: narrow.diameter().max(Micrometres::ZERO) })?;
     let rule = asked.need(&narrow.diameter().to_string())?;
     findings.extend(doubtful_row(rule.row));
-    let figures = (rule.least_stock, rule.stock_for_bar, rule.step, rule.largest);
+    let figures = (rule.least_stock, rule.stock_for_bar, rule.step, rule.largest.zip(rule.largest_for_bar));
     let stock_and_step = match (rule.drilled, figures) {
         (true, (Some(stock), Some(for_bar), Some(step), Some(largest))) => Some((stock, for_bar, step, largest)),
         (true, ..) => {
@@ -65,15 +65,18 @@ pub(super) fn before_boring(
         }
         (false, ..) => None,
     };
-    let drill = stock_and_step.map(|(stock, for_bar, step, largest)| {
-        let steps = |stock: Micrometres| {
+    let drill = stock_and_step.map(|(stock, for_bar, step, (usual, for_any_bar))| {
+        let steps = |stock: Micrometres, largest: Micrometres| {
             let most = (narrow - Half::of(stock)).diameter().min(largest);
             most.micrometres() / step.micrometres().max(1)
         };
         let diameter = |steps: i64| Micrometres::new(step.micrometres().saturating_mul(steps));
-        let enters = |steps: i64| least_bar.is_none_or(|least| least <= diameter(steps));
-        let wide = (steps(stock)..=steps(for_bar)).find(|steps| enters(*steps));
-        (wide.unwrap_or_else(|| steps(stock)), stock, step, largest)
+        let enters = |steps: &i64| least_bar.is_none_or(|least| least <= diameter(*steps));
+        let first = steps(stock, usual);
+        let wide = (first..=steps(for_bar, usual)).find(enters).map(|wide| (wide, usual));
+        let wide = wide.or_else(|| (first..=steps(stock, for_any_bar)).find(enters).map(|wide| (wide, for_any_bar)));
+        let (steps, largest) = wide.unwrap_or((first, usual));
+        (steps, stock, step, largest)
     });
     let Some((steps, stock, step, largest)) = drill.filter(|(steps, ..)| *steps > 0) else {
         let note = Note::new("bore-too-narrow-to-drill").with("diameter", narrow.diameter());

@@ -2,8 +2,8 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Finding, Severity};
-use crate::turning::contour::{Side, Surface, SurfaceKind};
-use crate::turning::jobs::groove::groove;
+use crate::turning::contour::{Profile, Side, Surface, SurfaceKind};
+use crate::turning::jobs::groove::{groove, with_fewer_blades};
 use crate::turning::jobs::hole;
 use crate::turning::jobs::thread::{Passes, thread};
 use crate::turning::jobs::{Job, NoJob, Site};
@@ -27,19 +27,36 @@ pub(super) fn features(
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
-    let mut jobs = Vec::new();
+    let (mut jobs, mut grooves) = (Vec::new(), Vec::new());
     let Some(stretch) = stretch(set_up, side.side) else { return Ok(jobs) };
     let site = site(stretch, side, bench)?;
+    let with_made = with_made_before(set_up, &stretch.profile, bench);
+    let of_threads = Site { profile: &with_made, ..site };
     let face = side.layers.rough.start().map_or(Half::ZERO, |start| start.z);
     let surfaces = stretch.profile.surfaces.iter().enumerate();
     for (index, surface) in surfaces.filter(|(_, surface)| !bench.leaves(&surface.name)) {
         if surface.kind == SurfaceKind::Thread {
-            jobs.extend(thread_job(site, index, face, bench, findings)?);
+            jobs.extend(thread_job(of_threads, index, face, bench, findings)?);
         } else if surface.kind.is_additional() {
-            jobs.extend(made(groove(site, surface, bench), findings)?);
+            grooves.extend(made(groove(site, surface, bench), findings)?.map(|job| (surface, job)));
         }
     }
+    jobs.extend(with_fewer_blades(site, grooves, bench)?);
     Ok(jobs)
+}
+
+/// The surfaces of a set-up, and behind them those that the first set-up has made: a thread may end over them.
+pub(super) fn with_made_before(set_up: &SetUp, profile: &Profile, bench: &Bench<'_, '_>) -> Profile {
+    let part = match profile.side {
+        Side::Outer => Some(&bench.workpiece.outer),
+        Side::Inner => bench.workpiece.inner.as_ref(),
+    };
+    let mut all = profile.clone();
+    if let (Some(part), Some(end), true) = (part, profile.contour().end(), set_up.turned_over) {
+        let behind = |surface: &Surface| surface.pieces.first().is_some_and(|first| first.from.z >= end.z);
+        all.surfaces.extend(part.turned_over(bench.workpiece.length()).surfaces.into_iter().filter(behind));
+    }
+    all
 }
 
 /// The job of a thread, the surface of that index: tapped, or turned pass by pass.
@@ -60,7 +77,7 @@ pub(super) fn thread_job(
     if let Some(tapped) = &cut.tapped {
         return made(hole::tap(surfaces, index, cut, tapped, face, bench), findings);
     }
-    let mut job = made(thread(site, surface, cut, Passes::Area, bench), findings)?;
+    let mut job = made(thread(site, surface, cut, Passes::Makers, bench), findings)?;
     match (&mut job, &cut.way) {
         (Some(job), Some(way)) => {
             job.notes.insert(0, way.note.clone());
@@ -132,7 +149,7 @@ fn site<'a>(stretch: &'a TurnedSide, side: &SideWork, bench: &Bench<'_, '_>) -> 
 ///
 /// # Errors
 /// The knowledge base lacks a table.
-pub(super) fn made(tried: Tried<Job, NoJob>, findings: &mut Vec<Finding>) -> Result<Option<Job>, KnowledgeError> {
+pub(super) fn made<T>(tried: Tried<T, NoJob>, findings: &mut Vec<Finding>) -> Result<Option<T>, KnowledgeError> {
     match Refusal::split(tried)? {
         Ok(job) => Ok(Some(job)),
         Err(why) => {

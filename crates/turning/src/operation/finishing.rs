@@ -117,15 +117,27 @@ impl<'a> Finishing<'a> {
     /// The tools that reach everything and fit into the hollows, in order; if none fits, the one with the smallest nose.
     fn tools<'k>(&self, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
         let passage = narrowest(self.contour);
-        let mut candidates = tools::candidates(self.side, Stage::Finishing, bench)?;
-        candidates.retain(|tool| reaches(self.needs, passage, &tools::angles(tool)));
-        let tight = tightest(self.contour);
+        let candidates = tools::candidates(self.side, Stage::Finishing, bench)?;
+        let mut fitting = Vec::new();
+        for tool in candidates {
+            if reaches(self.needs, passage, &tools::angles(&tool, bench.knowledge)?) {
+                fitting.push(tool);
+            }
+        }
         // A bar that faces a bottom as far as it must goes before one that leaves the middle of it.
         let bottom = self.contour.pieces.last().filter(|last| last.is_face()).map(|last| last.to.radius);
         if let (Some(bore), Some(bottom)) = (passage, bottom) {
             let stops = |tool: &TurningTool<'_>| tools::nearest_to_axis(tool, Half::radius_of(bore)).max(Some(bottom));
-            candidates.sort_by_key(stops);
+            let nearest = fitting.iter().map(stops).min();
+            fitting.retain(|tool| Some(stops(tool)) == nearest);
         }
+        let mut candidates = match self.side {
+            Side::Inner => {
+                tools::reaching(fitting, self.contour.end().map_or(Half::ZERO, |end| end.z), bench.knowledge)?
+            }
+            Side::Outer => fitting,
+        };
+        let tight = tightest(self.contour);
         let fits = |tool: &TurningTool<'_>| tight.is_none_or(|tight| tools::nose(tool).radius <= tight);
         let least = candidates.iter().map(|tool| tools::nose(tool).radius).min();
         if candidates.iter().any(fits) {

@@ -25,6 +25,9 @@ pub struct Jaws {
     pub least_mm: Half,
     /// Whether they grip a surface that is finished already, which hard jaws would mark.
     pub soft: bool,
+    /// Whether they grip a bushing on a thread.
+    #[serde(skip)]
+    pub threaded: bool,
     /// Their body, if the lathe's record gives the size of its chuck.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body: Option<ChuckBody>,
@@ -61,15 +64,17 @@ impl Jaws {
         }
     }
 
-    /// That jaws on a finished surface are soft and bored to it.
+    /// That jaws on a finished surface are soft and bored to it, or that a bushing goes between them and a thread.
     pub fn bored(&self) -> Option<Note> {
-        let note = Note::new("jaws-bored").with("grips", self.grips_mm).with("length", self.length_mm);
+        let note = Note::new(if self.threaded { "jaws-on-bushing" } else { "jaws-bored" })
+            .with("grips", self.grips_mm)
+            .with("length", self.length_mm);
         self.soft.then_some(note)
     }
 
     /// The jaws in a set-up; none between centres, and where no cylinder is long enough for them.
     ///
-    /// Their clearance from the end of the turned range is `jaw-clearance` of `turning-limits`, or the length of the
+    /// Their clearance from the end of the turned range, or of the run-out of a thread there, is `jaw-clearance` of `turning-limits`, or the length of the
     /// cylinder beyond the required grip (`turning-hold`), but not less than `jaw-clearance-least`.
     ///
     /// # Errors
@@ -82,7 +87,12 @@ impl Jaws {
     ) -> Result<Option<Self>, KnowledgeError> {
         let length = workpiece.length();
         let turned = set_up.outer.as_ref().and_then(|outer| outer.main.contour.end());
-        let turned = turned.map_or(Half::ZERO, |end| end.z);
+        // Behind a thread at the end of it the tool runs out.
+        let last =
+            set_up.outer.as_ref().and_then(|outer| outer.profile.surfaces.last()).map(|last| last.name.to_string());
+        let thread = workpiece.threads.iter().find(|thread| last.as_ref() == Some(&thread.surface));
+        let run_out = thread.and_then(|thread| thread.longest_run_out).map_or(Half::ZERO, Half::of);
+        let turned = turned.map_or(Half::ZERO, |end| end.z) + run_out;
         let (from, to, grips_mm, touches) = match &set_up.holds_at {
             None | Some(Hold::Centres) => return Ok(None),
             Some(Hold::Blank { diameter_mm, length_mm, from }) => (*from, *from + *length_mm, *diameter_mm, *length_mm),
@@ -103,6 +113,8 @@ impl Jaws {
             None => None,
         };
         let soft = matches!(set_up.holds_at, Some(Hold::Surface { .. }));
-        Ok(Some(Self { front_mm, grips_mm, length_mm: (to - front_mm).min(touches), least_mm: least, soft, body }))
+        let threaded = matches!(set_up.holds_at, Some(Hold::Surface { threaded: true, .. }));
+        let length_mm = (to - front_mm).min(touches);
+        Ok(Some(Self { front_mm, grips_mm, length_mm, least_mm: least, soft, threaded, body }))
     }
 }

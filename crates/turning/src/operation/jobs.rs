@@ -3,10 +3,12 @@
 
 use crate::error::KnowledgeError;
 use crate::note::Finding;
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind};
 use crate::turning::elements::Element;
 use crate::turning::jobs::along::{along, dip};
 use crate::turning::jobs::hole::{self, Hole, HoleEnd};
+use crate::turning::jobs::limits::Limits;
 use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -21,7 +23,7 @@ use super::depth;
 use super::finishing::{Finishing, allowance, needs};
 use super::tools::Bench;
 use super::work::{Hollow, Work, ZoneWork};
-use super::{Axial, SideWork, clip, crests, features};
+use super::{Axial, SideWork, clip, crests, features, layers, thin};
 use crate::turning::cutting::TurningConditions;
 
 /// The jobs of a set-up.
@@ -124,11 +126,14 @@ fn drilled(
     };
     let (diameter, from) = (drilled.diameter_mm, there.max(bench.raw_bore()));
     let mut jobs = Vec::new();
-    if from == Micrometres::ZERO {
-        jobs.extend(features::made(hole::spot(diameter, face, drilled.depth_mm, bench), findings)?);
-    }
     let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false, tapped: false };
-    let Some(made) = features::made(hole::drill(&task, bench), findings)? else { return Ok(jobs) };
+    let mut drills = features::made(hole::drilling(&task, bench), findings)?.unwrap_or_default();
+    let first = drills.first().and_then(|drill| drill.tool.diameter()).unwrap_or(diameter);
+    if from == Micrometres::ZERO {
+        jobs.extend(features::made(hole::spot(first, face, drilled.depth_mm, bench), findings)?);
+    }
+    let Some(made) = drills.pop() else { return Ok(jobs) };
+    jobs.extend(drills);
     let bottom = stretch(set_up, side.side).and_then(|stretch| stretch.profile.surfaces.last());
     let surfaces = bottom.map(|surface| surface.name.clone()).into_iter().collect();
     let flattened = drilled.flat.then(|| hole::flatten(&made, drilled.depth_mm, face, surfaces, bench));
@@ -168,10 +173,12 @@ fn rough(
     let Some(tool) = TurningTool::find(bench.knowledge, &chosen.designation)? else { return Ok(None) };
     let is_face = zone.zone.feed == Feed::Across;
     let mut pace = pace_of(&work.pace, bench);
-    if is_face {
+    let path = eased(&transition.path, work.levels.depth + work.pace.retract_mm);
+    let path = if is_face { off_the_face(&path, work.pace.retract_mm) } else { path };
+    let spread = Limits::of(bench.knowledge).ratio(JobLimit::ConstantSpeedRatio)?;
+    if is_face || widest_to_narrowest(&path) >= spread {
         pace = constant_speed(pace, work.pace.conditions.as_ref(), bench);
     }
-    let path = eased(&transition.path, work.levels.depth + work.pace.retract_mm);
     Ok(Some(Job {
         work: if is_face { JobWork::Face } else { JobWork::Rough },
         side,
@@ -206,6 +213,32 @@ fn eased(path: &Toolpath, height: Half) -> Toolpath {
         eased.follow(Piece { from: eased.end(), ..piece }, purpose);
     }
     eased
+}
+
+/// A path over a face that leaves it along the axis before it goes outwards at rapid: back along the face the tip would rub.
+fn off_the_face(path: &Toolpath, back: Half) -> Toolpath {
+    let mut off = Toolpath::at(path.from);
+    let mut cut = false;
+    for (piece, purpose) in path.pieces() {
+        let upright = piece.from.z == piece.to.z;
+        let mut to = piece.to;
+        if cut && purpose == Purpose::Rapid && upright && piece.to.radius > piece.from.radius {
+            to.z = to.z - back;
+            off.go(Point { radius: piece.from.radius, z: to.z }, Purpose::Rapid);
+            off.go(to, Purpose::Rapid);
+        } else {
+            off.follow(Piece { from: off.end(), ..piece }, purpose);
+        }
+        cut = purpose != Purpose::Rapid && upright;
+    }
+    off
+}
+
+/// The largest diameter that a path works on over the smallest.
+fn widest_to_narrowest(path: &Toolpath) -> f64 {
+    let worked = path.pieces().filter(|(_, purpose)| *purpose != Purpose::Rapid).map(|(piece, _)| piece.radii());
+    let both = worked.reduce(|(least, most), (low, high)| (least.min(low), most.max(high)));
+    both.map_or(1.0, |(least, most)| most.to_mm() / least.to_mm().max(0.001))
 }
 
 /// The conditions of a job from those of its passes: the spindle step with feeds per revolution, or rates if the file
@@ -269,8 +302,8 @@ fn finish(
     } else {
         side.layers.left.clone()
     };
-    let contour = as_turned(contour, set_up, bench);
-    if contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
+    let contour = worked(as_turned(contour, set_up, bench), side, bench)?;
+    if contour.pieces.is_empty() || contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
         return Ok(Vec::new());
     }
     let stretch = stretch(set_up, side.side);
@@ -279,7 +312,9 @@ fn finish(
         surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO)
     };
     let faces = contour.start() == side.layers.left.start();
-    let surfaces: Vec<&Surface> = surfaces.into_iter().filter(|surface| faces || !face(surface)).collect();
+    let as_it_is = |surface: &Surface| thin::is_of_blank(surface, &side.layers.blank);
+    let surfaces: Vec<&Surface> =
+        surfaces.into_iter().filter(|surface| (faces || !face(surface)) && !as_it_is(surface)).collect();
     let over = |contour, surfaces: Vec<_>| Finishing {
         side: side.side,
         contour,
@@ -304,8 +339,27 @@ fn finish(
     Ok(jobs)
 }
 
+/// A contour without the cylinders of the blank at its end, led on over them along its slope.
+fn worked(contour: Contour, side: &SideWork, bench: &Bench<'_, '_>) -> Result<Contour, KnowledgeError> {
+    let worked = thin::worked(contour.clone(), &side.layers.blank);
+    if side.layers.drilled_first.is_some() || worked == contour {
+        return Ok(contour);
+    }
+    let Some(along) = worked.pieces.last().map(|last| last.direction_at_end()) else { return Ok(worked) };
+    let into_air = if worked.side == Side::Outer { along.radius > 0.0 } else { along.radius < 0.0 };
+    if !into_air || along.z <= 0.0 {
+        return Ok(worked);
+    }
+    let by = layers::run_out(&worked, bench)?;
+    Ok(layers::leading_on(worked, by, along.radius / along.z))
+}
+
 /// The overlap of finishing from one zone of a hollow into the next, so that no ridge remains between two tools.
 const SEAM: Half = Half::new(2000);
+
+/// How far a finishing pass goes on over a cylinder behind its hollow: the reference point of a round nose reaches the end of a rise
+/// only behind it.
+const OVER_LIP: Half = Half::new(4000);
 
 /// The finishing passes along a hollow, zone by zone, each with a tool that reaches it.
 fn finish_hollow(
@@ -339,7 +393,11 @@ fn finish_hollow(
             allowances: &hollow.layers.allowances,
             needs: needs(&clip::between(contour, own.0, own.1)),
         };
-        let (from_z, to_z) = within(SEAM);
+        let (from_z, mut to_z) = within(SEAM);
+        let beyond = clip::between(contour, last, last + OVER_LIP);
+        if is_last && beyond.pieces.iter().all(|piece| piece.is_cylinder()) {
+            to_z = to_z.max(beyond.end().map_or(last, |end| end.z));
+        }
         jobs.extend(task.job(bench, findings, |seen, standing, clearance| {
             Some(dip(&clip::between(seen, from_z, to_z), standing, clearance)).filter(|path| !path.moves.is_empty())
         })?);
@@ -351,7 +409,7 @@ fn finish_hollow(
 /// A contour with the cylinders of threads as turned.
 fn as_turned(contour: Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Contour {
     let Some(stretch) = stretch(set_up, contour.side) else { return contour };
-    crests::turned(contour, &stretch.profile, bench.workpiece)
+    crests::turned(contour, &features::with_made_before(set_up, &stretch.profile, bench), bench.workpiece)
 }
 
 /// The contour of a side in a set-up.

@@ -9,7 +9,7 @@ use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
-use crate::turning::contour::{Contour, Piece, Side};
+use crate::turning::contour::{Contour, Piece, Side, SurfaceKind};
 use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
@@ -23,6 +23,7 @@ use crate::units::Micrometres;
 use super::Stage;
 use super::drill::{self, Drilled};
 use super::intermediate::left;
+use super::thin;
 use super::tools::{self, Bench};
 
 /// The layers of one side in a set-up, in its coordinates: Z = 0 at the end that is free in it.
@@ -92,7 +93,7 @@ pub fn layers(
     let (workpiece, knowledge) = (bench.workpiece, bench.knowledge);
     let length = Micrometres::new(workpiece.length().halves() / 2);
     let method = method(&workpiece.allowances);
-    let (allowances, doubts) = finishing(&stretch.profile, method, length, knowledge)?;
+    let (mut allowances, doubts) = finishing(&stretch.profile, method, length, knowledge)?;
     findings.extend(doubts);
     let main = &stretch.main.contour;
     let Some(mut left) = left(stretch, bench, findings) else { return Ok(None) };
@@ -150,14 +151,24 @@ pub fn layers(
         return Ok(None);
     };
     let part = stretch.profile.contour();
+    let rough = thin::within(rough, &blank);
+    for (surface, allowance) in stretch.profile.surfaces.iter().zip(&mut allowances) {
+        if drilled_first.is_none() && thin::is_of_blank(surface, &blank) {
+            allowance.allowance_mm = Some(Half::ZERO);
+            let asked = surface.grade.is_some() || surface.roughness.is_some();
+            let severity = if asked { Severity::Doubtful } else { Severity::Note };
+            findings.push(Finding::of_part(severity, Note::new("surface-of-blank").with("surface", &surface.name)));
+        }
+    }
     let mut areas = areas(&blank, &rough, main, &part);
     areas.finish = finish;
     if main.side == Side::Inner && left.pieces.last().is_some_and(is_bottom) {
         return Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }));
     }
     let by = run_out(&left, bench)?;
+    let threaded = stretch.profile.surfaces.last().is_some_and(|last| last.kind == SurfaceKind::Thread);
     let (blank, rough, left) = if set_up.turned_over {
-        let on = led_on(&left, by, bench);
+        let on = led_on(&left, threaded, by, bench);
         (blank, rough, on.unwrap_or(left))
     } else {
         (longer(blank, by), longer(rough, by), longer(left, by))
@@ -170,10 +181,17 @@ fn is_bottom(last: &Piece) -> bool {
     last.is_face() && last.to.radius < last.from.radius
 }
 
-/// The smallest hole that a bar of the catalog enters; none if one enters every hole, or if there is none.
-fn least_bar(bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, KnowledgeError> {
+/// The smallest hole that a bar of the catalog enters which reaches so deep, or any bar where none does; none if one enters
+/// every hole, or if there is none.
+fn least_bar(deep: Half, bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, KnowledgeError> {
     let bars = tools::candidates(Side::Inner, Stage::Roughing, bench)?;
-    Ok(bars.iter().map(|bar| bar.min_bore.unwrap_or_default()).min())
+    let bars: Vec<_> =
+        bars.iter().map(|bar| tools::angles(bar, bench.knowledge)).collect::<Result<_, KnowledgeError>>()?;
+    let least = |reaching: bool| {
+        let bars = bars.iter().filter(|bar| !reaching || bar.reach.is_none_or(|reach| reach >= deep));
+        bars.map(|bar| bar.least_bore.unwrap_or_default()).min()
+    };
+    Ok(least(true).or_else(|| least(false)))
 }
 
 /// The most that a bar takes off the bottom of a bore as it faces it to its inner end; none if every bar would touch the wall on
@@ -181,17 +199,16 @@ fn least_bar(bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, KnowledgeErro
 fn faced_by_bar(bottom: &Piece, bore: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Half>, KnowledgeError> {
     let walls = bore.pieces.iter().filter(|piece| !piece.is_face());
     let Some(narrow) = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min() else { return Ok(None) };
-    let bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
-    let reaching = bars.iter().filter(|bar| {
-        let enters = bar.min_bore.is_none_or(|least| least <= narrow.diameter());
-        enters && tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius)
-    });
+    let mut bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
+    bars.retain(|bar| bar.min_bore.is_none_or(|least| least <= narrow.diameter()));
+    bars.retain(|bar| tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius));
+    let bars = tools::reaching(bars, bottom.to.z, bench.knowledge)?;
     let share = Limits::of(bench.knowledge).ratio(JobLimit::BottomEdgeShare)?;
     let rise = |bar: &TurningTool<'_>| {
         let edge = bar.edge.unwrap_or(UNKNOWN_EDGE).to_mm();
         Half::from(share * edge * libm::sin(bar.trail_angle.to_f64().to_radians()))
     };
-    Ok(reaching.map(rise).min())
+    Ok(bars.iter().map(rise).min())
 }
 
 /// The overrun at the end of a set-up's range: the round nose of the tool must leave no metal that the other set-up does not
@@ -199,32 +216,35 @@ fn faced_by_bar(bottom: &Piece, bore: &Contour, bench: &Bench<'_, '_>) -> Result
 ///
 /// # Errors
 /// The knowledge base lacks the table of motions.
-fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
+pub(super) fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
     let ends_open = left.end().is_some_and(|end| end.radius > Half::ZERO);
     let (table, _) = rates::of_table(bench.knowledge)?;
     let by = bench.workpiece.rates.map_or(table.approach, |rates| rates.main.approach);
     Ok(if ends_open { Half::of(by) } else { Half::ZERO })
 }
 
-/// How far a contour rises at its end along the axis, in its own lengths; none where it ends with a cylinder, a face or a fall.
-/// In the second set-up a chamfer or a rounding goes on into the air over the cylinder that was made before, or the round nose
-/// leaves metal at its end.
+/// How far a contour rises at its end along the axis, in its own lengths; none where it ends with a face or a fall.
+/// In the second set-up a chamfer or a rounding goes on into the air over the cylinder that was made before, and a cylinder into
+/// the air over a fall, or the round nose leaves metal at its end.
 fn slope_at_end(left: &Contour) -> Option<f64> {
-    let last = left.pieces.last().filter(|last| !last.is_cylinder() && left.side == Side::Outer)?;
+    let last = left.pieces.last().filter(|_| left.side == Side::Outer)?;
     let along = last.direction_at_end();
     (along.z > LEAST_RUN && along.radius >= -1e-9).then(|| along.radius.max(0.0) / along.z)
 }
 
 /// A contour of the second set-up led on behind its end, where the round nose would leave metal: straight along its slope, over what
-/// the first set-up made, or along that, where it rises from there. None if it does not end with a slope.
-fn led_on(left: &Contour, by: Half, bench: &Bench<'_, '_>) -> Option<Contour> {
+/// the first set-up made, or along that, where it rises from there; and over the cylinder behind a thread, whose own is turned
+/// smaller. None elsewhere.
+fn led_on(left: &Contour, threaded: bool, by: Half, bench: &Bench<'_, '_>) -> Option<Contour> {
     let end = left.end().filter(|_| by > Half::ZERO)?;
     let slope = slope_at_end(left)?;
     let part = bench.workpiece.outer.contour().turned_over(bench.workpiece.length());
     let beyond = super::clip::between(&part, end.z, end.z + by);
     let over = |point: &Point| end.radius + Half::from((point.z - end.z).to_mm() * slope) >= point.radius;
     if beyond.pieces.iter().flat_map(|piece| piece.extremes()).all(|point| over(&point)) {
-        return Some(leading_on(left.clone(), by, slope));
+        // A cylinder that goes on in the same radius is made already.
+        let flush = left.pieces.iter().chain(beyond.pieces.first()).rev().take(2).all(|piece| piece.is_cylinder());
+        return (!flush || threaded && bench.elsewhere.is_empty()).then(|| leading_on(left.clone(), by, slope));
     }
     let rises = |piece: &Piece| !piece.is_face() && piece.to.radius >= piece.from.radius;
     let follows = beyond.start() == Some(end) && beyond.pieces.iter().all(rises);
@@ -239,8 +259,11 @@ fn led_on(left: &Contour, by: Half, bench: &Bench<'_, '_>) -> Option<Contour> {
 const LEAST_RUN: f64 = 0.2;
 
 /// A contour led on along a slope at its end.
-fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour {
+pub(super) fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour {
     let Some(end) = contour.end() else { return contour };
+    if slope == 0.0 {
+        return longer(contour, by);
+    }
     let radius = end.radius + Half::from(by.to_mm() * slope);
     contour.pieces.push(Piece::line(end, Point { radius, z: end.z + by }));
     contour
@@ -356,7 +379,7 @@ fn standing(
         return Ok(Some(SideStock { blank, rough, drilled_first: None }));
     }
     let (raw, there) = (workpiece.blank.inner.as_ref(), bench.raw_bore());
-    let least_bar = least_bar(bench)?;
+    let least_bar = least_bar(end.z, bench)?;
     if let Some(inner) = raw.filter(|_| axial.is_none_or(|axial| axial <= there))
         && least_bar.is_none_or(|least| least <= there)
     {

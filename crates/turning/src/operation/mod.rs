@@ -41,6 +41,7 @@ pub mod proof;
 pub mod setting;
 mod tailstock;
 pub(crate) mod tapped;
+mod thin;
 pub mod times;
 pub mod tool_table;
 pub mod tools;
@@ -61,7 +62,7 @@ use crate::turning::jobs::{Body, Job, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::{Advice, Blank, Workpiece, advice};
-use crate::turning::zones::{self, SetUp};
+use crate::turning::zones::{self, Hold, SetUp};
 use layers::Layers;
 use parted::{NotParted, Parted};
 use tools::Bench;
@@ -167,6 +168,21 @@ impl Operation {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
     }
 
+    /// Replaces each centre that a tool strikes with one that is turned down for it; whether there was one.
+    fn turns_centres_down(&mut self) -> bool {
+        let slimmer = |work: &SetUpWork| {
+            let outside = work.jobs.iter().filter(|job| job.side == Side::Outer);
+            let nearest = outside.flat_map(|job| &job.path.moves).map(|one| one.to.radius).min()?;
+            work.tailstock?.turned_down(nearest).filter(|_| proof::meets_centre(self, work.set_up.number))
+        };
+        let slimmer: Vec<_> = self.set_ups.iter().map(slimmer).collect();
+        let any = slimmer.iter().any(Option::is_some);
+        for (work, slimmer) in self.set_ups.iter_mut().zip(slimmer) {
+            work.tailstock = slimmer.or(work.tailstock);
+        }
+        any
+    }
+
     /// Its badness: first the set-ups that the proof rejects, then the number of wrong findings.
     fn badness(&self) -> (usize, usize) {
         let rejected = self.proven.iter().filter(|proven| proof::rejected(self, proven).is_some());
@@ -262,8 +278,9 @@ fn plan_without(
         Angles::CONTOURING,
         knowledge,
     )?;
-    // A far face that nothing holds the part for is parted to length.
-    let only_faced = |one: &SetUp| one.outer.is_none() && one.inner.is_none() && one.holds_at.is_none();
+    // A far face that nothing but a thread holds the part for is parted to length.
+    let held = |one: &SetUp| !matches!(one.holds_at, None | Some(Hold::Surface { threaded: true, .. }));
+    let only_faced = |one: &SetUp| one.outer.is_none() && one.inner.is_none() && !held(one);
     if parted.is_some() && set_ups.get(1).is_some_and(only_faced) {
         parted = parted.map(Parted::to_length);
         set_ups.truncate(1);
@@ -332,10 +349,14 @@ fn plan_without(
     };
     findings.extend(unfinished::unfinished(&operation));
     operation.proven = proof::prove(&operation);
+    if operation.turns_centres_down() {
+        operation.proven = proof::prove(&operation);
+    }
+    findings.extend(operation.set_ups.iter().filter_map(|one| one.tailstock.as_ref()?.finding(one.set_up.number)));
     findings.extend(proof::findings(&operation));
     findings.extend(doubts::doubts(&operation));
     findings.extend(lathe.as_ref().and_then(|lathe| turret(&operation, lathe)));
-    findings.extend(tapped::bored_to_least(workpiece, knowledge)?);
+    findings.extend(tapped::bored_beside_limits(workpiece, knowledge)?);
     operation.findings = merged(findings);
     Ok(operation)
 }

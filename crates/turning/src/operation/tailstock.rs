@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::Note;
+use crate::note::{Finding, Note, Severity};
 use crate::turning::jobs::hole::centre_hole_for;
 use crate::turning::length::Half;
 use crate::turning::tooling::{Lathe, Workholding};
@@ -24,11 +24,17 @@ pub struct Tailstock {
     pub slope: f64,
     /// The diameter of the centre after its cone.
     pub body_mm: Micrometres,
+    /// Whether a usual centre is in the way of the tools, so that this one has to be turned down.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub turned_down: bool,
     /// The distance of the quill from the point of the centre.
     pub out_mm: Micrometres,
     /// The diameter of the quill.
     pub quill_mm: Micrometres,
 }
+
+/// Between a tool and a centre that is turned down for it.
+const FREE: Half = Half::new(1000);
 
 impl Tailstock {
     /// The tailstock of a set-up; none in a chuck, and if the size of the lathe is not known.
@@ -57,6 +63,7 @@ impl Tailstock {
             mouth_mm,
             slope,
             body_mm: centre_body.max(mouth_mm),
+            turned_down: false,
             out_mm: centre_out,
             quill_mm: quill_diameter,
         }))
@@ -70,6 +77,19 @@ impl Tailstock {
     /// The distance before the face where the quill ends, mm: the point of the centre is inside the part.
     pub fn quill_off_mm(&self) -> f64 {
         (self.out_mm.to_mm() - self.mouth_mm.to_mm() / 2.0 / self.slope).max(self.cone_mm())
+    }
+
+    /// The centre turned down behind its cone until it is clear of tools that come as near to the axis as that; none where nothing
+    /// would be left of it beside the centre hole.
+    pub fn turned_down(&self, nearest: Half) -> Option<Self> {
+        let body_mm = Micrometres::from_mm((nearest - FREE).diameter().micrometres() / 1000);
+        (body_mm > self.mouth_mm && body_mm < self.body_mm).then_some(Self { body_mm, turned_down: true, ..*self })
+    }
+
+    /// That it has to be turned down.
+    pub fn finding(&self, set_up: u8) -> Option<Finding> {
+        let note = Note::new("centre-turned-down").with("number", set_up).with("body", self.body_mm);
+        self.turned_down.then(|| Finding::of_part(Severity::Doubtful, note))
     }
 
     /// The note about it.

@@ -34,7 +34,10 @@ fn decided(workpiece: &Workpiece, other: &Other, knowledge: &Knowledge) -> Resul
     for thread in &mut part.threads {
         let Some((index, name)) = index_of(&inner, thread) else { continue };
         let ways = Ways::of(thread, knowledge)?;
-        let (way, because) = ways.choose(thread, &name, other.get(&thread.surface).copied(), knowledge)?;
+        // A bore that is wider than the drill is bored, and its thread turned.
+        let wide = bore_of(&inner, index).is_some_and(|bore| bore > ways.tapped.hole_mm) && ways.bar_enters();
+        let other = other.get(&thread.surface).copied().or(wide.then_some(InnerThreadWay::Turned));
+        let (way, because) = ways.choose(thread, &name, other, knowledge)?;
         thread.way = Some(because);
         if way == InnerThreadWay::Tapped {
             let radius = Half::radius_of(ways.tapped.hole_mm);
@@ -100,11 +103,20 @@ fn others(operation: &Planned, knowledge: &Knowledge) -> Result<Other, Knowledge
     Ok(others)
 }
 
-/// Threads turned in a bore that is drawn at the least minor diameter: a bore that comes out any narrower is scrap.
+/// The diameter of the bore under a thread.
+fn bore_of(inner: &Profile, index: usize) -> Option<Micrometres> {
+    Some(inner.surfaces.get(index)?.pieces.first()?.from.radius.diameter())
+}
+
+/// Threads turned in a bore that is drawn at the least minor diameter, so that a bore that comes out any narrower is scrap, or
+/// wider than 6H allows, so that their crests are too low.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
-pub(super) fn bored_to_least(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Vec<Finding>, KnowledgeError> {
+pub(super) fn bored_beside_limits(
+    workpiece: &Workpiece,
+    knowledge: &Knowledge,
+) -> Result<Vec<Finding>, KnowledgeError> {
     let mut findings = Vec::new();
     let Some(inner) = &workpiece.inner else { return Ok(findings) };
     for thread in &workpiece.threads {
@@ -112,15 +124,18 @@ pub(super) fn bored_to_least(workpiece: &Workpiece, knowledge: &Knowledge) -> Re
         let Some((index, surface)) = index_of(inner, thread).filter(|_| is_6h && thread.tapped.is_none()) else {
             continue;
         };
-        let Some(drawn) = inner.surfaces[index].pieces.first().map(|piece| piece.from.radius.diameter()) else {
-            continue;
-        };
+        let Some(drawn) = bore_of(inner, index) else { continue };
         let (least, most) = minor_diameter(thread.size, thread.pitch, knowledge)?;
         let room = Micrometres::new((most - least).micrometres() / 10);
         if drawn < least + room {
             let middle = Micrometres::new((least.micrometres() + most.micrometres()) / 2);
             let note = Note::new("thread-bored-to-least").with("surface", &surface).with("drawn", drawn);
             let note = note.with("least", least).with("most", most).with("middle", middle);
+            findings.push(Finding::of_part(Severity::Doubtful, note));
+        } else if drawn > most {
+            let share = (thread.size - drawn).to_mm() / (thread.size - least).to_mm();
+            let note = Note::new("thread-bored-wide").with("surface", &surface).with("drawn", drawn).with("most", most);
+            let note = note.with("share", crate::units::round_to(100.0 * share, 0));
             findings.push(Finding::of_part(Severity::Doubtful, note));
         }
     }

@@ -22,7 +22,7 @@ use crate::units::{Degrees, Micrometres};
 
 use super::held::Held;
 use super::{Barred, Stage};
-use crate::turning::cutting::GripLimit;
+use crate::turning::cutting::{GripLimit, bar_clearance, largest_overhang};
 
 /// The context of planning an operation.
 #[derive(Clone, Debug)]
@@ -163,9 +163,36 @@ const fn thickness(shank: Shank) -> Micrometres {
     }
 }
 
+/// The deepest bore to whose end a bar reaches; none for a tool without a bar.
+fn reach(tool: &TurningTool<'_>, knowledge: &Knowledge) -> Result<Option<Half>, KnowledgeError> {
+    let clearance = bar_clearance(knowledge)?;
+    Ok(largest_overhang(tool, knowledge)?.map(|(most, _)| Half::of(most - clearance)))
+}
+
+/// The tools that reach a depth; where none does, those that come nearest, whose cut is refused then.
+///
+/// # Errors
+/// The knowledge base lacks a constant.
+pub fn reaching<'k>(
+    tools: Vec<TurningTool<'k>>,
+    deep: Half,
+    knowledge: &Knowledge,
+) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
+    let mut far = Vec::new();
+    for tool in tools {
+        far.push((reach(&tool, knowledge)?.map_or(deep, |reach| reach.min(deep)), tool));
+    }
+    let farthest = far.iter().map(|(reach, _)| *reach).max();
+    Ok(far.into_iter().filter(|(reach, _)| Some(*reach) == farthest).map(|(_, tool)| tool).collect())
+}
+
 /// The angles of a tool for the check of its fit.
-pub fn angles(tool: &TurningTool<'_>) -> ToolAngles {
-    ToolAngles {
+///
+/// # Errors
+/// The knowledge base lacks a constant.
+pub fn angles(tool: &TurningTool<'_>, knowledge: &Knowledge) -> Result<ToolAngles, KnowledgeError> {
+    Ok(ToolAngles {
+        reach: reach(tool, knowledge)?,
         name: tool.designation.to_owned(),
         angles: Angles {
             main: Degrees(tool.lead_angle.to_f64()),
@@ -174,7 +201,7 @@ pub fn angles(tool: &TurningTool<'_>) -> ToolAngles {
         },
         least_bore: tool.min_bore,
         width: tool.width.filter(|_| tool.plunges()).map(Half::of),
-    }
+    })
 }
 
 /// Its nose, for offsetting contours.

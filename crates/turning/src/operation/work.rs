@@ -109,7 +109,7 @@ pub fn zones(
 ) -> Result<Vec<ZoneWork>, KnowledgeError> {
     let knowledge = bench.knowledge;
     let candidates = tools::candidates(layers.rough.side, Stage::Roughing, bench)?;
-    let angles: Vec<_> = candidates.iter().map(tools::angles).collect();
+    let angles: Vec<_> = candidates.iter().map(|tool| tools::angles(tool, knowledge)).collect::<Result<_, _>>()?;
     let near_part = BlankShape::of(bench.workpiece.blank.kind) == BlankShape::NearPart;
     let find = |ground: &ZoneContours| {
         let stock = zones::Stock { rough: &ground.rough, blank: &ground.blank, near_part, against_stop: false };

@@ -1,7 +1,7 @@
 //! A thread as the cycle of a control, which makes the passes itself: G76 of LinuxCNC and of Fanuc, CYCLE97 of Sinumerik.
 //!
-//! Each control has a law of infeed of its own. The arguments are chosen so that the law makes the planned passes; where
-//! it cannot, to `NEAR`, the passes are written one by one. In all laws h is the whole depth from the crests and d the
+//! Each control has a law of infeed of its own. The arguments are chosen so that the law makes the passes of equal areas of
+//! the plan (single passes are divided as makers do); where it cannot, to `NEAR`, the passes are written one by one. In all laws h is the whole depth from the crests and d the
 //! depth of pass n; a is the angle of infeed, so that a pass is shifted by d·tan a along the flank.
 //!
 //! - LinuxCNC (manual, G76; run in rs274): d = J·n^(1/R) while that is less than K = h, then K, then H spring passes. R is
@@ -108,6 +108,7 @@ pub(super) fn call(control: &Control, cut: &ThreadCut, side: Side) -> Result<Thr
         return Err(NotCycled::PulledOut);
     }
     let mut why = NotCycled::Unknown;
+    let cut = &ThreadCut { depths_mm: cut.cycle_depths_mm.clone(), ..cut.clone() };
     for call in writer(words, cut, side).into_iter().rev() {
         match compared(&call.passes, cut) {
             Ok(()) => return Ok(call),

@@ -51,6 +51,8 @@ pub struct TurningTool<'k> {
     pub edge: Option<Micrometres>,
     /// Its shank or bar.
     pub shank: Option<Shank>,
+    /// Whether its bar is of carbide, which bends a third as much as steel.
+    pub carbide_bar: bool,
     /// Overhang from the holder, if its row has one; otherwise by `turning-limits`.
     pub reach: Option<Micrometres>,
     /// The smallest bore it enters.
@@ -112,6 +114,7 @@ impl<'k> TurningTool<'k> {
             insert: tool.insert,
             edge: tool.edge,
             shank: round.or(square.map(|(height, width)| Shank::Square { height, width })),
+            carbide_bar: tool.carbide_bar.unwrap_or_default(),
             reach: tool.reach,
             min_bore: tool.min_bore,
             width: tool.width,
@@ -119,7 +122,7 @@ impl<'k> TurningTool<'k> {
             own_width: tool.own_width.unwrap_or_default(),
             face_diameter: tool.face_diameter_min,
             pitch: tool.pitch_min.zip(tool.pitch_max),
-            insert_side: side.filter(|_| tool.kind == ToolKind::Threading),
+            insert_side: tool.insert_side.or(side).filter(|_| tool.kind == ToolKind::Threading),
             grades: tool.grades.unwrap_or_default(),
         }
     }

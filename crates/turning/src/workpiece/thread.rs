@@ -16,8 +16,6 @@ pub(super) struct ThreadSize {
     pub size: Micrometres,
     /// Pitch, mm.
     pub pitch: Micrometres,
-    /// The drill for it, if the tables have one.
-    drill: Option<Micrometres>,
 }
 
 impl ThreadSize {
@@ -30,17 +28,18 @@ impl ThreadSize {
         })
     }
 
-    /// The least and the largest diameter that a thread may be cut on: outside the nominal one; in a bore from the minor
-    /// diameter D1 = d − 1.0825 P (ISO 724) to the drill, by the tables or d − P.
-    pub fn diameters(&self, side: Side) -> (Micrometres, Micrometres) {
+    /// Whether it may be cut on a diameter: outside on the nominal one; in a bore from the minor diameter on, as long as
+    /// something is left of its crests.
+    pub fn stands_on(&self, diameter: Micrometres, side: Side) -> bool {
         match side {
-            Side::Outer => (self.size, self.size),
-            Side::Inner => {
-                let minor = Micrometres::new(self.size.micrometres() - self.pitch.micrometres() * 10_825 / 10_000);
-                let drill = self.size - self.pitch;
-                (minor, self.drill.map_or(drill, |known| known.max(drill)))
-            }
+            Side::Outer => diameter == self.size,
+            Side::Inner => (self.minor()..self.size).contains(&diameter),
         }
+    }
+
+    /// The minor diameter D1 = d − 1.0825 P (ISO 724).
+    pub fn minor(&self) -> Micrometres {
+        Micrometres::new(self.size.micrometres() - self.pitch.micrometres() * 10_825 / 10_000)
     }
 }
 
@@ -78,8 +77,7 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadSize, &'st
     if size <= Micrometres::ZERO || pitch <= Micrometres::ZERO || pitch + pitch >= size {
         return Err("bad-turned-thread");
     }
-    let drill = tapping::tap_hole(size, pitch, knowledge).ok().map(|hole| hole.drill);
-    Ok(ThreadSize { written, size, pitch, drill })
+    Ok(ThreadSize { written, size, pitch })
 }
 
 #[cfg(test)]
@@ -109,18 +107,19 @@ mod tests {
     #[test]
     fn threads_are_read() {
         let knowledge = shipped::knowledge().unwrap();
-        for (text, size, pitch, inside) in [
-            ("M36x2", 36_000, 2_000, (33_835, 34_000)),
-            ("М 36 х 2 - 6g", 36_000, 2_000, (33_835, 34_000)),
-            // ISO 724: D1 of M8 is 6.647; the drill of GOST 19257 is 6.8.
-            ("M8", 8_000, 1_250, (6_647, 6_800)),
-            ("M200x3", 200_000, 3_000, (196_753, 197_000)),
+        for (text, size, pitch, minor) in [
+            ("M36x2", 36_000, 2_000, 33_835),
+            ("М 36 х 2 - 6g", 36_000, 2_000, 33_835),
+            // ISO 724: D1 of M8 is 6.647.
+            ("M8", 8_000, 1_250, 6_647),
+            ("M200x3", 200_000, 3_000, 196_753),
         ] {
             let named = read(text, &knowledge).unwrap();
             assert_eq!((named.size.micrometres(), named.pitch.micrometres()), (size, pitch), "{text}");
-            let (least, most) = named.diameters(Side::Inner);
-            assert_eq!((least.micrometres(), most.micrometres()), inside, "{text}");
-            assert_eq!(named.diameters(Side::Outer), (named.size, named.size));
+            let within = |micrometres| named.stands_on(Micrometres::new(micrometres), Side::Inner);
+            assert!(!within(minor - 1) && within(minor) && within(size - 1) && !within(size), "{text}");
+            let on = |micrometres| named.stands_on(Micrometres::new(micrometres), Side::Outer);
+            assert!(on(size) && !on(size - 1), "{text}");
         }
         for (text, code) in [
             ("Tr36x6", "bad-turned-thread"),

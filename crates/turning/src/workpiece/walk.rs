@@ -263,14 +263,14 @@ impl Walk<'_, '_, '_> {
     fn thread(&mut self, item: &ContourItem, thread_size: Option<&Placed<ThreadSize>>, along: &Along) {
         let z = self.z_after(along);
         if let Some(((thread_size, place), radius)) = thread_size.zip(self.radius) {
-            let (least, most) = thread_size.diameters(self.walked.side);
             let diameter = radius.diameter();
-            if !(least..=most).contains(&diameter) {
-                let code = if least == most { "thread-on-another-diameter" } else { "thread-in-another-bore" };
-                self.fault(
-                    mistake!(code, thread = thread_size.written, diameter = diameter, least = least, most = most),
-                    place,
-                );
+            if !thread_size.stands_on(diameter, self.walked.side) {
+                let (code, least) = match self.walked.side {
+                    Side::Outer => ("thread-on-another-diameter", thread_size.size),
+                    Side::Inner => ("thread-in-another-bore", thread_size.minor()),
+                };
+                let (thread, most) = (&thread_size.written, thread_size.size);
+                self.fault(mistake!(code, thread = thread, diameter = diameter, least = least, most = most), place);
             }
         }
         let before = self.walked.surfaces.len();

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::note::{Figure, Note};
+use crate::turning::contour::Side;
 use crate::turning::elements::{Angles, Hand};
 use crate::turning::length::Half;
 use crate::units::{Degrees, Micrometres, round_to};
@@ -25,6 +26,9 @@ pub struct ToolAngles {
     /// For a boring bar, the smallest bore that it enters.
     #[serde(rename = "least_bore_mm", skip_serializing_if = "Option::is_none")]
     pub least_bore: Option<Micrometres>,
+    /// For a boring bar, the deepest bore that it reaches the end of.
+    #[serde(rename = "reach_mm", skip_serializing_if = "Option::is_none")]
+    pub reach: Option<Half>,
     /// For a grooving tool, its width. It plunges, so its angles do not count.
     #[serde(rename = "width_mm", skip_serializing_if = "Option::is_none")]
     pub width: Option<Half>,
@@ -33,7 +37,7 @@ pub struct ToolAngles {
 impl ToolAngles {
     /// The contouring tool of the lecture.
     pub fn contouring() -> Self {
-        Self { name: "φ95 φ1 30".to_owned(), angles: Angles::CONTOURING, least_bore: None, width: None }
+        Self { name: "φ95 φ1 30".to_owned(), angles: Angles::CONTOURING, least_bore: None, reach: None, width: None }
     }
 }
 
@@ -60,8 +64,15 @@ pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
     let mut compared = Fit { fitting: Vec::new(), refused: Vec::new() };
     let closed = |part: &&super::ZonePart| part.kind == ZoneKind::Closed;
     let floor = zone.parts.iter().filter(closed).map(|part| part.floor_length).min();
+    // Where no bar reaches the end of the bore, those that come nearest fit, and their cut is refused.
+    let bars = tools.iter().filter(|tool| zone.side == Side::Inner && reaches(zone.needs, zone.passage, tool));
+    let farthest = bars.filter_map(|tool| tool.reach).max();
     for tool in tools {
         let mut why = refusals(zone.needs, zone.passage, floor, tool);
+        let short = |reach: &Half| farthest.is_some_and(|farthest| *reach < zone.to_z.min(farthest));
+        if let Some(reach) = tool.reach.filter(short) {
+            why.push(Note::new("tool-bar-too-short").with("depth", zone.to_z).with("reach", reach));
+        }
         if tool.width.is_some() && zone.kind != ZoneKind::Closed {
             why.push(Note::new("tool-only-for-grooves").with("kind", Figure::word(zone.kind.name())));
         }

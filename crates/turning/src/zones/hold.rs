@@ -39,6 +39,9 @@ pub enum Hold {
         diameter_mm: Micrometres,
         /// The length in which the jaws touch it, without the grooves in it.
         length_mm: Half,
+        /// Whether it is a thread, which a split bushing with the same thread holds in the jaws.
+        #[serde(skip_serializing_if = "std::ops::Not::not")]
+        threaded: bool,
         /// Where it begins and ends, Z of the part.
         #[serde(skip)]
         over: (Half, Half),
@@ -117,6 +120,7 @@ struct Cylinder<'a> {
     over: (Half, Half),
     /// What is left of it beside the grooves.
     touches: Half,
+    threaded: bool,
 }
 
 /// The cylinders of a profile, in the order of Z.
@@ -128,20 +132,20 @@ fn cylinders<'a>(profile: &'a Profile, classes: &[Class]) -> Vec<Cylinder<'a>> {
             continue;
         }
         let piece = surface.pieces.first().filter(|piece| piece.is_cylinder());
-        let usable = surface.kind != SurfaceKind::Thread && class.element == Element::Main;
-        let Some(piece) = piece.filter(|_| usable) else {
+        let threaded = surface.kind == SurfaceKind::Thread;
+        let Some(piece) = piece.filter(|_| threaded || class.element == Element::Main) else {
             joined = false;
             continue;
         };
         let (radius, length) = (piece.from.radius, piece.to.z - piece.from.z);
-        match cylinders.last_mut().filter(|last| joined && last.radius == radius) {
+        match cylinders.last_mut().filter(|last| joined && last.radius == radius && !threaded && !last.threaded) {
             Some(last) => {
                 last.over.1 = piece.to.z;
                 last.touches = last.touches + length;
             }
             None => {
                 let over = (piece.from.z, piece.to.z);
-                cylinders.push(Cylinder { first: surface, radius, over, touches: length });
+                cylinders.push(Cylinder { first: surface, radius, over, touches: length, threaded });
             }
         }
         joined = true;
@@ -149,9 +153,12 @@ fn cylinders<'a>(profile: &'a Profile, classes: &[Class]) -> Vec<Cylinder<'a>> {
     cylinders
 }
 
+/// How well a cylinder holds a part: whether it is none with a thread, whether it has the usual length, its radius and its length.
+type Rank = (bool, bool, Half, Half);
+
 /// The clamping place of the part in the second set-up: the thickest of the cylinders that are long enough, and of
 /// these the longest. A thick cylinder transmits the torque with the least force. Where none has the usual length, one
-/// that has the shortest is taken.
+/// that has the shortest is taken; where there is none of these either, a thread.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
@@ -163,20 +170,22 @@ pub(super) fn hold_part(
     if let Some(centres) = between_centres(part, knowledge)? {
         return Ok(centres);
     }
-    let mut best: Option<((bool, Half, Half), Hold, Because)> = None;
+    let mut best: Option<(Rank, Hold, Because)> = None;
     let mut passed = Vec::new();
     for cylinder in made.iter().flat_map(|made| cylinders(&made.profile, &made.classes)) {
         let (name, diameter, length) = (&cylinder.first.name, cylinder.radius.diameter(), cylinder.touches);
-        let note = Note::new("hold-surface").with("surface", name).with("length", length);
+        let threaded = cylinder.threaded;
+        let note = Note::new(if threaded { "hold-thread" } else { "hold-surface" });
+        let note = note.with("surface", name).with("length", length);
         let (lengths, because) = JawLengths::because(diameter, note, knowledge)?;
         if length < lengths.least {
             let short = Note::new("hold-surface-short").with("surface", name).with("length", length);
             passed.push(short.with("least", lengths.least));
         }
-        let rank = (length >= lengths.least, cylinder.radius, length);
+        let rank = (!threaded, length >= lengths.least, cylinder.radius, length);
         if length >= lengths.shortest && best.as_ref().is_none_or(|(other, ..)| *other < rank) {
-            let hold =
-                Hold::Surface { name: name.to_string(), diameter_mm: diameter, length_mm: length, over: cylinder.over };
+            let (name, over) = (name.to_string(), cylinder.over);
+            let hold = Hold::Surface { name, diameter_mm: diameter, length_mm: length, threaded, over };
             best = Some((rank, hold, because));
         }
     }

@@ -9,6 +9,7 @@
 //!
 //! Zones of a bore are found inside out, and given in the radii of the bore.
 
+mod far_threads;
 pub mod fit;
 mod hold;
 pub mod join;

@@ -3,13 +3,14 @@
 //! From the free end a tool makes elements that rise towards the chuck. Behind the largest radius the contour falls;
 //! where it falls more steeply than φ1 and never rises again, the rest is for the second set-up, with the part turned
 //! over. A bore is treated the same inside out: it is bored from the end to which it widens. The far face belongs to
-//! the second set-up.
+//! the second set-up, and so do [threads](far_threads) that cannot be cut from the free end.
 //!
 //! In the second set-up the part is held by a cylinder that the first one made, long enough for the jaws by the rule
 //! `turning-hold`.
 
 use serde::Serialize;
 
+use super::far_threads;
 use super::hold::{Hold, hold_blank, hold_part};
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -78,7 +79,7 @@ struct Division {
     near: Option<Profile>,
     far: Option<Profile>,
     /// Why the first set-up stops earlier than it could.
-    lent: Option<Note>,
+    early: Option<Note>,
 }
 
 /// The one or two set-ups of a part, for a tool that feeds from the free end of each.
@@ -89,12 +90,13 @@ struct Division {
 /// # Errors
 /// The knowledge base lacks the rule `turning-element` or `turning-hold`, or a row of one.
 pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Result<Vec<SetUp>, KnowledgeError> {
-    let (near, far) = divided(part.outer, tool, knowledge)?;
-    let lent = near
+    let division = divided(part.outer, tool, knowledge)?;
+    let lent = division
+        .near
         .as_ref()
         .filter(|_| part.holding == Holding::Chuck && part.lends)
-        .and_then(|near| lent(near, far.as_ref()));
-    let made = set_ups_of(part, Division { near, far, lent: None }, tool, knowledge)?;
+        .and_then(|near| lent(near, division.far.as_ref()));
+    let made = set_ups_of(part, division, tool, knowledge)?;
     let unheld = |set_ups: &[SetUp]| set_ups.iter().filter(|one| one.holds_at.is_none()).count();
     if let (Some(lent), true) = (lent, made.first().is_some_and(|first| first.holds_at.is_none())) {
         let other = set_ups_of(part, lent, tool, knowledge)?;
@@ -117,22 +119,30 @@ fn lent(near: &Profile, far: Option<&Profile>) -> Option<Division> {
     // A relief between the shoulder and the cylinder stays with the shoulder.
     let run = near.surfaces.get(near.surfaces.len() - behind..)?;
     let first = near.surfaces.len() - behind + run.iter().position(upright)?;
-    let (kept, given) = near.surfaces.split_at_checked(first).filter(|(kept, _)| !kept.is_empty() && largest)?;
+    largest.then(|| divided_at(near, far, first, "setup-lends")).flatten()
+}
+
+/// The division with the surfaces of the near side from one on left to the far side, and the code of the reason.
+fn divided_at(near: &Profile, far: Option<&Profile>, first: usize, code: &'static str) -> Option<Division> {
+    let (kept, given) = near.surfaces.split_at_checked(first).filter(|(kept, _)| !kept.is_empty())?;
     let begin = given.first()?.pieces.first()?.from;
-    let note = Note::new("setup-lends").with("z", Half::ZERO - begin.z).with("diameter", begin.radius.diameter());
+    let note = Note::new(code).with("z", Half::ZERO - begin.z).with("diameter", begin.radius.diameter());
     let all = given.iter().chain(far.iter().flat_map(|far| &far.surfaces)).cloned().collect();
     let of = |surfaces| Some(Profile { side: near.side, surfaces });
-    Some(Division { near: of(kept.to_vec()), far: of(all), lent: Some(note) })
+    Some(Division { near: of(kept.to_vec()), far: of(all), early: Some(note) })
 }
 
 fn set_ups_of(
     part: Workpiece<'_>,
-    Division { near, far, lent }: Division,
+    Division { near, far, early }: Division,
     tool: Angles,
     knowledge: &Knowledge,
 ) -> Result<Vec<SetUp>, KnowledgeError> {
     let (bored, bored_far) = match part.inner {
-        Some(inner) => divided(inner, tool, knowledge)?,
+        Some(inner) => {
+            let Division { near, far, .. } = divided(inner, tool, knowledge)?;
+            (near, far)
+        }
         None => (None, None),
     };
     let far_face = part.blank.end().is_some_and(|end| end.z > part.length);
@@ -155,8 +165,8 @@ fn set_ups_of(
     let over = |profile: Option<Profile>| profile.map(|one| one.turned_over(part.length));
     let mut notes = Vec::new();
     let lip = far.as_ref().and_then(|far| far.contour().start());
-    if let Some(lent) = lent {
-        notes.push(lent);
+    if let Some(early) = early {
+        notes.push(early);
     } else if let Some(lip) = lip {
         let note = Note::new("setup-falls-away").with("z", Half::ZERO - lip.z).with("diameter", lip.radius.diameter());
         notes.push(note.with("secondary", crate::units::round_to(tool.secondary.0, 2)));
@@ -174,17 +184,17 @@ fn set_ups_of(
 }
 
 /// The surfaces of a profile turned from the free end, and those from the other end.
-fn divided(
-    profile: &Profile,
-    tool: Angles,
-    knowledge: &Knowledge,
-) -> Result<(Option<Profile>, Option<Profile>), KnowledgeError> {
+fn divided(profile: &Profile, tool: Angles, knowledge: &Knowledge) -> Result<Division, KnowledgeError> {
     let classes = classify(profile, tool, knowledge)?;
     let any = |profile: Profile| (!profile.surfaces.is_empty()).then_some(profile);
-    Ok(match split(profile, &classes, tool) {
+    let (near, far) = match split(profile, &classes, tool) {
         Some((near, far)) => (any(near), any(far)),
         None => (any(profile.clone()), None),
-    })
+    };
+    let earlier = near
+        .as_ref()
+        .and_then(|near| divided_at(near, far.as_ref(), far_threads::begin(near)?, "setup-thread-from-far"));
+    Ok(earlier.unwrap_or(Division { near, far, early: None }))
 }
 
 fn stretch(profile: Profile, tool: Angles, knowledge: &Knowledge) -> Result<TurnedSide, KnowledgeError> {

@@ -18,6 +18,7 @@ no-limiting-depth = the limiting depth is not known: give `roughing: {"{"}limiti
 no-depth-allowed = { $tool }: no depth is allowed by { $bound }; take a lower feed, a stronger tool or a more powerful lathe
 one-feed-for-all = these feeds are not given: { $feeds }; the main one is taken, so times are approximate
 no-bar-for-bore = zone { $zone }: the bore of Ø{ $bore } is too narrow for the bars of the catalog, the slimmest of which enters Ø{ $least }
+surface-of-blank = { $surface }: it is the surface of the blank and stays as it is; a blank with stock is needed where the drawing asks for more
 no-tool-for-zone = zone { $zone } ({ $side }): no tool of the catalog fits: φ ≥ { $main }° and φ1 ≥ { $secondary }° are needed
 scheme-not-possible = zone { $zone }: the scheme { $scheme } is not possible, for the reason in the next line; the quickest of those that leave an even allowance is taken, if there is one
 face-stock-thin = the blank's stock on the face is { $lack } mm less than the finishing allowance: take a longer blank

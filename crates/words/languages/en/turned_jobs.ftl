@@ -97,3 +97,4 @@ job-tap-blind = { $surface }: behind the front of the tap at least { $stop } mm 
 job-tap-through = { $surface }: the tap goes through with its lead and { $stop } mm more
 job-tap-torque = the tap takes { $torque } N·m
 thread-bored-to-least = { $surface }: bored to Ø{ $drawn } as drawn, and 6H leaves Ø{ $least } to Ø{ $most }: nothing is left for what the bore comes out narrower; draw it in the middle, Ø{ $middle }
+thread-bored-wide = { $surface }: bored to Ø{ $drawn } as drawn, wider than the Ø{ $most } that 6H allows: the crests of the thread are { $share } % of their full height

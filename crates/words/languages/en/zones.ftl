@@ -14,6 +14,7 @@ setup-first = from the free end
 setup-only = one set-up makes all of it
 setup-falls-away = from Z { $z }, Ø{ $diameter } the contour falls towards the chuck more steeply than φ1 = { $secondary }° and never rises again
 setup-lends = Ø{ $diameter } from Z { $z } is turned in this set-up and not in the first one, which would leave the jaws too little
+setup-thread-from-far = the thread Ø{ $diameter } from Z { $z } is cut from this end: in the first set-up it would have no room to begin or to end
 setup-parts-off = in the end the part is parted off behind Z { $z }
 setup-bore-widens = the bore widens towards the far face
 setup-far-face = there is stock on the far face
@@ -21,17 +22,21 @@ hold-centres = the part is held between centres
 hold-blank = { $length } mm of the blank's Ø{ $diameter } are left to hold it by ({ $least } mm are wanted, at the very least { $shortest } mm)
 hold-blank-short = only { $length } mm of the blank's Ø{ $diameter } are left; { $least } mm are wanted, at the very least { $shortest } mm and { $clearance } mm more up to the tool: take a longer blank or centres
 hold-surface = the part is held by { $surface }, Ø{ $diameter }, { $length } mm long ({ $least } mm are wanted, at the very least { $shortest } mm): the thickest of the cylinders that are long enough
+hold-thread = nothing else is long enough: the part is held by the thread { $surface }, Ø{ $diameter }, { $length } mm long ({ $least } mm are wanted, at the very least { $shortest } mm)
 hold-surface-short = { $surface }: { $length } mm are less than { $least } mm
 hold-nowhere = no turned cylinder is long enough: centres, a mandrel or bored jaws are needed
 # Tools against zones.
 tool-main-angle = φ = { $has }° is less than { $needs }°
 tool-secondary-angle = φ1 = { $has }° is less than { $needs }°
 tool-bore-too-small = the bore of Ø{ $bore } is smaller than the least for the tool, Ø{ $least }
+tool-bar-too-short = the bore is { $depth } mm deep, and the bar reaches { $reach } mm
 tool-wider-than-groove = the tool is { $width } mm wide, the floor { $floor } mm
 tool-only-for-grooves = a grooving tool is for closed zones, and this one is { $kind }
 jaws-close = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm; turning they sweep at most Ø{ $sweep }
 jaws-close-alone = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm
 jaws-grip-little = set-up { $number }: to stay off the tool the jaws grip { $length } mm, and { $least } mm are wanted: bore the jaws deeper, or take a smaller depth of cut
 jaws-bored = the surface is finished: soft jaws, bored to Ø{ $grips } over { $length } mm
+jaws-on-bushing = a split bushing with this thread, { $length } mm long, goes between the jaws and Ø{ $grips }: make it before
+centre-turned-down = set-up { $number }: a usual centre is in the way of the tools: take one that is turned down to Ø{ $body } or less behind its cone, or a half centre
 grip-required = on Ø{ $grips } the jaws must press with { $force } kN together: the heaviest cut pulls with { $pull } kN there, friction { $friction }, safety { $safety }
 grip-too-weak = set-up { $number }: the heaviest cut requires { $force } kN of the jaws on Ø{ $grips }, and a hand chuck of this size gives about { $given } kN: take a power chuck, a smaller depth or feed, a thicker cylinder to grip, or a tailstock

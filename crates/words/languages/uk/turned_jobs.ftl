@@ -94,3 +94,4 @@ job-tap-blind = { $surface }: за торцем мітчика лишаєтьс�
 job-tap-through = { $surface }: мітчик проходить наскрізь забірною частиною і ще { $stop } мм
 job-tap-torque = мітчик потребує { $torque } Н·м
 thread-bored-to-least = { $surface }: розточують до Ø{ $drawn }, як накреслено, а 6H дозволяє від Ø{ $least } до Ø{ $most }: запасу на менший отвір немає; накресліть посередині, Ø{ $middle }
+thread-bored-wide = { $surface }: розточують до Ø{ $drawn }, як накреслено, ширше за Ø{ $most }, які дозволяє 6H: висота витків – { $share } % від повної

@@ -34,22 +34,24 @@ pub(super) struct Chosen<'k> {
     pub by_nose: bool,
 }
 
-/// The first tool that can cut it; otherwise the reason of the last one.
+/// The first tool that can cut it, or a blade of that name if it can; otherwise the reason of the last one.
 pub(super) fn choose<'k>(
     site: Site<'_>,
     surface: &Surface,
     valley: &Valley,
+    only: Option<&str>,
     limits: &mut Limits<'k>,
     bench: &Bench<'_, 'k>,
 ) -> Tried<Chosen<'k>, NoJob> {
     let mut why = NoJob::NoTool { surface: surface.name.clone() };
-    for tool in blades(surface, valley, bench)? {
+    let wanted = |tool: &TurningTool<'_>| only.is_none_or(|only| tool.designation == only);
+    for tool in blades(surface, valley, bench)?.into_iter().filter(wanted) {
         match Refusal::split(by_blade(site, surface, valley, tool, limits, bench))? {
             Ok(chosen) => return Ok(chosen),
             Err(other) => why = later(why, other),
         }
     }
-    if valley.lie != Lie::Face {
+    if valley.lie != Lie::Face && only.is_none() {
         for tool in noses(valley, bench)? {
             if let Ok(chosen) = Refusal::split(by_nose(site, surface, valley, tool, limits, bench))? {
                 return Ok(chosen);

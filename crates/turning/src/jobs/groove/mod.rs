@@ -16,7 +16,9 @@ mod ways;
 #[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests;
 
-use crate::error::{Refusal, Tried};
+use std::collections::BTreeSet;
+
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, IntoFigure, Note};
 use crate::tables::turning::jobs::JobLimit;
@@ -25,6 +27,7 @@ use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
+use crate::turning::tooling::TurningTool;
 use crate::turning::toolpath::{Move, Purpose, Toolpath};
 use crate::units::round_to;
 
@@ -43,11 +46,61 @@ use ways::{Division, Ways};
 /// # Errors
 /// No tool makes it, with the inequality that fails; or the knowledge base lacks a table.
 pub fn groove(site: Site<'_>, surface: &Surface, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
+    groove_by(site, surface, None, bench)
+}
+
+/// The jobs of several grooves with as few blades as there is little time in it (`blade-saved`): a blade that is there for one
+/// of them also cuts another that would have a wider one. Blades made for the width of their groove stay.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn with_fewer_blades(
+    site: Site<'_>,
+    mut grooves: Vec<(&Surface, Job)>,
+    bench: &Bench<'_, '_>,
+) -> Result<Vec<Job>, KnowledgeError> {
+    let saved = Limits::of(bench.knowledge).ratio(JobLimit::BladeSaved)?;
+    let own: Vec<&str> =
+        TurningTool::all(bench.knowledge)?.iter().filter(|tool| tool.own_width).map(|tool| tool.designation).collect();
+    let names: BTreeSet<String> = grooves.iter().map(|(_, job)| job.tool.designation.clone()).collect();
+    let shared = names.iter().filter(|name| !own.contains(&name.as_str()));
+    for (one, other) in shared.clone().flat_map(|one| shared.clone().map(move |other| (one, other))) {
+        let both = [one, other].map(|name| grooves.iter().any(|(_, job)| job.tool.designation == *name));
+        if one == other || both != [true, true] {
+            continue;
+        }
+        let (mut made, mut more) = (Vec::new(), 0.0);
+        for (index, (surface, job)) in grooves.iter().enumerate().filter(|(_, (_, job))| job.tool.designation == *other)
+        {
+            // Both walls of a groove with a tolerance are turned by a blade chosen for it.
+            let tried = Some(surface).filter(|surface| surface.grade.is_none());
+            let Some(Ok(again)) =
+                tried.map(|surface| Refusal::split(groove_by(site, surface, Some(one), bench))).transpose()?
+            else {
+                more = f64::INFINITY;
+                break;
+            };
+            more += again.time_min.0 - job.time_min.0;
+            made.push((index, again));
+        }
+        if more <= saved {
+            for (index, again) in made {
+                if let Some((_, job)) = grooves.get_mut(index) {
+                    *job = again;
+                }
+            }
+        }
+    }
+    Ok(grooves.into_iter().map(|(_, job)| job).collect())
+}
+
+/// The job of a groove, by that blade if one is named.
+fn groove_by(site: Site<'_>, surface: &Surface, only: Option<&str>, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
     let valley = Valley::of(surface, site.side())?;
     let mut limits = Limits::of(bench.knowledge);
     let Chosen { tool, ways, speed, feeds, mut because, by_nose } =
-        blades::choose(site, surface, &valley, &mut limits, bench)?;
+        blades::choose(site, surface, &valley, only, &mut limits, bench)?;
     let (rates, _) = rates::of_table(bench.knowledge)?;
     let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
     let path = in_set_up(&ways.path, &valley, site, Half::of(rates.approach));

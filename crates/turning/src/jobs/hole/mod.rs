@@ -91,21 +91,32 @@ impl Drill<'_> {
     }
 }
 
-/// The jobs of a hole: one drill, or by the rule `two-pass-drilling` a narrower one before it.
+/// The jobs of a hole: one drill, or by the rule `two-pass-drilling` a narrower one before it; where none of its share of the
+/// diameter is long enough, the widest that may drill alone.
 ///
 /// # Errors
 /// As for [`drill`].
 pub fn drilling(hole: &Hole, bench: &Bench<'_, '_>) -> Tried<Vec<Job>, NoJob> {
-    let (diameter, material_group) = (hole.diameter, bench.material.group);
-    let question = TwoPassDrillingFor { diameter, material_group, first_drill_in_magazine: false };
-    let asked = bench.knowledge.ask(&question)?;
+    let material_group = bench.material.group;
+    let question = |diameter| TwoPassDrillingFor { diameter, material_group, first_drill_in_magazine: false };
+    let asked = bench.knowledge.ask(&question(hole.diameter))?;
     let passes = asked.need(&hole.diameter.to_string())?.passes;
     if passes < 2 || hole.from > Micrometres::ZERO {
         return Ok(vec![drill(hole, bench)?]);
     }
     let share = bench.knowledge.need("two-pass drilling", |_: &FirstDrill<'_>| true)?;
     let most = Micrometres::from_mm_rounded(hole.diameter.to_mm() * share.share_max);
-    let mut first = drill(&Hole { diameter: most, exact: false, tapped: false, ..hole.clone() }, bench)?;
+    let opening = |diameter| drill(&Hole { diameter, exact: false, tapped: false, ..hole.clone() }, bench);
+    let mut first = opening(most);
+    if matches!(first, Err(Refusal::Not(NoJob::NoDrill { .. }))) {
+        for one in drills(hole.diameter, bench)? {
+            if bench.knowledge.ask(&question(one.diameter))?.winner()?.is_some_and(|row| row.passes < 2) {
+                first = first.or_else(|_| opening(one.diameter));
+                break;
+            }
+        }
+    }
+    let mut first = first?;
     let note = Note::new("job-first-drill").with("diameter", hole.diameter).with("most", most);
     first.because.extend([Because::answer(&asked.answer, note.clone()), Because::row(share.row, note)]);
     let from = first.tool.diameter().unwrap_or_default();

@@ -36,7 +36,7 @@ use super::refused::{NoJob, Operation, no_figure};
 use super::site::{self, Site};
 use super::{Job, JobTool, Pace, ThreadCut, Work};
 use passes::Divided;
-pub use passes::Passes;
+pub use passes::{Bounds, Passes};
 use room::Room;
 
 /// The height of the triangle of the profile over the pitch, H/P (ISO 68-1).
@@ -73,13 +73,14 @@ pub fn thread(
     let entry =
         (limits.ratio(JobLimit::ThreadRunIn)? * lost).max(limits.ratio(JobLimit::ThreadEntry)? * thread.pitch.to_mm());
     let lift = Half::of(limits.length(JobLimit::ThreadLift)?);
+    let usual_side = limits.length(JobLimit::ThreadInsertSide)?;
     let asked = Room {
         thread: *piece,
         root,
         lift,
         entry: Half::from(entry),
         run_out: Half::from(lost),
-        side_of_insert: Half::of(limits.length(JobLimit::ThreadInsertSide)?),
+        side_of_insert: Half::of(tool.insert_side.unwrap_or(usual_side)),
         longest: thread.longest_run_out.unwrap_or_default(),
         finest: limits.ratio(JobLimit::ThreadRunOutGrade)?,
     };
@@ -88,7 +89,7 @@ pub fn thread(
         let note = Note::new("thread-longest-run-out").with("pitch", row.pitch).with("length", row.length);
         because.push(Because::row(row.row, note));
     }
-    let Divided { depths, springs, because: of_passes } =
+    let Divided { depths, of_cycles, springs, because: of_passes } =
         divided(thread, side, root.max(crest) - root.min(crest), passes, &mut limits, bench)?;
     because.extend(of_passes);
     let group = bench.material.group;
@@ -105,11 +106,8 @@ pub fn thread(
         return_radius_mm: outwards(side, crest, lift),
         crest_radius_mm: crest,
         root_radius_mm: root,
-        depths_mm: depths
-            .iter()
-            .copied()
-            .chain(std::iter::repeat_n(root.max(crest) - root.min(crest), springs))
-            .collect(),
+        depths_mm: with_springs(&depths, springs),
+        cycle_depths_mm: with_springs(&of_cycles, springs),
         infeed_angle_deg: angle,
     };
     let path = toolpath(&cut, side, site);
@@ -268,12 +266,19 @@ fn divided(
     let least = Half::of(limits.length(JobLimit::ThreadLastPass)?);
     let springs = limits.ratio(JobLimit::ThreadSpringPasses)?;
     let wanted = usize::try_from(row.passes + first.more).unwrap_or(1).max(1);
-    let depths = passes.depths(depth, wanted, Half::of(first.depth), least);
+    let bounds = Bounds { first: Half::of(first.depth), least, first_share: limits.ratio(JobLimit::ThreadFirstShare)? };
+    let depths = passes.depths(depth, wanted, bounds);
+    let of_cycles = Passes::Area.depths(depth, wanted, bounds);
     let note = Note::new("threading-passes").with("pitch", row.pitch).with("passes", row.passes);
     let mut because = vec![Because::row(row.row, note)];
     let note = Note::new("threading-first-pass").with("depth", first.depth).with("more", first.more);
     because.push(Because::answer(&asked.answer, note));
-    Ok(Divided { depths, springs: springs.round().max(0.0) as usize, because })
+    Ok(Divided { depths, of_cycles, springs: springs.round().max(0.0) as usize, because })
+}
+
+/// Passes, and then so many more at the last depth.
+fn with_springs(depths: &[Half], springs: usize) -> Vec<Half> {
+    depths.iter().chain(std::iter::repeat_n(depths.last(), springs).flatten()).copied().collect()
 }
 
 /// The toolpath: from before the thread, pass by pass, and back. With an inclined infeed, a shallower pass begins

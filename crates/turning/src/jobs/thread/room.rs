@@ -89,7 +89,9 @@ impl Room {
         let top = after.iter().map(|one| one.radii().1).max().map_or(crest, |high| high.max(crest));
         let flank = Half::from((top - root).to_mm() * FLANK);
         let insert = flank.min(self.side_of_insert);
-        let free = after.iter().take_while(|one| stands.is_none_or(|stands| one.from.z < stands));
+        // What comes later than the tool has left the metal is no relief.
+        let last = end + self.run_out.max(Half::of(self.longest));
+        let free = after.iter().take_while(|one| stands.is_none_or(|stands| one.from.z < stands) && one.from.z <= last);
         let free: Vec<&Piece> = free.collect();
         let low = free.iter().map(|one| one.radii().0).min();
         let no_run_out =

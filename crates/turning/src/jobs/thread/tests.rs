@@ -146,8 +146,8 @@ fn a_thread_without_room_is_refused() {
     let collar = refused(collar);
     assert_eq!(collar.note().code(), "thread-no-entry", "{collar:?}");
     assert_eq!(collar.note().figure_text("room").unwrap(), "3");
-    let coarse = refused(&bolt("M36", "-30", "  - {groove: rectangular, width: 9, depth: 3}\n"));
-    assert_eq!(coarse.note().code(), "thread-no-insert", "M36 has 4 mm: {coarse:?}");
+    let coarse = refused(&bolt("M48", "-30", "  - {groove: rectangular, width: 12, depth: 4}\n"));
+    assert_eq!(coarse.note().code(), "thread-no-insert", "M48 has 5 mm: {coarse:?}");
 }
 
 /// A thread that ends on a longer cylinder is pulled out of the metal.

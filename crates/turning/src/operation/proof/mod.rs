@@ -120,9 +120,11 @@ fn tailstock_bodies(tailstock: &Tailstock) -> Vec<proof::Body> {
 const CENTRE: &str = "body-centre";
 const QUILL: &str = "body-quill";
 
-/// Whether a tool hits the tailstock. Its size is not confirmed, and a thinner centre may be used.
-fn meets_tailstock(fault: &Fault) -> bool {
-    matches!(fault, Fault::Struck { body, .. } if [CENTRE, QUILL].into_iter().any(|name| *body == Figure::word(name)))
+/// Whether a tool hits the centre of the tailstock in a set-up.
+pub(super) fn meets_centre(operation: &Operation, set_up: u8) -> bool {
+    let meets = |fault: &Fault| matches!(fault, Fault::Struck { body, .. } if *body == Figure::word(CENTRE));
+    let own = operation.proven.iter().filter(|one| one.set_up == set_up);
+    own.filter_map(|one| one.proof.as_ref().ok()).any(|proof| proof.faults.iter().any(meets))
 }
 
 /// The assumed length of a chuck, mm: no toolpath goes beyond it.
@@ -205,11 +207,10 @@ fn told_but<'a>(
         | Fault::Corner { surface, .. }
         | Fault::ThreadShallow { surface, .. }
         | Fault::ThreadShort { surface, .. } => surface.as_ref().is_none_or(|surface| own.contains(surface)),
-        unsafe_fault => is_unsafe(operation, unsafe_fault) || meets_tailstock(unsafe_fault),
+        unsafe_fault => is_unsafe(operation, unsafe_fault),
     };
     let severity = |fault: &Fault| match fault {
         fault if fault.is_mild() => Severity::Note,
-        fault if meets_tailstock(fault) => Severity::Doubtful,
         _ => Severity::Wrong,
     };
     proof.faults.iter().filter(is_told).map(move |fault| (severity(fault), fault))
@@ -220,8 +221,7 @@ fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
     match fault {
         Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } | Fault::ThreadShort { .. } => false,
         Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
-        Fault::Struck { .. } => !meets_tailstock(fault),
-        Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
+        Fault::Struck { .. } | Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
         Fault::TapBlocked { .. } | Fault::TapOutOfStep { .. } | Fault::TapHoleWide { .. } => true,
         Fault::ThreadLead { .. } => true,
     }

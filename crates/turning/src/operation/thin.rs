@@ -1,0 +1,66 @@
+//! Where the blank has less stock than the finishing allowance, or none at all.
+
+use crate::turning::contour::{Contour, Piece, Side, Surface};
+use crate::turning::length::Half;
+use crate::turning::transitions::in_process_stock::InProcessStock;
+use crate::turning::transitions::monotone::MonotoneContour;
+
+/// A rough contour that is nowhere outside of its blank: what the blank has less than the allowance is left to finishing alone.
+/// Unchanged where there is enough everywhere.
+pub(super) fn within(rough: Contour, blank: &Contour) -> Contour {
+    let top = [&rough, blank].into_iter().filter_map(Contour::radii).map(|(_, most)| most).max().unwrap_or(Half::ZERO);
+    let seen = |contour: &Contour| match rough.side {
+        Side::Outer => contour.clone(),
+        Side::Inner => contour.inside_out(top),
+    };
+    let (own, lid) = (seen(&rough), MonotoneContour::of(&seen(blank)));
+    let mut stock = InProcessStock::of(&MonotoneContour::of(&own));
+    let lids: Vec<&Piece> = lid.pieces.iter().filter(|piece| !piece.is_face()).collect();
+    if lids.iter().all(|piece| stock.metal(piece).is_empty()) {
+        return rough;
+    }
+    lids.into_iter().for_each(|piece| stock.lower(piece));
+    let ends = [own.start(), own.end()].map(|end| end.map(|end| end.z));
+    let lowered = Contour { side: Side::Outer, pieces: with_faces(&own, stock.surface(&lid).pieces) };
+    let reaches = [lowered.start(), lowered.end()].map(|end| end.map(|end| end.z)) == ends;
+    match rough.side {
+        _ if !reaches || !lowered.is_monotone() || !lowered.hangs_together() => rough,
+        Side::Outer => lowered,
+        Side::Inner => lowered.inside_out(top),
+    }
+}
+
+/// Lowered pieces with the faces of the contour at its ends.
+fn with_faces(own: &Contour, mut pieces: Vec<Piece>) -> Vec<Piece> {
+    let (Some(first), Some(last)) = (pieces.first().copied(), pieces.last().copied()) else { return pieces };
+    let (before, behind) =
+        (own.pieces.first().filter(|face| face.is_face()), own.pieces.last().filter(|face| face.is_face()));
+    if let Some(face) = before.filter(|face| face.from.z == first.from.z) {
+        pieces.insert(0, Piece::line(face.from, first.from));
+    }
+    if let Some(face) = behind.filter(|face| face.to.z == last.to.z) {
+        pieces.push(Piece::line(last.to, face.to));
+    }
+    pieces.retain(|piece| !piece.is_nothing());
+    pieces
+}
+
+/// Whether a surface is a cylinder of the blank itself, which is left as it is.
+pub(super) fn is_of_blank(surface: &Surface, blank: &Contour) -> bool {
+    !surface.kind.is_additional() && surface.pieces.iter().all(|piece| lies_on(piece, blank))
+}
+
+fn lies_on(piece: &Piece, blank: &Contour) -> bool {
+    let middle = Half::new((piece.from.z.halves() + piece.to.z.halves()) / 2);
+    let radius = piece.from.radius;
+    let there = |z: Half| blank.radii_at(z).is_some_and(|(least, most)| (least..=most).contains(&radius));
+    piece.is_cylinder() && [piece.from.z, middle, piece.to.z].into_iter().all(there)
+}
+
+/// A contour without the cylinders of the blank at its end.
+pub(super) fn worked(mut contour: Contour, blank: &Contour) -> Contour {
+    while contour.pieces.last().is_some_and(|last| lies_on(last, blank)) {
+        contour.pieces.pop();
+    }
+    contour
+}
