@@ -180,7 +180,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
     }
     let unproven = !serious.is_empty() || proof.as_ref().is_some_and(technolog::program::proof::Proof::has_errors);
-    Ok(if unproven || faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })
+    Ok(if unproven || faults.iter().any(Fault::is_grave) { Outcome::Findings } else { Outcome::Done })
 }
 
 /// Makes sure that a program that a mill's control finds wrong is none of a lathe.

@@ -145,7 +145,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         complain(&findings, &faults, &proof, text, context);
     }
     let wrong = findings.iter().any(|finding| finding.severity <= Severity::Wrong);
-    Ok(if wrong || proof.has_errors() || faults.iter().any(Fault::is_error) {
+    Ok(if wrong || proof.has_errors() || faults.iter().any(Fault::is_grave) {
         Outcome::Findings
     } else {
         Outcome::Done

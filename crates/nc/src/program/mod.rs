@@ -168,6 +168,11 @@ impl Fault {
         self.severity == Severity::Error
     }
 
+    /// Whether nobody may run the program: it is not carried out as written, or what it relies on is not so.
+    pub fn is_grave(&self) -> bool {
+        self.severity <= Severity::Wrong
+    }
+
     /// A fault by a list of rules. A code that is not listed gives an error without a section; tests exclude that.
     fn of(rules: &[Rule], code: &'static str, span: TextSpan, block: Option<u32>) -> Self {
         let rule = rules.iter().find(|(known, ..)| *known == code);

@@ -42,8 +42,8 @@ feed-per-turn = { $hole }: { $operation } at { $at }: { $made } mm/rev instead o
     .help = make F and S agree
 changes-elsewhere = the tool is changed at { $at }, not at the place of the tool change
     .help = bring table and quill there before the change
-no-corrector = T{ $tool } cuts without its offset register H{ $own }; it holds 0, so the motions are the same
-    .help = check T and H of this tool
+no-corrector = T{ $tool } cuts without its offset register H{ $own }, which holds 0 only by convention
+    .help = give its length offset: G43 H{ $own }
 shared-corrector = T{ $tool } cuts with H{ $corrector } = { $value }, which is that of T{ $other }; the plan has H{ $own } = { $needed }
     .help = check T and H of this tool
 correction-otherwise = H{ $corrector } = { $value } for T{ $tool }, but the plan has H{ $own } = { $needed }: heights are taken by the value given

@@ -43,8 +43,8 @@ feed-per-turn = { $hole }: { $operation } в { $at }: { $made } мм/об зам
     .help = узгодьте F і S
 changes-elsewhere = інструмент замінюють у { $at }, а не в точці заміни
     .help = перед заміною відведіть стіл і повзун
-no-corrector = T{ $tool } ріже без свого коректора H{ $own }; він нульовий, тому рухи ті самі
-    .help = перевірте T і H цього інструмента
+no-corrector = T{ $tool } ріже без свого коректора H{ $own }, нульового лише за домовленістю
+    .help = задайте корекцію на довжину: G43 H{ $own }
 shared-corrector = T{ $tool } ріже з H{ $corrector } = { $value }, який має T{ $other }; за планом H{ $own } = { $needed }
     .help = перевірте T і H цього інструмента
 correction-otherwise = H{ $corrector } = { $value } для T{ $tool }, а за планом H{ $own } = { $needed }: висоти прийнято за вказаною величиною

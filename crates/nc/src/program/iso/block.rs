@@ -76,6 +76,7 @@ impl Maker<'_> {
         if let Some(units) = words.function(Group::Units) {
             self.state.set(Group::Units, Some(units.code));
         }
+        self.modes_left_over(words);
         self.numbers(words);
         self.start_functions(words);
         if let Some(function) = words.one_shot(Effect::Dwell, self.control) {
@@ -93,6 +94,46 @@ impl Maker<'_> {
             self.report("word-unused", given.span, &[("word", letter.into_figure())]);
         }
         after
+    }
+
+    /// Groups that the block relies on and that the program has never set: there what the program before has left
+    /// acts. Each is told once.
+    fn modes_left_over(&mut self, words: &BlockWords) {
+        for &(_, group) in Group::NAMES {
+            self.state.own[group as usize] |= words.function(group).is_some();
+        }
+        // A function of motion ends a cycle.
+        self.state.own[Group::Cycle as usize] |= words.function(Group::Motion).is_some();
+        let names = |axis: Axis| words.get(axis.letter()).is_some();
+        let moves = Axis::ALL.into_iter().any(names) && words.one_shot(Effect::Dwell, self.control).is_none();
+        if !moves {
+            return;
+        }
+        let on_machine = words.one_shot(Effect::MachinePosition, self.control).is_some();
+        let motion = words.function(Group::Motion).map(|function| function.code).or(self.state.mode(Group::Motion));
+        let cycle = words.function(Group::Cycle).map(|function| function.code).or(self.state.mode(Group::Cycle));
+        let cycle = cycle.is_some_and(|code| self.control.cycles.contains_key(&code));
+        let relied_on = [
+            (Group::Units, "G21", true),
+            (Group::Distance, "G90", true),
+            (Group::Cycle, "G80", true),
+            (Group::Plane, "G17", cycle || matches!(motion, Some(20 | 30))),
+            (Group::Radius, "G40", names(Axis::X) || names(Axis::Y)),
+            // A position of the machine contains no length offset.
+            (Group::Length, "G49", names(Axis::Z) && !on_machine),
+        ];
+        let unset: Vec<(Group, &str)> = relied_on
+            .into_iter()
+            .filter(|(group, _, used)| *used && !self.state.own[*group as usize])
+            .map(|(group, word, _)| (group, word))
+            .collect();
+        for (group, _) in &unset {
+            self.state.own[*group as usize] = true;
+        }
+        let wanted: Vec<&str> = unset.into_iter().map(|(_, word)| word).collect();
+        if !wanted.is_empty() {
+            self.report("mode-left-over", self.span, &[("words", wanted.join(", ").into_figure())]);
+        }
     }
 
     /// F, S, T, compared with the machine.
@@ -225,7 +266,7 @@ impl Maker<'_> {
     fn dwell(&mut self, function: Function, words: &BlockWords) {
         let pause = self.take(words, 'P').map(|given| given.value() * self.control.dwell_unit_s);
         let pause = match pause {
-            None if self.control.kind == IsoControl::Fanuc => self.take(words, 'X').map(WordValue::value),
+            None if self.control.kind == IsoControl::Fanuc => self.take(words, 'X').map(WordValue::seconds),
             other => other,
         };
         match pause.filter(|seconds| *seconds >= 0.0) {

@@ -124,6 +124,8 @@ impl Control {
                 speed_overrides: steps(&figures(Characteristic::SpindleOverride)?.1),
                 panel_2c42_65: false,
                 pecks: flag(Characteristic::PecksOfSetting)?,
+                most: None,
+                decimal: kind == IsoControl::Fanuc,
             },
         };
         language.read_words(knowledge)?;

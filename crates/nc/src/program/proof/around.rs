@@ -85,7 +85,7 @@ impl<'t> Around<'_, 't> {
                     continue;
                 }
                 findings.push(
-                    ProgramFinding::new(Code::TravelNotUp, Severity::Note, stay.block)
+                    ProgramFinding::new(Code::TravelNotUp, Severity::Wrong, stay.block)
                         .with(Name::At, stay.at)
                         .with(Name::Z, high),
                 );
@@ -263,7 +263,7 @@ impl<'t> Around<'_, 't> {
                         findings.push(ProgramFinding::new(Code::CorrectionAtChange, Severity::Note, *block));
                     }
                     if *turned {
-                        findings.push(ProgramFinding::new(Code::TurnsAtChange, Severity::Note, *block));
+                        findings.push(ProgramFinding::new(Code::TurnsAtChange, Severity::Wrong, *block));
                     }
                     if *coolant {
                         findings.push(ProgramFinding::new(Code::CoolantAtChange, Severity::Note, *block));

@@ -39,7 +39,10 @@ impl PlannedJob {
 
     /// Zeros and offset registers missing in the setting become those of the job; operators with registers of their
     /// own may number and measure tools as they like.
+    ///
+    /// Other programs may have run before the one that makes the part.
     pub fn set(&mut self, setting: &mut Setting) {
+        setting.as_powered_on = false;
         for (setup, zero) in self.job.setups.iter().zip(&mut setting.zeros) {
             for axis in Axis::ALL {
                 zero[axis.index()].get_or_insert(setup.zero.get(axis));

@@ -204,16 +204,16 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
             } else if number != own.corrector && number != 0 && value != Micrometres::ZERO {
                 findings.push(say(Code::OtherCorrector, Severity::Doubtful));
             } else if number != own.corrector {
-                findings.push(say(Code::NoCorrector, Severity::Note));
+                findings.push(say(Code::NoCorrector, Severity::Wrong));
             }
             continue;
         }
         let first = usual.get(&cut.tool).copied().unwrap_or(cut.corrector);
-        // For the machine a register that holds 0 is the same as none.
+        // A register that holds 0 is the same as none for these motions, but not when the tool has been measured anew.
         if cut.corrector != first && (value != Micrometres::ZERO || first.1 != Micrometres::ZERO) {
             findings.push(wrong().with(Name::Needed, first.1).with(Name::Own, first.0));
         } else if cut.corrector != first {
-            findings.push(say(Code::NoCorrector, Severity::Note).with(Name::Own, first.0));
+            findings.push(say(Code::NoCorrector, Severity::Wrong).with(Name::Own, first.0));
         } else if let Some((other, _)) = usual
             .iter()
             .find(|(tool, used)| **tool != cut.tool && used.0 == number && number != 0 && value != Micrometres::ZERO)
@@ -221,6 +221,8 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
             findings.push(say(Code::SharedCorrector, Severity::Error).with(Name::Other, *other));
         } else if value == Micrometres::ZERO && own.correction_mm != Micrometres::ZERO {
             findings.push(say(Code::NoCorrection, Severity::Error));
+        } else if number == 0 {
+            findings.push(say(Code::NoCorrector, Severity::Wrong));
         } else if value == -own.correction_mm && value != Micrometres::ZERO {
             findings.push(say(Code::WrongSign, Severity::Error));
         } else if value != own.correction_mm && reported.insert(cut.tool) {
