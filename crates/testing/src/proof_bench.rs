@@ -38,6 +38,22 @@ impl ProofBench {
     /// A plan as it was once made: what programs are compared with does not change with planning.
     pub fn of_plan(plan: Plan) -> Self {
         let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+        Self::in_shop(plan, shop)
+    }
+
+    /// The part of a file, made with a magazine of so many places.
+    pub fn with_magazine(path: &str, places: u32) -> Self {
+        let part = read(&std::fs::read_to_string(root().join(path)).unwrap());
+        let mut plan = planned(&part, CuttingMethod::default());
+        for tool in &mut plan.tools {
+            tool.load = (tool.number - 1) / places + 1;
+        }
+        let mut shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+        shop.machine.magazine = places as usize;
+        Self::in_shop(plan, shop)
+    }
+
+    fn in_shop(plan: Plan, shop: Shop<'static>) -> Self {
         let job = job::make(&plan, &shop).unwrap();
         let setting = Setting::of_job(&job);
         let tolerated = Tolerated::read(&plan.part, &KNOWLEDGE).unwrap();

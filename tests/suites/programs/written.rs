@@ -7,6 +7,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
+use technolog::job::Pause;
 use technolog::note::Severity;
 use technolog::part::Point;
 use technolog::program::Language;
@@ -70,6 +71,18 @@ fn all_three_programs_of_a_part_make_the_same_stops() {
         let bench = ProofBench::new(part);
         assert!(!bench.job.setups.is_empty() && fits(&bench), "{part}: {:?}", bench.job.findings);
         holds(&bench).unwrap_or_else(|error| panic!("{part}: {error}"));
+    }
+}
+
+/// Where one place holds several tools of one bore, the proof tells them apart.
+#[test]
+fn programs_for_a_small_magazine_make_their_stops() {
+    for places in 1..=3 {
+        let bench = ProofBench::with_magazine("tests/written/every-cycle.yaml", places);
+        let loads = |pause: &Pause| matches!(pause, Pause::LoadTool { .. });
+        let works = || bench.job.setups.iter().flat_map(|setup| &setup.works);
+        assert!(works().flat_map(|work| &work.pauses).filter(|pause| loads(pause)).count() > 10);
+        holds(&bench).unwrap_or_else(|error| panic!("{places} places: {error}"));
     }
 }
 
