@@ -9,6 +9,7 @@
 )]
 
 mod cases;
+mod directed;
 mod drawings;
 mod fuzz;
 mod iso;

@@ -130,6 +130,7 @@ impl Maker<'_> {
         let moves = Axis::ALL.into_iter().any(names);
         let cycle = words.cycle.is_some();
         let arc = matches!(self.motion_function(), 2 | 3) && (moves || words.centre.iter().any(Option::is_some));
+        self.height_of_way(names(Axis::Z), names(Axis::X) || names(Axis::Y));
         // A position of the machine is one in increments, too.
         let positions = cycle || (moves && self.state.groups[SYSTEM] != 53);
         let relied_on = [
@@ -138,8 +139,10 @@ impl Maker<'_> {
             (LENGTH, cycle || names(Axis::Z)),
             (CYCLE, moves),
             (DISTANCE, positions),
+            (SYSTEM, positions),
         ];
-        let unset = relied_on.into_iter().filter(|(group, used)| *used && !self.state.own[*group]).map(|(group, _)| group);
+        let unset =
+            relied_on.into_iter().filter(|(group, used)| *used && !self.state.own[*group]).map(|(group, _)| group);
         let unset: Vec<usize> = unset.collect();
         for group in &unset {
             self.state.own[*group] = true;
@@ -149,6 +152,14 @@ impl Maker<'_> {
         let wanted: Vec<String> = unset.into_iter().map(|group| format!("G{}", safe(group))).collect();
         if !wanted.is_empty() {
             self.report("mode-left-over", self.span, &[("words", wanted.join(", ").into_figure())]);
+        }
+    }
+
+    /// A way along X or Y before the program has brought Z anywhere: the quill may be down.
+    fn height_of_way(&mut self, lifts: bool, goes: bool) {
+        self.state.height_known |= lifts;
+        if goes && !std::mem::replace(&mut self.state.height_known, true) {
+            self.fault("height-unknown", self.span);
         }
     }
 
@@ -281,6 +292,7 @@ impl Maker<'_> {
             self.fault("turning-at-change", function.span);
             self.spindle(Turning::Stopped);
         }
+        self.state.height_known = true;
         self.state.tool = self.state.wanted;
         self.push(Motion::ToolChange { tool: self.state.tool });
     }

@@ -50,6 +50,7 @@ pub(super) const RULES: &[Rule] = &[
     ("run-too-long", Error, "*"),
     // The limits of the machine.
     ("mode-left-over", Wrong, "3.10*"),
+    ("height-unknown", Wrong, "3.13.3* (4)"),
     ("feed-beyond-machine", Error, "3.9.2"),
     ("speed-beyond-machine", Error, "3.13.1"),
     ("no-spindle-step", Warning, "3.13.1"),

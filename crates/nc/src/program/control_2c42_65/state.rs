@@ -24,6 +24,8 @@ pub(super) struct ControlState {
     pub groups: [u8; GROUPS],
     /// The groups whose function the program has set itself.
     pub own: [bool; GROUPS],
+    /// Whether the program itself has brought Z somewhere: until then the quill may be down.
+    pub height_known: bool,
     /// F, in thousandths of mm/min.
     pub feed: i64,
     /// S, 1/min.
@@ -68,6 +70,7 @@ impl ControlState {
             groups: control.power_on,
             // After power-on what acts is known, too.
             own: [setting.as_powered_on; GROUPS],
+            height_known: setting.as_powered_on,
             feed: 0,
             speed: 0,
             turning: Turning::Stopped,

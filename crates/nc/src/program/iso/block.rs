@@ -109,6 +109,7 @@ impl Maker<'_> {
         if !moves {
             return;
         }
+        self.height_of_way(names(Axis::Z), names(Axis::X) || names(Axis::Y));
         let on_machine = words.one_shot(Effect::MachinePosition, self.control).is_some();
         let motion = words.function(Group::Motion).map(|function| function.code).or(self.state.mode(Group::Motion));
         let cycle = words.function(Group::Cycle).map(|function| function.code).or(self.state.mode(Group::Cycle));
@@ -119,8 +120,9 @@ impl Maker<'_> {
             (Group::Cycle, "G80", true),
             (Group::Plane, "G17", cycle || matches!(motion, Some(20 | 30))),
             (Group::Radius, "G40", names(Axis::X) || names(Axis::Y)),
-            // A position of the machine contains no length offset.
+            // A position of the machine contains no length offset, and no zero of the operator.
             (Group::Length, "G49", names(Axis::Z) && !on_machine),
+            (Group::System, "G54", !on_machine && words.one_shot(Effect::Return, self.control).is_none()),
         ];
         let unset: Vec<(Group, &str)> = relied_on
             .into_iter()
@@ -133,6 +135,14 @@ impl Maker<'_> {
         let wanted: Vec<&str> = unset.into_iter().map(|(_, word)| word).collect();
         if !wanted.is_empty() {
             self.report("mode-left-over", self.span, &[("words", wanted.join(", ").into_figure())]);
+        }
+    }
+
+    /// A way along X or Y before the program has brought Z anywhere: the quill may be down.
+    fn height_of_way(&mut self, lifts: bool, goes: bool) {
+        self.state.height_known |= lifts;
+        if goes && !std::mem::replace(&mut self.state.height_known, true) {
+            self.fault("height-unknown", self.span);
         }
     }
 
@@ -258,6 +268,7 @@ impl Maker<'_> {
         if self.state.turning != Turning::Stopped {
             self.spindle(Turning::Stopped);
         }
+        self.state.height_known = true;
         self.state.tool = self.state.wanted;
         self.push(Motion::ToolChange { tool: self.state.wanted });
     }

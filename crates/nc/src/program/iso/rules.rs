@@ -41,6 +41,7 @@ pub(super) const RULES: &[Rule] = &[
     ("run-too-long", Error, "calls"),
     // The limits of the machine.
     ("mode-left-over", Wrong, "blocks"),
+    ("height-unknown", Wrong, "blocks"),
     ("feed-beyond-machine", Error, "machine"),
     ("speed-beyond-machine", Error, "machine"),
     ("no-spindle-step", Warning, "machine"),

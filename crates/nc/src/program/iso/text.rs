@@ -92,12 +92,7 @@ impl Points {
     }
 }
 
-fn blocks_within(
-    most: usize,
-    text: &str,
-    control: &Control,
-    points: &mut Points,
-) -> (Vec<Block>, bool, Vec<Fault>) {
+fn blocks_within(most: usize, text: &str, control: &Control, points: &mut Points) -> (Vec<Block>, bool, Vec<Fault>) {
     let mut faults = Vec::new();
     let mut blocks = Vec::new();
     let mut opened = false;

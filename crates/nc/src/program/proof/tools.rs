@@ -100,9 +100,10 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], input: &ProofIn
             tools.sections.push(None);
             continue;
         };
-        let asked_for = made.walk.events.iter().any(|(order, _, event)| {
-            *event == Event::Stop && *order >= changed_at && *order < begin_of(made, section)
-        });
+        let asked_for =
+            made.walk.events.iter().any(|(order, _, event)| {
+                *event == Event::Stop && *order >= changed_at && *order < begin_of(made, section)
+            });
         let plan = other.get(&stay.tool).copied().or_else(|| {
             let known = named(stay.tool);
             let score = |tool: &u32| by_section.get(&section).and_then(|it| it.get(tool)).copied().unwrap_or_default();
