@@ -12,7 +12,7 @@ use crate::units::Micrometres;
 use super::clearance::{change_over_part, ways_over_clamps};
 use super::cycle::{Feeding, cycle};
 use super::part_position::{reach_of_quill, stand};
-use super::{Job, Pause, SetUp, Stop, ToolWork};
+use super::{Job, Pause, SetUp, Stop, ToolWork, Unfinished};
 
 /// The job of a plan, in the shop it was planned for.
 ///
@@ -64,6 +64,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         change_at: Position { x, y, z: machine.tool_change_z },
         setups,
         correctors: plan.tools.iter().map(|tool| (tool.corrector, tool.correction_mm)).collect(),
+        unfinished: Unfinished::of(plan),
         findings,
     })
 }

@@ -15,4 +15,5 @@ mod fuzz;
 mod iso;
 mod proof;
 mod times;
+mod unfinished;
 mod written;

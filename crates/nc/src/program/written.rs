@@ -46,6 +46,15 @@ pub struct WrittenProgram {
 }
 
 impl WrittenProgram {
+    /// The same program with a first line that says why it must not be run. LinuxCNC reads its text from the first
+    /// sign `%` on only where that is the first line, so there the signs go.
+    #[must_use]
+    pub(super) fn warned(mut self, line: String, keeps_signs: bool) -> Self {
+        self.lines.retain(|line| keeps_signs || line.text != "%");
+        self.lines.insert(0, ProgramLine { text: line, role: LineRole::Frame, work: None, cycle: None });
+        self
+    }
+
     /// The text of the program file.
     pub fn text(&self) -> String {
         let mut text = String::new();

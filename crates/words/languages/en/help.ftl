@@ -34,6 +34,7 @@ help-program = The NC program of a part; before it is shown it is checked as `ch
 help-program-part = The part file
 help-program-control = The control to write it for; by default that of the machine
 help-program-show = What to show: the program (program), the settings for the operator (setting), the encoding sheet (encoding), a drawing of the toolpath (backplot) or of the cycles (cycles)
+help-program-force = Write the program even if something is wrong with it; its first line then says why it must not be run
 help-order = The order of tools and the path over the holes, with its length, time and a lower bound; also for a list of points
 help-order-file = The part file, or a list of points: CSV (x,y in mm) or TSPLIB (EUC_2D)
 help-order-metric = For a list: straight distance (euclid, the default) or the time of rapids (rapid)

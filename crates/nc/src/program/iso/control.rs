@@ -80,7 +80,7 @@ pub struct Control {
     pub(super) cycles_are_motions: bool,
     pub(super) small_letters: bool,
     /// Whether subprograms are written with o-words.
-    pub(super) o_words: bool,
+    pub(in crate::program) o_words: bool,
     /// Whether G43 without H takes the offset register of the tool in the spindle.
     pub(super) length_of_tool: bool,
     setting: Limits,

@@ -63,6 +63,11 @@ impl PlannedJob {
         of_holes.filter(grave).chain(self.job.findings.iter().filter(grave)).collect()
     }
 
+    /// What a program of this machine leaves undone: no fault of the program, but the part is not finished by it.
+    pub fn undone(&self) -> Vec<note::Finding> {
+        self.job.unfinished.iter().filter_map(|one| one.finding(note::Severity::Doubtful)).collect()
+    }
+
     /// Compares the steps of a program with the job.
     pub fn prove(&self, steps: &[MotionStep], setting: &Setting) -> Proof {
         let zero = |zero: &[Option<Micrometres>; 3]| {

@@ -12,7 +12,7 @@ mod tool;
 
 use std::collections::BTreeMap;
 
-use crate::job::{Job, Pause};
+use crate::job::{Job, Pause, Unfinished};
 use crate::program::block::Block;
 use crate::program::iso::control::IsoControl;
 use crate::program::written::{Form, LineRole, ProgramLine, WorkRef, WrittenProgram};
@@ -90,7 +90,8 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
         }
     }
     sheet.push_block(Block::new().m(30), LineRole::End, None, None);
-    sheet.finish(&ascii(&job.part))
+    let unfinished: Vec<String> = job.unfinished.iter().map(Unfinished::remark).collect();
+    sheet.finish(&ascii(&job.part), unfinished)
 }
 
 /// What the operator does, in letters that every control can show.
@@ -121,7 +122,7 @@ impl ProgramWriter {
         FIRST_SUBPROGRAM + u32::try_from(index).unwrap_or_default()
     }
 
-    fn finish(self, part: &str) -> WrittenProgram {
+    fn finish(self, part: &str, remarks: Vec<String>) -> WrittenProgram {
         let Self { form, dialect, main, subprograms } = self;
         let plain = |text: String, role| ProgramLine { text, role, work: None, cycle: None };
         let mut before = Vec::new();
@@ -137,7 +138,8 @@ impl ProgramWriter {
             place.push(line(dialect.subprogram_ends(number), LineRole::End));
         }
         let mut lines = vec![plain("%".to_owned(), LineRole::Frame)];
-        lines.extend(dialect.head(part).into_iter().map(|text| plain(text, LineRole::Frame)));
+        let remarks = remarks.into_iter().map(|remark| format!("({remark})"));
+        lines.extend(dialect.head(part).into_iter().chain(remarks).map(|text| plain(text, LineRole::Frame)));
         lines.append(&mut before);
         let step = if main.len() * form.number_step as usize > 9999 { 1 } else { form.number_step as usize };
         let numbers = (1..).map(|index: usize| index * step.max(1) % 10_000);
