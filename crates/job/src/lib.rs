@@ -27,7 +27,7 @@ use serde::Serialize;
 
 use crate::motion::{Position, Sense};
 use crate::note::{Because, Finding};
-use crate::part::{Face, Point};
+use crate::part::{Face, Point, Standing};
 use crate::plan::Operation;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
@@ -81,6 +81,9 @@ pub struct SetUp {
     pub nose: Micrometres,
     /// The work of each tool, in order.
     pub works: Vec<ToolWork>,
+    /// What stands over the face.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub standing: Vec<Standing>,
 }
 
 /// One tool from its change to the next.

@@ -9,6 +9,7 @@
 )]
 
 mod cases;
+mod clamps;
 mod directed;
 mod drawings;
 mod fuzz;

@@ -14,7 +14,7 @@ use super::check;
 use super::file::{self, PartFile};
 use super::limits::LimitedCount;
 use super::stated;
-use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
+use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Obstacle, Part, Point};
 
 /// Reads a part file.
 ///
@@ -232,7 +232,10 @@ impl Reader<'_> {
         let mut fields = self.problems.map(node)?;
         let height = self.size(&mut fields, file::Fixture::height);
         let clamps_node = fields.take(file::Fixture::clamps);
+        let obstacles = fields.take(file::Fixture::obstacles);
+        let retract = self.size(&mut fields, file::Fixture::retract);
         fields.finish(self.problems);
+        let obstacles = obstacles.map(|node| self.obstacles(node)).unwrap_or_default();
         let mut clamps = Vec::new();
         let nodes = clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
         for node in self.bounded(LimitedCount::Clamps, nodes) {
@@ -241,10 +244,50 @@ impl Reader<'_> {
             let at = at_node.and_then(|node| self.point(node));
             placed.extend(at.zip(at_node.map(|node| node.place.clone())));
             let screw = fields.take(file::Clamp::screw).and_then(|node| self.screw(node));
+            let height = self.size(&mut fields, file::Clamp::height);
+            let outline = fields.take(file::Clamp::outline).and_then(|node| self.outline(node));
             fields.finish(self.problems);
-            clamps.extend(at.map(|at| Clamp { at, screw }));
+            clamps.extend(at.map(|at| Clamp { at, screw, height, outline }));
         }
-        Some(Fixture { height, clamps })
+        Some(Fixture { height, clamps, obstacles, retract })
+    }
+
+    fn obstacles(&mut self, node: &Node) -> Vec<Obstacle> {
+        let nodes = self.problems.list(node).unwrap_or_default();
+        let mut obstacles = Vec::new();
+        for node in self.bounded(LimitedCount::Obstacles, nodes) {
+            let Some(mut fields) = self.problems.map(node) else { continue };
+            let outline = fields.need(file::Obstacle::outline, self.problems).and_then(|node| self.outline(node));
+            let height = self.need_size(&mut fields, file::Obstacle::height);
+            let set_up = match fields.take(file::Obstacle::set_up) {
+                None => Some(1),
+                Some(node) => self.set_up(node),
+            };
+            fields.finish(self.problems);
+            if let (Some(outline), Some(height), Some(set_up)) = (outline, height, set_up) {
+                obstacles.push(Obstacle { outline, height, set_up });
+            }
+        }
+        obstacles
+    }
+
+    fn set_up(&mut self, node: &Node) -> Option<u32> {
+        let number = self.problems.scalar::<i64>(node)?;
+        match u32::try_from(number) {
+            Ok(number @ 1..=2) => Some(number),
+            _ => self.problems.error("bad-value", note!("part-set-up-is-1-or-2", number = number), &node.place),
+        }
+    }
+
+    /// Two opposite corners of a rectangle, the lowest first.
+    fn outline(&mut self, node: &Node) -> Option<[Point; 2]> {
+        let corners: Vec<Point> = self.problems.list(node)?.iter().filter_map(|node| self.point(node)).collect();
+        match corners[..] {
+            [a, b] if a.x != b.x && a.y != b.y => {
+                Some([Point { x: a.x.min(b.x), y: a.y.min(b.y) }, Point { x: a.x.max(b.x), y: a.y.max(b.y) }])
+            }
+            _ => self.problems.error("bad-value", note!("part-outline-has-two-corners"), &node.place),
+        }
     }
 
     pub(super) fn screw(&mut self, node: &Node) -> Option<String> {

@@ -3,6 +3,7 @@ no-room-under-part = a tool comes out { $below } mm below the part, but the fixt
 supports-assumed = no height of the fixture is given (fixture.height) and a tool comes out { $below } mm below the part: supports of { $height } mm are assumed
 change-over-part = the place of the tool change, X{ $x } Y{ $y }, is over the part
 ways-over-clamps = toolpaths cross the clamps at { $clamps } { $height } mm above the part; the height of the clamps is not known
+goes-over = T{ $tool } goes { $height } mm over the face, over what stands at { $at }
 left-to-another-machine = { $operations }: left to another machine, the program does not make it
 cooled = { $operation }: with coolant
 dry = { $operation }: without coolant

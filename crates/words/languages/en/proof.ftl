@@ -51,6 +51,8 @@ correction-otherwise = H{ $corrector } = { $value } for T{ $tool }, but the plan
 # Dangerous motions.
 rapid-across = a rapid across inside the part: to { $at } at Z{ $z }
     .help = leave the part first
+through-obstacle = the way to { $to } is at Z{ $made }, and a clamp or an obstacle at { $at } stands up to Z{ $needed }
+    .help = raise the tool over it first, or go round it
 rapid-into-part = a rapid into the metal at { $at } to Z{ $z }
     .help = go into the metal at feed
 rapid-into-metal = { $hole }: { $operation } at { $at }: the feed begins at Z{ $made }, but the metal at Z{ $needed }

@@ -3,6 +3,7 @@ no-room-under-part = інструмент виходить на { $below } мм 
 supports-assumed = висоту пристосування не задано (fixture.height), а інструмент виходить на { $below } мм нижче від деталі: прийнято опори { $height } мм
 change-over-part = точка заміни інструмента X{ $x } Y{ $y } – над деталлю
 ways-over-clamps = шляхи інструментів ведуть над притискачами { $clamps } на { $height } мм над деталлю, а висота притискачів не відома
+goes-over = T{ $tool } іде на { $height } мм над поверхнею, над тим, що стоїть у { $at }
 left-to-another-machine = { $operations }: лишено іншому верстату, програма цього не робить
 cooled = { $operation }: з МОР
 dry = { $operation }: без МОР

@@ -52,6 +52,8 @@ correction-otherwise = H{ $corrector } = { $value } для T{ $tool }, а за �
 # Dangerous motions.
 rapid-across = прискорене переміщення в деталі: до { $at } на висоті Z{ $z }
     .help = спершу вийдіть з деталі
+through-obstacle = шлях до { $to } – на Z{ $made }, а притискач чи перешкода у { $at } стоїть до Z{ $needed }
+    .help = спершу підніміть інструмент над нею або обійдіть її
 rapid-into-part = прискорене переміщення в метал у { $at } до Z{ $z }
     .help = заходьте в метал подачею
 rapid-into-metal = { $hole }: { $operation } в { $at }: подача починається на Z{ $made }, а метал на Z{ $needed }

@@ -23,6 +23,7 @@ mod cuts;
 mod finding;
 mod matching;
 mod milled;
+mod obstacles;
 mod planned_job;
 mod tools;
 mod walk;
@@ -204,6 +205,7 @@ pub fn prove(steps: &[MotionStep], input: &ProofInput<'_>) -> Proof {
 
     let mut findings = tools.findings.clone();
     compare::all(&made, &matched, &tools, &tasks, input, &mut findings);
+    obstacles::all(&made, &tools, input, &mut findings);
     around::all(&made, &matched, &tasks, input, turned_over, &mut findings);
     let mut proof = Proof { findings: folded(findings), ..Proof::default() };
     for (cut, task) in made.cuts.iter().zip(&matched.task_of) {
