@@ -18,9 +18,11 @@ use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 use technolog::report::encoding::encoding_sheet;
 use technolog::shop::Shop;
+use technolog::words::say;
 
 use super::diagnostics::{Texts, below, render, render_all};
 use super::proof;
+use super::usage::whole_number;
 use super::{CliError, Context, Format, Lang, Outcome, check, control, format, knowledge, output, plan};
 
 // The NC program of a part: planned, written, and read back before it is shown
@@ -32,6 +34,10 @@ pub struct Args {
     control: Option<String>,
     #[arg(long, value_enum, default_value = "program", hide_possible_values = true)]
     show: Show,
+    #[arg(long, value_name = "N", value_parser = whole_number::<1, 9999>)]
+    number: Option<u32>,
+    #[arg(long)]
+    no_subprograms: bool,
     #[arg(long)]
     force: bool,
 }
@@ -98,7 +104,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (plan, job) = (&planned.plan, &planned.job);
     let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
+    let form = Form { program: args.number, subprograms: !args.no_subprograms, ..form };
     let control = control::chosen(args.control.as_deref(), &shop.machine, context)?;
+    if let Some(number) = args.number.filter(|number| control == "2c42-65" && *number > 99) {
+        let message = say!(context.lang, "program-number-beyond", number = number);
+        return Err(Diagnostic::error("bad-number", message, None).into());
+    }
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let written = language.write(job, form);
     let setting = Setting::of_job(job);

@@ -74,6 +74,11 @@ impl ProofBench {
         language.write(&self.job, self.form).text()
     }
 
+    /// The same with a number of its own, and with or without subprograms.
+    pub fn written_as(&self, language: &Language, program: Option<u32>, subprograms: bool) -> String {
+        language.write(&self.job, Form { program, subprograms, ..self.form }).text()
+    }
+
     /// What the proof says of a program, by its codes.
     pub fn codes(&self, language: &Language, text: &str) -> Vec<&'static str> {
         self.run(language, text).1.findings.iter().map(|finding| finding.code.name()).collect()

@@ -15,6 +15,10 @@ pub struct Form {
     pub resolution: Micrometres,
     /// The increment of block numbers.
     pub number_step: u32,
+    /// The number of the program, where its user gives one: subprograms have those that follow.
+    pub program: Option<u32>,
+    /// Whether it may have subprograms.
+    pub subprograms: bool,
 }
 
 impl Form {
@@ -24,7 +28,7 @@ impl Form {
     /// The table of conventions lacks a figure.
     pub fn read(shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
         let (step, _) = crate::job::convention(Convention::BlockNumberStep, shop.knowledge)?;
-        Ok(Self { resolution: shop.machine.resolution, number_step: step as u32 })
+        Ok(Self { resolution: shop.machine.resolution, number_step: step as u32, program: None, subprograms: true })
     }
 
     /// A length rounded to the machine's grid.
