@@ -12,6 +12,7 @@ pub mod limits;
 mod read;
 mod read_diameter;
 mod read_features;
+mod read_fixture;
 mod read_holes;
 mod read_pattern;
 mod read_steps;

@@ -55,7 +55,12 @@ impl WrittenProgram {
     #[must_use]
     pub(super) fn warned(mut self, line: String, keeps_signs: bool) -> Self {
         self.lines.retain(|line| keeps_signs || line.text != "%");
-        self.lines.insert(0, ProgramLine { text: line, role: LineRole::Frame, work: None, cycle: None });
+        let told = ProgramLine { text: line, role: LineRole::Frame, work: None, cycle: None };
+        // What stands before the first sign a control does not keep: a remark stands behind the number, too.
+        if let Some(head) = self.lines.iter().position(|line| line.text.starts_with('O')) {
+            self.lines.insert(head + 1, told.clone());
+        }
+        self.lines.insert(0, told);
         self
     }
 
