@@ -12,7 +12,7 @@ use technolog::knowledge::{Diagnostic, Place, Severity};
 use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
-use technolog::note::{Figure, Note};
+use technolog::note::{Figure, Finding, Note};
 use technolog::program::lathe::{LatheLanguage, recognised};
 use technolog::program::proof::PlannedJob;
 use technolog::program::{Fault, Language, Setting, is_run};
@@ -55,6 +55,9 @@ struct Answer<'a> {
     /// Reasons why no program can make the part.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     part: Vec<String>,
+    /// What a program of this machine leaves undone of the part.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    unfinished: Vec<String>,
     findings: Vec<FaultMessage<'a>>,
     trace: &'a [MotionStep],
     time: Times,
@@ -126,6 +129,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let is_run = is_run(&faults, &steps);
     let proof = planned.as_ref().filter(|_| is_run).map(|planned| planned.prove(&steps, &setting));
     let serious = planned.as_ref().map(PlannedJob::serious).unwrap_or_default();
+    let undone = planned.as_ref().map(PlannedJob::undone).unwrap_or_default();
+    let undone: Vec<&Finding> = undone.iter().collect();
     match format {
         Format::Json => {
             let findings = findings(&faults, context);
@@ -134,6 +139,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 control,
                 machine: id,
                 part: serious.iter().map(|finding| context.lang.say(&finding.note)).collect(),
+                unfinished: undone.iter().map(|finding| proof::sentence(finding, context)).collect(),
                 findings,
                 trace: &steps,
                 time: clock.times(),
@@ -157,6 +163,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 problems.insert(0, Diagnostic { severity: Severity::Note, ..read_as });
             }
             problems.extend(proof::part_diagnostics(&serious, context));
+            problems.extend(proof::part_diagnostics(&undone, context));
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let mut made = None;
             if let (Some(planned), Some(proof)) = (&planned, &proof) {
@@ -180,7 +187,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
     }
     let unproven = !serious.is_empty() || proof.as_ref().is_some_and(technolog::program::proof::Proof::has_errors);
-    Ok(if unproven || faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })
+    Ok(if unproven || faults.iter().any(Fault::is_grave) { Outcome::Findings } else { Outcome::Done })
 }
 
 /// Makes sure that a program that a mill's control finds wrong is none of a lathe.

@@ -7,9 +7,10 @@ use clap::ValueEnum;
 use serde::Serialize;
 use technolog::error::KnowledgeError;
 use technolog::job::Job;
+use technolog::knowledge::Diagnostic;
 use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
-use technolog::note::{Finding, Severity};
+use technolog::note::{Finding, Note, Severity};
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::program::proof::{PlannedJob, Proof};
 use technolog::program::written::{Form, ProgramLine};
@@ -17,10 +18,12 @@ use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 use technolog::report::encoding::encoding_sheet;
 use technolog::shop::Shop;
+use technolog::words::say;
 
 use super::diagnostics::{Texts, below, render, render_all};
 use super::proof;
-use super::{CliError, Context, Format, Outcome, check, control, format, knowledge, output, plan};
+use super::usage::whole_number;
+use super::{CliError, Context, Format, Lang, Outcome, check, control, format, knowledge, output, plan};
 
 // The NC program of a part: planned, written, and read back before it is shown
 #[derive(Debug, clap::Args)]
@@ -31,6 +34,12 @@ pub struct Args {
     control: Option<String>,
     #[arg(long, value_enum, default_value = "program", hide_possible_values = true)]
     show: Show,
+    #[arg(long, value_name = "N", value_parser = whole_number::<1, 9999>)]
+    number: Option<u32>,
+    #[arg(long)]
+    no_subprograms: bool,
+    #[arg(long)]
+    force: bool,
 }
 
 /// The sheets and drawings of a program.
@@ -95,7 +104,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (plan, job) = (&planned.plan, &planned.job);
     let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
+    let form = Form { program: args.number, subprograms: !args.no_subprograms, ..form };
     let control = control::chosen(args.control.as_deref(), &shop.machine, context)?;
+    if let Some(number) = args.number.filter(|number| control == "2c42-65" && *number > 99) {
+        let message = say!(context.lang, "program-number-beyond", number = number);
+        return Err(Diagnostic::error("bad-number", message, None).into());
+    }
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let written = language.write(job, form);
     let setting = Setting::of_job(job);
@@ -103,7 +117,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let text = written.text();
     let faults = language.check(&text, &shop.machine, &setting, &mut sink);
     let (steps, clock) = sink;
-    let findings: Vec<&Finding> = serious(plan, job);
+    let undone: Vec<Finding> = job.unfinished.iter().filter_map(|one| one.finding(Severity::Wrong)).collect();
+    let findings: Vec<&Finding> = serious(plan, job).into_iter().chain(&undone).collect();
     let proof = planned.prove(&steps, &setting);
     if job.setups.is_empty() && format != Format::Json {
         // No hole can be made: there is nothing to write, and half a program is worse than none.
@@ -111,6 +126,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
         return Ok(Outcome::Findings);
     }
+    let reason = why_not(&findings, &faults, &proof);
     let sheet = || encoding_sheet(&written, job, plan, control, knowledge, context.lang).map_err(at_fault);
     match (args.show, format) {
         (Show::Encoding, Format::Json) => context.emit_json(&sheet()?)?,
@@ -139,17 +155,39 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         (Show::Setting, _) => {
             context.emit_document(&report::setting::page(&setting, plan, job, context.lang), format)?;
         }
-        (Show::Program, _) => context.emit(&text)?,
+        (Show::Program, _) => match &reason {
+            None => context.emit(&text)?,
+            Some(reason) if args.force => {
+                // Remarks of a program are in letters that every control shows.
+                let reason =
+                    reason.hole.iter().fold(Lang::EN.say(&reason.note), |told, hole| format!("{hole}: {told}"));
+                context.emit(&language.warned(written.clone(), &reason).text())?;
+            }
+            Some(_) => {}
+        },
     }
     if format != Format::Json {
         complain(&findings, &faults, &proof, text, context);
+        if args.show == Show::Program && reason.is_some() && !args.force {
+            let note = Note::new("program-not-written");
+            let help = context.lang.remedy(&note).map(Into::into);
+            let message = context.lang.say(&note);
+            let told = Diagnostic { help, ..Diagnostic::error("not-written", message, None) };
+            output::complain(&render(vec![told], &Texts::default(), context.amount, context.lang));
+        }
     }
-    let wrong = findings.iter().any(|finding| finding.severity <= Severity::Wrong);
-    Ok(if wrong || proof.has_errors() || faults.iter().any(Fault::is_error) {
-        Outcome::Findings
-    } else {
-        Outcome::Done
-    })
+    Ok(if reason.is_some() { Outcome::Findings } else { Outcome::Done })
+}
+
+/// Why a program must not be run: the gravest that is told of it.
+fn why_not(findings: &[&Finding], faults: &[Fault], proof: &Proof) -> Option<Finding> {
+    let grave = |finding: &&&Finding| finding.severity <= Severity::Wrong;
+    let of_part = findings.iter().filter(grave).map(|finding| (*finding).clone());
+    let of_text = faults.iter().filter(|fault| fault.is_grave());
+    let of_text = of_text.map(|fault| Finding::of_part(fault.severity, fault.note.clone()));
+    let of_proof = proof.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+    let of_proof = of_proof.map(|finding| Finding::of_part(finding.severity, finding.note.clone()));
+    of_part.chain(of_text).chain(of_proof).min_by_key(|finding| finding.severity)
 }
 
 /// Findings in the plan and the job because of which the program cannot make the part.

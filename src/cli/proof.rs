@@ -85,11 +85,16 @@ pub const fn shown(severity: note::Severity) -> Severity {
     }
 }
 
+/// A finding about the part, with its group of holes.
+pub fn sentence(finding: &note::Finding, context: &Context) -> String {
+    let sentence = context.lang.say(&finding.note);
+    finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"))
+}
+
 /// Findings about the part as diagnostics, without a place in the program.
 pub fn part_diagnostics(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic> {
     let diagnostic = |finding: &&note::Finding| {
-        let sentence = context.lang.say(&finding.note);
-        let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
+        let message = sentence(finding, context);
         let severity = shown(finding.severity);
         // A finding of the plan has no code of a program: none is shown.
         Diagnostic { severity, code: "", message: message.into(), place: None, help: None }

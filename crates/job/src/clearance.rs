@@ -2,12 +2,15 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
-use crate::part::{Part, Point};
+use crate::part::{Outline, Part, Point, Standing};
+use crate::plan::Plan;
 use crate::shop::Shop;
+use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
-use super::SetUp;
+use super::cycle::convention;
+use super::{SetUp, ToolWork};
 
 /// A tool change above the part: the tools are not higher above it than during their motions.
 pub(super) fn change_over_part(
@@ -28,7 +31,7 @@ pub(super) fn change_over_part(
     }
 }
 
-/// Paths from hole to hole that cross a clamp of the part file. The height of clamps is not known.
+/// Paths from hole to hole that cross a clamp of the part file whose height is not known.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -41,16 +44,16 @@ pub(super) fn ways_over_clamps(
 ) -> Result<(), KnowledgeError> {
     let foot = shop.convention(HoleDefault::ClampInset)?;
     let home = Point { x: change.0 - setup.zero.x, y: change.1 - setup.zero.y };
+    let unmeasured = part.fixture.clamps.iter().filter(|clamp| clamp.height.is_none());
     let mut under: Vec<String> = Vec::new();
     let mut height = None;
     for work in &setup.works {
         let ends = std::iter::once(home).chain(work.stops.iter().map(|stop| stop.at)).chain([home]);
         let points: Vec<Point> = ends.collect();
-        for (clamp, pair) in
-            part.fixture.clamps.iter().flat_map(|clamp| points.windows(2).map(move |pair| (clamp, pair)))
-        {
+        for (clamp, pair) in unmeasured.clone().flat_map(|clamp| points.windows(2).map(move |pair| (clamp, pair))) {
             let shown = format!("[{};{}]", clamp.at.x, clamp.at.y);
-            if passes(pair[0], pair[1], clamp.at, foot) && !under.contains(&shown) {
+            let outline = Outline::Round(clamp.at, foot);
+            if outline.is_hit_by_rapid(pair[0], pair[1], Micrometres::ZERO) && !under.contains(&shown) {
                 under.push(shown);
                 let out = work.cycles.iter().map(|cycle| cycle.out).min();
                 height = height.into_iter().chain(out).min();
@@ -65,39 +68,47 @@ pub(super) fn ways_over_clamps(
     Ok(())
 }
 
-/// Whether a rapid passes a point at less than a distance. Both axes have the same rate: the path is at 45° until one
-/// axis has arrived, then along the other.
-fn passes(from: Point, to: Point, at: Point, near: Micrometres) -> bool {
-    let (dx, dy) = (to.x - from.x, to.y - from.y);
-    let both = dx.abs().min(dy.abs());
-    let toward = |offset: Micrometres| if offset < Micrometres::ZERO { -both } else { both };
-    let corner = Point { x: from.x + toward(dx), y: from.y + toward(dy) };
-    [(from, corner), (corner, to)].iter().any(|(a, b)| distance(*a, *b, at) < near.to_mm())
-}
-
-/// The distance from a point to a line segment, mm.
-fn distance(a: Point, b: Point, at: Point) -> f64 {
-    let [ax, ay, bx, by, px, py] = [a.x, a.y, b.x, b.y, at.x, at.y].map(Micrometres::to_mm);
-    let (dx, dy) = (bx - ax, by - ay);
-    let square = dx * dx + dy * dy;
-    let share = if square > 0.0 { (((px - ax) * dx + (py - ay) * dy) / square).clamp(0.0, 1.0) } else { 0.0 };
-    libm::hypot(px - ax - share * dx, py - ay - share * dy)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn point(x: i64, y: i64) -> Point {
-        Point { x: Micrometres::from_mm(x), y: Micrometres::from_mm(y) }
+/// Sets the heights at which tools go from hole to hole: as the part file says; else a tool whose ways lead over
+/// something that stands on the part goes over that. `home` is the place of the tool change in the drawing.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub(super) fn go_over(
+    works: &mut [ToolWork],
+    standing: &[Standing],
+    home: Point,
+    plan: &Plan,
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let part = &plan.part;
+    let room = Micrometres::from_mm_rounded(convention(Convention::ObstacleClearance, shop.knowledge)?.0);
+    for work in works {
+        let radius = plan.tools.iter().find(|tool| tool.number == work.tool).map(|tool| tool.diameter_mm.half());
+        let ends = std::iter::once(home).chain(work.stops.iter().map(|stop| stop.at)).chain([home]);
+        let points: Vec<Point> = ends.collect();
+        let in_the_way = standing.iter().filter(|one| {
+            let hit = |pair: &[Point]| one.outline.is_hit_by_rapid(pair[0], pair[1], radius.unwrap_or_default());
+            points.windows(2).any(hit)
+        });
+        let highest = in_the_way.max_by_key(|one| one.height);
+        let over = match (part.fixture.retract, highest) {
+            (Some(retract), _) => retract,
+            (None, Some(one)) => one.height + room,
+            (None, None) => continue,
+        };
+        let level = (part.datum.top + over).on_grid(shop.machine.resolution);
+        let mut raised = false;
+        for cycle in &mut work.cycles {
+            let out = if part.fixture.retract.is_some() { level.max(cycle.begin) } else { level.max(cycle.out) };
+            raised |= out > cycle.out;
+            cycle.out = out;
+        }
+        if let Some(one) = highest.filter(|_| raised && part.fixture.retract.is_none()) {
+            let note = Note::new("goes-over").with("tool", work.tool).with("height", over);
+            let shown = format!("[{}; {}]", one.at.x, one.at.y);
+            findings.push(Finding::of_part(Severity::Note, note.with("at", shown)));
+        }
     }
-
-    /// From the origin to X100 Y40 both axes move to X40 Y40, then one along X.
-    #[test]
-    fn a_rapid_leads_at_45_degrees_first() {
-        let near = Micrometres::from_mm(5);
-        assert!(passes(point(0, 0), point(100, 40), point(70, 42), near));
-        assert!(passes(point(0, 0), point(100, 40), point(20, 22), near));
-        assert!(!passes(point(0, 0), point(100, 40), point(70, 28), near), "the straight line is not its way");
-    }
+    Ok(())
 }

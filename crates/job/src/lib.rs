@@ -6,7 +6,8 @@
 //!
 //! - `make` turns a plan into the tree; `cycle` is the cycle of one transition, by the rule `machining-cycle`;
 //! - `part_position` is the position of the part on the machine; `clearance` checks what the tools pass over;
-//! - `time` is the duration of the work: cutting, rapids and manual work.
+//! - `time` is the duration of the work: cutting, rapids and manual work;
+//! - `unfinished` is what the job leaves undone of the part.
 //!
 //! Architecture invariant: a job depends on no control and makes no decision that a rule can make.
 
@@ -15,6 +16,7 @@ mod cycle;
 mod make;
 mod part_position;
 mod time;
+mod unfinished;
 
 // The types of other crates, under one name each in the whole program.
 use technolog_core::{error, machine, motion, note, part, plan, shop, zone};
@@ -25,13 +27,14 @@ use serde::Serialize;
 
 use crate::motion::{Position, Sense};
 use crate::note::{Because, Finding};
-use crate::part::{Face, Point};
+use crate::part::{Face, Point, Standing};
 use crate::plan::Operation;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
 pub use cycle::{Feeding, convention, cycle};
 pub use make::make;
 pub use time::{Duration, Hands, times};
+pub use unfinished::{Left, Unfinished};
 
 /// Everything that a machine does for a part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -46,6 +49,9 @@ pub struct Job {
     pub setups: Vec<SetUp>,
     /// The offset register of every tool with its length correction, as G43 adds it.
     pub correctors: Vec<(u32, Micrometres)>,
+    /// What is left undone of the part when all of it is done.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unfinished: Vec<Unfinished>,
     /// Findings: the quill does not reach, or the part does not fit under the tools.
     pub findings: Vec<Finding>,
 }
@@ -75,6 +81,9 @@ pub struct SetUp {
     pub nose: Micrometres,
     /// The work of each tool, in order.
     pub works: Vec<ToolWork>,
+    /// What stands over the face.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub standing: Vec<Standing>,
 }
 
 /// One tool from its change to the next.

@@ -4,15 +4,16 @@ use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::motion::Position;
-use crate::part::{Face, Part, Point};
+use crate::part::{Face, Point};
 use crate::plan::{Plan, ToolPlan, ToolVisit, Transition};
 use crate::shop::Shop;
+use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
-use super::clearance::{change_over_part, ways_over_clamps};
+use super::clearance::{change_over_part, go_over, ways_over_clamps};
 use super::cycle::{Feeding, cycle};
-use super::part_position::{reach_of_quill, stand};
-use super::{Job, Pause, SetUp, Stop, ToolWork};
+use super::part_position::{PartPosition, across, reach_of_quill, stand};
+use super::{Job, Pause, SetUp, Stop, ToolWork, Unfinished};
 
 /// The job of a plan, in the shop it was planned for.
 ///
@@ -47,8 +48,12 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         if works.is_empty() {
             continue;
         }
-        let stand = stand(part, plan, &works, shop, &mut findings)?;
-        let setup = SetUp { number, face, zero: stand.zero, supports: stand.supports, nose: stand.nose, works };
+        let standing = part.standing(number, shop.convention(HoleDefault::ClampInset)?);
+        let zero = across(part, &works, machine);
+        let home = Point { x: machine.tool_change_at.0 - zero.x, y: machine.tool_change_at.1 - zero.y };
+        go_over(&mut works, &standing, home, plan, shop, &mut findings)?;
+        let PartPosition { zero, supports, nose } = stand(part, plan, &works, shop, &mut findings)?;
+        let setup = SetUp { number, face, zero, supports, nose, works, standing };
         change_over_part(&setup, part, machine.tool_change_at, &mut findings);
         // The clamps of the file are those of the first set-up.
         if face == Face::Entry {
@@ -64,6 +69,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         change_at: Position { x, y, z: machine.tool_change_z },
         setups,
         correctors: plan.tools.iter().map(|tool| (tool.corrector, tool.correction_mm)).collect(),
+        unfinished: Unfinished::of(plan),
         findings,
     })
 }
@@ -140,7 +146,7 @@ fn rounds(
                     at
                 }
             };
-            let at = if visit.setup == 2 { turned_over(stop.at, &plan.part) } else { stop.at };
+            let at = if visit.setup == 2 { plan.part.turned_over(stop.at) } else { stop.at };
             work.stops.push(Stop { cycle, hole: stop.hole.clone(), transition: stop.transition, pass, at });
         }
         works.push(work);
@@ -158,10 +164,4 @@ fn setting(transition: &Transition, pass: u32) -> Option<Micrometres> {
     let passes = i64::from(transition.passes.max(1));
     let diameter = transition.from_diameter_mm + stock.ratio(i64::from(pass), passes);
     transition.operation.is_boring().then_some(diameter)
-}
-
-/// The position of a point when the part is turned over about the line through its middle along Y.
-fn turned_over(at: Point, part: &Part) -> Point {
-    let middle = part.middle().x;
-    Point { x: middle + middle - at.x, y: at.y }
 }

@@ -1,6 +1,7 @@
 //! The position of the part on the machine: the zero of its drawing in machine coordinates.
 
 use crate::error::KnowledgeError;
+use crate::machine::Machine;
 use crate::motion::Position;
 use crate::note::{Finding, Note, Severity};
 use crate::part::{Part, Point};
@@ -39,11 +40,8 @@ pub(super) fn stand(
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> Result<PartPosition, KnowledgeError> {
-    let points = || works.iter().flat_map(|work| &work.stops).map(|stop| stop.at);
     let machine = &shop.machine;
-    let middle = part.middle();
-    let x = along(-middle.x, points().map(|at: Point| at.x), machine.travel_x);
-    let y = along(-middle.y, points().map(|at: Point| at.y), machine.travel_y);
+    let Point { x, y } = across(part, works, machine);
 
     // The longest tool: corrections refer to it, unless the plan has another reference tool.
     let reference = plan.tools.iter().map(|tool| tool.length_mm - tool.correction_mm).max().unwrap_or_default();
@@ -62,6 +60,16 @@ pub(super) fn stand(
         findings.push(Finding::of_part(Severity::Error, note.with("tool", reference + longest)));
     }
     Ok(PartPosition { zero: Position { x, y, z: zero_height + reference - nose }, supports, nose })
+}
+
+/// X and Y of the zero.
+pub(super) fn across(part: &Part, works: &[ToolWork], machine: &Machine<'_>) -> Point {
+    let points = || works.iter().flat_map(|work| &work.stops).map(|stop| stop.at);
+    let middle = part.middle();
+    Point {
+        x: along(-middle.x, points().map(|at: Point| at.x), machine.travel_x),
+        y: along(-middle.y, points().map(|at: Point| at.y), machine.travel_y),
+    }
 }
 
 /// The height of the part above the table: that of the fixture, or what through tools need.

@@ -3,7 +3,8 @@
 use super::Lang;
 use super::words::say;
 use crate::document::{Block, Column, Document, Inlines, Table};
-use crate::job::{Job, Pause, SetUp};
+use crate::job::{Job, Left, Pause, SetUp, Unfinished};
+use crate::note::Severity;
 use crate::plan::{Plan, ToolPlan};
 use crate::program::Setting;
 
@@ -22,8 +23,8 @@ pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
         )
     });
     let clamps = clamps(plan, job, lang);
-    let remarks: String =
-        set_ups.chain(clamps).chain(tools).chain(loads(job, lang)).map(|line| format!("# {line}\n")).collect();
+    let remarks = unfinished(job, lang).into_iter().chain(set_ups).chain(clamps).chain(tools).chain(loads(job, lang));
+    let remarks: String = remarks.map(|line| format!("# {line}\n")).collect();
     remarks + &setting.to_yaml()
 }
 
@@ -31,7 +32,7 @@ pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
 pub fn page(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "setting-title", part = job.part.as_str()));
     let stands = job.setups.iter().map(|setup| stand(setup, lang));
-    let lines = stands.chain(clamps(plan, job, lang));
+    let lines = unfinished(job, lang).into_iter().chain(stands).chain(clamps(plan, job, lang));
     page.push(Block::List(lines.map(|line| Inlines::sentence(&line).into()).collect()));
     page.push(tools(setting, plan, job, lang));
     page.heading(2, say!(lang, "setting-zeros"));
@@ -87,6 +88,19 @@ fn loads(job: &Job, lang: Lang) -> Vec<String> {
         Pause::TurnOver | Pause::SetBar { .. } => None,
     };
     pauses.filter_map(load).collect()
+}
+
+/// What the program leaves undone: a control without remarks cannot say it.
+fn unfinished(job: &Job, lang: Lang) -> Vec<String> {
+    let line = |one: &Unfinished| {
+        let left = match (&one.left, one.finding(Severity::Wrong)) {
+            (_, Some(finding)) => lang.say(&finding.note),
+            (Left::Everything, None) => lang.word("setting-not-made").to_owned(),
+            (_, None) => lang.word("setting-not-as-drawn").to_owned(),
+        };
+        say!(lang, "setting-unfinished", hole = one.hole.as_str(), left = left)
+    };
+    job.unfinished.iter().map(line).collect()
 }
 
 fn stand(setup: &SetUp, lang: Lang) -> String {

@@ -35,6 +35,8 @@ vocabulary! {
     pub enum Convention {
         /// The height above the entry face at which a tool moves from point to point, mm.
         Withdrawal = "withdrawal",
+        /// How high over a clamp or an obstacle a tool goes, mm.
+        ObstacleClearance = "obstacle-clearance",
         /// The step to which the height of the knee is set, mm.
         KneeStep = "knee-step",
         /// The increment of block numbers.
@@ -62,7 +64,7 @@ impl Convention {
     /// The unit of its value, as the table writes it.
     pub const fn unit(self) -> &'static str {
         match self {
-            Self::Withdrawal | Self::KneeStep => "mm",
+            Self::Withdrawal | Self::ObstacleClearance | Self::KneeStep => "mm",
             Self::FeedStep => "mm/min",
             Self::DwellStep => "s",
             Self::LoadToolTime | Self::SetBarTime | Self::TurnOverTime => "min",

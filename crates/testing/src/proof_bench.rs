@@ -38,6 +38,22 @@ impl ProofBench {
     /// A plan as it was once made: what programs are compared with does not change with planning.
     pub fn of_plan(plan: Plan) -> Self {
         let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+        Self::in_shop(plan, shop)
+    }
+
+    /// The part of a file, made with a magazine of so many places.
+    pub fn with_magazine(path: &str, places: u32) -> Self {
+        let part = read(&std::fs::read_to_string(root().join(path)).unwrap());
+        let mut plan = planned(&part, CuttingMethod::default());
+        for tool in &mut plan.tools {
+            tool.load = (tool.number - 1) / places + 1;
+        }
+        let mut shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+        shop.machine.magazine = places as usize;
+        Self::in_shop(plan, shop)
+    }
+
+    fn in_shop(plan: Plan, shop: Shop<'static>) -> Self {
         let job = job::make(&plan, &shop).unwrap();
         let setting = Setting::of_job(&job);
         let tolerated = Tolerated::read(&plan.part, &KNOWLEDGE).unwrap();
@@ -56,6 +72,11 @@ impl ProofBench {
     /// The program that is written for it.
     pub fn written(&self, language: &Language) -> String {
         language.write(&self.job, self.form).text()
+    }
+
+    /// The same with a number of its own, and with or without subprograms.
+    pub fn written_as(&self, language: &Language, program: Option<u32>, subprograms: bool) -> String {
+        language.write(&self.job, Form { program, subprograms, ..self.form }).text()
     }
 
     /// What the proof says of a program, by its codes.

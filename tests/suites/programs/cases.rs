@@ -194,7 +194,10 @@ fn a_bad_setting_tells_all_its_mistakes() {
     let text = fs::read_to_string(root().join("tests/programs/setting-bad.yaml")).unwrap();
     let problems = CONTROL.setting("setting-bad.yaml", &text).unwrap_err();
     let codes: Vec<&str> = problems.iter().map(|problem| problem.code).collect();
-    assert_eq!(codes, ["unknown-key", "bad-override", "bad-axis", "unknown-key", "bad-value", "bad-corrector"]);
+    assert_eq!(
+        codes,
+        ["unknown-key", "bad-override", "bad-axis", "unknown-key", "bad-value", "bad-corrector", "offset-beyond"]
+    );
 }
 
 /// Words as programs have them, in any order: they reach far more of the interpreter than any bytes do.

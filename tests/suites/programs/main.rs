@@ -9,9 +9,12 @@
 )]
 
 mod cases;
+mod clamps;
+mod directed;
 mod drawings;
 mod fuzz;
 mod iso;
 mod proof;
 mod times;
+mod unfinished;
 mod written;

@@ -225,6 +225,8 @@ fn every_deviation_is_shown_by_some_program() {
         "not-loaded",
         "no-stop-to-load",
         "no-stop-to-set-bar",
+        // `unfinished`, `clamps` and `directed` have tests of their own.
+        "through-obstacle",
         // Of a standing spindle this control lets no feed out; `cuts` has a test of it.
         "spindle-stands",
     ];

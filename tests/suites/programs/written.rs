@@ -7,6 +7,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
+use technolog::job::Pause;
 use technolog::note::Severity;
 use technolog::part::Point;
 use technolog::program::Language;
@@ -71,6 +72,60 @@ fn all_three_programs_of_a_part_make_the_same_stops() {
         assert!(!bench.job.setups.is_empty() && fits(&bench), "{part}: {:?}", bench.job.findings);
         holds(&bench).unwrap_or_else(|error| panic!("{part}: {error}"));
     }
+}
+
+/// Where one place holds several tools of one bore, the proof tells them apart.
+#[test]
+fn programs_for_a_small_magazine_make_their_stops() {
+    for places in 1..=3 {
+        let bench = ProofBench::with_magazine("tests/written/every-cycle.yaml", places);
+        let loads = |pause: &Pause| matches!(pause, Pause::LoadTool { .. });
+        let works = || bench.job.setups.iter().flat_map(|setup| &setup.works);
+        assert!(works().flat_map(|work| &work.pauses).filter(|pause| loads(pause)).count() > 10);
+        holds(&bench).unwrap_or_else(|error| panic!("{places} places: {error}"));
+    }
+}
+
+/// Whatever its number, and with no subprograms at all, a program does the same.
+#[test]
+fn numbers_and_subprograms_change_nothing_that_is_made() {
+    for part in PARTS {
+        let bench = ProofBench::new(part);
+        for (name, language) in &*LANGUAGES {
+            let (_, proof, usual) = bench.run(language, &bench.written(language));
+            let last = if *name == "2c42-65" { 99 } else { 9999 };
+            for (number, subprograms) in [(Some(7), true), (Some(last), true), (Some(7), false)] {
+                let text = bench.written_as(language, number, subprograms);
+                let (faults, made, run) = bench.run(language, &text);
+                assert!(!faults.iter().any(|fault| fault.is_grave()), "{part} {name} {number:?}: {faults:?}");
+                assert_eq!((made.visits.len(), made.has_errors()), (proof.visits.len(), false), "{part} {name}");
+                assert!(run.does_as(&usual), "{part} {name} {number:?} {subprograms}");
+                let call = [("2c42-65", " P0"), ("linuxcnc", " call"), ("fanuc", "M98")];
+                let call = call.iter().find(|(of, _)| of == name).map(|(_, call)| *call);
+                assert_eq!(subprograms, text.contains(call.unwrap()) || number == Some(99), "{text}");
+                assert_eq!(text.contains(":07\n") || text.contains("O0007"), number == Some(7) && *name != "linuxcnc");
+            }
+        }
+    }
+}
+
+/// As the owner of a Fanuc runs it: one M function in a block, G49 on the way up, taps in step with the spindle.
+#[test]
+fn a_fanuc_takes_its_program_as_it_is_written() {
+    let part = "part: P\nmaterial: steel-45\nblank: {kind: plate, length: 240, width: 160, thickness: 30}\n\
+                machine: ir500pmf4\nfixture: {height: 60}\nholes:\n  \
+                - {name: T, thread: M10-6H, depth: 18, centre_tolerance: 0.3, at: [[0, 35], [40, 35]]}\n";
+    let bench = ProofBench::of(&read(part));
+    let text = bench.written(&LANGUAGES[2].1);
+    for line in text.lines().filter(|line| line.starts_with('N')) {
+        let words = line.split('(').next().unwrap_or_default();
+        let functions = words.split(' ').filter(|word| word.starts_with('M')).count();
+        assert!(functions <= 1, "{line}");
+    }
+    assert!(text.contains("G49 G53 Z0.0\n") && text.contains("G53 X0.0 Y250.0\n"), "{text}");
+    let lines: Vec<&str> = text.lines().collect();
+    let tapping = lines.iter().position(|line| line.contains("G84")).unwrap();
+    assert!(lines[tapping - 1].ends_with("M29") && lines[tapping - 1].contains(" S"), "{}", lines[tapping - 1]);
 }
 
 /// Of what laws once found, too.

@@ -88,6 +88,21 @@ forms! {
         pub height: Option<Size>,
         /// The clamps; without them a symmetric pair is proposed.
         pub clamps: Option<Vec<Clamp>>,
+        /// What else stands over the face, and the clamps of the second set-up.
+        pub obstacles: Option<Vec<Obstacle>>,
+        /// How high over the face tools go from hole to hole, mm; else 15, and higher over what is in the way.
+        pub retract: Option<Size>,
+    }
+
+    /// Something that stands over the face.
+    pub struct Obstacle {
+        /// Two opposite corners of its outline, `[[X, Y], [X, Y]]`, mm, as the holes are given.
+        pub outline: [[Coordinate; 2]; 2],
+        /// How high it stands over the face that is up, mm.
+        pub height: Size,
+        /// The set-up, 1 (unless said) or 2.
+        #[schemars(range(min = 1, max = 2))]
+        pub set_up: Option<u32>,
     }
 
     /// A clamp.
@@ -97,6 +112,10 @@ forms! {
         /// Its screw, M6 to M24: `M10`; else the smallest that bears the force.
         #[schemars(regex(pattern = r"^[MМ][0-9]+$"))]
         pub screw: Option<String>,
+        /// How high it stands over the face, with its screw, mm.
+        pub height: Option<Size>,
+        /// Two opposite corners of its outline, `[[X, Y], [X, Y]]`, mm; else 20 mm about `at`.
+        pub outline: Option<[[Coordinate; 2]; 2]>,
     }
 }
 

@@ -16,6 +16,8 @@ pub const MOST_KINDS: usize = 500;
 pub const MOST_STEPS: usize = 50;
 /// Clamps.
 pub const MOST_CLAMPS: usize = 100;
+/// Obstacles beside them.
+pub const MOST_OBSTACLES: usize = 100;
 
 /// The things whose number is limited.
 #[derive(Clone, Copy)]
@@ -24,6 +26,7 @@ pub(super) enum LimitedCount {
     Kinds,
     Steps,
     Clamps,
+    Obstacles,
 }
 
 impl LimitedCount {
@@ -33,6 +36,7 @@ impl LimitedCount {
             Self::Kinds => MOST_KINDS,
             Self::Steps => MOST_STEPS,
             Self::Clamps => MOST_CLAMPS,
+            Self::Obstacles => MOST_OBSTACLES,
         }
     }
 
@@ -42,6 +46,7 @@ impl LimitedCount {
             Self::Kinds => "too-many-kinds",
             Self::Steps => "too-many-steps",
             Self::Clamps => "too-many-clamps",
+            Self::Obstacles => "too-many-obstacles",
         }
     }
 
@@ -53,6 +58,7 @@ impl LimitedCount {
             Self::Kinds => note!("part-too-many-kinds", count = count, most = most),
             Self::Steps => note!("part-too-many-steps", count = count, most = most),
             Self::Clamps => note!("part-too-many-clamps", count = count, most = most),
+            Self::Obstacles => note!("part-too-many-obstacles", count = count, most = most),
         };
         (count > most).then(|| (message, note!("part-check-counts-or-split")))
     }
@@ -98,6 +104,7 @@ impl Part {
             (LimitedCount::Kinds, self.holes.len()),
             (LimitedCount::Steps, steps),
             (LimitedCount::Clamps, self.fixture.clamps.len()),
+            (LimitedCount::Obstacles, self.fixture.obstacles.len()),
         ];
         counts.into_iter().find_map(|(what, count)| what.refusal(count))
     }

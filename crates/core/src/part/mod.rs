@@ -12,9 +12,11 @@ pub mod limits;
 mod read;
 mod read_diameter;
 mod read_features;
+mod read_fixture;
 mod read_holes;
 mod read_pattern;
 mod read_steps;
+mod standing;
 pub mod stated;
 mod thread;
 mod tolerance;
@@ -28,6 +30,7 @@ use crate::units::{ItGrade, Micrometres, Roughness};
 pub use crate::tables::rules::Entry;
 pub use file::schema;
 pub use read::{read_part, read_part_node};
+pub use standing::{Outline, Standing};
 pub use tolerance::{ToleratedDiameter, tolerance_width};
 
 /// A part with holes, as its drawing gives it.
@@ -97,6 +100,23 @@ pub struct Fixture {
     pub height: Option<Micrometres>,
     /// The clamps; none: a symmetric pair is proposed.
     pub clamps: Vec<Clamp>,
+    /// What else stands over the face.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub obstacles: Vec<Obstacle>,
+    /// How high over the face tools go from hole to hole, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub retract: Option<Micrometres>,
+}
+
+/// Something that stands over the face of the part.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Obstacle {
+    /// Two opposite corners of its outline.
+    pub outline: [Point; 2],
+    /// How high it stands over the face that is up, mm.
+    pub height: Micrometres,
+    /// The set-up, from 1.
+    pub set_up: u32,
 }
 
 /// A clamp.
@@ -106,6 +126,12 @@ pub struct Clamp {
     pub at: Point,
     /// Its screw, `M10`.
     pub screw: Option<String>,
+    /// How high it stands over the face, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub height: Option<Micrometres>,
+    /// The lowest and highest corners of its outline.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outline: Option<[Point; 2]>,
 }
 
 /// A point of the part's top face.

@@ -1,20 +1,18 @@
 //! The part file: YAML to [`Part`], collecting every mistake.
 
 use crate::knowledge::Knowledge;
-use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
+use crate::knowledge::diagnostic::{Diagnostic, Severity, nearest};
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, NodeKind, Problems, parse};
 use crate::machine::{Machine, id_of};
 use crate::material::{self, MaterialState};
-use crate::tables::materials::ClampScrew;
 use crate::units::{Decimal, Micrometres};
 use technolog_note::note;
 
 use super::check;
 use super::file::{self, PartFile};
-use super::limits::LimitedCount;
 use super::stated;
-use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
+use super::{Blank, BlankKind, Datum, Entry, Fixture, Part, Point};
 
 /// Reads a part file.
 ///
@@ -225,43 +223,6 @@ impl Reader<'_> {
                 }
             },
         }
-    }
-
-    /// Reads the fixture; the points of the clamps are added to `placed` with their places.
-    pub(super) fn fixture(&mut self, node: &Node, placed: &mut Vec<(Point, Place)>) -> Option<Fixture> {
-        let mut fields = self.problems.map(node)?;
-        let height = self.size(&mut fields, file::Fixture::height);
-        let clamps_node = fields.take(file::Fixture::clamps);
-        fields.finish(self.problems);
-        let mut clamps = Vec::new();
-        let nodes = clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
-        for node in self.bounded(LimitedCount::Clamps, nodes) {
-            let Some(mut fields) = self.problems.map(node) else { continue };
-            let at_node = fields.need(file::Clamp::at, self.problems);
-            let at = at_node.and_then(|node| self.point(node));
-            placed.extend(at.zip(at_node.map(|node| node.place.clone())));
-            let screw = fields.take(file::Clamp::screw).and_then(|node| self.screw(node));
-            fields.finish(self.problems);
-            clamps.extend(at.map(|at| Clamp { at, screw }));
-        }
-        Some(Fixture { height, clamps })
-    }
-
-    pub(super) fn screw(&mut self, node: &Node) -> Option<String> {
-        // Cyrillic М is typed as often as the Latin letter.
-        let text = self.problems.text(node)?.replace('М', "M");
-        let screws: Vec<ClampScrew<'_>> = self.knowledge.rows().ok()?;
-        let names: Vec<&str> = screws.iter().map(|screw| screw.thread).collect();
-        if names.contains(&text.as_str()) {
-            return Some(text);
-        }
-        let message = note!("part-no-clamp-screw", text = text);
-        self.problems.error_help(
-            "unknown-screw",
-            message,
-            &node.place,
-            note!("planfile-known", known = names.join(", ")),
-        )
     }
 
     pub(super) fn point(&mut self, node: &Node) -> Option<Point> {

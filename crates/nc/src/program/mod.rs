@@ -74,6 +74,16 @@ impl Language {
         }
     }
 
+    /// A program that must not be run, with the reason in its first line. 2С42-65 has no remarks: there it is a line
+    /// before the program, which the control passes over.
+    pub fn warned(&self, written: WrittenProgram, reason: &str) -> WrittenProgram {
+        let reason = format!("DO NOT RUN: {}", technolog_core::ascii::ascii(reason));
+        match self {
+            Self::Control2c42(_) => written.warned(format!("% {reason}"), true),
+            Self::Iso(control) => written.warned(format!("({reason})"), !control.o_words),
+        }
+    }
+
     /// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are
     /// returned, sorted by place.
     pub fn check<S: Sink>(&self, text: &str, machine: &Machine<'_>, setting: &Setting, sink: &mut S) -> Vec<Fault> {
@@ -166,6 +176,11 @@ impl Fault {
     /// Whether the program is not carried out as written.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
+    }
+
+    /// Whether nobody may run the program: it is not carried out as written, or what it relies on is not so.
+    pub fn is_grave(&self) -> bool {
+        self.severity <= Severity::Wrong
     }
 
     /// A fault by a list of rules. A code that is not listed gives an error without a section; tests exclude that.

@@ -25,6 +25,19 @@ pub struct Limits {
     pub panel_2c42_65: bool,
     /// Whether the clearances of deep drilling are parameters: only Fanuc.
     pub pecks: bool,
+    /// The largest value of an offset register and of a zero, either sign, where the control has a limit.
+    pub most: Option<Micrometres>,
+    /// Whether a parameter says what a length without a point counts: only Fanuc.
+    pub decimal: bool,
+}
+
+/// What a length without a decimal point counts: a parameter of Fanuc (3401#0).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DecimalInput {
+    /// Whole millimetres, as on a calculator.
+    Calculator,
+    /// The least increments: micrometres.
+    Increment,
 }
 
 /// The state of the operator's panel.
@@ -57,6 +70,11 @@ pub struct Setting {
     pub g83_clearance: Option<Micrometres>,
     /// The retract of G73, where that is a parameter of the control.
     pub g73_retract: Option<Micrometres>,
+    /// What a length without a point counts, where the owner has said so.
+    pub decimal: Option<DecimalInput>,
+    /// Whether the control is as after power-on when the program begins. Otherwise modes may be left over from the
+    /// program before, and a program that relies on one without setting it is wrong.
+    pub as_powered_on: bool,
 }
 
 impl Default for Setting {
@@ -75,14 +93,17 @@ impl Default for Setting {
             fixed_point: None,
             g83_clearance: None,
             g73_retract: None,
+            decimal: None,
+            as_powered_on: true,
         }
     }
 }
 
 impl Setting {
-    /// The setting for a job: the zeros of its set-ups in G54, G55, and the offset registers.
+    /// The setting for a job: the zeros of its set-ups in G54, G55, and the offset registers. Other programs ran
+    /// before its own.
     pub fn of_job(job: &Job) -> Self {
-        let mut setting = Self::default();
+        let mut setting = Self { as_powered_on: false, ..Self::default() };
         for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
             *zero = Axis::ALL.map(|axis| Some(setup.zero.get(axis)));
         }
@@ -112,10 +133,20 @@ impl Setting {
 }
 
 /// Keys that every control has.
-const KEYS: &[&str] =
-    &["start", "zeros", "correctors", "skip", "optional_stop", "feed_override", "speed_override", "fixed_point"];
+const KEYS: &[&str] = &[
+    "start",
+    "zeros",
+    "correctors",
+    "skip",
+    "optional_stop",
+    "feed_override",
+    "speed_override",
+    "fixed_point",
+    "as_powered_on",
+];
 const PANEL: &[&str] = &["homed", "mirror"];
 const PECKS: &[&str] = &["g83_clearance", "g73_retract"];
+const DECIMAL: &[&str] = &["decimal"];
 /// The last two are of 2С42-65.
 const ZEROS: &[&str] = &["G54", "G55", "G56", "G57", "G58", "G59", "CM1", "CM2"];
 const AXES: &[&str] = &["x", "y", "z"];
@@ -141,10 +172,14 @@ fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting
     let mut setting = Setting::default();
     let mut fields = problems.open_map(root)?;
     if let Some(node) = fields.take("start") {
-        setting.start = position(node, problems);
+        setting.start = position(node, limits, problems);
     }
-    setting.fixed_point = fields.take("fixed_point").map(|node| position(node, problems));
-    for (key, slot) in [("skip", &mut setting.skip), ("optional_stop", &mut setting.optional_stop)] {
+    setting.fixed_point = fields.take("fixed_point").map(|node| position(node, limits, problems));
+    for (key, slot) in [
+        ("skip", &mut setting.skip),
+        ("optional_stop", &mut setting.optional_stop),
+        ("as_powered_on", &mut setting.as_powered_on),
+    ] {
         if let Some(value) = fields.take(key).and_then(|node| problems.boolean(node)) {
             *slot = value;
         }
@@ -165,6 +200,10 @@ fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting
         keys.extend(PECKS);
         setting.g83_clearance = positive(fields.take("g83_clearance"), problems);
         setting.g73_retract = positive(fields.take("g73_retract"), problems);
+    }
+    if limits.decimal {
+        keys.extend(DECIMAL);
+        setting.decimal = fields.take("decimal").and_then(|node| decimal(node, problems));
     }
     for (key, slot, steps) in [
         ("feed_override", &mut setting.feed_override, &limits.feed_overrides),
@@ -194,7 +233,7 @@ fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting
             let number = key.text.parse::<u32>().ok().filter(|n| (1..=limits.correctors).contains(&i64::from(*n)));
             match number {
                 Some(number) => {
-                    if let Some(value) = problems.scalar::<Micrometres>(node) {
+                    if let Some(value) = within(node, limits, problems) {
                         setting.correctors.insert(number, value);
                     }
                 }
@@ -218,6 +257,29 @@ fn mirror(item: &Node, setting: &mut Setting, problems: &mut Problems) {
     }
 }
 
+/// What a length without a point counts.
+fn decimal(node: &Node, problems: &mut Problems) -> Option<DecimalInput> {
+    match node.text() {
+        Some("calculator") => Some(DecimalInput::Calculator),
+        Some("increment") => Some(DecimalInput::Increment),
+        _ => {
+            let help = note!("nc-give-calculator-increment");
+            problems.error_help::<()>("bad-value", note!("nc-no-decimal-input"), &node.place, help);
+            None
+        }
+    }
+}
+
+/// A length that a register of the control can hold.
+fn within(node: &Node, limits: &Limits, problems: &mut Problems) -> Option<Micrometres> {
+    let value = problems.scalar::<Micrometres>(node)?;
+    if let Some(most) = limits.most.filter(|most| value.abs() > *most) {
+        let help = note!("nc-offset-within", most = most);
+        problems.error_help::<()>("offset-beyond", note!("nc-offset-beyond", value = value), &node.place, help);
+    }
+    Some(value)
+}
+
 /// A length above 0.
 fn positive(node: Option<&Node>, problems: &mut Problems) -> Option<Micrometres> {
     let node = node?;
@@ -234,7 +296,7 @@ fn zeros(node: &Node, setting: &mut Setting, limits: &Limits, problems: &mut Pro
     let Some(mut fields) = problems.open_map(node) else { return };
     for (index, name) in names.iter().enumerate() {
         let Some(node) = fields.take(*name) else { continue };
-        let values = axes(node, problems);
+        let values = axes(node, limits, problems);
         match setting.zeros.get_mut(index) {
             Some(zero) => *zero = values,
             None => {
@@ -248,15 +310,15 @@ fn zeros(node: &Node, setting: &mut Setting, limits: &Limits, problems: &mut Pro
     fields.finish(names, problems);
 }
 
-fn position(node: &Node, problems: &mut Problems) -> Position {
-    Position::of(axes(node, problems).map(Option::unwrap_or_default))
+fn position(node: &Node, limits: &Limits, problems: &mut Problems) -> Position {
+    Position::of(axes(node, limits, problems).map(Option::unwrap_or_default))
 }
 
-fn axes(node: &Node, problems: &mut Problems) -> [Option<Micrometres>; 3] {
+fn axes(node: &Node, limits: &Limits, problems: &mut Problems) -> [Option<Micrometres>; 3] {
     let mut values = [None; 3];
     let Some(mut fields) = problems.open_map(node) else { return values };
     for (value, name) in values.iter_mut().zip(AXES) {
-        *value = fields.take(*name).and_then(|node| problems.scalar::<Micrometres>(node));
+        *value = fields.take(*name).and_then(|node| within(node, limits, problems));
     }
     fields.finish(AXES, problems);
     values

@@ -15,6 +15,10 @@ pub struct Form {
     pub resolution: Micrometres,
     /// The increment of block numbers.
     pub number_step: u32,
+    /// The number of the program, where its user gives one: subprograms have those that follow.
+    pub program: Option<u32>,
+    /// Whether it may have subprograms.
+    pub subprograms: bool,
 }
 
 impl Form {
@@ -24,7 +28,7 @@ impl Form {
     /// The table of conventions lacks a figure.
     pub fn read(shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
         let (step, _) = crate::job::convention(Convention::BlockNumberStep, shop.knowledge)?;
-        Ok(Self { resolution: shop.machine.resolution, number_step: step as u32 })
+        Ok(Self { resolution: shop.machine.resolution, number_step: step as u32, program: None, subprograms: true })
     }
 
     /// A length rounded to the machine's grid.
@@ -46,6 +50,20 @@ pub struct WrittenProgram {
 }
 
 impl WrittenProgram {
+    /// The same program with a first line that says why it must not be run. LinuxCNC reads its text from the first
+    /// sign `%` on only where that is the first line, so there the signs go.
+    #[must_use]
+    pub(super) fn warned(mut self, line: String, keeps_signs: bool) -> Self {
+        self.lines.retain(|line| keeps_signs || line.text != "%");
+        let told = ProgramLine { text: line, role: LineRole::Frame, work: None, cycle: None };
+        // What stands before the first sign a control does not keep: a remark stands behind the number, too.
+        if let Some(head) = self.lines.iter().position(|line| line.text.starts_with('O')) {
+            self.lines.insert(head + 1, told.clone());
+        }
+        self.lines.insert(0, told);
+        self
+    }
+
     /// The text of the program file.
     pub fn text(&self) -> String {
         let mut text = String::new();

@@ -74,6 +74,8 @@ vocabulary! {
         DwellStep = "dwell-step",
         /// The number of offset registers.
         Correctors = "correctors",
+        /// The largest value of an offset register, mm; a zero has the same limit.
+        CorrectorValueMax = "corrector-value-max",
         /// Steps of the switch, %.
         FeedOverride = "feed-override",
         /// Steps of the switch, %.
@@ -87,6 +89,7 @@ impl Characteristic {
         match self {
             Self::Memory => "kB",
             Self::DwellStep => "s",
+            Self::CorrectorValueMax => "mm",
             Self::FeedOverride | Self::SpindleOverride => "%",
             _ => "1",
         }

@@ -42,8 +42,8 @@ feed-per-turn = { $hole }: { $operation } at { $at }: { $made } mm/rev instead o
     .help = make F and S agree
 changes-elsewhere = the tool is changed at { $at }, not at the place of the tool change
     .help = bring table and quill there before the change
-no-corrector = T{ $tool } cuts without its offset register H{ $own }; it holds 0, so the motions are the same
-    .help = check T and H of this tool
+no-corrector = T{ $tool } cuts without its offset register H{ $own }, which holds 0 only by convention
+    .help = give its length offset: G43 H{ $own }
 shared-corrector = T{ $tool } cuts with H{ $corrector } = { $value }, which is that of T{ $other }; the plan has H{ $own } = { $needed }
     .help = check T and H of this tool
 correction-otherwise = H{ $corrector } = { $value } for T{ $tool }, but the plan has H{ $own } = { $needed }: heights are taken by the value given
@@ -51,6 +51,8 @@ correction-otherwise = H{ $corrector } = { $value } for T{ $tool }, but the plan
 # Dangerous motions.
 rapid-across = a rapid across inside the part: to { $at } at Z{ $z }
     .help = leave the part first
+through-obstacle = the way to { $to } is at Z{ $made }, and a clamp or an obstacle at { $at } stands up to Z{ $needed }
+    .help = raise the tool over it first, or go round it
 rapid-into-part = a rapid into the metal at { $at } to Z{ $z }
     .help = go into the metal at feed
 rapid-into-metal = { $hole }: { $operation } at { $at }: the feed begins at Z{ $made }, but the metal at Z{ $needed }

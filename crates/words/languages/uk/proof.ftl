@@ -43,8 +43,8 @@ feed-per-turn = { $hole }: { $operation } в { $at }: { $made } мм/об зам
     .help = узгодьте F і S
 changes-elsewhere = інструмент замінюють у { $at }, а не в точці заміни
     .help = перед заміною відведіть стіл і повзун
-no-corrector = T{ $tool } ріже без свого коректора H{ $own }; він нульовий, тому рухи ті самі
-    .help = перевірте T і H цього інструмента
+no-corrector = T{ $tool } ріже без свого коректора H{ $own }, нульового лише за домовленістю
+    .help = задайте корекцію на довжину: G43 H{ $own }
 shared-corrector = T{ $tool } ріже з H{ $corrector } = { $value }, який має T{ $other }; за планом H{ $own } = { $needed }
     .help = перевірте T і H цього інструмента
 correction-otherwise = H{ $corrector } = { $value } для T{ $tool }, а за планом H{ $own } = { $needed }: висоти прийнято за вказаною величиною
@@ -52,6 +52,8 @@ correction-otherwise = H{ $corrector } = { $value } для T{ $tool }, а за �
 # Dangerous motions.
 rapid-across = прискорене переміщення в деталі: до { $at } на висоті Z{ $z }
     .help = спершу вийдіть з деталі
+through-obstacle = шлях до { $to } – на Z{ $made }, а притискач чи перешкода у { $at } стоїть до Z{ $needed }
+    .help = спершу підніміть інструмент над нею або обійдіть її
 rapid-into-part = прискорене переміщення в метал у { $at } до Z{ $z }
     .help = заходьте в метал подачею
 rapid-into-metal = { $hole }: { $operation } в { $at }: подача починається на Z{ $made }, а метал на Z{ $needed }

@@ -90,6 +90,8 @@ pub(super) fn check<'a>(
 
 /// The operator's setting; what it leaves out is as the plan states it.
 fn set(context: &Context<'_>, mut setting: Setting, plan: Option<(&Plan, &job::Job)>) -> Setting {
+    // As in the proof: other programs ran before.
+    setting.as_powered_on = false;
     let Some((plan, job)) = plan else { return setting };
     for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
         for axis in Axis::ALL {

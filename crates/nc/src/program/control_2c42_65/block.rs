@@ -87,6 +87,7 @@ impl Maker<'_> {
     /// Makes all steps of the block.
     pub(super) fn make(&mut self, words: &BlockWords) -> After {
         self.take_modes(words);
+        self.modes_left_over(words);
         self.take_numbers(words);
         self.start_functions(words);
         if words.function(SYSTEM) == Some(92) {
@@ -244,8 +245,10 @@ impl Maker<'_> {
             );
         }
         if self.state.turning != Turning::Stopped {
+            self.fault("turning-at-change", function.span);
             self.spindle(Turning::Stopped);
         }
+        self.state.height_known = true;
         self.state.tool = self.state.wanted;
         self.push(Motion::ToolChange { tool: self.state.tool });
     }
@@ -356,7 +359,12 @@ impl Maker<'_> {
 
     /// G04 E: a wait of E tenths of a second after the motion of the block (3.10.6).
     fn dwell(&mut self, words: &BlockWords) {
-        let Some(pause) = words.g[ONE_SHOT].filter(|function| function.code == 4) else { return };
+        let Some(pause) = words.g[ONE_SHOT].filter(|function| function.code == 4) else {
+            if let Some(time) = words.get('E') {
+                self.fault("time-without-dwell", time.span);
+            }
+            return;
+        };
         match words.get('E') {
             Some(time) => self.wait(time.number()),
             None => {

@@ -155,6 +155,7 @@ fn m_functions(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
         faults.push(fault("too-many-m", sixth.span, None).with("count", count).with("limit", control.m_per_block));
     }
     let mut exclusive: Option<&Word> = None;
+    let mut spindle: Option<&Word> = None;
     for word in functions(block) {
         let Some(function) = control.m_functions.get(word.code()) else {
             let name = format!("M{:02}", word.code());
@@ -162,9 +163,12 @@ fn m_functions(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
             faults.push(fault.about(Subject::Function(name)));
             continue;
         };
-        if function.exclusive
-            && let Some(first) = exclusive.replace(word)
-        {
+        use Action::{SpindleClockwise, SpindleCounterclockwise, SpindleStop};
+        let switches = matches!(function.action, SpindleClockwise | SpindleCounterclockwise | SpindleStop);
+        let first = if function.exclusive { exclusive.replace(word) } else { None };
+        // Which of two orders to the spindle acts nobody says.
+        let first = first.or_else(|| if switches { spindle.replace(word) } else { None });
+        if let Some(first) = first {
             let names = [first, word].map(|word| format!("M{:02}", word.code()));
             faults.push(fault("exclusive-m-twice", word.span, None).with("first", &names[0]).with("second", &names[1]));
         }

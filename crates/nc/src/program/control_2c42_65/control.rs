@@ -10,6 +10,7 @@ use crate::tables::controls::control_2c42_65::{
     AddressUnit, Addresses, AxisName, Characteristic, Cycles, GFunctions, Inwards, MActions, MFunctions, Outwards,
     PlaneName, Planes, Record, ToolOffset,
 };
+use crate::units::Micrometres;
 use technolog_note::note;
 
 pub(super) use crate::tables::controls::control_2c42_65::Action;
@@ -156,6 +157,8 @@ impl Control {
                 speed_overrides: steps(Characteristic::SpindleOverride)?,
                 panel_2c42_65: true,
                 pecks: false,
+                most: Some(Micrometres::from_mm_rounded(number(Characteristic::CorrectorValueMax)?)),
+                decimal: false,
             },
         };
         control.read_functions(knowledge)?;

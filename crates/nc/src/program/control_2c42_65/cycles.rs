@@ -81,6 +81,9 @@ impl Maker<'_> {
             return;
         }
         let levels = self.levels(axis);
+        if !self.levels_lead_in_and_out(levels, span) {
+            return;
+        }
         let (in_steps, out_at_feed) = (cycle.in_steps, cycle.out_at_feed);
         if words.cycle.is_none() && self.on_the_way_to_the_change() {
             self.report("cycle-at-tool-change", span, &[("cycle", format!("G{code}").into_figure())]);
@@ -154,6 +157,23 @@ impl Maker<'_> {
         CycleLevels { axis, one, two, three, four }
     }
 
+    /// Whether the feed goes into the metal and the way out comes back from it. Along X and Y nobody knows where the
+    /// metal is.
+    fn levels_lead_in_and_out(&mut self, levels: CycleLevels, span: TextSpan) -> bool {
+        let CycleLevels { axis, one, two, four, .. } = levels;
+        let sign = self.state.sign(axis, self.setting);
+        let origin = self.state.origin_of(axis, self.setting).0;
+        let shown = |level: Micrometres| Micrometres::new((level - origin).micrometres() * sign).into_figure();
+        // Along a mirrored axis the part is mirrored with it.
+        let inwards = |from: Micrometres, to: Micrometres| (to - from).micrometres() * sign <= 0;
+        if axis == Axis::Z && !inwards(one, two) {
+            self.report("cycle-upside-down", span, &[("u", shown(one)), ("z", shown(two))]);
+        } else if axis == Axis::Z && self.parameter('I').is_some() && four != two && inwards(two, four) {
+            self.report("cycle-ends-deeper", span, &[("i", shown(four)), ("z", shown(two))]);
+        }
+        !self.broken()
+    }
+
     fn run_cycle(&mut self, code: u8, levels: CycleLevels, in_steps: bool, out_at_feed: bool, span: TextSpan) {
         let before = self.state.turning;
         let dwell = self.parameter('E').map_or(0, |value| value / 1000);
@@ -202,6 +222,9 @@ impl Maker<'_> {
             if value <= 0 {
                 self.report("cycle-step-not-positive", span, &[("address", address.into_figure())]);
             }
+        }
+        if clearance > step {
+            self.fault("cycle-clearance-over-step", span);
         }
         if self.broken() {
             return;

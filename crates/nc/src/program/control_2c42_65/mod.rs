@@ -3,7 +3,8 @@
 //!
 //! - `control` the language as data, from catalogs/controls;
 //! - `text` words and blocks with their places; `check` checks without running;
-//! - `words`, `block`, `moves`, `cycles`, `correction`, `travel` one block: its words, and the steps it makes;
+//! - `words`, `block`, `moves`, `cycles`, `correction`, `travel` one block: its words, and the steps it makes; `left_over`
+//!   what it relies on and the program has not set;
 //! - `state` the state kept between blocks; `run` the execution of blocks, calls and repeats;
 //! - `rules` every rule with its section.
 
@@ -12,6 +13,7 @@ mod check;
 mod control;
 mod correction;
 mod cycles;
+mod left_over;
 mod moves;
 mod rules;
 mod run;

@@ -245,7 +245,13 @@ impl Maker<'_> {
         if function.code != 27 && !self.axes_may_move(words) {
             return;
         }
-        let intermediate = self.target(words);
+        let mut intermediate = self.target(words);
+        // Of an axis without its zero the words of G27 count from where it stands (4.2.5, note 4).
+        for axis in named.iter().copied().filter(|axis| !self.state.homed[axis.index()]) {
+            let way = words.axis(axis).map_or(0, |word| word.thousandths) * self.state.sign(axis, self.setting);
+            intermediate.base = intermediate.base.with(axis, self.state.base.get(axis) + Micrometres::new(way));
+            intermediate.floating[axis.index()] = self.state.floating[axis.index()];
+        }
         let goal = match function.code {
             27 | 28 => Some(Position::default()),
             30 => Some(intermediate.base),

@@ -7,7 +7,7 @@
 use crate::note::Severity;
 use crate::program::{Fault, Rule, TextSpan};
 
-use Severity::{Doubtful as Warning, Error, Note as Remark};
+use Severity::{Doubtful as Warning, Error, Note as Remark, Wrong};
 
 /// Code, severity, section.
 pub(super) const RULES: &[Rule] = &[
@@ -49,12 +49,15 @@ pub(super) const RULES: &[Rule] = &[
     ("calls-too-deep", Error, "3.14"),
     ("run-too-long", Error, "*"),
     // The limits of the machine.
+    ("mode-left-over", Wrong, "3.10*"),
+    ("height-unknown", Wrong, "3.13.3* (4)"),
     ("feed-beyond-machine", Error, "3.9.2"),
     ("speed-beyond-machine", Error, "3.13.1"),
     ("no-spindle-step", Warning, "3.13.1"),
     ("finer-than-machine", Warning, "3.8.2"),
     ("tool-beyond-magazine", Warning, "3.13.2"),
     ("no-tool", Error, "3.13.2*"),
+    ("turning-at-change", Wrong, "3.13.2*"),
     ("change-elsewhere", Warning, "5.2 (11.1)"),
     ("spindle-without-speed", Error, "3.13.1*"),
     ("feed-without-spindle", Error, "3.13.1*"),
@@ -72,6 +75,7 @@ pub(super) const RULES: &[Rule] = &[
     ("helix-pitch-sign", Error, "3.10.5"),
     ("helix-pitch", Error, "3.10.5*"),
     ("dwell-without-time", Error, "3.10.6"),
+    ("time-without-dwell", Error, "3.10.6*"),
     ("until-signal", Remark, "3.10*"),
     ("one-sided", Remark, "3.10*"),
     ("fixed-point-unknown", Error, "3.10*"),
@@ -86,6 +90,9 @@ pub(super) const RULES: &[Rule] = &[
     // Cycles.
     ("cycle-parameter-missing", Error, "3.12.1"),
     ("cycle-step-not-positive", Error, "3.12.1.3"),
+    ("cycle-clearance-over-step", Error, "3.12.1.3*"),
+    ("cycle-upside-down", Error, "3.12.1*"),
+    ("cycle-ends-deeper", Error, "3.12.1*"),
     ("cannot-tap", Error, "3.12.1.4"),
     ("hole-twice", Warning, "3.12.1*"),
     ("cycle-at-tool-change", Warning, "3.12.1*"),

@@ -22,6 +22,10 @@ pub(super) const DISTANCE: usize = 7;
 pub(super) struct ControlState {
     /// The function in force in every group.
     pub groups: [u8; GROUPS],
+    /// The groups whose function the program has set itself.
+    pub own: [bool; GROUPS],
+    /// Whether the program itself has brought Z somewhere: until then the quill may be down.
+    pub height_known: bool,
     /// F, in thousandths of mm/min.
     pub feed: i64,
     /// S, 1/min.
@@ -64,6 +68,9 @@ impl ControlState {
     pub(super) fn power_on(control: &Control, setting: &Setting) -> Self {
         Self {
             groups: control.power_on,
+            // After power-on what acts is known, too.
+            own: [setting.as_powered_on; GROUPS],
+            height_known: setting.as_powered_on,
             feed: 0,
             speed: 0,
             turning: Turning::Stopped,

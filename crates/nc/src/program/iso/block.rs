@@ -76,6 +76,7 @@ impl Maker<'_> {
         if let Some(units) = words.function(Group::Units) {
             self.state.set(Group::Units, Some(units.code));
         }
+        self.modes_left_over(words);
         self.numbers(words);
         self.start_functions(words);
         if let Some(function) = words.one_shot(Effect::Dwell, self.control) {
@@ -217,6 +218,7 @@ impl Maker<'_> {
         if self.state.turning != Turning::Stopped {
             self.spindle(Turning::Stopped);
         }
+        self.state.height_known = true;
         self.state.tool = self.state.wanted;
         self.push(Motion::ToolChange { tool: self.state.wanted });
     }
@@ -225,7 +227,7 @@ impl Maker<'_> {
     fn dwell(&mut self, function: Function, words: &BlockWords) {
         let pause = self.take(words, 'P').map(|given| given.value() * self.control.dwell_unit_s);
         let pause = match pause {
-            None if self.control.kind == IsoControl::Fanuc => self.take(words, 'X').map(WordValue::value),
+            None if self.control.kind == IsoControl::Fanuc => self.take(words, 'X').map(WordValue::seconds),
             other => other,
         };
         match pause.filter(|seconds| *seconds >= 0.0) {

@@ -80,7 +80,7 @@ pub struct Control {
     pub(super) cycles_are_motions: bool,
     pub(super) small_letters: bool,
     /// Whether subprograms are written with o-words.
-    pub(super) o_words: bool,
+    pub(in crate::program) o_words: bool,
     /// Whether G43 without H takes the offset register of the tool in the spindle.
     pub(super) length_of_tool: bool,
     setting: Limits,
@@ -124,6 +124,8 @@ impl Control {
                 speed_overrides: steps(&figures(Characteristic::SpindleOverride)?.1),
                 panel_2c42_65: false,
                 pecks: flag(Characteristic::PecksOfSetting)?,
+                most: None,
+                decimal: kind == IsoControl::Fanuc,
             },
         };
         language.read_words(knowledge)?;

@@ -4,7 +4,8 @@
 //! - `control` the language as data, from the tables iso-… and control-… of catalogs/controls;
 //! - `text` words and blocks with their places; `programs` subprograms and calls; `words` the words of a block by their
 //!   groups;
-//! - `block`, `moves`, `arc`, `cycles` one block: the steps it makes; `state` the state kept between blocks;
+//! - `block`, `moves`, `arc`, `cycles` one block: the steps it makes; `left_over` what it relies on and the program has
+//!   not set; `state` the state kept between blocks;
 //! - `run` the execution of the blocks; `rules` all rules;
 //! - `writer` writes a job as a program.
 //!
@@ -15,6 +16,7 @@ mod arc;
 mod block;
 mod control;
 mod cycles;
+mod left_over;
 mod moves;
 mod programs;
 mod rules;

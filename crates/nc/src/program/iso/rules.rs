@@ -4,7 +4,7 @@
 use crate::note::Severity;
 use crate::program::{Fault, Rule, TextSpan};
 
-use Severity::{Doubtful as Warning, Error, Note as Remark};
+use Severity::{Doubtful as Warning, Error, Note as Remark, Wrong};
 
 /// Code, severity, section.
 pub(super) const RULES: &[Rule] = &[
@@ -18,6 +18,7 @@ pub(super) const RULES: &[Rule] = &[
     ("number-not-whole", Error, "text"),
     ("number-out-of-range", Error, "text"),
     ("number-without-point", Remark, "text"),
+    ("point-missing", Error, "text"),
     ("comment-open", Error, "text"),
     ("active-comment", Warning, "text"),
     ("message-comment", Remark, "text"),
@@ -39,6 +40,8 @@ pub(super) const RULES: &[Rule] = &[
     ("calls-too-deep", Error, "calls"),
     ("run-too-long", Error, "calls"),
     // The limits of the machine.
+    ("mode-left-over", Wrong, "blocks"),
+    ("height-unknown", Wrong, "blocks"),
     ("feed-beyond-machine", Error, "machine"),
     ("speed-beyond-machine", Error, "machine"),
     ("no-spindle-step", Warning, "machine"),

@@ -38,7 +38,7 @@ pub fn check_within<S: Sink>(
     setting: &Setting,
     sink: &mut S,
 ) -> Vec<Fault> {
-    let (blocks, closed, mut faults) = text::blocks(text, control);
+    let (blocks, closed, mut faults) = text::blocks(text, control, setting.decimal);
     let words: Vec<BlockWords> = blocks.iter().map(|block| BlockWords::read(block, control, &mut faults)).collect();
     let programs = programs::programs(&blocks, &words, control, &mut faults);
     if !faults.iter().any(Fault::is_error) {

@@ -12,6 +12,10 @@ pub(super) struct ControlState {
     /// The function in force in every group, in tenths; none for cycles when no cycle is active, and none for motions
     /// where G80 cancels those too.
     modes: [Option<i64>; Group::NAMES.len()],
+    /// The groups whose function the program has set itself.
+    pub own: [bool; Group::NAMES.len()],
+    /// Whether the program itself has brought Z somewhere: until then the quill may be down.
+    pub height_known: bool,
     /// F, mm/min.
     pub feed: f64,
     /// S, 1/min.
@@ -37,6 +41,9 @@ impl ControlState {
     pub(super) fn power_on(control: &Control, setting: &Setting) -> Self {
         let mut state = Self {
             modes: [None; Group::NAMES.len()],
+            // After power-on what acts is known, too.
+            own: [setting.as_powered_on; Group::NAMES.len()],
+            height_known: setting.as_powered_on,
             feed: 0.0,
             speed: 0.0,
             turning: Turning::Stopped,

@@ -4,6 +4,7 @@
 use super::control::{ActiveComment, CommentAct, Control, IsoControl, Written};
 use super::rules::fault;
 use crate::program::control_2c42_65::{comma_places, decimal_comma, latin};
+use crate::program::setting::DecimalInput;
 use crate::program::{Fault, TextSpan};
 use crate::units::Micrometres;
 
@@ -13,6 +14,8 @@ pub(super) struct Word {
     pub address: char,
     /// The number in millionths: fine enough for inches.
     pub millionths: i64,
+    /// Whether it counts least increments, because it has no point and the control is set so.
+    pub increments: bool,
     pub span: TextSpan,
 }
 
@@ -51,16 +54,49 @@ pub(super) struct Block {
 pub const MOST_BLOCKS: usize = 200_000;
 
 /// All blocks of the text, whether a second `%` closes it, and the faults of reading.
-pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fault>) {
-    blocks_within(MOST_BLOCKS, text, control)
+pub(super) fn blocks(text: &str, control: &Control, decimal: Option<DecimalInput>) -> (Vec<Block>, bool, Vec<Fault>) {
+    let mut points = Points::new(decimal);
+    let (blocks, closed, mut faults) = blocks_within(MOST_BLOCKS, text, control, &mut points);
+    if control.kind == IsoControl::Fanuc {
+        faults.extend(points.fault());
+    }
+    (blocks, closed, faults)
 }
 
-fn blocks_within(most: usize, text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fault>) {
+/// Lengths with and without a decimal point, of a Fanuc program.
+struct Points {
+    /// What a length without a point counts, where the owner of the control has said so.
+    decimal: Option<DecimalInput>,
+    /// The first length without one: its address, place and block.
+    pointless: Option<(char, TextSpan, Option<u32>)>,
+    /// Whether some length has one.
+    pointed: bool,
+}
+
+impl Points {
+    const fn new(decimal: Option<DecimalInput>) -> Self {
+        Self { decimal, pointless: None, pointed: false }
+    }
+
+    /// A program that writes points has forgotten one, and the axis goes a thousandth of the way, or a thousand times
+    /// as far. One without points counts as its control is set, which is not known unless the setting says so.
+    fn fault(self) -> Option<Fault> {
+        let (address, span, block) = self.pointless?;
+        let code = match self.decimal {
+            Some(DecimalInput::Calculator) => return None,
+            _ if self.pointed => "point-missing",
+            Some(DecimalInput::Increment) => return None,
+            None => "number-without-point",
+        };
+        Some(fault(code, span, block).with("address", address))
+    }
+}
+
+fn blocks_within(most: usize, text: &str, control: &Control, points: &mut Points) -> (Vec<Block>, bool, Vec<Fault>) {
     let mut faults = Vec::new();
     let mut blocks = Vec::new();
     let mut opened = false;
     let fanuc = control.kind == IsoControl::Fanuc;
-    let mut pointless = fanuc;
     // Fanuc reads nothing before the first of two `%` signs.
     let sign = |line: &str| line.trim_start().starts_with('%');
     let signs = text.lines().filter(|line| sign(line)).take(2).count();
@@ -76,7 +112,7 @@ fn blocks_within(most: usize, text: &str, control: &Control) -> (Vec<Block>, boo
                 continue;
             }
         }
-        let mut reader = SourceLine { control, faults: &mut faults, line: line_number, pointless: &mut pointless };
+        let mut reader = SourceLine { control, faults: &mut faults, line: line_number, points };
         let block = reader.block(line);
         if let Some(beyond) = block.as_ref().filter(|_| blocks.len() == most) {
             faults.push(fault("too-many-blocks", beyond.span, beyond.number).with("most", most));
@@ -91,8 +127,7 @@ struct SourceLine<'a> {
     control: &'a Control,
     faults: &'a mut Vec<Fault>,
     line: u32,
-    /// Whether the next length without a point is reported: once in a Fanuc program.
-    pointless: &'a mut bool,
+    points: &'a mut Points,
 }
 
 impl SourceLine<'_> {
@@ -155,6 +190,9 @@ impl SourceLine<'_> {
         }
         for fault in &mut self.faults[before..] {
             fault.block = block.number;
+        }
+        if let Some((_, _, number)) = self.points.pointless.as_mut().filter(|(_, span, _)| span.line == self.line) {
+            *number = block.number;
         }
         Some(block)
     }
@@ -261,10 +299,15 @@ impl SourceLine<'_> {
         }
         // K may be a number of repeats, and 0 is 0 in every unit.
         let length = known == Written::Length && !matches!(address, 'K' | 'F') && millionths != 0;
-        if length && !written.contains('.') && std::mem::take(self.pointless) {
-            self.faults.push(fault("number-without-point", span, None).with("address", address));
+        let pointless = length && !written.contains('.');
+        self.points.pointed |= length && !pointless;
+        if pointless {
+            self.points.pointless.get_or_insert((address, span, None));
         }
-        Some(Word { address, millionths, span })
+        // K may be a length, too: which it is the block decides.
+        let increments = known == Written::Length && address != 'F' && !written.contains('.');
+        let increments = increments && self.points.decimal == Some(DecimalInput::Increment);
+        Some(Word { address, millionths, increments, span })
     }
 
     /// A number as written, in millionths.
@@ -330,8 +373,8 @@ mod tests {
         for control in ["linuxcnc", "fanuc"] {
             let control = Control::read(control, &knowledge).unwrap();
             let text = "G21\n\n(nothing)\nN7 M30\n";
-            assert_eq!(blocks_within(2, text, &control).2, []);
-            let (blocks, _, faults) = blocks_within(1, text, &control);
+            assert_eq!(blocks_within(2, text, &control, &mut Points::new(None)).2, []);
+            let (blocks, _, faults) = blocks_within(1, text, &control, &mut Points::new(None));
             assert_eq!((blocks.len(), faults.len()), (1, 1));
             assert_eq!((faults[0].code, faults[0].span.line, faults[0].block), ("too-many-blocks", 4, Some(7)));
             assert!(faults[0].is_error(), "nothing is run");

@@ -10,6 +10,8 @@ use crate::units::Micrometres;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WordValue {
     pub millionths: i64,
+    /// Whether it counts least increments, thousandths, because it has no point.
+    pub increments: bool,
     pub span: TextSpan,
 }
 
@@ -19,10 +21,21 @@ impl WordValue {
         self.millionths as f64 / 1e6
     }
 
+    /// As the time of an axis word: in increments, milliseconds.
+    pub(super) const fn seconds(self) -> f64 {
+        self.value() / if self.increments { 1000.0 } else { 1.0 }
+    }
+
     /// As a length, mm or inches, to the nearest micrometre.
     pub(super) const fn length(self, inches: bool) -> Micrometres {
-        // An inch is 25.4 mm: 254 / 10 000 of a micrometre for a millionth of it.
-        let (times, over) = if inches { (254, 10_000) } else { (1, 1000) };
+        // An inch is 25.4 mm: 254 / 10 000 of a micrometre for a millionth of it; its least increment is a ten
+        // thousandth.
+        let (times, over) = match (inches, self.increments) {
+            (false, false) => (1, 1000),
+            (false, true) => (1, 1_000_000),
+            (true, false) => (254, 10_000),
+            (true, true) => (254, 100_000_000),
+        };
         let scaled = self.millionths * times;
         let half = if scaled < 0 { -(over / 2) } else { over / 2 };
         Micrometres::new((scaled + half) / over)
@@ -82,7 +95,7 @@ impl BlockWords {
         let before = faults.len();
         let mut words = Self::default();
         for word in &block.words {
-            let given = WordValue { millionths: word.millionths, span: word.span };
+            let given = WordValue { millionths: word.millionths, increments: word.increments, span: word.span };
             match word.address {
                 'G' => words.take_g(given, control, faults),
                 'M' => words.take_m(given, control, faults),

@@ -85,7 +85,7 @@ impl<'t> Around<'_, 't> {
                     continue;
                 }
                 findings.push(
-                    ProgramFinding::new(Code::TravelNotUp, Severity::Note, stay.block)
+                    ProgramFinding::new(Code::TravelNotUp, Severity::Wrong, stay.block)
                         .with(Name::At, stay.at)
                         .with(Name::Z, high),
                 );
@@ -147,7 +147,11 @@ impl<'t> Around<'_, 't> {
             let known = [cycle.begin, cycle.out].iter().any(|level| same_position(*level, made.to[2]));
             let up_again = leads.is_none() && made.machine.z == up;
             if !known && !up_again {
-                findings.push(say(Code::IdleHeight).with(Name::Z, made.to[2]));
+                let mut finding = say(Code::IdleHeight).with(Name::Z, made.to[2]);
+                if made.motion == TipMotion::Rapid && made.to[2] <= self.input.plan.part.datum.top + TOLERANCE {
+                    finding.severity = Severity::Wrong;
+                }
+                findings.push(finding);
             }
             if let Some(feed) = made.feed() {
                 findings.push(say(Code::AirAtFeed).with(Name::Z, made.to[2]).with(Name::Made, feed));
@@ -263,7 +267,7 @@ impl<'t> Around<'_, 't> {
                         findings.push(ProgramFinding::new(Code::CorrectionAtChange, Severity::Note, *block));
                     }
                     if *turned {
-                        findings.push(ProgramFinding::new(Code::TurnsAtChange, Severity::Note, *block));
+                        findings.push(ProgramFinding::new(Code::TurnsAtChange, Severity::Wrong, *block));
                     }
                     if *coolant {
                         findings.push(ProgramFinding::new(Code::CoolantAtChange, Severity::Note, *block));
@@ -272,8 +276,9 @@ impl<'t> Around<'_, 't> {
                 Event::End { at, turns, coolant } => {
                     ended = true;
                     if *at != change {
-                        findings
-                            .push(ProgramFinding::new(Code::EndsElsewhere, Severity::Note, *block).with(Name::At, *at));
+                        // The next program begins with a rapid.
+                        let severity = if at.z == change.z { Severity::Note } else { Severity::Wrong };
+                        findings.push(ProgramFinding::new(Code::EndsElsewhere, severity, *block).with(Name::At, *at));
                     }
                     if *turns {
                         findings.push(ProgramFinding::new(Code::TurnsAtEnd, Severity::Doubtful, *block));

@@ -203,7 +203,9 @@ fn levels(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<Pr
             let finding = if begin < metal {
                 say.figure(Code::RapidIntoMetal, Severity::Error, begin, metal)
             } else {
-                say.figure(Code::BeginsLower, Severity::Doubtful, begin, cycle.begin)
+                // A rapid that ends on the metal itself leaves nothing for an error of the zero or of the tool's length.
+                let severity = if begin <= metal + TOLERANCE { Severity::Wrong } else { Severity::Doubtful };
+                say.figure(Code::BeginsLower, severity, begin, cycle.begin)
             };
             findings.push(finding);
         } else if begin > cycle.begin + TOLERANCE {

@@ -67,6 +67,7 @@ named! {
         WrongTool = "wrong-tool",
         WrongOrder = "wrong-order",
         RapidAcross = "rapid-across",
+        ThroughObstacle = "through-obstacle",
         RapidIntoPart = "rapid-into-part",
         NotMade = "not-made",
         RapidIntoMetal = "rapid-into-metal",

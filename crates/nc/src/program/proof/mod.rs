@@ -23,6 +23,7 @@ mod cuts;
 mod finding;
 mod matching;
 mod milled;
+mod obstacles;
 mod planned_job;
 mod tools;
 mod walk;
@@ -204,6 +205,7 @@ pub fn prove(steps: &[MotionStep], input: &ProofInput<'_>) -> Proof {
 
     let mut findings = tools.findings.clone();
     compare::all(&made, &matched, &tools, &tasks, input, &mut findings);
+    obstacles::all(&made, &tools, input, &mut findings);
     around::all(&made, &matched, &tasks, input, turned_over, &mut findings);
     let mut proof = Proof { findings: folded(findings), ..Proof::default() };
     for (cut, task) in made.cuts.iter().zip(&matched.task_of) {
@@ -251,16 +253,13 @@ impl ObservedCuts {
         let works = input.job.setups.iter().flat_map(|setup| &setup.works).filter(|_| !input.own_correctors);
         let needs_none = |tool: u32| input.job.correctors.contains(&(tool, Micrometres::ZERO));
         let references = works.filter(|work| needs_none(work.corrector)).map(|work| work.place).collect();
-        let walk = walk::walk(steps, input.start, frames, turned_over, &references);
         let faced = faced(input);
+        let walk = walk::walk(steps, input.start, frames, turned_over, &references, &faced);
         let (mut cuts, mut above) = (Vec::new(), Vec::new());
         for (number, stay) in walk.visits.iter().enumerate() {
             let Some(frame) = frames.get(stay.setup) else { continue };
             let before = cuts.len();
-            let here = |(setup, at, _): &&(usize, [Micrometres; 2], Micrometres)| {
-                *setup == stay.setup && cuts::same_position(at[0], stay.at[0]) && cuts::same_position(at[1], stay.at[1])
-            };
-            let top = faced.iter().find(here).map_or(frame.top, |(.., top)| *top);
+            let top = walk::top_at(stay.setup, stay.at, &faced, frame.top);
             let (mut own, high) = cuts::cuts(number, stay, top);
             cuts.append(&mut own);
             above.extend(high.into_iter().map(|(leads, made)| (number, leads.map(|at| before + at), made)));
@@ -271,7 +270,7 @@ impl ObservedCuts {
 
 /// Points where the job cuts the face itself, because its stock is above the drawing: by set-up and point the height
 /// below which a tool cuts there.
-fn faced(input: &ProofInput<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> {
+fn faced(input: &ProofInput<'_>) -> Vec<walk::FacedPoint> {
     let top = input.plan.part.datum.top;
     let mut faced = Vec::new();
     for (number, setup) in input.job.setups.iter().enumerate() {

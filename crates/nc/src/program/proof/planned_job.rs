@@ -39,7 +39,10 @@ impl PlannedJob {
 
     /// Zeros and offset registers missing in the setting become those of the job; operators with registers of their
     /// own may number and measure tools as they like.
+    ///
+    /// Other programs may have run before the one that makes the part.
     pub fn set(&mut self, setting: &mut Setting) {
+        setting.as_powered_on = false;
         for (setup, zero) in self.job.setups.iter().zip(&mut setting.zeros) {
             for axis in Axis::ALL {
                 zero[axis.index()].get_or_insert(setup.zero.get(axis));
@@ -58,6 +61,11 @@ impl PlannedJob {
         let grave = |finding: &&note::Finding| finding.severity <= note::Severity::Wrong;
         let of_holes = self.plan.findings.iter().filter(|finding| finding.hole.is_some());
         of_holes.filter(grave).chain(self.job.findings.iter().filter(grave)).collect()
+    }
+
+    /// What a program of this machine leaves undone: no fault of the program, but the part is not finished by it.
+    pub fn undone(&self) -> Vec<note::Finding> {
+        self.job.unfinished.iter().filter_map(|one| one.finding(note::Severity::Doubtful)).collect()
     }
 
     /// Compares the steps of a program with the job.

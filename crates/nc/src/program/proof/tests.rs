@@ -59,7 +59,7 @@ fn cut(text: &str) -> Vec<Descent> {
     let frame = SetUpFrame { zero: Position::default(), top: Micrometres::ZERO };
     let steps = steps(text);
     let start = Position::of([0, 0, 100].map(Micrometres::from_mm));
-    let walk = walk(&steps, start, &[frame], steps.len(), &Default::default());
+    let walk = walk(&steps, start, &[frame], steps.len(), &Default::default(), &[]);
     walk.visits.iter().enumerate().flat_map(|(number, stay)| cuts(number, stay, frame.top).0).collect()
 }
 

@@ -29,7 +29,9 @@ impl Tools {
 ///
 /// T is the plan's place in the magazine. Where the tool of that place would make none of its cuts and another tool
 /// would make most of them, the program has numbers of its own, which is reported. Where a place is loaded several
-/// times, the tool is the one whose work is done, and the operator must have been asked before.
+/// times, the tool is the one whose work is done, and the operator must have been asked before. Of two that would do
+/// the same work (one bore in two passes) it is the one whose offset register acts, then the one that is loaded, or after
+/// a stop the next one.
 pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], input: &ProofInput<'_>) -> Tools {
     let mut tools = Tools::default();
     let places = TaskIndex::of(tasks);
@@ -52,13 +54,17 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], input: &ProofIn
     }
     // Scores of every T, and of every section.
     let mut by_tool: BTreeMap<u32, (usize, BTreeMap<u32, usize>)> = BTreeMap::new();
-    let mut by_section: BTreeMap<usize, BTreeMap<u32, usize>> = BTreeMap::new();
+    let mut by_section: BTreeMap<usize, BTreeMap<u32, (usize, usize)>> = BTreeMap::new();
     for cut in &made.cuts {
         let (count, scores) = by_tool.entry(cut.tool).or_default();
         *count += 1;
         for tool in makes(cut) {
             *scores.entry(tool).or_default() += 1;
-            *by_section.entry(cut.section).or_default().entry(tool).or_default() += 1;
+            let own = input.plan.tools.iter().find(|known| known.number == tool);
+            let own = own.is_some_and(|own| cut.corrector == (own.corrector, own.correction_mm));
+            let (made, with_own) = by_section.entry(cut.section).or_default().entry(tool).or_default();
+            *made += 1;
+            *with_own += usize::from(own);
         }
     }
     let named = |tool: u32| in_place.get(&tool).cloned().unwrap_or_default();
@@ -94,19 +100,22 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], input: &ProofIn
             tools.sections.push(None);
             continue;
         };
+        let asked_for =
+            made.walk.events.iter().any(|(order, _, event)| {
+                *event == Event::Stop && *order >= changed_at && *order < begin_of(made, section)
+            });
         let plan = other.get(&stay.tool).copied().or_else(|| {
             let known = named(stay.tool);
             let score = |tool: &u32| by_section.get(&section).and_then(|it| it.get(tool)).copied().unwrap_or_default();
             let most = known.iter().map(score).max()?;
-            let now = loaded.get(&stay.tool).copied().filter(|tool| score(tool) == most);
-            now.or_else(|| known.into_iter().find(|tool| score(tool) == most))
+            let mut best = known.iter().filter(|tool| score(tool) == most);
+            let now = loaded.get(&stay.tool).and_then(|now| known.iter().position(|tool| tool == now));
+            let wanted = now.map(|now| now + usize::from(asked_for)).and_then(|wanted| known.get(wanted));
+            wanted.filter(|tool| score(tool) == most).or_else(|| best.next()).copied()
         });
         if let Some(plan) = plan.filter(|_| !other.contains_key(&stay.tool)) {
             let before = *loaded.entry(stay.tool).or_insert_with(|| first_in(stay.tool, plan, input));
             if before != plan {
-                let asked_for = made.walk.events.iter().any(|(order, _, event)| {
-                    *event == Event::Stop && *order >= changed_at && *order < begin_of(made, section)
-                });
                 if !asked_for {
                     tools.findings.push(
                         ProgramFinding::new(Code::NotLoaded, Severity::Error, stay.block)
@@ -204,16 +213,16 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
             } else if number != own.corrector && number != 0 && value != Micrometres::ZERO {
                 findings.push(say(Code::OtherCorrector, Severity::Doubtful));
             } else if number != own.corrector {
-                findings.push(say(Code::NoCorrector, Severity::Note));
+                findings.push(say(Code::NoCorrector, Severity::Wrong));
             }
             continue;
         }
         let first = usual.get(&cut.tool).copied().unwrap_or(cut.corrector);
-        // For the machine a register that holds 0 is the same as none.
+        // A register that holds 0 is the same as none for these motions, but not when the tool has been measured anew.
         if cut.corrector != first && (value != Micrometres::ZERO || first.1 != Micrometres::ZERO) {
             findings.push(wrong().with(Name::Needed, first.1).with(Name::Own, first.0));
         } else if cut.corrector != first {
-            findings.push(say(Code::NoCorrector, Severity::Note).with(Name::Own, first.0));
+            findings.push(say(Code::NoCorrector, Severity::Wrong).with(Name::Own, first.0));
         } else if let Some((other, _)) = usual
             .iter()
             .find(|(tool, used)| **tool != cut.tool && used.0 == number && number != 0 && value != Micrometres::ZERO)
@@ -221,6 +230,8 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
             findings.push(say(Code::SharedCorrector, Severity::Error).with(Name::Other, *other));
         } else if value == Micrometres::ZERO && own.correction_mm != Micrometres::ZERO {
             findings.push(say(Code::NoCorrection, Severity::Error));
+        } else if number == 0 {
+            findings.push(say(Code::NoCorrector, Severity::Wrong));
         } else if value == -own.correction_mm && value != Micrometres::ZERO {
             findings.push(say(Code::WrongSign, Severity::Error));
         } else if value != own.correction_mm && reported.insert(cut.tool) {

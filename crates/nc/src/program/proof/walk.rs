@@ -7,6 +7,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::cuts::same_position;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Plane, Position, Sense, Side, Turning, geometry};
 use crate::units::Micrometres;
 
@@ -20,6 +21,15 @@ pub(super) struct SetUpFrame {
     pub zero: Position,
     /// Z of the face that is up, in the drawing.
     pub top: Micrometres,
+}
+
+/// A point of a set-up where the job cuts the face itself, and the height below which a tool cuts there.
+pub(super) type FacedPoint = (usize, [Micrometres; 2], Micrometres);
+
+/// The height below which a tool cuts at a point.
+pub(super) fn top_at(setup: usize, at: [Micrometres; 2], faced: &[FacedPoint], top: Micrometres) -> Micrometres {
+    let here = |(of, point, _): &&FacedPoint| *of == setup && point.iter().zip(at).all(|(a, b)| same_position(*a, b));
+    faced.iter().find(here).map_or(top, |(.., top)| *top)
 }
 
 /// How the tip moved.
@@ -139,13 +149,15 @@ struct WalkState {
 }
 
 /// Walks through the steps. The part is turned over before step `turned_over`, if the job has a second set-up.
-/// `references` are tools, by their program numbers, that need no correction.
+/// `references` are tools, by their program numbers, that need no correction; `faced` points where the face itself is
+/// cut, so that circles on it are no travel.
 pub(super) fn walk(
     steps: &[MotionStep],
     start: Position,
     frames: &[SetUpFrame],
     turned_over: usize,
     references: &BTreeSet<u32>,
+    faced: &[FacedPoint],
 ) -> TipHistory {
     let mut walk = TipHistory::default();
     let mut state = WalkState {
@@ -162,7 +174,7 @@ pub(super) fn walk(
     for (order, step) in steps.iter().enumerate() {
         let setup = usize::from(order >= turned_over).min(frames.len().saturating_sub(1));
         let Some(frame) = frames.get(setup) else { return walk };
-        take(&mut walk, &mut state, (order, step), setup, frame);
+        take(&mut walk, &mut state, (order, step), setup, frame, faced);
         state.at = step.at;
     }
     walk
@@ -204,6 +216,7 @@ fn take(
     (order, step): (usize, &MotionStep),
     setup: usize,
     frame: &SetUpFrame,
+    faced: &[FacedPoint],
 ) {
     let how = match &step.motion {
         Motion::Rapid => TipMotion::Rapid,
@@ -287,7 +300,9 @@ fn take(
     if walk.visits.is_empty() {
         walk.visits.push(point_visit(state, setup, from, step, None));
     }
-    if made.across() && !made.below(frame.top) {
+    let cuts_the_face = walk.visits.last().filter(|_| made.feed().is_some());
+    let top = cuts_the_face.map_or(frame.top, |last| top_at(last.setup, last.at, faced, frame.top));
+    if made.across() && !made.below(top) {
         walk.visits.push(point_visit(state, setup, to, step, Some(made)));
     } else if let Some(last) = walk.visits.last_mut() {
         // A part turned over at the same point is a new part for the tool.

@@ -34,7 +34,7 @@ impl BlockGroup {
     }
 }
 
-/// The number of the main program; subprograms follow it.
+/// The number of the main program where its user gives none; subprograms follow it.
 const MAIN: u32 = 1;
 /// The last number of a program (3.6).
 const LAST: u32 = 99;
@@ -58,13 +58,17 @@ impl ProgramWriter {
         self.main.push((block, place));
     }
 
+    fn main_number(&self) -> u32 {
+        self.form.program.unwrap_or(MAIN)
+    }
+
     /// Blocks as a subprogram; equal ones are one. It belongs to the work of its only caller, or to none when several
     /// works call it.
     pub(super) fn subprogram(&mut self, blocks: Vec<Block>, place: BlockPurpose) -> BlockGroup {
         let known = self.subprograms.iter().position(|(known, _)| *known == blocks);
         let index = known.unwrap_or(self.subprograms.len());
-        let number = u32::try_from(index).unwrap_or(u32::MAX).saturating_add(MAIN + 1);
-        if number > LAST {
+        let number = u32::try_from(index).unwrap_or(u32::MAX).saturating_add(self.main_number() + 1);
+        if number > LAST || !self.form.subprograms {
             return BlockGroup::Blocks(blocks);
         }
         match self.subprograms.get_mut(index) {
@@ -91,14 +95,15 @@ impl ProgramWriter {
 
     /// The whole program: main program, then subprograms, with block numbers.
     pub(super) fn finish(self) -> WrittenProgram {
-        let mut lines = vec![frame("%".to_owned()), frame(format!(":{MAIN:02}"))];
+        let main = self.main_number();
+        let mut lines = vec![frame("%".to_owned()), frame(format!(":{main:02}"))];
         let step = (self.form.number_step as usize).max(1);
         // A long program has smaller number steps, so that its numbers stay within four digits.
         let step = if self.main.len() * step > LAST_BLOCK { 1 } else { step };
         for (index, (block, place)) in self.main.iter().enumerate() {
             lines.push(line((index + 1) * step, block, *place));
         }
-        for (number, (blocks, place)) in (MAIN + 1..).zip(&self.subprograms) {
+        for (number, (blocks, place)) in (main + 1..).zip(&self.subprograms) {
             let at = BlockPurpose { role: LineRole::Frame, ..*place };
             lines.push(ProgramLine { text: format!(":{number:02}"), role: at.role, work: at.work, cycle: at.cycle });
             for (block, index) in blocks.iter().zip(1..) {

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::job::{self, Cycle};
 use crate::program::block::Block;
 use crate::program::iso::control::IsoControl;
-use crate::units::{Micrometres, Seconds};
+use crate::units::{Micrometres, RevsPerMinute, Seconds};
 
 /// A block with its number.
 pub(super) struct Numbered(pub usize, pub String);
@@ -41,11 +41,41 @@ impl Dialect {
     }
 
     /// The lines before the first block.
-    pub(super) fn head(self, part: &str) -> Vec<String> {
+    pub(super) fn head(self, part: &str, number: u32) -> Vec<String> {
         match self.0 {
             IsoControl::LinuxCnc => vec![format!("({part})")],
-            IsoControl::Fanuc => vec![format!("O0001 ({part})")],
+            IsoControl::Fanuc => vec![format!("O{number:04} ({part})")],
         }
+    }
+
+    /// From wherever a tool is to the place of the tool change. Of Fanuc G49 stands with the way up, because alone it may
+    /// move the axis by the length of the tool, and G53 is always rapid.
+    pub(super) fn withdrawal(self, up: String, across: [String; 2]) -> Vec<Block> {
+        let [x, y] = across;
+        let off = Block::new().g(90).g(80);
+        let on_machine = || Block::new().g(53).g(0);
+        let (first, up, aside) = match self.0 {
+            IsoControl::LinuxCnc => (off.g(49), on_machine().word('Z', up), on_machine()),
+            IsoControl::Fanuc => (off, Block::new().g(49).g(53).word('Z', up), Block::new().g(53)),
+        };
+        vec![first, up, Block::new().m(5), Block::new().m(9), aside.word('X', x).word('Y', y)]
+    }
+
+    /// The spindle, and the coolant where it flows. Fanuc takes one M function in a block unless a parameter allows more
+    /// (3404#7).
+    pub(super) fn turning(self, speed: RevsPerMinute, coolant: bool) -> Vec<Block> {
+        let turning = Block::new().word('S', speed.0).m(3);
+        match (coolant, self.0) {
+            (false, _) => vec![turning],
+            (true, IsoControl::LinuxCnc) => vec![turning.m(8)],
+            (true, IsoControl::Fanuc) => vec![turning, Block::new().m(8)],
+        }
+    }
+
+    /// What stands before a cycle: of Fanuc M29, so that a tap is turned and fed as one.
+    pub(super) fn before_cycle(self, cycle: &Cycle) -> Option<Block> {
+        let rigid = self.0 == IsoControl::Fanuc && matches!(cycle.kind, job::CycleKind::Tap { .. });
+        rigid.then(|| Block::new().word('S', cycle.speed_rpm.0).m(29))
     }
 
     /// The first blocks: what the program relies on.

@@ -12,7 +12,7 @@ mod tool;
 
 use std::collections::BTreeMap;
 
-use crate::job::{Job, Pause};
+use crate::job::{Job, Pause, Unfinished};
 use crate::program::block::Block;
 use crate::program::iso::control::IsoControl;
 use crate::program::written::{Form, LineRole, ProgramLine, WorkRef, WrittenProgram};
@@ -23,16 +23,22 @@ use dialect::{Dialect, Numbered};
 /// Blocks of subprograms with the work they belong to.
 type Subprograms = Vec<(Vec<Block>, Option<WorkRef>)>;
 
-/// The first subprogram has this number.
+/// The numbers of the program and of its first subprogram, where its user gives none.
+const MAIN: u32 = 1;
 const FIRST_SUBPROGRAM: u32 = 101;
+/// The last number of a program.
+const LAST: u32 = 9999;
 
 /// The program under construction.
 struct ProgramWriter {
     form: Form,
     dialect: Dialect,
-    main: Vec<(MainLine, LineRole, Option<WorkRef>, Option<usize>)>,
+    main: Vec<PlacedLine>,
     subprograms: Subprograms,
 }
+
+/// A line of the main program with what it serves.
+type PlacedLine = (MainLine, LineRole, Option<WorkRef>, Option<usize>);
 
 /// A line of the main program.
 #[derive(Clone, Debug)]
@@ -49,14 +55,8 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
     let dialect = Dialect(kind);
     let mut sheet = ProgramWriter { form, dialect, main: Vec::new(), subprograms: Vec::new() };
     let axis = |value| sheet.dialect.length(form.grid(value));
-    let up = Block::new().g(90).g(80).g(49);
-    let withdrawal = vec![
-        up,
-        Block::new().g(53).g(0).word('Z', axis(job.change_at.z)),
-        Block::new().m(5),
-        Block::new().m(9),
-        Block::new().g(53).g(0).word('X', axis(job.change_at.x)).word('Y', axis(job.change_at.y)),
-    ];
+    let (up, across) = (axis(job.change_at.z), [axis(job.change_at.x), axis(job.change_at.y)]);
+    let withdrawal = dialect.withdrawal(up, across);
     let away = sheet.subprogram(withdrawal, None);
     for block in dialect.beginning() {
         sheet.push_block(block, LineRole::Frame, None, None);
@@ -90,7 +90,8 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
         }
     }
     sheet.push_block(Block::new().m(30), LineRole::End, None, None);
-    sheet.finish(&ascii(&job.part))
+    let unfinished: Vec<String> = job.unfinished.iter().map(Unfinished::remark).collect();
+    sheet.finish(&ascii(&job.part), unfinished)
 }
 
 /// What the operator does, in letters that every control can show.
@@ -118,17 +119,19 @@ impl ProgramWriter {
             self.subprograms.push((blocks, work));
             self.subprograms.len() - 1
         });
-        FIRST_SUBPROGRAM + u32::try_from(index).unwrap_or_default()
+        self.form.subprogram(index)
     }
 
-    fn finish(self, part: &str) -> WrittenProgram {
+    fn finish(self, part: &str, remarks: Vec<String>) -> WrittenProgram {
         let Self { form, dialect, main, subprograms } = self;
         let plain = |text: String, role| ProgramLine { text, role, work: None, cycle: None };
         let mut before = Vec::new();
         let mut after = Vec::new();
         // LinuxCNC requires a subprogram before its call, Fanuc after the main program.
         let place = if dialect.0 == IsoControl::LinuxCnc { &mut before } else { &mut after };
-        for (number, (blocks, work)) in (FIRST_SUBPROGRAM..).zip(&subprograms) {
+        let kept = if form.subprograms { subprograms.as_slice() } else { &[] };
+        for (index, (blocks, work)) in kept.iter().enumerate() {
+            let number = form.subprogram(index);
             let line = |text: String, role| ProgramLine { text, role, work: *work, cycle: None };
             place.push(line(dialect.subprogram_begins(number), LineRole::Frame));
             for (block, index) in blocks.iter().zip(1..) {
@@ -137,8 +140,16 @@ impl ProgramWriter {
             place.push(line(dialect.subprogram_ends(number), LineRole::End));
         }
         let mut lines = vec![plain("%".to_owned(), LineRole::Frame)];
-        lines.extend(dialect.head(part).into_iter().map(|text| plain(text, LineRole::Frame)));
+        let remarks = remarks.into_iter().map(|remark| format!("({remark})"));
+        lines.extend(
+            dialect
+                .head(part, form.program.unwrap_or(MAIN))
+                .into_iter()
+                .chain(remarks)
+                .map(|text| plain(text, LineRole::Frame)),
+        );
         lines.append(&mut before);
+        let main = if form.subprograms { main } else { inlined(main, &subprograms, form) };
         let step = if main.len() * form.number_step as usize > 9999 { 1 } else { form.number_step as usize };
         let numbers = (1..).map(|index: usize| index * step.max(1) % 10_000);
         for ((piece, role, work, cycle), number) in main.into_iter().zip(numbers) {
@@ -152,6 +163,35 @@ impl ProgramWriter {
         lines.append(&mut after);
         lines.push(plain("%".to_owned(), LineRole::Frame));
         WrittenProgram { lines }
+    }
+}
+
+/// The main program with the blocks of its subprograms where it calls them.
+fn inlined(main: Vec<PlacedLine>, subprograms: &Subprograms, form: Form) -> Vec<PlacedLine> {
+    let numbers: BTreeMap<u32, &[Block]> = subprograms
+        .iter()
+        .enumerate()
+        .map(|(index, (blocks, _))| (form.subprogram(index), blocks.as_slice()))
+        .collect();
+    let mut lines = Vec::new();
+    for (line, role, work, cycle) in main {
+        match line {
+            MainLine::Call(number) => {
+                let blocks = numbers.get(&number).copied().unwrap_or_default();
+                lines.extend(blocks.iter().map(|block| (MainLine::Block(block.clone()), role, work, cycle)));
+            }
+            line => lines.push((line, role, work, cycle)),
+        }
+    }
+    lines
+}
+
+impl Form {
+    /// The number of a subprogram by its place: behind that of the program, and from the first one on behind the last.
+    fn subprogram(self, index: usize) -> u32 {
+        let index = u32::try_from(index).unwrap_or_default();
+        let number = self.program.map_or(FIRST_SUBPROGRAM, |program| program + 1) + index;
+        if number > LAST { number - LAST } else { number }
     }
 }
 

@@ -56,9 +56,9 @@ impl ProgramWriter {
             let number = Some(first.cycle);
             let to = point(first.at, form, dialect);
             if speed != Some(cycle.speed_rpm) {
-                let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
-                let turning = if index == 0 && work.coolant { turning.m(8) } else { turning };
-                self.push_block(turning, LineRole::Spindle, place, number);
+                for block in dialect.turning(cycle.speed_rpm, index == 0 && work.coolant) {
+                    self.push_block(block, LineRole::Spindle, place, number);
+                }
             }
             if index == 0 {
                 self.push_block(to.clone().g(0).g(work_ref.system()), LineRole::Approach, place, number);
@@ -91,6 +91,9 @@ impl ProgramWriter {
         let (form, dialect) = (self.form, self.dialect);
         let number = stops.first().map(|stop| stop.cycle);
         let words = dialect.cycle(cycle, |value| form.grid(value));
+        if let Some(block) = dialect.before_cycle(cycle) {
+            self.push_block(block, LineRole::Spindle, place, number);
+        }
         // The point is in the block itself, because the cycle would not run there otherwise.
         self.push_block(words.with(&to), LineRole::Cycle, place, number);
         let further = further(stops, form, dialect);

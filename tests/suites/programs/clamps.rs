@@ -1,0 +1,82 @@
+//! Clamps and obstacles of the part file: our programs go over them, and a program that does not is told, in both set-ups.
+
+use std::sync::LazyLock;
+
+use technolog::program::Language;
+use technolog::units::Micrometres;
+use technolog_testing::KNOWLEDGE;
+use technolog_testing::proof_bench::ProofBench;
+use technolog_testing::read;
+
+static LANGUAGES: LazyLock<Vec<(&str, Language)>> =
+    LazyLock::new(|| Language::NAMES.map(|name| (name, Language::read(name, &KNOWLEDGE).unwrap())).into());
+
+/// Four holes round a clamp in the middle of each side, and a counterbore from the back face.
+fn bench(fixture: &str) -> ProofBench {
+    ProofBench::of(&read(&format!(
+        "part: P\nmaterial: steel-45\nblank: {{kind: plate, length: 240, width: 160, thickness: 30}}\nmachine: gf2171\n\
+         fixture: {{height: 80{fixture}}}\nholes:\n  \
+         - {{name: A, diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, \
+         at: [[-60, -60], [60, -60], [60, 60], [-60, 60]]}}\n  \
+         - name: B\n    through: true\n    roughness: Ra 12.5\n    centre_tolerance: 0.3\n    \
+         steps: [{{diameter: 11, length: 20}}, {{diameter: 18}}]\n    at: [[-90, 0], [90, 0]]\n"
+    )))
+}
+
+const CLAMPS: &str =
+    ", clamps: [{at: [0, -60], height: 35}, {at: [0, 60], height: 35, outline: [[-15, 50], [15, 90]]}]";
+
+fn highest(bench: &ProofBench, set_up: usize) -> Micrometres {
+    let works = &bench.job.setups[set_up].works;
+    works.iter().flat_map(|work| &work.cycles).map(|cycle| cycle.out).max().unwrap()
+}
+
+#[test]
+fn tools_go_over_clamps_and_obstacles_and_the_programs_prove() {
+    for (fixture, first, second) in [
+        ("", 15, 15),
+        (CLAMPS, 40, 15),
+        (", obstacles: [{outline: [[-20, -20], [20, 20]], height: 50}]", 55, 15),
+        (", obstacles: [{outline: [[-20, -20], [20, 20]], height: 50, set_up: 2}]", 15, 55),
+        (", obstacles: [{outline: [[100, -80], [119, -70]], height: 50}]", 15, 15),
+        (", retract: 25", 25, 25),
+    ] {
+        let bench = bench(fixture);
+        assert_eq!(bench.job.setups.len(), 2, "{fixture}");
+        let reached = [0, 1].map(|set_up| highest(&bench, set_up));
+        assert_eq!(reached, [first, second].map(Micrometres::from_mm), "{fixture}");
+        for (control, language) in &*LANGUAGES {
+            let (faults, proof, _) = bench.run(language, &bench.written(language));
+            assert!(!faults.iter().any(technolog::program::Fault::is_grave), "{control} {fixture}: {faults:?}");
+            assert!(!proof.has_errors(), "{control} {fixture}: {:?}", proof.findings);
+        }
+    }
+}
+
+#[test]
+fn a_way_through_a_clamp_or_an_obstacle_is_an_error_in_both_set_ups() {
+    for (fixture, through) in [
+        (", retract: 25", false),
+        (", retract: 25, clamps: [{at: [0, -60], height: 35}, {at: [0, 60], height: 35}]", true),
+        (", retract: 25, clamps: [{at: [0, -60], height: 20}, {at: [0, 60], height: 20}]", false),
+        (", retract: 25, obstacles: [{outline: [[-20, -20], [20, 20]], height: 26, set_up: 2}]", true),
+        // Down on it, though no way leads over it.
+        (", retract: 60, obstacles: [{outline: [[50, 50], [56, 70]], height: 40}]", true),
+    ] {
+        let bench = bench(fixture);
+        for (control, language) in &*LANGUAGES {
+            let codes = bench.codes(language, &bench.written(language));
+            assert_eq!(codes.contains(&"through-obstacle"), through, "{control} {fixture}: {codes:?}");
+        }
+    }
+}
+
+/// The program of the bare part is another's when clamps stand on it.
+#[test]
+fn a_program_that_knows_no_clamps_is_told_of_them() {
+    let (bare, clamped) = (bench(""), bench(CLAMPS));
+    for (control, language) in &*LANGUAGES {
+        let codes = clamped.codes(language, &bare.written(language));
+        assert!(codes.contains(&"through-obstacle"), "{control}: {codes:?}");
+    }
+}

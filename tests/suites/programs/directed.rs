@@ -1,0 +1,229 @@
+//! Omissions and slips that break tools and parts, in our own programs for every control: each must end `technolog check
+//! --part` with exit code 1. And of any word altered so that the motions change, nearly all.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use technolog::note::Severity;
+use technolog::program::{Fault, Language};
+use technolog_laws::share;
+use technolog_testing::KNOWLEDGE;
+use technolog_testing::mutants::mutants;
+use technolog_testing::proof_bench::ProofBench;
+
+static LANGUAGES: LazyLock<Vec<(&str, Language)>> =
+    LazyLock::new(|| Language::NAMES.map(|name| (name, Language::read(name, &KNOWLEDGE).unwrap())).into());
+
+const PARTS: [&str; 3] = ["examples/plate.yaml", "examples/variant-4.yaml", "tests/written/every-cycle.yaml"];
+
+/// Mutants that are harmless, with the reason.
+const HARMLESS: [(&str, &str, &str, &str); 2] = [
+    ("examples/plate.yaml", "linuxcnc", "quill not withdrawn", LAST),
+    ("examples/plate.yaml", "fanuc", "quill not withdrawn", LAST),
+];
+const LAST: &str = "the last tool is the longest: over its holes the quill is up, and M30 stops the spindle";
+
+/// What is wrong with a program, each by its code: what makes the exit code 1.
+fn grave(bench: &ProofBench, language: &Language, text: &str) -> Vec<&'static str> {
+    let (faults, proof, _) = bench.run(language, text);
+    let of_text = faults.iter().filter(|fault| Fault::is_grave(fault)).map(|fault| fault.code);
+    let of_proof = proof.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+    of_text.chain(of_proof.map(|finding| finding.code.name())).collect()
+}
+
+/// Whether a word stands in a line as a word of its own.
+fn has(line: &str, word: &str) -> bool {
+    line.split(' ').any(|one| one == word)
+}
+
+fn without(line: &str, gone: impl Fn(&str) -> bool) -> String {
+    line.split(' ').filter(|word| !gone(word)).collect::<Vec<_>>().join(" ")
+}
+
+/// A program with every line changed.
+fn each(text: &str, change: impl Fn(&str) -> String) -> String {
+    text.lines().map(|line| change(line) + "\n").collect()
+}
+
+/// Programs with one line changed, for each line that the change alters.
+fn one_by_one(text: &str, change: impl Fn(&str) -> String) -> Vec<String> {
+    let lines: Vec<&str> = text.lines().collect();
+    let altered = (0..lines.len()).filter(|&at| change(lines[at]) != lines[at]);
+    let program = |at: usize| {
+        let mut all: Vec<String> = lines.iter().map(|line| (*line).to_owned()).collect();
+        all[at] = change(lines[at]);
+        all.join("\n") + "\n"
+    };
+    altered.map(program).collect()
+}
+
+/// The number of a word, such as of `Z-5`.
+fn number(word: &str, address: char) -> Option<f64> {
+    word.strip_prefix(address)?.parse().ok()
+}
+
+/// The dangerous mutants of a program, each with what was done.
+fn dangerous(control: &str, text: &str) -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = Vec::new();
+    let mut put = |what: &str, mutants: Vec<String>| {
+        all.extend(mutants.into_iter().filter(|mutant| mutant != text).map(|mutant| (what.to_owned(), mutant)));
+    };
+    let iso = control != "2c42-65";
+    for word in ["G17", "G21", "G40", "G49", "G54", "G80", "G90"] {
+        // Of the ISO controls a function of motion ends a cycle, and G43 replaces a length that is left over.
+        if !(iso && ["G80", "G49"].contains(&word)) {
+            put(&format!("{word} never set"), vec![each(text, |line| without(line, |it| it == word))]);
+        }
+    }
+    put(
+        "no safe start",
+        vec![each(text, |line| if line.starts_with("N5 ") { "N5".to_owned() } else { line.to_owned() })],
+    );
+    put("M5 missing", vec![each(text, |line| without(line, |it| it == "M5"))]);
+    // With the spindle turning S alone changes its speed.
+    put("M3 missing", vec![each(text, |line| without(line, |it| it == "M3"))]);
+    put("M6 missing", one_by_one(text, |line| without(line, |it| it == "M6")));
+    put("M4 for M3", one_by_one(text, |line| line.replace(" M3", " M4")));
+    let offset = |line: &str| line.contains("G43");
+    put(
+        "no length offset",
+        one_by_one(text, |line| {
+            if offset(line) { without(line, |it| it == "G43" || it.starts_with('H')) } else { line.to_owned() }
+        }),
+    );
+    let away = if iso { ["o101 call", "M98 P0101"] } else { ["P02", "P02"] };
+    put(
+        "quill not withdrawn",
+        one_by_one(
+            text,
+            |line| {
+                if away.iter().any(|call| line.ends_with(call)) { String::new() } else { line.to_owned() }
+            },
+        ),
+    );
+    put("G91 for G90", vec![each(text, |line| line.replace("G90", "G91"))]);
+    put("a depth with the other sign", one_by_one(text, |line| line.replace(" Z-", " Z")));
+    // Ten times the way; a step of a machine is not seen.
+    put(
+        "a depth ten times as large",
+        one_by_one(text, |line| {
+            let longer = |word: &str| match number(word, 'Z') {
+                Some(z) if z < -1.0 => {
+                    format!("Z{}{}", z * 10.0, if word.contains('.') && (z * 10.0).fract() == 0.0 { ".0" } else { "" })
+                }
+                _ => word.to_owned(),
+            };
+            line.split(' ').map(longer).collect::<Vec<_>>().join(" ")
+        }),
+    );
+    if control == "fanuc" {
+        // Zero is zero in every unit.
+        let of_zero = |line: &str| line.split(' ').any(|word| word.get(1..) == Some("0.0"));
+        let pointless = |line: &str| if of_zero(line) { line.to_owned() } else { line.replacen(".0 ", " ", 1) };
+        put("no point", share(one_by_one(text, pointless), 3, |_| 0));
+    }
+    if iso {
+        put("R under the face", one_by_one(text, |line| line.replace(" R3", " R-3")));
+        return all;
+    }
+    put(
+        "U and Z swapped",
+        one_by_one(text, |line| {
+            if has(line, "G90") {
+                line.replace(" U", " #").replace(" Z", " U").replace(" #", " Z")
+            } else {
+                line.to_owned()
+            }
+        }),
+    );
+    put(
+        "I deeper than Z",
+        one_by_one(text, |line| if line.contains(" U") { line.replace(" I", " I-2") } else { line.to_owned() }),
+    );
+    put("M3 beside M5", one_by_one(text, |line| line.replace(" M3", " M3 M5")));
+    put("E alone", one_by_one(text, |line| if has(line, "M6") { line.to_owned() + " E5" } else { line.to_owned() }));
+    put(
+        "W over V",
+        one_by_one(text, |line| {
+            let wide = |word: &str| if number(word, 'W').is_some() { "W20".to_owned() } else { word.to_owned() };
+            line.split(' ').map(wide).collect::<Vec<_>>().join(" ")
+        }),
+    );
+    all
+}
+
+#[test]
+fn every_dangerous_omission_ends_with_exit_code_1() {
+    let mut counts: BTreeMap<(&str, String), [usize; 2]> = BTreeMap::new();
+    let mut missed = Vec::new();
+    for part in PARTS {
+        let bench = ProofBench::new(part);
+        for (control, language) in &*LANGUAGES {
+            let right = bench.written(language);
+            assert_eq!(grave(&bench, language, &right), [""; 0], "{part} {control}");
+            for (what, text) in dangerous(control, &right) {
+                let found = !grave(&bench, language, &text).is_empty();
+                let count = counts.entry((control, what.clone())).or_default();
+                count[usize::from(found)] += 1;
+                let harmless = HARMLESS.iter().any(|(of, on, done, _)| (*of, *on, *done) == (part, *control, &*what));
+                if !found && !harmless {
+                    let line = text.lines().zip(right.lines()).find(|(now, before)| now != before);
+                    missed.push(format!("{part} {control}: {what}: {line:?}"));
+                }
+            }
+        }
+    }
+    for ((control, what), [missed, found]) in &counts {
+        println!("{control:<8} {what:<28} {found:>4} of {}", missed + found);
+    }
+    assert!(missed.is_empty(), "{}", missed.join("\n"));
+}
+
+/// What is told of words altered so that a motion changes, and does no harm: the exit code stays 0.
+const TOLD: [(&[&str], &str); 7] = [
+    (&["idle-point", "idle-height", "other-order", "travel-high"], "a way over the part, no lower than planned"),
+    (&["air-at-feed", "travel-at-feed", "out-at-feed", "out-too-high", "step-return"], "slower than need be"),
+    (&["begins-higher", "begins-lower", "out-elsewhere", "out-too-low"], "over the metal still"),
+    (&["other-feed", "out-other-feed", "other-speed", "other-dwell"], "within 1.5 of the planned; a dwell within ten"),
+    (
+        &["step-smaller", "step-clearance", "ways-between-circles", "ways-down", "circle-again"],
+        "the same cut in other steps",
+    ),
+    (&["block-number-gap"], "said beside what is wrong"),
+    (&["less-overrun", "ends-elsewhere", "turns-at-end", "coolant-at-end"], "the hole is through; the quill is up"),
+];
+
+/// Of mutants with one word altered that move otherwise, each is told, and at most one in a hundred of what may do harm
+/// passes with exit code 0.
+#[test]
+fn what_changes_a_motion_and_may_do_harm_ends_with_exit_code_1() {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut missed = Vec::new();
+    for part in PARTS {
+        let bench = ProofBench::new(part);
+        for (control, language) in &*LANGUAGES {
+            let right = bench.written(language);
+            let (_, _, run) = bench.run(language, &right);
+            for mutant in share(mutants(&right), 41, |mutant| mutant.kind) {
+                let (faults, proof, made) = bench.run(language, &mutant.text);
+                if made.motions == run.motions {
+                    continue;
+                }
+                let mut codes: Vec<&str> = proof.findings.iter().map(|finding| finding.code.name()).collect();
+                codes.extend(faults.iter().map(|fault| fault.code));
+                let told = |code: &&str| TOLD.iter().any(|(codes, _)| codes.contains(code));
+                let which = match faults.iter().any(Fault::is_grave) || proof.has_errors() {
+                    true => "exit code 1",
+                    false if codes.iter().all(told) => "told, harmless",
+                    false => "missed",
+                };
+                *counts.entry(which).or_default() += 1;
+                if which == "missed" {
+                    missed.push(format!("{part} {control}:{}: {}: {codes:?}", mutant.line, mutant.change));
+                }
+            }
+        }
+    }
+    println!("{counts:?}\n{}", missed.join("\n"));
+    assert!(missed.len() * 100 <= counts["exit code 1"], "{counts:?}\n{}", missed.join("\n"));
+}

@@ -1,0 +1,75 @@
+//! Parts that a program of their machine does not finish: the program says so, and is not written unless forced to.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = root().join("target/tmp/unfinished").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn technolog(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_technolog")).current_dir(folder).args(args).output().unwrap()
+}
+
+const THREAD: &str = "
+  - {name: T, thread: M10-6H, depth: 18, centre_tolerance: 0.3, at: [[0, 35]]}
+";
+const GROOVE: &str = "
+  - {name: G, diameter: 14H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, groove: {diameter: 18, width: 3, depth: 10}, at: [[0, 0]]}
+";
+const NO_ROUTE: &str = "
+  - {name: A, diameter: 14H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[30, 0]]}
+  - {name: R, diameter: 20H6, through: true, roughness: Ra 0.8, centre_tolerance: 0.05, at: [[0, -40]]}
+";
+
+/// What is left undone, with the remark at the head of a program.
+const PARTS: [(&str, &str, &str); 3] = [
+    ("thread", THREAD, "(UNFINISHED: T: TAP LEFT TO ANOTHER MACHINE)"),
+    ("groove", GROOVE, "(UNFINISHED: G: NOT MADE AS DRAWN)"),
+    ("no-route", NO_ROUTE, "(UNFINISHED: R: NOT MADE AT ALL)"),
+];
+
+#[test]
+fn a_program_that_leaves_work_undone_is_not_written_unless_forced_and_says_so() {
+    let head = "part: Body\nmaterial: steel-45\nblank: {kind: plate, length: 240, width: 160, thickness: 30}\nmachine: gf2171\nholes:";
+    for (name, holes, remark) in PARTS {
+        let folder = folder(name);
+        fs::write(folder.join("part.yaml"), format!("{head}{holes}")).unwrap();
+        for control in ["2c42-65", "linuxcnc", "fanuc"] {
+            let write = ["program", "part.yaml", "--control", control, "--lang", "en"];
+            let refused = technolog(&folder, &[&write[..], &["-o", "p.nc"]].concat());
+            let told = String::from_utf8(refused.stderr).unwrap();
+            assert_eq!(refused.status.code(), Some(1), "{told}");
+            assert!(!folder.join("p.nc").exists() && told.contains("not-written"), "{name} {control}: {told}");
+            assert!(technolog(&folder, &write).stdout.is_empty(), "nothing for a file of the shell either");
+
+            let forced = technolog(&folder, &[&write[..], &["--force", "-o", "p.nc"]].concat());
+            assert_eq!(forced.status.code(), Some(1));
+            let text = fs::read_to_string(folder.join("p.nc")).unwrap();
+            fs::remove_file(folder.join("p.nc")).unwrap();
+            assert!(text.lines().next().unwrap().contains("DO NOT RUN: "), "{text}");
+            assert_eq!(text.contains(remark), control != "2c42-65", "{text}");
+            // The first line is no word for the control.
+            fs::write(folder.join("forced.nc"), &text).unwrap();
+            let check = ["check", "forced.nc", "--control", control, "--part", "part.yaml", "--lang", "en"];
+            let read = technolog(&folder, &check);
+            let page = String::from_utf8([read.stdout, read.stderr].concat()).unwrap();
+            assert_eq!(read.status.code(), Some(i32::from(name != "thread")), "{page}");
+            assert!(name != "thread" || page.contains("T: tapping: left to another machine"), "{page}");
+        }
+        let setting = technolog(&folder, &["program", "part.yaml", "--show", "setting", "--lang", "en"]);
+        let setting = String::from_utf8(setting.stdout).unwrap();
+        assert!(setting.starts_with("# Unfinished: "), "{setting}");
+        // The plan leaves to another machine what is that machine's.
+        let planned = technolog(&folder, &["plan", "part.yaml"]).status.code();
+        assert_eq!(planned, Some(i32::from(name != "thread")), "{name}");
+    }
+}
