@@ -5,12 +5,14 @@
 //! not use for its choices: what a transition reaches in practice, the offset of its axis, the share of a machine's
 //! limit that a load may take.
 //!
+//! - `blank` the blank: walls beside holes, stock of cast holes, the spring of a thin plate;
 //! - `hole` simulates the transitions of a hole: worst-case sizes, positions and depths;
 //! - `cylinder` the requirements of the drawing for a surface; `reach` the practice tables of a transition;
 //! - `loads` forces and power with their margin; `tool` the strength of the tool; `fault` all faults, as types.
 //!
 //! Architecture invariant: the proof does not use the planner, makes no choices and corrects nothing.
 
+mod blank;
 mod cylinder;
 mod fault;
 mod hole;
@@ -55,5 +57,6 @@ pub fn prove_with(
         let found = faults.iter();
         findings.extend(found.map(|fault| Finding::of_hole(severity(planned, fault), &hole.name, fault.note())));
     }
+    findings.extend(blank::faults(plan, shop)?);
     Ok(findings)
 }

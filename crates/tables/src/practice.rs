@@ -194,6 +194,10 @@ vocabulary! {
         SemiFinishBoreStock = "semi-finish-bore-stock",
         FinishBoreStock = "finish-bore-stock",
         LeastFloor = "least-floor",
+        LeastWall = "least-wall",
+        LeastWallShare = "least-wall-share",
+        CastHoleStock = "cast-hole-stock",
+        PlateSpringFeeds = "plate-spring-feeds",
     }
 
     /// The kinds of work in tables of high-speed steel.
