@@ -235,6 +235,10 @@ forms! {
         pub safety: Option<Number>,
         /// Coefficient of friction f.
         pub friction: Option<Number>,
+        /// Coefficient of friction on the support f2.
+        pub support_friction: Option<Number>,
+        /// The side force P of a milled or bored hole, N: with it the clamping force holds the part against sliding.
+        pub side_force: Option<Number>,
         /// From clamp to cut, mm.
         pub distance: Option<Number>,
         /// Clamping force W, N.

@@ -38,7 +38,8 @@ const CONDITIONS: [(&str, Quantity); 10] = [
     ("machine_time_min", Quantity::Time),
 ];
 
-const CLAMPING: [(&str, Quantity); 4] = [
+const CLAMPING: [(&str, Quantity); 5] = [
+    ("side_force_n", Quantity::SideForce),
     ("torque_n_m", Quantity::Torque),
     ("distance_mm", Quantity::Distance),
     ("force_n", Quantity::ClampForce),

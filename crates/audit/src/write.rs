@@ -170,6 +170,7 @@ fn clamping(plan: &Plan) -> String {
     let Some(clamping) = &plan.clamping else { return String::new() };
     let mut flow = Flow::default();
     flow.push_field("hole", scalar(&clamping.hole)).push_field("torque", clamping.torque_n_m.0);
+    flow.maybe("side_force", clamping.side_force_n.map(|force| force.0));
     flow.push_field("distance", clamping.distance_mm).push_field("force", clamping.force_n.0);
     let at: Vec<String> = clamping.clamps.iter().map(|point| format!("[{}, {}]", point.x, point.y)).collect();
     flow.push_field("clamps", clamping.clamps.len()).push_field("at", format!("[{}]", at.join(", ")));

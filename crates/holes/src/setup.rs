@@ -1,18 +1,20 @@
-//! Clamping: the force that holds the part against the largest torque, and the screw that gives this force.
+//! Clamping: the force that holds the part against torques and side forces, and the screw that gives this force.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::part::{Part, Point};
-use crate::plan::{Clamping, HolePlan};
+use crate::plan::{Clamping, HolePlan, Operation, Transition};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
 use crate::tables::materials::{ClampScrew, Clamping as Constant, ClampingConstant};
+use crate::tables::rules::{ClampingLoadFor, PartLoad};
 use crate::units::{Micrometres, NewtonMetres, Newtons};
 
-/// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), the largest value over all holes.
+/// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), and where the rule `clamping-load` says that a
+/// transition pushes the part aside, W = k·P/(f + f2) with P = 2·M/D if that is more; the largest value over all holes.
 ///
-/// d is the distance from the hole to the nearest clamp; k and f are rows of `clamping`. The force is divided over
-/// the clamps. The screw is the smallest of `clamp-screws` that bears it at 80 MPa and is not thinner than
+/// d is the distance from the hole to the nearest clamp, D the diameter on which the edges cut; k, f and f2 are rows of
+/// `clamping`. The force is divided over the clamps. The screw is the smallest of `clamp-screws` that bears it at 80 MPa and is not thinner than
 /// `least-screw`.
 ///
 /// Clamps of the file that are not enough are returned with the inequality that fails. Where the file has none,
@@ -48,6 +50,26 @@ pub fn clamping(
     Ok((None, finding.into_iter().collect()))
 }
 
+/// The force that a transition needs, by the formula that asks for more.
+struct Need<'p> {
+    force: f64,
+    torque: NewtonMetres,
+    /// The side force, where it governs.
+    side: Option<Newtons>,
+    hole: &'p str,
+    distance: Micrometres,
+    why: Because,
+}
+
+/// P = 2·M/D: D is the diameter of a mill, or of the hole that a bar's edge leaves.
+fn side_force(transition: &Transition, torque: NewtonMetres) -> Option<Newtons> {
+    let on = match transition.operation {
+        Operation::Mill => transition.tool.diameter_mm,
+        _ => transition.diameter_mm,
+    };
+    (on > Micrometres::ZERO).then(|| Newtons(2.0 * torque.0 / (on.to_mm() / 1000.0)))
+}
+
 /// The clamping with clamps at those places, and the conditions that do not hold.
 fn clamped(
     part: &Part,
@@ -61,29 +83,41 @@ fn clamped(
         Ok((row.maximum, Because::row(row.row, Note::new(wanted.name()).with("value", row.maximum))))
     };
     let ((k, safety), (f, friction)) = (constant(ClampingConstant::Safety)?, constant(ClampingConstant::Friction)?);
+    let (f2, of_support) = constant(ClampingConstant::SupportFriction)?;
     let inset = shop.convention(HoleDefault::ClampInset)?;
 
-    let mut worst: Option<(f64, NewtonMetres, &str, Micrometres)> = None;
+    let mut worst: Option<Need<'_>> = None;
     for (plan, hole) in holes.iter().zip(&part.holes) {
-        let torque = plan
-            .transitions
-            .iter()
-            // On another machine the part is clamped anew.
-            .filter(|transition| !transition.elsewhere)
-            .filter_map(|transition| transition.conditions.torque_n_m)
-            .fold(NewtonMetres(0.0), NewtonMetres::max);
-        for point in &hole.at {
-            let distance = point.to_nearest(&clamps).unwrap_or_default();
-            if torque.0 <= 0.0 || distance <= Micrometres::ZERO {
+        // The point nearest to a clamp needs the most against turning; against sliding all need the same.
+        let distances = hole.at.iter().filter_map(|point| point.to_nearest(&clamps));
+        let Some(distance) = distances.filter(|distance| *distance > Micrometres::ZERO).min() else { continue };
+        // On another machine the part is clamped anew.
+        for transition in plan.transitions.iter().filter(|transition| !transition.elsewhere) {
+            let Some(torque) = transition.conditions.torque_n_m.filter(|torque| torque.0 > 0.0) else { continue };
+            let question = ClampingLoadFor { operation: transition.operation };
+            let load = shop.knowledge.ask(&question)?.need(transition.operation.name())?;
+            let by_book = k * torque.0 / (f * distance.to_mm() / 1000.0);
+            let side = (load.load == PartLoad::Pushes).then(|| side_force(transition, torque)).flatten();
+            // What governs, by the larger force.
+            let side = side.filter(|side| k * side.0 / (f + f2) > by_book);
+            let force = side.map_or(by_book, |side| k * side.0 / (f + f2));
+            if worst.as_ref().is_some_and(|known| force <= known.force) {
                 continue;
             }
-            let force = k * torque.0 / (f * distance.to_mm() / 1000.0);
-            if worst.is_none_or(|(largest, ..)| force > largest) {
-                worst = Some((force, torque, &plan.name, distance));
-            }
+            let note = match side {
+                Some(side) => Note::new("clamping-pushes")
+                    .with("side", side.rounded(0).0)
+                    .with("force", Newtons(force).rounded(0).0),
+                None => Note::new("clamping-turns"),
+            };
+            let note = note
+                .with("operation", Figure::operation(transition.operation.name()))
+                .with("torque", torque.rounded(2).0)
+                .with("by_book", Newtons(by_book).rounded(0).0);
+            worst = Some(Need { force, torque, side, hole: &plan.name, distance, why: Because::row(load.row, note) });
         }
     }
-    let Some((force, torque, hole, distance)) = worst else { return Ok(None) };
+    let Some(Need { force, torque, side, hole, distance, why }) = worst else { return Ok(None) };
     let (thinnest, no_thinner) = constant(ClampingConstant::LeastScrew)?;
     let each = Newtons(force / clamps.len().max(1) as f64);
     let screws: Vec<ClampScrew<'_>> = shop.knowledge.rows()?;
@@ -103,8 +137,12 @@ fn clamped(
     let shown = screws.iter().find(|screw| named.as_deref() == Some(screw.thread)).unwrap_or(screw);
     let (name, most) = (screw.thread, shown.force_80);
     let note = Note::new("screw").with("needed", name).with("taken", shown.thread).with("bears", most.0);
+    let mut because = vec![why, safety, friction];
+    because.extend(side.map(|_| of_support));
+    because.extend([no_thinner, Because::row(shown.row, note)]);
     let clamping = Clamping {
         torque_n_m: torque,
+        side_force_n: side.map(|side| side.rounded(0)),
         hole: hole.to_owned(),
         distance_mm: distance,
         force_n: Newtons(force).rounded(0),
@@ -114,7 +152,7 @@ fn clamped(
         clamps,
         proposed,
         safe_distance_mm: shown.safe_distance,
-        because: vec![safety, friction, no_thinner, Because::row(shown.row, note)],
+        because,
     };
     if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
         let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed);

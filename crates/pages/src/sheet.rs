@@ -155,14 +155,15 @@ pub(super) fn clamps_of(clamping: &Clamping, lang: Lang) -> String {
 }
 
 fn clamps(page: &mut Document, clamping: &Clamping, lang: Lang) {
-    page.paragraph(say!(
-        lang,
-        "plan-largest-force",
-        hole = Figure::called(&clamping.hole),
-        torque = rounded(clamping.torque_n_m.0, 2),
-        distance = rounded(clamping.distance_mm.to_mm(), 1),
-        force = rounded(clamping.force_n.0, 0)
-    ));
+    let note = match clamping.side_force_n {
+        Some(side) => Note::new("plan-largest-side-force").with("side", rounded(side.0, 0)),
+        None => Note::new("plan-largest-force").with("distance", rounded(clamping.distance_mm.to_mm(), 1)),
+    };
+    let note = note
+        .with("hole", Figure::called(&clamping.hole))
+        .with("torque", rounded(clamping.torque_n_m.0, 2))
+        .with("force", rounded(clamping.force_n.0, 0));
+    page.paragraph(lang.say(&note));
     page.paragraph(clamps_of(clamping, lang));
     if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
         page.paragraph(weak_screw(clamping, lang));

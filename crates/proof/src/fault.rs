@@ -60,16 +60,29 @@ pub enum Fault {
     Buckles { operation: Operation, drill: Micrometres, flutes: Micrometres, value: Newtons, limit: Newtons },
     /// The overhang of a boring bar is more than so many of its diameters.
     BarSlender { operation: Operation, reach: Micrometres, bar: Micrometres, ratio: f64 },
+    /// A wall between two holes is thinner than such a wall may be.
+    WallBetween { other: String, wall: Micrometres, least: Micrometres },
+    /// So is a wall to the edge of the blank.
+    WallToEdge { wall: Micrometres, least: Micrometres },
+    /// A cast hole leaves less stock a side than its skin and its place need.
+    CastStock { cast: Micrometres, stock: Micrometres, least: Micrometres },
+    /// A thin plate springs between its supports by more than the feed.
+    PlateSprings { operation: Operation, thrust: Newtons, spring: f64, span: Micrometres, most: f64 },
     /// A boring bar deflects under uneven stock by more than the tolerance of the hole.
     BarSprings { operation: Operation, spring: Micrometres, tolerance: Micrometres },
 }
 
 impl Fault {
-    /// What is reached only at best, a thin floor and a tool that just meets a flat one are doubtful; everything else damages the part or the tool.
+    /// What is reached only at best, a thin floor, a tool that just meets a flat one, and what the blank does not hold are doubtful; everything else damages the part or the tool.
     pub fn severity(&self) -> Severity {
         match self {
             Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
-            Self::ThinFloor { .. } | Self::MeetsFloor { .. } => Severity::Doubtful,
+            Self::ThinFloor { .. }
+            | Self::MeetsFloor { .. }
+            | Self::WallBetween { .. }
+            | Self::WallToEdge { .. }
+            | Self::CastStock { .. }
+            | Self::PlateSprings { .. } => Severity::Doubtful,
             _ => Severity::Error,
         }
     }
@@ -140,6 +153,19 @@ impl Fault {
                 .with("reach", reach)
                 .with("bar", bar)
                 .with("ratio", round_to(*ratio, 1)),
+            Self::WallBetween { other, wall, least } => Note::new("proof-wall-between")
+                .with("other", Figure::called(other))
+                .with("wall", wall)
+                .with("least", least),
+            Self::WallToEdge { wall, least } => Note::new("proof-wall-to-edge").with("wall", wall).with("least", least),
+            Self::CastStock { cast, stock, least } => {
+                Note::new("proof-cast-stock").with("cast", cast).with("stock", stock).with("least", least)
+            }
+            Self::PlateSprings { operation, thrust, spring, span, most } => of("proof-plate-springs", operation)
+                .with("thrust", round_to(thrust.0, 0))
+                .with("spring", round_to(*spring, 2))
+                .with("span", span)
+                .with("most", round_to(*most, 2)),
             Self::BarSprings { operation, spring, tolerance } => {
                 of("proof-bar-springs", operation).with("spring", spring).with("tolerance", tolerance)
             }

@@ -8,6 +8,7 @@ vocabulary! {
     /// A constant of clamping or of tool travel.
     pub enum ClampingConstant {
         Friction = "friction",
+        SupportFriction = "support-friction",
         Safety = "safety",
         Clamps = "clamps",
         OverhangAddition = "overhang-addition",

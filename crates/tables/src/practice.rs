@@ -196,6 +196,10 @@ vocabulary! {
         LeastFloor = "least-floor",
         CoreDrillLips = "core-drill-lips",
         HardestForSteel = "hardest-for-high-speed-steel",
+        LeastWall = "least-wall",
+        LeastWallShare = "least-wall-share",
+        CastHoleStock = "cast-hole-stock",
+        PlateSpringFeeds = "plate-spring-feeds",
     }
 
     /// The kinds of work in tables of high-speed steel.

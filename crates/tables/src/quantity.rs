@@ -93,6 +93,8 @@ quantities! {
     BookCorrection: "book_correction", "K", Millimetre, "correction as the book writes it";
     Safety: "safety", "k", None, "safety factor";
     Friction: "friction", "f", None, "coefficient of friction";
+    SupportFriction: "support_friction", "f2", None, "coefficient of friction on the support";
+    SideForce: "side_force", "P", Newton, "side force of the cut";
     Distance: "distance", "d", Millimetre, "distance to the clamp";
     ClampForce: "clamp_force", "W", Newton, "clamping force";
     Clamps: "clamps", "zп", None, "number of clamps";

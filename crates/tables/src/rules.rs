@@ -115,6 +115,13 @@ rows! {
         holders: Option<&'t str>,
     }
 
+    /// With what a transition moves the part under its clamps.
+    pub struct ClampingLoad of One("clamping-load") asked by ClampingLoadFor {
+        operation: Operation,
+    } {
+        load: PartLoad,
+    }
+
     /// The share of the machine's limit that a load may take.
     pub struct LoadMargin of One("load-margin") asked by LoadMarginFor {
         load: Load,

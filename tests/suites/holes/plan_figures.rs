@@ -11,7 +11,7 @@ use technolog::turning::operation::plan as turned;
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
 use technolog::units::Micrometres;
 use technolog_testing::cuts::plain_cut;
-use technolog_testing::{KNOWLEDGE, plan_of_hole, planned, read};
+use technolog_testing::{KNOWLEDGE, plan_of_hole, plan_of_hole_by_tables, planned, read};
 
 /// Within the rounding of the printed figures.
 #[track_caller]
@@ -77,6 +77,50 @@ fn clamps_that_are_too_weak_are_shown_with_what_they_bear() {
         page.contains("4. Clamping") && page.contains("too weak: it bears 1469 N, and 1605 N are needed"),
         "{page}"
     );
+}
+
+/// A plate 1000 × 400 of СЧ20: a mill Ø40 that opens Ø42 to Ø49.7 with M = 46.26 N·m pushes it with P = 2·46.26/0.04 = 2313 N. The
+/// clamps are 501 mm away: 2.5·46.26/(0.25·0.501) = 923 N would hold 0.4·923 = 369 N by friction on both faces. Against sliding
+/// W = 2.5·2312.8/(0.25 + 0.15) = 14455 N, 7227 N on each of two clamps: more than M12 bears (5878 N), so M16.
+#[test]
+fn the_clamps_hold_a_milled_part_against_sliding() {
+    let part = read(
+        "part: P\nmaterial: СЧ20\nmachine: gf2171\nblank: {kind: plate, length: 1000, width: 400, thickness: 60}\n\
+         holes:\n  - {name: A, diameter: 50H9, through: true, roughness: Ra 2.5, centre_tolerance: 0.3, state: cast, \
+         state_diameter: 42, at: [[0, 0]]}\n",
+    );
+    let plan = planned(&part, CuttingMethod::Formula);
+    let clamping = plan.clamping.as_ref().unwrap();
+    near(clamping.torque_n_m.0, 46.26);
+    near(clamping.side_force_n.unwrap().0, 2313.0);
+    near(clamping.force_n.0, 14455.0);
+    near(clamping.force_per_clamp_n.0, 7227.0);
+    assert_eq!(clamping.screw, "M16");
+    assert_eq!(clamping.because[0].note.code(), "clamping-pushes");
+    let page = technolog_testing::pages::shown(&sheet::page(&plan, &KNOWLEDGE, Doubts::Counted, Lang::EN));
+    assert!(page.contains("W = k·P/(f + f2) = 14455 N"), "{page}");
+}
+
+/// 80H9 of Ra 3.2, cast to 70: A.8 promises grade 9 by semi-finish boring, and shops hold 11 with it. Who prefers the tables takes
+/// their word, and hears of the doubt; the best plan finishes the hole with a finer bar.
+#[test]
+fn the_scheme_of_the_tables_is_taken_at_its_word_by_who_prefers_the_tables() {
+    for (hole, scheme, asked) in [
+        ("diameter: 80H9, state: cast, state_diameter: 70", "14", "proof-grade"),
+        ("diameter: 25H9, state: cast, state_diameter: 20", "14", "proof-grade"),
+        ("diameter: 50H9, state: cast, state_diameter: 42", "14", "proof-grade"),
+        ("diameter: 24H13", "04", "proof-surface"),
+        ("diameter: 18H11", "04 + centre", "proof-surface"),
+    ] {
+        let keys = format!("{hole}, through: true, roughness: Ra 3.2, centre_tolerance: 0.3, at: [[0, 0]]");
+        let (own, tables) =
+            (plan_of_hole("СЧ20", "gf2171", "40", &keys), plan_of_hole_by_tables("СЧ20", "gf2171", "40", &keys));
+        assert!(!own.has_errors() && !tables.has_errors(), "{hole}: {:?}", tables.findings);
+        assert_eq!(tables.holes[0].route.as_ref().unwrap().scheme, scheme, "{hole}");
+        let doubt = tables.findings.iter().find(|finding| finding.note.code() == asked);
+        assert_eq!(doubt.map(|finding| finding.severity), Some(Severity::Doubtful), "{hole}");
+        assert!(own.findings.iter().all(|finding| finding.note.code() != asked), "{hole}");
+    }
 }
 
 /// Ø30 in the middle of a square of 100 mm and four holes Ø12, straps of half width 20. With the holes on the axes only

@@ -272,3 +272,57 @@ fn a_plan_tells_what_the_machine_has_no_room_for() {
     assert_eq!(severities(text), [Severity::Error]);
     assert_eq!(severities(&text.replace("600", "80")), []);
 }
+
+/// What the blank does not hold is doubtful, with its figures:
+/// - 20H7 is 20.021 at most, so two of them 20.5 mm apart leave 0.479, and one 10.5 mm from the edge 10.5 − 10.010 = 0.49; 30 mm high, a wall is 30/32 = 0.938 at least.
+/// - 40H12 cast to 39.5 leaves 0.25 mm a side, and 1/16 in is 1.6.
+/// - Ø30 in the middle of 300 × 200 × 3 mm of steel, clamped 260 mm apart along X, with 8335 N: I = 200·3³/12 = 450,
+///   130⁴·8335/(3·210000·450·260) = 32.3 mm, and the feed is 0.354. A plate of 30 mm springs by 0.032.
+#[test]
+fn what_the_blank_does_not_hold_is_doubtful() {
+    use technolog::note::{Figure, Note};
+    let found = |material: &str, thickness: &str, keys: &str| {
+        let text = format!(
+            "part: P\nmaterial: {material}\nmachine: gf2171\nblank: {{kind: plate, length: 300, width: 200, thickness: \
+             {thickness}}}\nholes:\n  - {{name: A, through: true, centre_tolerance: 0.3, {keys}}}\n"
+        );
+        let plan = planned(&read(&text), technolog::plan::CuttingMethod::Formula);
+        assert!(!plan.has_errors(), "{keys}: {:?}", plan.findings);
+        let codes = ["proof-wall-between", "proof-wall-to-edge", "proof-cast-stock", "proof-plate-springs"];
+        let found = plan.findings.into_iter().filter(|finding| codes.contains(&finding.note.code()));
+        found
+            .map(|finding| {
+                assert_eq!(finding.severity, Severity::Doubtful, "{keys}");
+                finding.note
+            })
+            .collect::<Vec<_>>()
+    };
+    let fine = "diameter: 20H7, roughness: Ra 1.6";
+    let between = Note::new("proof-wall-between").with("other", Figure::called("A"));
+    assert_eq!(
+        found("steel-45", "30", &format!("{fine}, at: [[0, 0], [20.5, 0]]")),
+        [between.with("wall", mm(0.479)).with("least", mm(0.938))]
+    );
+    let edge = Note::new("proof-wall-to-edge").with("wall", mm(0.49)).with("least", mm(0.938));
+    assert_eq!(found("steel-45", "30", &format!("{fine}, at: [[-139.5, 0]]")), [edge]);
+    assert_eq!(found("steel-45", "30", &format!("{fine}, at: [[0, 0], [21, 0], [-138, 0]]")), []);
+
+    let cast = |diameter: &str| {
+        format!(
+            "diameter: 40H12, roughness: Ra 12.5, state: cast, skin: true, state_diameter: {diameter}, at: [[0, 0]]"
+        )
+    };
+    let stock = Note::new("proof-cast-stock").with("cast", mm(39.5)).with("stock", mm(0.25)).with("least", mm(1.6));
+    assert_eq!(found("СЧ20", "40", &cast("39.5")), [stock]);
+    assert_eq!(found("СЧ20", "40", &cast("36.8")), []);
+
+    let wide = "diameter: 30H12, roughness: Ra 12.5, at: [[0, 0]]";
+    let springs = Note::new("proof-plate-springs")
+        .with("operation", Figure::operation("drill"))
+        .with("thrust", 8335.0)
+        .with("spring", 32.3)
+        .with("span", mm(260.0))
+        .with("most", 0.35);
+    assert_eq!(found("steel-45", "3", wide), [springs]);
+    assert_eq!(found("steel-45", "30", wide), []);
+}

@@ -18,10 +18,11 @@ const LARGEST: Rule = Rule { id: "largest-torque", formula: "M" };
 const CONSTANT: Rule = Rule { id: "clamping-constant", formula: "" };
 const DISTANCE: Rule = Rule { id: "distance-to-clamp", formula: "d" };
 const FORCE: Rule = Rule { id: "clamping-force", formula: "W = k·M/(f·d)" };
+const SLIDING: Rule = Rule { id: "clamping-against-sliding", formula: "W = k·P/(f+f2)" };
 const CLAMPS: Rule = Rule { id: "two-clamps", formula: "zп" };
 const EACH: Rule = Rule { id: "force-per-clamp", formula: "Q = W/zп" };
 
-pub(super) const RULES: &[Rule] = &[POWER, RPM, ROW, PLACES, LARGEST, CONSTANT, DISTANCE, FORCE, CLAMPS, EACH];
+pub(super) const RULES: &[Rule] = &[POWER, RPM, ROW, PLACES, LARGEST, CONSTANT, DISTANCE, FORCE, SLIDING, CLAMPS, EACH];
 
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     let stated = context.stated;
@@ -33,7 +34,9 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         graph.add(torque_of_power(Scope::Clamping));
         graph.add(equal_figures(&ROW, id(Q::Torque), Id::new(Scope::Conditions(at), Q::Torque)));
     }
-    if let Some(hole) = &clamping.hole {
+    // Who states a side force holds the part against sliding: the torque is then that of the milling or boring.
+    let slides = stated.figure(id(Q::SideForce)).is_some();
+    if let Some(hole) = clamping.hole.as_ref().filter(|_| !slides) {
         let here = stated.rows_of_hole(&hole.value).filter(|(_, row)| !row.elsewhere);
         let of_hole = here.filter_map(|(row, _)| stated.conditions_of(row));
         let torques: Vec<Id> = of_hole
@@ -51,6 +54,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     for (name, quantity) in [
         (ClampingConstant::Safety, Q::Safety),
         (ClampingConstant::Friction, Q::Friction),
+        (ClampingConstant::SupportFriction, Q::SupportFriction),
         (ClampingConstant::Clamps, Q::Clamps),
     ] {
         let row = context.shop.knowledge.need(name.name(), |row: &Clamping<'_>| row.name.is(name))?;
@@ -67,12 +71,21 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         }));
         graph.add(two);
     }
-    let inputs = vec![id(Q::Safety), id(Q::Torque), id(Q::Friction), id(Q::Distance)];
-    let force = |values: &[f64]| {
-        let [k, torque, f, distance] = values else { return None };
-        Some(k * torque / (f * distance / 1000.0))
-    };
-    graph.add(formula(&FORCE, id(Q::ClampForce), inputs, "{0}·{1}/({2}·{3}/1000)", force));
+    if slides {
+        let inputs = vec![id(Q::Safety), id(Q::SideForce), id(Q::Friction), id(Q::SupportFriction)];
+        let force = |values: &[f64]| {
+            let [k, side, clamp, support] = values else { return None };
+            Some(k * side / (clamp + support))
+        };
+        graph.add(formula(&SLIDING, id(Q::ClampForce), inputs, "{0}·{1}/({2}+{3})", force));
+    } else {
+        let inputs = vec![id(Q::Safety), id(Q::Torque), id(Q::Friction), id(Q::Distance)];
+        let force = |values: &[f64]| {
+            let [k, torque, f, distance] = values else { return None };
+            Some(k * torque / (f * distance / 1000.0))
+        };
+        graph.add(formula(&FORCE, id(Q::ClampForce), inputs, "{0}·{1}/({2}·{3}/1000)", force));
+    }
     let each = |values: &[f64]| Some(values.first()? / values.get(1)?.max(1.0));
     graph.add(formula(&EACH, id(Q::ForcePerClamp), vec![id(Q::ClampForce), id(Q::Clamps)], "{0}/{1}", each));
     Ok(())

@@ -328,13 +328,17 @@ pub struct Link {
 /// How the part is clamped.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Clamping {
-    /// The largest torque of the hole below, N·m; another hole, farther from its clamp, may have a larger one.
+    /// The torque of the hole below that needs the largest force, N·m; another hole, farther from its clamp, may have
+    /// a larger one.
     pub torque_n_m: NewtonMetres,
+    /// The side force P = 2·M/D of milling or boring, N, where it needs the largest force; a drill has none.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub side_force_n: Option<Newtons>,
     /// The group of holes and the distance that need the largest force.
     pub hole: String,
     /// From that hole to the nearest clamp, mm.
     pub distance_mm: Micrometres,
-    /// Clamping force W = k·M/(f·d), N.
+    /// Clamping force, N: W = k·M/(f·d), or against sliding under a side force W = k·P/(f + f2).
     pub force_n: Newtons,
     /// The force on each clamp, N.
     pub force_per_clamp_n: Newtons,

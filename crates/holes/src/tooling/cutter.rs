@@ -180,7 +180,7 @@ pub(super) fn cutters<'s, 'k>(
             continue;
         }
         for candidate in fitting(rows, need, ground) {
-            if let Some(why) = refuse(candidate, need, &shop.machine) {
+            if let Some(why) = refuse(candidate, head, need, &shop.machine) {
                 rejected.push(why);
                 continue;
             }

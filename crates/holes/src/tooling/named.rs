@@ -66,7 +66,7 @@ pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machi
     if !size_fits(&cutter.row, need) {
         return Some(Unfit::OfOther(of_other_size(&cutter.row, need)));
     }
-    refuse(&cutter.row, need, machine)
+    refuse(&cutter.row, cutter.head, need, machine)
 }
 
 /// Which size that identifies the kind of a cutter differs from the required one.

@@ -1,5 +1,6 @@
 //! Why a row of the right size cannot be used: limits of the machine, the hole it enters, its depth.
 
+use crate::knowledge::table::ToolHead;
 use crate::knowledge::units::Micrometres;
 use crate::machine::Machine;
 use crate::plan::Operation;
@@ -9,17 +10,23 @@ use crate::tables::tools::CutterRow;
 use super::cutter::CutterNeed;
 
 /// Why a row of the right size cannot be used.
-pub(super) fn refuse(row: &CutterRow<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Unfit> {
-    let fault = fault(row, need, machine)?;
+pub(super) fn refuse(
+    row: &CutterRow<'_>,
+    head: &ToolHead,
+    need: &CutterNeed<'_>,
+    machine: &Machine<'_>,
+) -> Option<Unfit> {
+    let fault = fault(row, head, need, machine)?;
     let tool = row.designations().next().unwrap_or_default();
     Some(Unfit::Cutter { tool: tool.to_owned(), table: row.row.table.id.clone(), fault })
 }
 
-fn fault(row: &CutterRow<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<CutterFault> {
+fn fault(row: &CutterRow<'_>, head: &ToolHead, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<CutterFault> {
     if matches!(need.operation, Operation::Drill | Operation::DrillOut) && need.diameter > machine.drill_max {
         return Some(CutterFault::DrillTooLarge { diameter: need.diameter, limit: machine.drill_max });
     }
-    if need.operation == Operation::Mill
+    // An end mill is one whatever it cuts: as a counterbore, too, the spindle bears no wider one.
+    if head.operations.contains(&Operation::Mill)
         && let Some(diameter) = row.diameter.filter(|own| *own > machine.end_mill_max)
     {
         return Some(CutterFault::MillTooLarge { diameter, limit: machine.end_mill_max });

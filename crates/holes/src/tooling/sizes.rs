@@ -136,7 +136,7 @@ pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
         for &(_, head, row, holders) in
             drills.iter().filter(|(.., row, _)| rule.tables.contains(&row.row.table.id.as_str()))
         {
-            if refuse(row, &need, &shop.machine).is_some() {
+            if refuse(row, head, &need, &shop.machine).is_some() {
                 continue;
             }
             let by = CutterReason::Order { rule: Rc::clone(&rule), operation, ground: None, size: diameter };

@@ -55,6 +55,7 @@ const OWN: &[(&str, Quantity)] = &[
     ("overhang_mm", Quantity::Overhang),
     ("correction_mm", Quantity::Correction),
     ("book_correction_mm", Quantity::BookCorrection),
+    ("side_force_n", Quantity::SideForce),
     ("distance_mm", Quantity::Distance),
     ("force_n", Quantity::ClampForce),
     ("force_per_clamp_n", Quantity::ForcePerClamp),

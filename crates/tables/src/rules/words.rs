@@ -162,6 +162,14 @@ vocabulary! {
         Conventional = "conventional",
     }
 
+    /// With what a transition moves the part under its clamps.
+    pub enum PartLoad {
+        /// By its torque alone.
+        Turns = "turns",
+        /// By the side force of edges on one side.
+        Pushes = "pushes",
+    }
+
     /// A load on the machine.
     pub enum Load {
         /// Along the axis.

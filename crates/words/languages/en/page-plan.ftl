@@ -88,6 +88,7 @@ plan-limited = { $hole }, { $operation } Ø{ $diameter }: limited by { $by }
 plan-card = { $hole }, { $operation }: by the card S = { $feed } mm/rev, V = { $speed } m/min, P = { $force } N, N = { $power } kW
 # Clamping and time.
 plan-largest-force = Hole { $hole } needs the largest clamping force: M = { $torque } N·m, { $distance } mm from its clamp, W = k·M/(f·d) = { $force } N.
+plan-largest-side-force = Hole { $hole } needs the largest clamping force: with M = { $torque } N·m the cutter pushes the part aside with P = 2·M/D = { $side } N; so that it does not slide under clamps and on supports, W = k·P/(f + f2) = { $force } N.
 plan-clamps = Clamps { $points }: { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-weak-screw = The screw is too weak: it bears { $bears } N, and { $force } N are needed.

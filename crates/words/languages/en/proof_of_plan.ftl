@@ -31,3 +31,7 @@ proof-twists = { $operation }: torque { $value } N·m > { $limit } N·m that the
 proof-buckles = { $operation }: thrust { $value } N > { $limit } N that the drill of Ø{ $drill } with flutes of { $flutes } mm bears without buckling
 proof-bar-slender = { $operation }: the bar reaches out { $reach } mm > { $ratio } times its diameter of { $bar } mm
 proof-bar-springs = { $operation }: uneven stock deflects the bar by { $spring } mm on the diameter > { $tolerance } mm of tolerance
+proof-wall-between = between this hole and { $other } { $wall } mm of wall are left, less than { $least } mm: it gives way under the cutter; move the holes apart or make them shallower
+proof-wall-to-edge = to the edge of the blank { $wall } mm of wall are left, less than { $least } mm: it gives way under the cutter; move the hole inwards or take a larger blank
+proof-cast-stock = the cast hole Ø{ $cast } leaves { $stock } mm a side, less than { $least } mm: the first cut does not get under the skin nor clear a core that stood aside; have the hole cast smaller
+proof-plate-springs = { $operation }: under { $thrust } N the part springs by { $spring } mm over { $span } mm between its clamps, as a beam on two supports, more than { $most } mm, a feed per revolution: the tool snatches as it breaks through; support the part beside the hole, or open it with a smaller drill first

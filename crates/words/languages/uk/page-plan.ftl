@@ -77,6 +77,7 @@ plan-limited = { $hole }, { $operation } Ø{ $diameter }: режим обмеж�
 plan-card = { $hole }, { $operation }: за картою S = { $feed } мм/об, V = { $speed } м/хв, Ро = { $force } Н, N = { $power } кВт
 # Clamping and time.
 plan-largest-force = Найбільша потрібна сила закріплення – для отвору { $hole }: M = { $torque } Н·м, до притискача { $distance } мм, W = k·M/(f·d) = { $force } Н.
+plan-largest-side-force = Найбільшу силу затиску потребує отвір { $hole }: за M = { $torque } Н·м інструмент зсуває деталь із силою P = 2·M/D = { $side } Н; щоб вона не ковзала під притискачами й на опорах, W = k·P/(f + f2) = { $force } Н.
 plan-clamps = Притискачі { $points }: сила на кожному Q = { $force } Н, гвинт { $screw }; точка заміни інструмента – не ближче ніж { $distance } мм від притискача.
 plan-clamps-proposed = Притискачі { $points } (запропоновано): сила на кожному Q = { $force } Н, гвинт { $screw }; точка заміни інструмента – не ближче ніж { $distance } мм від притискача.
 plan-weak-screw = Гвинт заслабкий: витримує { $bears } Н, а потрібно { $force } Н.
