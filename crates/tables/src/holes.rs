@@ -75,6 +75,7 @@ vocabulary! {
         LeastStockCoreDrill = "least-stock-core-drill-mm",
         LeastStockMill = "least-stock-mill-mm",
         FloorClearance = "floor-clearance-mm",
+        FloorMillShare = "floor-mill-share",
         FlatFloorGap = "flat-floor-gap-mm",
         ReamerChipRoom = "reamer-chip-room-mm",
         NearTieShare = "near-tie-share",

@@ -153,6 +153,8 @@ pub(super) struct Fitting<'p, 'k> {
     grind_limit: Micrometres,
     /// The lead of a reamer as a multiple of the lead that its stock requires.
     reamer_lead_share: f64,
+    /// The widest mill for a floor over the diameter of the hole, if there is one.
+    floor_mill_share: f64,
     /// How far above a flat floor a reamer or boring bar stops.
     flat_floor_gap: Micrometres,
     /// Room for chips below a reamer in a blind hole, where the part has it.
@@ -204,6 +206,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             floor_clearance: shop.convention(HoleDefault::FloorClearance)?,
             grind_limit: shop.convention(HoleDefault::CutterGrindLimit)?,
             reamer_lead_share: shop.share(HoleDefault::ReamerLeadShare)?,
+            floor_mill_share: shop.share(HoleDefault::FloorMillShare)?,
             flat_floor_gap: shop.convention(HoleDefault::FlatFloorGap)?,
             reamer_chip_room: shop.convention(HoleDefault::ReamerChipRoom)?,
             thickness: part.blank.thickness,
@@ -364,6 +367,16 @@ impl<'p, 'k> Fitting<'p, 'k> {
                 let opening =
                     if self.flat_opening_depth().is_some() { Operation::Counterbore } else { Operation::Chamfer };
                 tooling::find_step_drill(&need, wide, pilot, opening, shop)?
+            }
+            // A wide mill on a floor is the last choice.
+            None if step.operation == Operation::Mill && step.from == step.diameter => {
+                let clearance = self
+                    .floor_clearance
+                    .max(Micrometres::from_mm_rounded((1.0 - self.floor_mill_share) * step.diameter.to_mm()));
+                match tooling::find_tool(&CutterNeed { clearance, ..need }, shop)? {
+                    Ok(found) => Ok(found),
+                    Err(_) => tooling::find_tool(&need, shop)?,
+                }
             }
             None => tooling::find_tool(&need, shop)?,
         };
