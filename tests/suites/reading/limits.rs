@@ -99,6 +99,7 @@ fn the_pages_say_the_bounds() {
         ("too-many-kinds", limits::MOST_KINDS),
         ("too-many-steps", limits::MOST_STEPS),
         ("too-many-clamps", limits::MOST_CLAMPS),
+        ("too-many-obstacles", limits::MOST_OBSTACLES),
         ("too-many-points", list::MOST_POINTS),
         ("too-many-rows", MOST_ROWS),
         ("too-many-tools", MOST_TOOLS),
