@@ -20,6 +20,19 @@ fn found(part_file: &str) -> Vec<String> {
     grave.map(|one| format!("{:?} {} {} {:?} {:?}", one.severity, one.rule, one.field, one.stated, one.note)).collect()
 }
 
+/// A mill pushes this part with more than the larger torque of its drill turns it with: the plan states the side force, and the
+/// audit holds the clamping force against it.
+#[test]
+fn a_plan_clamped_against_sliding_is_right_when_it_is_written_by_hand() {
+    let part = "part: P\nmaterial: СЧ20\nmachine: gf2171\nblank: {kind: plate, length: 1000, width: 400, thickness: 60}\n\
+        holes:\n  - {name: A, diameter: 50H9, through: true, roughness: Ra 2.5, centre_tolerance: 0.3, state: cast, \
+        state_diameter: 42, at: [[0, 0]]}\n  - {name: B, diameter: 30H12, through: true, roughness: Ra 12.5, \
+        centre_tolerance: 0.3, at: [[300, 0]]}\n";
+    let clamping = planned(&read(part), CuttingMethod::Formula).clamping.unwrap();
+    assert_eq!((clamping.hole.as_str(), clamping.side_force_n.is_some()), ("A", true));
+    assert_eq!(found(part), [""; 0]);
+}
+
 #[test]
 fn what_we_plan_is_right_when_it_is_written_by_hand() {
     let (mut wrong, mut cases) = (Vec::new(), Vec::new());

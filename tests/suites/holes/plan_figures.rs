@@ -101,6 +101,19 @@ fn the_clamps_hold_a_milled_part_against_sliding() {
     assert!(page.contains("W = k·P/(f + f2) = 14455 N"), "{page}");
 }
 
+/// A.28 has a Ø50, and machine-gf2171 bears end mills up to 40: the face is milled round, and the transition says why.
+#[test]
+fn a_face_is_milled_round_where_no_cutter_may_plunge_it() {
+    let keys =
+        "diameter: 20H13, through: true, roughness: Ra 12.5, centre_tolerance: 0.3, face: {diameter: 50}, at: [[0, 0]]";
+    let plan = plan_of_hole("СЧ20", "gf2171", "30", keys);
+    assert!(plan.tools.iter().all(|tool| tool.diameter_mm <= Micrometres::from_mm(40)), "{:?}", plan.tools);
+    let milled = plan.holes[0].transitions.iter().find(|step| step.operation == Operation::Mill).unwrap();
+    let why = milled.because.iter().find(|because| because.note.code() == "face-milled").unwrap();
+    let words = Lang::EN.say(&why.note);
+    assert!(words.contains("(A.28): Ø50 is more than Ø40, the machine's largest end mill"), "{words}");
+}
+
 /// 80H9 of Ra 3.2, cast to 70: A.8 promises grade 9 by semi-finish boring, and shops hold 11 with it. Who prefers the tables takes
 /// their word, and hears of the doubt; the best plan finishes the hole with a finer bar.
 #[test]

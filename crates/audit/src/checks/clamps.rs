@@ -33,7 +33,9 @@ pub(super) fn check<'a>(
 /// The clamping must be computed for the row that needs the largest force: the largest torque divided by its distance
 /// to the clamp, where plan or drawing give the places of clamps (5.2 item 7).
 fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findings: &mut Vec<AuditFinding>) {
-    if context.stated.is_own {
+    // Against sliding the side force decides, not the torque.
+    let slides = context.stated.figure(Id::new(Scope::Clamping, Q::SideForce)).is_some();
+    if context.stated.is_own || slides {
         return;
     }
     let load = |(at, row): (usize, &Row)| {

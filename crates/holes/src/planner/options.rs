@@ -7,16 +7,16 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::job::Hands;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
-use crate::plan::{Alternative, AlternativeStep, Preference, RouteSource};
+use crate::plan::{Alternative, AlternativeStep, Feature, Operation, Preference, RouteSource};
 use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
-use crate::route::bores;
+use crate::route::bores::{self, Task};
 use crate::route::diameters::Sizes;
 use crate::route::scheme::{self, SchemeQuestion};
-use crate::route::{Candidate, accuracy};
+use crate::route::{Candidate, RouteStep, accuracy, openings};
 use crate::shop::Shop;
 use crate::tables::holes::StagedHole;
-use crate::tables::rules::{BoringAsked, BoringForPositionFor};
+use crate::tables::rules::{BoringAsked, BoringForPositionFor, ToolTables};
 use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
 
@@ -181,7 +181,7 @@ pub(super) fn options(
         hands: Hands::read(shop.knowledge)?,
         drilled: accuracy::drilled(shop)?,
         level_floor: true,
-        edges: edges(&task, &fitting, shop)?,
+        edges: edges_with_reasons(&task, &fitting, shop)?,
         centred_edge: fitting.edge_by_centring()?,
     };
     let kind = finder.auxiliary_kind();
@@ -278,6 +278,27 @@ impl Finder<'_, '_> {
         let rule = self.shop.knowledge.ask(&BoringForPositionFor { position, bar_enters: enters })?;
         Ok(rule.need("this position")?.boring == BoringAsked::Asked)
     }
+}
+
+/// The steps of the edges; a face that is milled says why no cutter plunges it.
+fn edges_with_reasons(
+    task: &Task,
+    fitting: &Fitting<'_, '_>,
+    shop: &Shop<'_>,
+) -> Result<Vec<Result<RouteStep, Reason>>, KnowledgeError> {
+    let mut steps = edges(task, fitting, shop)?;
+    for (edge, step) in task.edges.iter().zip(&mut steps) {
+        let Ok(step) = step else { continue };
+        if edge.feature != Feature::Face || step.operation != Operation::Mill {
+            continue;
+        }
+        let plunged = openings::edge(edge, edge.cylinder_diameter, shop);
+        if let Err(why) = Refusal::split(plunged.and_then(|step| fitting.fit_step(step, None, false)))? {
+            let rule = shop.knowledge.table_of::<ToolTables<'_>>()?;
+            step.because.push(Because::table(rule, Note::new("face-milled").with("why", why.note())));
+        }
+    }
+    Ok(steps)
 }
 
 /// The largest drill of a size that a route lacked and that the catalogs have only too short.

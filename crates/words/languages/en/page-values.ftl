@@ -376,3 +376,5 @@ table-value-ask-second-set-up = a second set-up
 table-value-ask-steady-rest = a steady rest
 table-value-ask-tailstock = a tailstock centre
 table-value-support-chuck-and-centre = chuck and tailstock centre
+table-value-load-turns = turns the part
+table-value-load-pushes = pushes the part aside

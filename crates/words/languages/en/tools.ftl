@@ -36,6 +36,7 @@ other-bore = { $holder }: seat { $taken } mm, the cutter has { $own } mm
 assembly-too-long = { $tool } in { $holder }: length { $length } mm, and the machine's largest overhang is { $limit } mm
 # Clamping, travel.
 safety = safety factor k = { $value }
+face-milled = no cutter plunges the whole face, so a mill goes round it: { $why }
 support-friction = friction on the support f2 = { $value }
 clamping-turns = { $operation } with M = { $torque } N·m turns the part: W = k·M/(f·d) = { $by_book } N
 clamping-pushes = { $operation } with M = { $torque } N·m pushes the part with { $side } N: against sliding W = k·P/(f + f2) = { $force } N, more than k·M/(f·d) = { $by_book } N

@@ -376,3 +376,5 @@ table-value-ask-second-set-up = другий установ
 table-value-ask-steady-rest = люнет
 table-value-ask-tailstock = задній центр
 table-value-support-chuck-and-centre = патрон і задній центр
+table-value-load-turns = повертає деталь
+table-value-load-pushes = зсуває деталь

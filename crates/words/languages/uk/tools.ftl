@@ -36,6 +36,7 @@ other-bore = { $holder }: посадка { $taken } мм, а в інструме
 assembly-too-long = { $tool } у { $holder }: довжина { $length } мм, а найбільший виліт верстата – { $limit } мм
 # Clamping, travel.
 safety = коефіцієнт запасу k = { $value }
+face-milled = жоден інструмент не цекує всієї торцевої площини, тож її обходить фреза: { $why }
 support-friction = коефіцієнт тертя на опорі f2 = { $value }
 clamping-turns = { $operation } з M = { $torque } Н·м повертає деталь: W = k·M/(f·d) = { $by_book } Н
 clamping-pushes = { $operation } з M = { $torque } Н·м зсуває деталь із силою { $side } Н: проти ковзання W = k·P/(f + f2) = { $force } Н, більше за k·M/(f·d) = { $by_book } Н
