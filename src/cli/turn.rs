@@ -212,7 +212,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             drawn(page, format, context, "turn-figure", |lang| report::turning::drawing(&found, lang))?;
         }
     }
-    Ok(if found.operation.has_errors() { Outcome::Findings } else { Outcome::Done })
+    Ok(if found.is_wrong() { Outcome::Findings } else { Outcome::Done })
 }
 
 /// The operation whose programs are written.

@@ -41,7 +41,8 @@ pub struct Ways {
     /// The answer; none if there is no stock.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub recommended: Option<Recommended>,
-    /// What is wrong with the operation of the shaft, whichever way is taken. The findings beside it are of the ways alone.
+    /// What is wrong with the operation of the shaft, whichever way is taken; doubtful only where no lathe is named. The findings
+    /// beside it are of the ways alone.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub operation_findings: Vec<Finding>,
     /// The operation of the shaft, whose tool and conditions the program of a way has.
@@ -102,7 +103,9 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
     let pass_direction = Because::answer(&asked.answer, Note::new(code(allowed)));
     let operation = operation::plan(&Workpiece::from(shaft), knowledge)?;
     let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
-    let operation_findings = wrong.cloned().collect();
+    // A shaft without a lathe is a question about its ways; what its operation lacks is told and does not spoil the answer.
+    let severity = |finding: &Finding| if shaft.machine.is_some() { finding.severity } else { Severity::Doubtful };
+    let operation_findings = wrong.map(|one| Finding { severity: severity(one), ..one.clone() }).collect();
     let mut ways =
         Ways { sequences, schemes, ways: Vec::new(), pass_direction, recommended: None, operation_findings, operation };
     let findings = ways.schemes.findings.clone();
@@ -130,6 +133,11 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
 }
 
 impl Ways {
+    /// Whether something is wrong with the operation of the shaft.
+    pub fn is_wrong(&self) -> bool {
+        self.operation_findings.iter().any(|finding| finding.severity <= Severity::Wrong)
+    }
+
     /// The toolpath of a way, by name; a cut to the axis goes on by `beyond`, one along the last cylinder by the
     /// approach, so that the round of the nose is not left at its end.
     pub fn toolpath(&self, name: &str, distances: &Rates, beyond: Half) -> Option<Toolpath> {

@@ -61,7 +61,6 @@ fn disagreements(part: &str, controls: &[(&str, &str)]) -> Vec<String> {
 #[test]
 fn what_is_wrong_with_a_part_is_wrong_in_every_answer() {
     let parts = [
-        "examples/shaft.yaml",
         "examples/turned-pin.yaml",
         "examples/turned-sleeve.yaml",
         "tests/everyday/cup.yaml",
@@ -85,7 +84,9 @@ fn every_answer_of_every_part_agrees() {
     for folder in ["examples", "tests/everyday"] {
         let all = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap();
         let names = all.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-        let turned = |name: &String| folder != "examples" || name.starts_with("turned-") || name.starts_with("shaft");
+        // A shaft without a lathe asks about its ways alone.
+        let shaft = |name: &String| name.starts_with("shaft") && name != "shaft.yaml";
+        let turned = |name: &String| folder != "examples" || name.starts_with("turned-") || shaft(name);
         parts
             .extend(names.filter(|name| name.ends_with(".yaml")).filter(turned).map(|name| format!("{folder}/{name}")));
     }
