@@ -74,7 +74,7 @@ fn a_constant_cutting_speed_ends_where_the_drive_does() {
 #[test]
 fn a_right_hand_tool_cuts_with_m3() {
     let (sleeve, text) = program("turned-sleeve");
-    for block in ["S400 M3", "S500 M3"] {
+    for block in ["S280 M3", "S500 M3"] {
         let found = of_part(&sleeve, &text.replace(block, &block.replace("M3", "M4")));
         assert_eq!(found, [("turned-rotation", Severity::Wrong)], "{block}");
     }
