@@ -29,8 +29,8 @@ pub use fault::{Fault, Load, Shortfall};
 pub use hole::prove_hole;
 
 use crate::error::KnowledgeError;
-use crate::note::{Finding, Severity};
-use crate::plan::{HolePlan, Plan};
+use crate::note::Finding;
+use crate::plan::Plan;
 use crate::shop::Shop;
 
 /// All faults in a plan, hole by hole.
@@ -38,24 +38,11 @@ use crate::shop::Shop;
 /// # Errors
 /// The knowledge base has no answer.
 pub fn prove(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Finding>, KnowledgeError> {
-    prove_with(plan, |_, fault| fault.severity(), shop)
-}
-
-/// The same for who trusts a source over the practice of the proof: `severity` says how grave a fault of a hole is.
-///
-/// # Errors
-/// As for [`prove`].
-pub fn prove_with(
-    plan: &Plan,
-    severity: impl Fn(&HolePlan, &Fault) -> Severity,
-    shop: &Shop<'_>,
-) -> Result<Vec<Finding>, KnowledgeError> {
     let mut findings = Vec::new();
     for hole in &plan.part.holes {
         let Some(planned) = plan.holes.iter().find(|planned| planned.name == hole.name) else { continue };
         let faults = prove_hole(hole, &planned.transitions, &plan.part, shop)?;
-        let found = faults.iter();
-        findings.extend(found.map(|fault| Finding::of_hole(severity(planned, fault), &hole.name, fault.note())));
+        findings.extend(faults.iter().map(|fault| Finding::of_hole(fault.severity(), &hole.name, fault.note())));
     }
     findings.extend(blank::faults(plan, shop)?);
     Ok(findings)

@@ -22,12 +22,11 @@ use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Feature, HolePlan, Operation, Plan, Preference, Route, RouteSource, Times};
+use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference, Route, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::units::round_to;
 use crate::{sequence, setup, tooling, zone};
-use technolog_proof::Fault;
 
 use choose::{Chooser, ComparedRoutes};
 pub use fit::feed_travel;
@@ -130,14 +129,8 @@ pub fn plan_by(
         findings,
     };
     sequence::timed(&mut plan, &shop)?;
-    // Every plan is checked by the proof, however it was chosen. Whoever prefers the tables takes their word for what
-    // their schemes reach; that practice reaches less is then a doubt about the tables, not a fault of the plan.
-    let severity = |hole: &HolePlan, fault: &Fault| {
-        let of_tables = hole.route.as_ref().is_some_and(|route| route.source == RouteSource::Tables);
-        let promised = preference == Preference::Tables && of_tables && matches!(fault, Fault::Wanting { .. });
-        if promised { Severity::Doubtful } else { fault.severity() }
-    };
-    plan.findings.extend(technolog_proof::prove_with(&plan, severity, &shop)?);
+    // Every plan is checked by the proof, however it was chosen.
+    plan.findings.extend(technolog_proof::prove(&plan, &shop)?);
     unconfirmed(&mut plan);
     Finding::in_order(&mut plan.findings);
     Ok(plan)
