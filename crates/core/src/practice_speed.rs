@@ -10,7 +10,10 @@ use crate::tables::practice::{
     SharedWork, SpeedShareFor, TapSpeedFor,
 };
 use crate::tables::turning::jobs::GroovingPracticeFor;
-use crate::units::{Brinell, MetresPerMinute, Micrometres};
+use crate::units::{Brinell, Decimal, MetresPerMinute, Micrometres};
+
+/// By how much hardness is lessened until a table has a figure, HB: the groups of practice are 25 to 50 wide.
+const SOFTER: Decimal = Decimal::from_int(20);
 
 /// The speeds used in shops, m/min.
 #[derive(Clone, Copy, Debug)]
@@ -40,11 +43,29 @@ impl<'k> PracticeSpeed<'k> {
         }
     }
 
-    /// What shops use for an operation with a tool of that material; `None` where the tables have no figure for it.
+    /// What shops use for an operation with a tool of that material; `None` where the tables have no figure for it. A metal harder
+    /// than the tables know is cut no faster than the hardest that they have, and nothing is known of how slow that may be.
     ///
     /// # Errors
     /// The tables cannot answer.
     pub fn of(
+        operation: Operation,
+        tool: ToolMaterial,
+        material: &Material<'k>,
+        knowledge: &'k Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        let mut softer = material.clone();
+        while softer.hardness.millionths() > 0 {
+            if let Some(found) = Self::as_hard(operation, tool, &softer, knowledge)? {
+                let low = if softer.hardness == material.hardness { found.low } else { MetresPerMinute(0.0) };
+                return Ok(Some(Self { low, ..found }));
+            }
+            softer.hardness = Decimal::from_millionths(softer.hardness.millionths() - SOFTER.millionths());
+        }
+        Ok(None)
+    }
+
+    fn as_hard(
         operation: Operation,
         tool: ToolMaterial,
         material: &Material<'k>,

@@ -77,6 +77,8 @@ impl Fault {
     pub fn severity(&self) -> Severity {
         match self {
             Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
+            // Neither a plate nor a tool is set to less than half of the least floor.
+            Self::ThinFloor { floor, least, .. } if *floor + *floor < *least => Severity::Error,
             Self::ThinFloor { .. }
             | Self::MeetsFloor { .. }
             | Self::WallBetween { .. }

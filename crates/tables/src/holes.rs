@@ -77,6 +77,7 @@ vocabulary! {
         FloorClearance = "floor-clearance-mm",
         FloorMillShare = "floor-mill-share",
         FlatFloorGap = "flat-floor-gap-mm",
+        UnfinishedShare = "unfinished-share",
         ReamerChipRoom = "reamer-chip-room-mm",
         NearTieShare = "near-tie-share",
     }

@@ -114,25 +114,44 @@ fn a_face_is_milled_round_where_no_cutter_may_plunge_it() {
     assert!(words.contains("(A.28): Ø50 is more than Ø40, the machine's largest end mill"), "{words}");
 }
 
-/// 80H9 of Ra 3.2, cast to 70: A.8 promises grade 9 by semi-finish boring, and shops hold 11 with it. Who prefers the tables takes
-/// their word, and hears of the doubt; the best plan finishes the hole with a finer bar.
+/// 80H9 of Ra 3.2, cast to 70: A.8 promises grade 9 by semi-finish boring, and shops hold 11 with it, 10 at best. Who prefers the
+/// tables gets their scheme, and the plan says that it makes scrap; the best plan finishes the hole with a finer bar.
 #[test]
-fn the_scheme_of_the_tables_is_taken_at_its_word_by_who_prefers_the_tables() {
+fn the_scheme_of_the_tables_is_shown_with_what_it_does_not_reach() {
     for (hole, scheme, asked) in [
         ("diameter: 80H9, state: cast, state_diameter: 70", "14", "proof-grade"),
-        ("diameter: 25H9, state: cast, state_diameter: 20", "14", "proof-grade"),
         ("diameter: 50H9, state: cast, state_diameter: 42", "14", "proof-grade"),
-        ("diameter: 24H13", "04", "proof-surface"),
         ("diameter: 18H11", "04 + centre", "proof-surface"),
     ] {
         let keys = format!("{hole}, through: true, roughness: Ra 3.2, centre_tolerance: 0.3, at: [[0, 0]]");
         let (own, tables) =
             (plan_of_hole("СЧ20", "gf2171", "40", &keys), plan_of_hole_by_tables("СЧ20", "gf2171", "40", &keys));
-        assert!(!own.has_errors() && !tables.has_errors(), "{hole}: {:?}", tables.findings);
+        assert!(!own.has_errors() && tables.has_errors(), "{hole}: {:?}", tables.findings);
         assert_eq!(tables.holes[0].route.as_ref().unwrap().scheme, scheme, "{hole}");
-        let doubt = tables.findings.iter().find(|finding| finding.note.code() == asked);
-        assert_eq!(doubt.map(|finding| finding.severity), Some(Severity::Doubtful), "{hole}");
+        assert!(tables.findings.iter().any(|finding| finding.note.code() == asked), "{hole}");
         assert!(own.findings.iter().all(|finding| finding.note.code() != asked), "{hole}");
+    }
+}
+
+/// No harder metal is cut faster: beyond the last row of practice that row holds. By hand: 20Х13 is milled at 18.3 m/min at most up
+/// to HB 225, a step of the spindle may be 11 % above.
+#[test]
+fn harder_metal_is_not_cut_faster() {
+    for (material, operation, states) in [
+        ("20Х13", Operation::Mill, [200, 250, 300]),
+        ("12Х18Н10Т", Operation::Drill, [200, 280, 400]),
+        ("СЧ20", Operation::CentreDrill, [220, 300, 350]),
+        ("СЧ20", Operation::Mill, [230, 260, 300]),
+    ] {
+        let speed = |hardness: &i32| {
+            let grade = format!("{{grade: {material}, hardness: {hardness}}}");
+            let keys = "diameter: 35H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]]";
+            let plan = plan_of_hole(&grade, "gf2171", "40", keys);
+            let made = plan.holes[0].transitions.iter().find(|step| step.operation == operation).cloned();
+            made.unwrap_or_else(|| panic!("{grade}: no {operation:?}")).conditions.speed_m_per_min.0
+        };
+        let speeds: Vec<f64> = states.iter().map(speed).collect();
+        assert!(speeds.windows(2).all(|pair| pair[1] <= pair[0] * 1.12), "{material} {operation:?}: {speeds:?}");
     }
 }
 

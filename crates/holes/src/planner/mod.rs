@@ -25,6 +25,7 @@ use crate::part::{Face, Hole, Part};
 use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference, Route, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
+use crate::tables::holes::HoleDefault;
 use crate::units::round_to;
 use crate::{sequence, setup, tooling, zone};
 
@@ -192,15 +193,19 @@ fn draft(
     if steps.iter().any(|fitted| fitted.step.operation.is_set_by_hand(fitted.step.passes)) {
         report(Severity::Note, Note::new("bar-set-by-hand"));
     }
-    let remarks =
-        steps.iter().flat_map(|Fitted { step, .. }| step.remarks.iter().map(move |remark| (step.diameter, remark)));
-    for (diameter, remark) in remarks {
+    let unfinished = shop.share(HoleDefault::UnfinishedShare)?;
+    let remarks = steps.iter().flat_map(|Fitted { step, .. }| step.remarks.iter().map(move |remark| (step, remark)));
+    for (step, remark) in remarks {
         match remark {
             Remark::FinishedElsewhere(finished) => {
                 report(Severity::Note, Note::new("step-finished-elsewhere").with("diameter", finished));
             }
             Remark::EndsAboveFloor(left) => {
-                report(Severity::Doubtful, Note::new("ends-above-floor").with("left", left).with("diameter", diameter));
+                let depth = step.place.depth + *left - step.place.start;
+                let much = left.to_mm() > unfinished * depth.to_mm();
+                let severity = if much { Severity::Wrong } else { Severity::Doubtful };
+                let note = Note::new("ends-above-floor").with("left", left).with("diameter", step.diameter);
+                report(severity, note.with("depth", depth));
             }
             Remark::Promised { it: grade, own } => {
                 let note = Note::new("promised-finer").with("it", grade).with("own", own);

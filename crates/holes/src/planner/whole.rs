@@ -13,7 +13,7 @@ use crate::reason::Reason;
 use crate::route::bores::{self, Bore, Task};
 use crate::route::diameters::{self, Sizes};
 use crate::route::scheme::SchemeQuestion;
-use crate::route::{Candidate, Remark, RouteStep, accuracy, openings, order};
+use crate::route::{Candidate, Remark, RouteStep, accuracy, openings, order, search};
 use crate::shop::Shop;
 use crate::tables::holes::SchemesOfMainHole;
 use crate::tables::rules::TransitionOrder;
@@ -271,9 +271,12 @@ impl Finder<'_, '_> {
                         last.because.extend(table.map(|table| Because::table(table, note)));
                     }
                     cone_above_shoulder(&mut steps, bore, start, self.fitting);
-                    if bore.flat {
-                        self.fitting.stop_above_floor(&mut steps, |operation| {
-                            operation.is_reaming() || operation == Operation::CoreDrill
+                    // What cuts the shoulder goes down to it, the rest stops above.
+                    if bore.flat
+                        && let Some(cut) = steps.iter().position(|step| search::leaves_flat(step.operation))
+                    {
+                        self.fitting.stop_above_floor(&mut steps[cut + 1..], |operation| {
+                            operation.is_reaming() || operation.is_boring() || operation == Operation::CoreDrill
                         });
                     }
                     for step in &mut steps {

@@ -21,7 +21,7 @@ proof-thrust = { $operation }: thrust { $value } N > { $percent } % of the permi
 proof-torque = { $operation }: torque { $value } N·m > { $percent } % of the permissible { $limit } N·m
 proof-power = { $operation }: power { $value } kW > { $percent } % of the drive's { $limit } kW
 not-proven = the plan is not proven: { $why }
-ends-above-floor = over the flat floor or shoulder the last { $left } mm of Ø{ $diameter } are not finished: the tool stops above it so as not to run into it, a reamer or core drill by its lead, too
+ends-above-floor = over the flat floor or shoulder the last { $left } of { $depth } mm of Ø{ $diameter } are not finished: the tool stops above it so as not to run into it, a reamer or core drill by its lead, too
 lost-by-preference = the tables are preferred; it would be quicker by { $quicker } min
 tables-preferred = the tables are preferred: { $own } min; the best plan takes { $best } min and saves { $saves } min
 no-place-for-clamps = none of the places that are tried for two or four straps on the face would hold the part: { $why }; give places under `clamps`, or take a vice or a special fixture, to hold against M = { $torque } N·m
