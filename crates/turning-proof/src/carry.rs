@@ -34,6 +34,8 @@ pub struct Carried<'s> {
     cuts: Vec<(Window, usize)>,
     /// The radius of the deepest pass through the middle of each thread, mm.
     passes: Vec<Option<f64>>,
+    /// Where passes went deep enough for each thread: stretches along Z, ascending, mm.
+    pub(crate) full: Vec<Vec<[f64; 2]>>,
     /// Z to which a tap has cut each thread in full.
     pub(crate) tapped: Vec<Option<f64>>,
     pub faults: Faults,
@@ -53,6 +55,7 @@ impl<'s> Carried<'s> {
             threaded: Vec::new(),
             cuts: Vec::new(),
             passes: vec![None; target.threads.len()],
+            full: vec![Vec::new(); target.threads.len()],
             tapped: vec![None; target.threads.len()],
             target,
             finished: set_up.finished.as_ref().map(Target::of),
@@ -207,7 +210,8 @@ impl<'s> Carried<'s> {
 
     fn remember_pass(&mut self, motion: &Motion) {
         let (from, to) = (motion.path.from().spot(), motion.path.to().spot());
-        for (thread, deepest) in self.target.threads.iter().zip(&mut self.passes) {
+        for ((thread, deepest), full) in self.target.threads.iter().zip(&mut self.passes).zip(&mut self.full) {
+            full.extend(thread.deep(from, to));
             let middle = (thread.z[0] + thread.z[1]) / 2.0;
             if from.z.min(to.z) > middle || from.z.max(to.z) < middle || from.z == to.z {
                 continue;
@@ -227,7 +231,8 @@ impl<'s> Carried<'s> {
     }
 
     fn hold_threads(&mut self) {
-        for ((thread, pass), tapped) in self.target.threads.iter().zip(&self.passes).zip(&self.tapped) {
+        let passes = self.passes.iter().zip(&self.full);
+        for ((thread, (pass, full)), tapped) in self.target.threads.iter().zip(passes).zip(&self.tapped) {
             if let Some(to) = tapped {
                 let left = to - thread.z[0];
                 if left > TOLERANCE {
@@ -239,6 +244,9 @@ impl<'s> Carried<'s> {
             let left = (pass.unwrap_or(crest) - shallow) * (crest - shallow).signum();
             if left > TOLERANCE {
                 self.faults.add(Fault::ThreadShallow { surface: thread.surface.clone(), left: Mm(left) });
+            } else if let Some([to, from]) = thread.widest_gap(full) {
+                let surface = thread.surface.clone();
+                self.faults.add(Fault::ThreadPart { surface, left: Mm(from - to), from_z: Mm(from), to_z: Mm(to) });
             }
         }
     }

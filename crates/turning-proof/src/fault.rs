@@ -163,6 +163,17 @@ pub enum Fault {
         /// The length that is missing.
         left: Mm,
     },
+    /// Passes go down to the root of a thread only along a part of its length.
+    ThreadPart {
+        /// The thread's surface.
+        surface: Option<Figure>,
+        /// The longest stretch without its depth.
+        left: Mm,
+        /// Where that begins, at the free end.
+        from_z: Mm,
+        /// Its end at the chuck.
+        to_z: Mm,
+    },
     /// No pass of a thread goes down to its root.
     ThreadShallow {
         /// The thread's surface.
@@ -185,6 +196,7 @@ impl Fault {
             Self::Stands { .. } => "swept-stands",
             Self::Corner { .. } => "swept-corner",
             Self::ThreadShallow { .. } => "swept-thread-shallow",
+            Self::ThreadPart { .. } => "swept-thread-part",
             Self::ThreadLead { .. } => "swept-thread-lead",
             Self::TapBlocked { .. } => "swept-tap-blocked",
             Self::TapOutOfStep { .. } => "swept-tap-out-of-step",
@@ -205,7 +217,11 @@ impl Fault {
             | Self::TapOutOfStep { block, .. }
             | Self::ThreadLead { block, .. }
             | Self::TapHoleWide { block, .. } => Some(*block),
-            Self::Stands { .. } | Self::Corner { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } => None,
+            Self::Stands { .. }
+            | Self::Corner { .. }
+            | Self::ThreadShallow { .. }
+            | Self::ThreadShort { .. }
+            | Self::ThreadPart { .. } => None,
         }
     }
 
@@ -250,6 +266,9 @@ impl Fault {
             }
             Self::Corner { surface, radius, left, at, count } => {
                 of_surface(placed(at), surface).with("radius", radius).with("left", left).with("count", count)
+            }
+            Self::ThreadPart { surface, left, from_z, to_z } => {
+                of_surface(Note::new(code), surface).with("left", left).with("from", from_z).with("to", to_z)
             }
             Self::ThreadShallow { surface, left } | Self::ThreadShort { surface, left } => {
                 of_surface(Note::new(code), surface).with("left", left)
@@ -331,7 +350,7 @@ impl Fault {
             | Self::TapHoleWide { count, .. }
             | Self::ThreadLead { count, .. }
             | Self::Corner { count, .. } => *count,
-            Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } => 1,
+            Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } | Self::ThreadPart { .. } => 1,
         }
     }
 
@@ -347,7 +366,9 @@ impl Fault {
             | Self::TapHoleWide { count, .. }
             | Self::ThreadLead { count, .. }
             | Self::Corner { count, .. } => Some(count),
-            Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } => None,
+            Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } | Self::ThreadPart { .. } => {
+                None
+            }
         }
     }
 }

@@ -33,6 +33,7 @@ mod set_up;
 mod stock;
 mod taps;
 mod target;
+mod threads;
 mod tool;
 mod units;
 

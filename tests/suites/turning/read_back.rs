@@ -190,3 +190,72 @@ fn a_place_that_the_turret_does_not_have_is_doubtful() {
         [("turned-beyond-turret", Severity::Doubtful)]
     );
 }
+
+/// A stud with a relief behind its thread as the turner has it on the desk: M24x1.5 to Z-30, its passes to Z-30.9735.
+fn threaded() -> (Operation, String) {
+    let text = "shaft: Stud\nmaterial: steel-45\nblank: {kind: bar, diameter: 50, length: 185, face: 2}\n\
+        machine: 16k20f3\nholding: chuck\nouter:\n  - {from: {d: 0, z: 0}}\n  - {face: 20}\n  - {chamfer: 2}\n  \
+        - {thread: M24x1.5-6g, to: -30}\n  - {groove: thread-relief}\n  - {face: 28}\n  - {chamfer: 1}\n  \
+        - {cylinder: -70, name: bearing, grade: h9, roughness: Ra 3.2}\n  - {face: 44}\n  - {chamfer: 1}\n  \
+        - {cylinder: -130}\n";
+    let operation = planned(&read_turned("stud.yaml", text, &KNOWLEDGE).unwrap().into_workpiece());
+    let written = programs(&operation, "fanuc", Form::Motions, None, &KNOWLEDGE).unwrap();
+    let text = written[0].files.as_ref().unwrap()[0].text.clone();
+    (operation, text)
+}
+
+/// What is found of a text of Fanuc that is to be set-up 1, beside what is found of our own program.
+fn new_in_fanuc(operation: &Operation, own: &str, text: &str) -> Vec<(&'static str, Severity)> {
+    let language = LatheLanguage::read("fanuc-lathe", &KNOWLEDGE).unwrap();
+    let found = |text: &str| {
+        let run = read(text, &language, &[] as &[Subprogram<'_>]);
+        let faults = compare_with_part(operation, 1, text, &run, &KNOWLEDGE).unwrap();
+        assert!(faults.iter().any(|fault| fault.code == "turned-held"), "{faults:?}");
+        grave(&faults).iter().map(|one| (one.0, one.1)).collect::<Vec<_>>()
+    };
+    let known = found(own);
+    found(text).into_iter().filter(|one| !known.contains(one)).collect()
+}
+
+#[test]
+fn a_thread_that_ends_too_soon_is_told() {
+    let (operation, text) = threaded();
+    assert!(text.contains("G32 Z-30.9735 F1.5"), "{text}");
+    let ended = |z: &str| new_in_fanuc(&operation, &text, &text.replace("G32 Z-30.9735", &format!("G32 Z{z}")));
+    for z in ["-16.", "-28."] {
+        assert_eq!(ended(z), [("swept-thread-part", Severity::Wrong)], "{z}");
+    }
+    for z in ["-30.", "-30.5", "-31."] {
+        assert_eq!(ended(z), [], "{z}");
+    }
+    // A spring pass more that ends anywhere takes nothing away.
+    let spring =
+        text.replacen("G0 X25.85\nZ1.\nX54.", "G0 X25.85\nZ1.\nX22.053\nG32 Z-20. F1.5\nG0 X25.85\nZ1.\nX54.", 1);
+    assert_ne!(spring, text);
+    assert_eq!(new_in_fanuc(&operation, &text, &spring), []);
+}
+
+/// The T word says which tool cuts; the remark before it does not.
+#[test]
+fn a_thread_by_a_tool_that_cuts_none_is_told() {
+    let (operation, text) = threaded();
+    let call = text.lines().skip_while(|line| !line.contains("SER")).nth(1).unwrap().to_owned();
+    assert_eq!(call, "T0404", "{text}");
+    let called = |to: &str| new_in_fanuc(&operation, &text, &text.replace(&format!("{call}\n"), to));
+    for to in ["T0101\n", "T0303\n"] {
+        assert!(called(to).contains(&("turned-no-stop", Severity::Wrong)), "{to} {:?}", called(to));
+    }
+    assert!(called("").contains(&("turned-no-threading-tool", Severity::Wrong)), "{:?}", called(""));
+    // Without any remark of the threading tool there is only T to go by.
+    let remark = text.lines().find(|line| line.contains("SER")).unwrap();
+    let mute = text.replace(remark, "(thread)").replace("T0404", "T0101");
+    let found = new_in_fanuc(&operation, &text, &mute);
+    assert!(found.contains(&("turned-no-threading-tool", Severity::Wrong)), "{found:?}");
+    assert_eq!(called("T0403\n"), [("turned-offset-of-other", Severity::Doubtful)]);
+    // A second offset of its own, another place, and a tool that the operator puts in at a stop.
+    assert_eq!(called("T0414\n"), []);
+    assert_eq!(called("T0606\n"), []);
+    let stopped = text.replace(&format!("{remark}\nT0404"), &format!("M0\n{remark}\nT0101"));
+    let found = new_in_fanuc(&operation, &text, &stopped);
+    assert!(found.iter().all(|one| !["turned-no-threading-tool", "turned-no-stop"].contains(&one.0)), "{found:?}");
+}

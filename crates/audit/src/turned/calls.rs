@@ -7,8 +7,10 @@ use technolog_core::ascii::ascii;
 use crate::note::{Note, Severity};
 use crate::program::Fault;
 use crate::program::lathe::{LatheAct, LatheRun, LatheTool};
+use crate::turning::jobs::Body;
 use crate::turning::operation::turret::{Station, station, stations};
 use crate::turning::operation::{Operation, SetUpWork};
+use crate::turning::tooling::ToolKind;
 
 use super::fault;
 
@@ -43,18 +45,7 @@ pub(super) fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &L
         if tools.iter().any(|known| known.called == tool) {
             continue;
         }
-        // A comment is in the block of the call or before it.
-        let at = usize::try_from(line).unwrap_or(usize::MAX);
-        let near = [at.checked_sub(2), at.checked_sub(1)].into_iter().flatten().filter_map(|index| lines.get(index));
-        let remarks: Vec<&String> = near.collect();
-        let names = |index: &usize| {
-            let name = work.jobs.get(*index).map_or("", |job| &job.tool.designation);
-            // Controls can show only Latin letters.
-            let names = [plain(name), plain(&ascii(name))];
-            names.iter().any(|name| !name.is_empty() && remarks.iter().any(|remark| remark.contains(name)))
-        };
-        let length = |index: &usize| work.jobs.get(*index).map_or(0, |job| job.tool.designation.len());
-        let named = (0..work.jobs.len()).filter(names).max_by_key(length);
+        let named = named(work, &lines, line);
         let of = |fits: &dyn Fn(&Station) -> bool| {
             work.jobs.iter().position(|job| station(&stations, job).is_some_and(fits))
         };
@@ -69,6 +60,21 @@ pub(super) fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &L
     tools
 }
 
+/// The job whose tool a remark names in a block or before it.
+fn named(work: &SetUpWork, lines: &[String], line: u32) -> Option<usize> {
+    let at = usize::try_from(line).unwrap_or(usize::MAX);
+    let near = [at.checked_sub(2), at.checked_sub(1)].into_iter().flatten().filter_map(|index| lines.get(index));
+    let remarks: Vec<&String> = near.collect();
+    let names = |index: &usize| {
+        let name = work.jobs.get(*index).map_or("", |job| &job.tool.designation);
+        // Controls can show only Latin letters.
+        let names = [plain(name), plain(&ascii(name))];
+        names.iter().any(|name| !name.is_empty() && remarks.iter().any(|remark| remark.contains(name)))
+    };
+    let length = |index: &usize| work.jobs.get(*index).map_or(0, |job| job.tool.designation.len());
+    (0..work.jobs.len()).filter(names).max_by_key(length)
+}
+
 /// Whether a call means a station: by place and by offset, which controls number for each place or over all places.
 fn is_seated(station: &Station, called: LatheTool) -> bool {
     let offsets = [station.seat.offset, station.seat.edge];
@@ -80,19 +86,36 @@ fn plain(text: &str) -> String {
     text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_uppercase).collect()
 }
 
-/// Tools that nobody can have put in: another one at the same place, with no stop since. A place that the turret of the record
-/// does not have is doubtful: turrets of one lathe differ.
-pub(super) fn exchanges(operation: &Operation, work: &SetUpWork, run: &LatheRun, tools: &[CalledTool]) -> Vec<Fault> {
+/// Tools that nobody can have put in: another one at the same place, with no stop since. Which tool a place holds is what the
+/// first call says; a later remark of another tool does not make it that. A thread is cut by a tool for threads alone. A place
+/// that the turret of the record does not have is doubtful: turrets of one lathe differ.
+pub(super) fn exchanges(
+    operation: &Operation,
+    work: &SetUpWork,
+    text: &str,
+    run: &LatheRun,
+    tools: &[CalledTool],
+) -> Vec<Fault> {
+    let lines: Vec<String> = text.lines().map(plain).collect();
     let designation = |tool: &CalledTool| work.jobs.get(tool.job).map_or("", |job| &*job.tool.designation);
-    let mut faults = Vec::new();
-    let mut standing: BTreeMap<u32, &CalledTool> = BTreeMap::new();
-    let mut beyond = BTreeSet::new();
+    let mut faults = wrong_offsets(operation, work, &lines, tools);
+    let mut standing: BTreeMap<u32, CalledTool> = BTreeMap::new();
+    let mut current: Option<CalledTool> = None;
+    let (mut beyond, mut no_threading) = (BTreeSet::new(), BTreeSet::new());
     for motion in &run.motions {
         if motion.act == LatheAct::Stop {
             standing.clear();
         }
-        let Some(called) = motion.modes.tool.filter(|_| motion.act.moves()) else { continue };
-        let Some(tool) = tools.iter().find(|tool| tool.called == called) else { continue };
+        let Some(called) = motion.modes.tool else { continue };
+        if motion.act == LatheAct::ToolChange || current.is_none_or(|tool| tool.called != called) {
+            let known = tools.iter().find(|tool| tool.called == called).copied();
+            let remarked = named(work, &lines, motion.line).filter(|_| motion.act == LatheAct::ToolChange);
+            current = known.map(|tool| match remarked {
+                Some(job) => CalledTool { job, is_named: true, ..tool },
+                None => tool,
+            });
+        }
+        let Some(tool) = current.filter(|_| motion.act.moves()) else { continue };
         let note = |code| Note::new(code).with("number", called.number);
         if let Some(places) = operation.turret_places.filter(|places| called.number as usize > *places)
             && beyond.insert(called.number)
@@ -100,11 +123,46 @@ pub(super) fn exchanges(operation: &Operation, work: &SetUpWork, run: &LatheRun,
             let note = note("turned-beyond-turret").with("places", places);
             faults.push(fault("turned-beyond-turret", Severity::Doubtful, note, motion.line));
         }
+        if matches!(motion.act, LatheAct::Thread { .. })
+            && work.jobs.get(tool.job).is_some_and(|job| !cuts_threads(&job.tool.body))
+            && no_threading.insert(called.number)
+        {
+            let severity = if tool.is_named { Severity::Wrong } else { Severity::Doubtful };
+            let note = note("turned-no-threading-tool").with("tool", designation(&tool));
+            faults.push(fault("turned-no-threading-tool", severity, note, motion.line));
+        }
         let before = standing.insert(called.number, tool);
-        let Some(before) = before.filter(|before| designation(before) != designation(tool)) else { continue };
+        let Some(before) = before.filter(|before| designation(before) != designation(&tool)) else { continue };
         let severity = if before.is_named && tool.is_named { Severity::Wrong } else { Severity::Doubtful };
-        let note = note("turned-no-stop").with("before", designation(before)).with("tool", designation(tool));
+        let note = note("turned-no-stop").with("before", designation(&before)).with("tool", designation(&tool));
         faults.push(fault("turned-no-stop", severity, note, motion.line));
     }
     faults
+}
+
+/// Whether a tool is made for threads.
+const fn cuts_threads(body: &Body) -> bool {
+    matches!(body, Body::Tap { .. } | Body::Insert { kind: ToolKind::Threading, .. })
+}
+
+/// Calls with the offset of another tool: the tool stands at its place in our turret, and its offset is that of another one. An
+/// offset that no other tool has may be a second one of its own, and so may any D, which controls number for each place.
+fn wrong_offsets(operation: &Operation, work: &SetUpWork, lines: &[String], tools: &[CalledTool]) -> Vec<Fault> {
+    let stations = stations(operation);
+    let is_wrong = |tool: &&CalledTool| {
+        let CalledTool { called, line, job, .. } = **tool;
+        let Some(own) = work.jobs.get(job).and_then(|job| station(&stations, job)) else { return false };
+        let Some(offset) = called.offset.filter(|_| own.seat.place == called.number) else { return false };
+        let at = usize::try_from(line).unwrap_or(usize::MAX);
+        let block = at.checked_sub(1).and_then(|at| lines.get(at)).map_or("", String::as_str);
+        let of_place = block.split(['(', ';']).next().is_some_and(|words| words.contains(&format!("D{offset}")));
+        !of_place && !is_seated(own, called) && stations.iter().any(|other| other.seat.offset == offset)
+    };
+    let told = tools.iter().filter(is_wrong).map(|tool| {
+        let name = work.jobs.get(tool.job).map_or("", |job| &*job.tool.designation);
+        let note = Note::new("turned-offset-of-other").with("number", tool.called.number).with("tool", name);
+        let note = note.with("offset", tool.called.offset.unwrap_or_default());
+        fault("turned-offset-of-other", Severity::Doubtful, note, tool.line)
+    });
+    told.collect()
 }

@@ -72,7 +72,7 @@ pub fn compare_with_part(
         fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
     });
     let found: Vec<Fault> = found.collect();
-    faults.extend(exchanges(operation, work, run, &tools));
+    faults.extend(exchanges(operation, work, text, run, &tools));
     faults.extend(pace::paced(operation, work, run, &tools, knowledge)?);
     faults.extend(of_plan(operation, set_up, found.iter().any(is_serious), end));
     faults.extend(found);
@@ -122,7 +122,7 @@ pub fn read_back(
     Ok(match compared(operation, set_up, &main.text, &run) {
         Ok(compared) => {
             let (work, tools) = (compared.work, &compared.tools);
-            let mut faults = exchanges(operation, work, &run, tools);
+            let mut faults = exchanges(operation, work, &main.text, &run, tools);
             faults.extend(pace::paced(operation, work, &run, tools, knowledge)?);
             if let Some(id) = &operation.workpiece.machine {
                 faults.extend(against_lathe(&run, &Lathe::find(knowledge, id)?)?);

@@ -209,6 +209,34 @@ fn what_is_not_machined_stands() {
     assert!(faults.iter().all(|fault| matches!(fault, Fault::Stands { .. })));
 }
 
+/// Passes that end before the thread does, begin within it, or are drawn out too soon; half a pitch of 2.5 mm is the last turn's.
+#[test]
+fn a_thread_is_cut_to_its_depth_along_all_its_length() {
+    let passes = |from: f64, to: f64| {
+        let mut work = thread(8.775);
+        for motion in &mut work.motions {
+            let Piece::Line { from: begin, to: end } = &mut motion.path else { panic!() };
+            for place in [begin, end] {
+                let z = if place.z.0 < 0.0 { to } else { from };
+                place.z = Mm(z);
+            }
+        }
+        let parts = wrong(&work).into_iter().filter_map(|fault| match fault {
+            Fault::ThreadPart { left, from_z, to_z, .. } => Some((left, from_z, to_z)),
+            _ => None,
+        });
+        parts.collect::<Vec<_>>()
+    };
+    assert_eq!(passes(4.0, -22.0), []);
+    assert_eq!(passes(4.0, -19.0), []);
+    let found = passes(4.0, -18.0);
+    assert!(matches!(found[..], [(left, from, to)] if is(left, 2.0) && is(from, -18.0) && is(to, -20.0)), "{found:?}");
+    let found = passes(4.0, -11.0);
+    assert!(matches!(found[..], [(left, ..)] if is(left, 9.0)), "{found:?}");
+    let found = passes(-6.5, -22.0);
+    assert!(matches!(found[..], [(left, from, to)] if is(left, 5.0) && is(from, -1.5) && is(to, -6.5)), "{found:?}");
+}
+
 #[test]
 fn a_thread_is_neither_too_deep_nor_too_shallow() {
     let faults = wrong(&thread(8.675));

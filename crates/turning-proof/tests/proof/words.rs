@@ -21,6 +21,7 @@ fn all() -> Vec<Note> {
         Fault::Stands { surface: None, thickness: Mm(0.3), at, from_z: Mm(-1.0), to_z: Mm(-5.0) },
         Fault::Corner { surface: surface.clone(), radius: Mm(0.8), left: Mm(0.2343), at, count },
         Fault::ThreadShallow { surface: surface.clone(), left: Mm(0.125) },
+        Fault::ThreadPart { surface: surface.clone(), left: Mm(14.5), from_z: Mm(-16.0), to_z: Mm(-30.5) },
         Fault::TapBlocked { tool: tool.clone(), width, at, block, count },
         Fault::ThreadLead { surface: surface.clone(), pitch: Mm(2.0), lead: Mm(1.5), at, block, count },
         Fault::TapOutOfStep { tool: tool.clone(), pitch: Mm(1.75), lead: Mm(1.5), at, block, count },

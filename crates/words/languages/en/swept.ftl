@@ -29,6 +29,7 @@ swept-corner = { $surface }: an inner corner keeps the round of the nose, r = { 
        *[other] corners
     } in all
 swept-thread-shallow = { $surface }: the deepest pass of the thread ends { $left } mm short of the pitch diameter that its tolerance allows
+swept-thread-part = { $surface }: no pass cuts the thread to its depth from Z{ $from } to Z{ $to }, { $left } mm of its length
 swept-tap-blocked = { $tool } meets metal at Z{ $z } Ø{ $diameter }, { $width } mm where it is narrowest: no hole, a hole narrower than its core, or the bottom; { $count } { $count ->
         [one] place
        *[other] places

@@ -206,6 +206,7 @@ fn told_but<'a>(
         Fault::Stands { surface, .. }
         | Fault::Corner { surface, .. }
         | Fault::ThreadShallow { surface, .. }
+        | Fault::ThreadPart { surface, .. }
         | Fault::ThreadShort { surface, .. } => surface.as_ref().is_none_or(|surface| own.contains(surface)),
         unsafe_fault => is_unsafe(operation, unsafe_fault),
     };
@@ -219,7 +220,8 @@ fn told_but<'a>(
 /// Whether a fault would damage the part or cause a collision.
 fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
     match fault {
-        Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } | Fault::ThreadShort { .. } => false,
+        Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } => false,
+        Fault::ThreadPart { .. } | Fault::ThreadShort { .. } => false,
         Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
         Fault::Struck { .. } | Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
         Fault::TapBlocked { .. } | Fault::TapOutOfStep { .. } | Fault::TapHoleWide { .. } => true,
