@@ -14,7 +14,7 @@ use technolog::turning::operation::times::{Times, times};
 use technolog::turning::operation::tool_table;
 use technolog::turning::operation::turret::Put;
 use technolog::turning::operation::{self, Operation};
-use technolog::turning::program::NotWritten;
+use technolog::turning::program::{NotCycled, NotWritten};
 use technolog::turning::workpiece::Workpiece;
 use technolog::units::RevsPerMinute;
 use technolog::words::say;
@@ -110,7 +110,8 @@ pub fn program(
     let (control, form) = (wanted.control.name(), wanted.form);
     let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
     let put = |put: &Put<'_>, offset: u32| context.lang.say(&put.note(offset));
-    let remarks = Remarks { work: &named, put: &put };
+    let single = |why: NotCycled| context.lang.say(&why.note());
+    let remarks = Remarks { work: &named, put: &put, single: &single };
     let all = programs_named(operation, control, form, wanted.spindle, remarks, knowledge).map_err(lacking)?;
     let Some(written) = wanted.number.checked_sub(1).and_then(|index| all.get(index)) else {
         let (message, help) = if all.is_empty() {

@@ -15,6 +15,7 @@ mod elements;
 mod equidistant;
 mod everyday;
 mod extremes;
+mod fields;
 mod limit;
 mod operation;
 mod operation_rules;

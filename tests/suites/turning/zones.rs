@@ -250,7 +250,15 @@ fn profile(side: Side, start: (f64, f64), items: &[(SurfaceKind, f64, f64)]) -> 
         let pieces = vec![Piece::line(here, at(*radius, *z))];
         here = at(*radius, *z);
         let name = SurfaceName::Place(side, surfaces.len() + 1);
-        surfaces.push(Surface { name, kind: *kind, pieces, grade: None, roughness: None, stated_allowance: None });
+        surfaces.push(Surface {
+            name,
+            kind: *kind,
+            pieces,
+            grade: None,
+            field: None,
+            roughness: None,
+            stated_allowance: None,
+        });
     }
     Profile { side, surfaces }
 }
@@ -477,6 +485,7 @@ proptest! {
                 kind: if piece.is_face() { Face } else if piece.is_cylinder() { Cylinder } else { Cone },
                 pieces: vec![*piece],
                 grade: None,
+                field: None,
                 roughness: None,
                 stated_allowance: None,
             }).collect(),

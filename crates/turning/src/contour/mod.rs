@@ -3,6 +3,7 @@
 //! A contour runs from the free end towards the chuck. The metal is on its right, towards the axis, for an outer
 //! contour, and on its left for a bore.
 
+pub mod field;
 pub mod piece;
 pub mod stretches;
 pub mod surface;
@@ -12,6 +13,7 @@ use serde::Serialize;
 use super::length::Half;
 use super::point::Point;
 pub use crate::tables::turning::part::Side;
+pub use field::Field;
 use piece::both;
 pub use piece::{Curve, Piece, Turn};
 pub use stretches::Stretches;

@@ -10,7 +10,7 @@ use crate::units::{ItGrade, Roughness};
 
 pub use crate::tables::turning::part::SurfaceKind;
 
-use super::{Contour, Piece, Side};
+use super::{Contour, Field, Piece, Side};
 
 /// The name of a surface.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -66,6 +66,9 @@ pub struct Surface {
     /// The IT grade of its size, if the drawing gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grade: Option<ItGrade>,
+    /// The field of a fit that the drawing gives with the grade: what is turned is the nominal size.
+    #[serde(skip)]
+    pub field: Option<Field>,
     /// Its roughness, if the drawing gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<Roughness>,

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
+use crate::turning::allowances::Elsewhere;
 use crate::turning::cutting::jaw_clearance;
 use crate::turning::length::Half;
 use crate::turning::tooling::Lathe;
@@ -83,6 +84,7 @@ impl Jaws {
         set_up: &SetUp,
         workpiece: &Workpiece,
         lathe: Option<&Lathe<'_>>,
+        elsewhere: &[Elsewhere],
         knowledge: &Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
         let length = workpiece.length();
@@ -97,8 +99,11 @@ impl Jaws {
             None | Some(Hold::Centres) => return Ok(None),
             Some(Hold::Blank { diameter_mm, length_mm, from }) => (*from, *from + *length_mm, *diameter_mm, *length_mm),
             // A cylinder that the first set-up made holds the part turned over.
-            Some(Hold::Surface { diameter_mm, length_mm, over: (from, to), .. }) => {
-                (length - *to, length - *from, *diameter_mm, *length_mm)
+            Some(Hold::Surface { name, diameter_mm, length_mm, over: (from, to), .. }) => {
+                // What is ground later has its allowance yet.
+                let left = elsewhere.iter().find(|one| one.surface.to_string() == *name);
+                let left = left.map_or(Micrometres::ZERO, |one| one.allowance_mm.diameter());
+                (length - *to, length - *from, *diameter_mm + left, *length_mm)
             }
         };
         let least = JawLengths::of(grips_mm, knowledge)?.least;

@@ -33,6 +33,7 @@ mod jaws;
 mod jobs;
 pub mod layers;
 mod level;
+mod off_size;
 mod parted;
 mod pocket;
 pub mod prepare;
@@ -290,6 +291,7 @@ fn plan_without(
     let mut elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     // What tools on the axis make to size does not hang on what the lathe holds with a bar.
     elsewhere.retain(|one| axials.iter().flatten().flat_map(Axial::surfaces).all(|name| *name != one.surface));
+    findings.extend(off_size::off_size(workpiece, &elsewhere));
     let bench = Bench { elsewhere: &elsewhere, ..bench };
     let cut_off = parted.map(|parted| parted.workpiece(workpiece));
     let mut done = Vec::new();
@@ -304,7 +306,7 @@ fn plan_without(
             let note = note.with("why", why.name());
             findings.push(Finding::of_part(Severity::Note, note));
         }
-        let jaws = Jaws::of(&set_up, workpiece, lathe.as_ref(), knowledge)?;
+        let jaws = Jaws::of(&set_up, workpiece, lathe.as_ref(), &elsewhere, knowledge)?;
         findings.extend(jaws.and_then(|jaws| jaws.short(set_up.number)));
         let tailstock = Tailstock::of(&set_up, workpiece, lathe.as_ref(), knowledge)?;
         let held = held::Held::of(&set_up, jaws.as_ref(), workpiece, &bench.material, knowledge)?;
@@ -366,10 +368,14 @@ fn turret(operation: &Operation, lathe: &Lathe<'_>) -> Option<Finding> {
     let stations = turret::stations(operation);
     let (places, tools) = (operation.turret_places?, stations.len());
     let stops = turret::loads(operation, &stations).iter().filter(|load| load.before > 0).count();
+    // With fewer places than tools one shares the place of another.
+    let seat = stations.iter().map(|one| one.seat).find(|seat| seat.place != seat.offset)?;
     let note = Note::new("turret-too-small")
         .with("tools", tools)
         .with("places", places)
         .with("stops", stops)
+        .with("place", seat.place)
+        .with("offset", seat.offset)
         .with("lathe", Figure::word_of("machine", lathe.id().to_owned()));
     (tools > places).then(|| Finding::of_part(Severity::Doubtful, note))
 }

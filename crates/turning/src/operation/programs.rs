@@ -8,8 +8,8 @@ use crate::turning::jobs::{Job, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{
-    self, Allowance, Control, CycleOf, Direction, FreeEnd, NotWritten, ProgramFile, Roughing, Seat, SectionCycle,
-    SectionLoad, Speed, ToolSection, WholeProgram,
+    self, Allowance, Control, CycleOf, Direction, FreeEnd, NotCycled, NotWritten, ProgramFile, Roughing, Seat,
+    SectionCycle, SectionLoad, Speed, ToolSection, WholeProgram,
 };
 use crate::turning::shaft::Holding;
 use crate::turning::toolpath::Toolpath;
@@ -51,6 +51,8 @@ pub struct Remarks<'a> {
     pub work: &'a dyn Fn(JobWork) -> String,
     /// A tool that is put into the turret, with the number of its offset.
     pub put: &'a dyn Fn(&Put<'_>, u32) -> String,
+    /// Why the passes of a thread are written one by one.
+    pub single: &'a dyn Fn(NotCycled) -> String,
 }
 
 /// The program of each set-up; `spindle` is the spindle speed that the user states. Comments name works by their ids.
@@ -66,7 +68,8 @@ pub fn programs(
 ) -> Result<Vec<OperationProgram>, KnowledgeError> {
     let put =
         |put: &Put<'_>, offset: u32| format!("T{}: {}, {offset}", put.station.seat.place, put.station.tool.designation);
-    programs_named(operation, control, form, spindle, Remarks { work: &by_id, put: &put }, knowledge)
+    let single = |why: NotCycled| why.name().to_owned();
+    programs_named(operation, control, form, spindle, Remarks { work: &by_id, put: &put, single: &single }, knowledge)
 }
 
 /// The same with comments in a language.
@@ -100,7 +103,7 @@ pub fn programs_named(
             sections(set_up, &stations, form, spindle, lathe_is_named, remarks.work).and_then(|mut sections| {
                 let put = |put: &Put<'_>| (remarks.put)(put, control.offset(put.station.seat));
                 stops(&mut sections, set_up, &stations, &loads, put);
-                program::whole(&control, &operation.workpiece.name, number, &sections, end_of_part)
+                program::whole(&control, &operation.workpiece.name, number, &sections, end_of_part, remarks.single)
             })
         };
         let (files, remarks) = match files {

@@ -66,8 +66,8 @@ impl NotCycled {
         }
     }
 
-    /// Its name, for a comment of a program.
-    pub(super) const fn name(self) -> &'static str {
+    /// Its name, for a comment of a program in no language.
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Unknown => "not-cycled-unknown",
             Self::PulledOut => "not-cycled-pulled-out",

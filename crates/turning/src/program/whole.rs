@@ -116,7 +116,7 @@ pub enum FreeEnd {
     Tailstock,
 }
 
-/// The program of a set-up; `number` tells the set-ups of a part apart.
+/// The program of a set-up; `number` tells the set-ups of a part apart, `single` says why a thread has single passes.
 ///
 /// Before each tool and at the end the turret moves to the change position of the control, so that the program can
 /// begin wherever the last one ended. Paths of one tool follow each other from home point to home point.
@@ -129,6 +129,7 @@ pub fn whole(
     number: u8,
     sections: &[ToolSection],
     end_of_part: FreeEnd,
+    single: &dyn Fn(NotCycled) -> String,
 ) -> Result<WholeProgram, NotWritten> {
     let words = control.words()?;
     let latin = file_name(name);
@@ -201,7 +202,7 @@ pub fn whole(
                 sheet.rapid(home);
             }
             Call::Thread(Err(why)) => {
-                sheet.comment(why.name());
+                sheet.comment(&ascii(&single(*why)));
                 remarks.push(why.note());
                 along(&mut sheet, section, end_of_part);
             }

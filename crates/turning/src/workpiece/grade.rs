@@ -1,31 +1,32 @@
 //! The accuracy of a surface: a grade by number, or by the field of the drawing.
 
-use crate::turning::contour::Side;
+use crate::turning::contour::{Field, Side};
 use crate::units::ItGrade;
 
-/// Reads `6`, `IT6`, `h6`, `js7`, `H7`; Cyrillic letters that look like the Latin ones are read as these.
+/// A grade, and its field if letters name one. Reads `6`, `IT6`, `h6`, `js7`, `H7`; Cyrillic letters that look like the Latin ones are read as these.
 ///
 /// # Errors
 /// The code of the mistake: it is no grade, or it is the field of a hole on an outer surface (or the other way round).
-pub(super) fn read(text: &str, side: Side) -> Result<ItGrade, &'static str> {
+pub(super) fn read(text: &str, side: Side) -> Result<(ItGrade, Option<Field>), &'static str> {
     let text = text.trim();
     let split = text.find(|letter: char| letter.is_ascii_digit()).unwrap_or(text.len());
     let (letters, number) = text.split_at(split);
     let letters: String = letters.chars().map(latin).collect();
     let grade = number.parse::<u8>().ok().and_then(ItGrade::new).ok_or("bad-grade")?;
     if letters.is_empty() || letters == "IT" {
-        return Ok(grade);
+        return Ok((grade, None));
     }
     if letters.chars().count() > 2 || !letters.chars().all(|letter| letter.is_ascii_alphabetic()) {
         return Err("bad-grade");
     }
     let of_hole = letters.chars().all(|letter| letter.is_ascii_uppercase());
     let of_shaft = letters.chars().all(|letter| letter.is_ascii_lowercase());
+    let field = |letters: String| Ok((grade, Some(Field { letters, grade })));
     match side {
-        Side::Outer if of_shaft => Ok(grade),
-        Side::Inner if of_hole => Ok(grade),
+        Side::Outer if of_shaft => field(letters),
+        Side::Inner if of_hole => field(letters),
         // `Js` is often written for JS.
-        Side::Inner if letters == "Js" => Ok(grade),
+        Side::Inner if letters == "Js" => field("JS".to_owned()),
         _ if of_hole || of_shaft => Err("field-of-the-other-side"),
         _ => Err("bad-grade"),
     }
@@ -76,7 +77,9 @@ mod tests {
             ("abc6", Side::Outer, Err("bad-grade")),
             ("", Side::Outer, Err("bad-grade")),
         ] {
-            assert_eq!(read(text, side).map(ItGrade::number), grade, "{text}");
+            let field = read(text, side).ok().and_then(|(_, field)| field);
+            assert_eq!(field.is_some(), grade.is_ok() && !text.starts_with(['6', 'I']), "{text}");
+            assert_eq!(read(text, side).map(|(grade, _)| grade.number()), grade, "{text}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::form::{Form, KeyOf, similar_key};
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
-use crate::turning::contour::Side;
+use crate::turning::contour::{Field, Side};
 use crate::turning::length::Half;
 use crate::turning::reading::{LARGEST, Placed, Reader, mistake};
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
@@ -134,6 +134,7 @@ pub(super) struct GrooveValues {
 pub(super) struct Attributes {
     pub name: Option<Placed<String>>,
     pub grade: Option<ItGrade>,
+    pub field: Option<Field>,
     pub roughness: Option<Roughness>,
     pub allowance: Option<Half>,
 }
@@ -254,9 +255,10 @@ impl Reader<'_> {
                 Err(code) => self.fault(mistake!(code, grade = text), &node.place),
             }
         });
+        let (grade, field) = grade.map_or((None, None), |(grade, field)| (Some(grade), field));
         let roughness = fields.take(roughness).and_then(|node| self.problems.scalar(node));
         let allowance = fields.take(allowance).and_then(|node| self.not_below_zero(node, allowance.name()));
-        Attributes { name, grade, roughness, allowance: allowance.map(Half::of) }
+        Attributes { name, grade, field, roughness, allowance: allowance.map(Half::of) }
     }
 
     /// A length that may be zero.

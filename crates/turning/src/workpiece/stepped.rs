@@ -77,7 +77,15 @@ fn outer(steps: &[Step]) -> Profile {
         }
         let name = SurfaceName::Place(Side::Outer, surfaces.len() + 1);
         let pieces = vec![piece];
-        surfaces.push(Surface { name, kind, pieces, grade: None, roughness: None, stated_allowance: None });
+        surfaces.push(Surface {
+            name,
+            kind,
+            pieces,
+            grade: None,
+            field: None,
+            roughness: None,
+            stated_allowance: None,
+        });
     }
     Profile { side: Side::Outer, surfaces }
 }

@@ -173,7 +173,8 @@ impl Walk<'_, '_, '_> {
             None => SurfaceName::Place(self.walked.side, self.walked.surfaces.len() + 1),
         };
         let (grade, roughness, stated_allowance) = (attributes.grade, attributes.roughness, attributes.allowance);
-        let surface = Surface { name, kind, pieces, grade, roughness, stated_allowance };
+        let field = attributes.field.clone();
+        let surface = Surface { name, kind, pieces, grade, field, roughness, stated_allowance };
         self.walked.surfaces.push((surface, item.place.clone()));
     }
 

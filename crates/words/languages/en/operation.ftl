@@ -57,7 +57,9 @@ nose-fills-hollow = the nose of radius { $nose } mm fills the hollow of radius {
 lathe-unsafe = its program is not written, because the proof rejects it: { $why }
     .help = the page of the operation lists every finding; change the part, its blank, tool or scheme until there is none
 turning-not-proven = set-up { $number }: what it does to the stock could not be proven: { $why }
-turret-too-small = { $tools } tools, and the turret of { $lathe } has { $places } places: they share places, T1/7 is tool 7 in place 1; { $stops ->
+field-off-size = { $surface }: the field { $field } does not contain Ø{ $diameter }, and that is the size that the program makes
+    .help = give the middle of the field as the diameter, and the grade as a number: for Ø20 f7 (19.959 to 19.980) Ø19.97 and `grade: 7`
+turret-too-small = { $tools } tools, and the turret of { $lathe } has { $places } places: they share places, T{ $place }/{ $offset } is tool { $offset } in place { $place }; { $stops ->
         [0] they are changed by hand between the set-ups
         [one] at one planned stop (M0) of the programs they are changed by hand
        *[other] at { $stops } planned stops (M0) of the programs they are changed by hand

@@ -1,0 +1,34 @@
+//! Surfaces whose field leaves out the size that the program makes.
+
+use crate::note::{Finding, Note, Severity};
+use crate::turning::allowances::Elsewhere;
+use crate::turning::contour::{Profile, Surface, SurfaceKind};
+use crate::turning::workpiece::Workpiece;
+use crate::units::Micrometres;
+
+/// A finding for each surface whose field leaves out the nominal size. Programs make the nominal size, so a part of that size is
+/// scrap. What another machine finishes gets its size there: the lathe only leaves an allowance.
+pub(super) fn off_size(workpiece: &Workpiece, elsewhere: &[Elsewhere]) -> Vec<Finding> {
+    let profiles = std::iter::once(&workpiece.outer).chain(&workpiece.inner);
+    let surfaces = profiles.flat_map(|profile: &Profile| profile.surfaces.iter().map(|one| (profile.side, one)));
+    let finding = |(side, surface): (_, &Surface)| {
+        let (field, diameter) = (surface.field.as_ref()?, size(surface)?);
+        if field.has_nominal(side, diameter) || elsewhere.iter().any(|one| one.surface == surface.name) {
+            return None;
+        }
+        let note = Note::new("field-off-size").with("surface", &surface.name).with("field", field);
+        Some(Finding::of_part(Severity::Wrong, note.with("diameter", diameter)))
+    };
+    surfaces.filter_map(finding).collect()
+}
+
+/// The diameter that a field is of: that of a cylinder, also of the floor of a groove, else the largest. A face has a length, whose
+/// size the contour does not tell, and a thread has classes of its own.
+fn size(surface: &Surface) -> Option<Micrometres> {
+    if matches!(surface.kind, SurfaceKind::Face | SurfaceKind::FaceGroove | SurfaceKind::Thread) {
+        return None;
+    }
+    let straight = surface.pieces.iter().find(|piece| piece.from.radius == piece.to.radius);
+    let largest = || surface.pieces.iter().map(|piece| piece.from.radius.max(piece.to.radius)).max();
+    straight.map(|piece| piece.from.radius).or_else(largest).map(|radius| radius.diameter())
+}
