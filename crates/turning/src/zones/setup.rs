@@ -3,7 +3,7 @@
 //! From the free end a tool makes elements that rise towards the chuck. Behind the largest radius the contour falls;
 //! where it falls more steeply than φ1 and never rises again, the rest is for the second set-up, with the part turned
 //! over. A bore is treated the same inside out: it is bored from the end to which it widens. The far face belongs to
-//! the second set-up, and so do [threads](far_threads) that cannot be cut from the free end.
+//! the second set-up, and so do threads that cannot be cut from the free end.
 //!
 //! In the second set-up the part is held by a cylinder that the first one made, long enough for the jaws by the rule
 //! `turning-hold`.
