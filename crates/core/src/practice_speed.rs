@@ -4,13 +4,14 @@ use crate::error::KnowledgeError;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::knowledge::{Knowledge, QueryError, RowRef};
 use crate::material::Material;
+use crate::note::Note;
 use crate::plan::Operation;
 use crate::tables::practice::{
     CarbideSpeedFor, CarbideWork, Coating, HssSpeedFor, HssWork, PracticeGroup, PracticeGroupFor, RoughOrFinish,
     SharedWork, SpeedShareFor, TapSpeedFor,
 };
 use crate::tables::turning::jobs::GroovingPracticeFor;
-use crate::units::{Brinell, Decimal, MetresPerMinute, Micrometres};
+use crate::units::{Brinell, Decimal, MetresPerMinute, Micrometres, round_to};
 
 /// By how much hardness is lessened until a table has a figure, HB: the groups of practice are 25 to 50 wide.
 const SOFTER: Decimal = Decimal::from_int(20);
@@ -26,25 +27,21 @@ pub struct PracticeSpeed<'k> {
     pub high: MetresPerMinute,
     /// The row that gives them.
     pub row: RowRef<'k>,
+    /// The hardness that they are of, HB, where the tables end below that of the material.
+    pub softer: Option<Decimal>,
 }
 
 impl<'k> PracticeSpeed<'k> {
     fn new(low: MetresPerMinute, high: MetresPerMinute, row: RowRef<'k>) -> Self {
-        Self { low, typical: MetresPerMinute((low.0 + high.0) / 2.0), high, row }
+        Self { low, typical: MetresPerMinute((low.0 + high.0) / 2.0), high, row, softer: None }
     }
 
     fn times(self, low: f64, typical: f64, high: f64) -> Self {
         let times = |speed: MetresPerMinute, share: f64| MetresPerMinute(speed.0 * share);
-        Self {
-            low: times(self.low, low),
-            typical: times(self.typical, typical),
-            high: times(self.high, high),
-            row: self.row,
-        }
+        Self { low: times(self.low, low), typical: times(self.typical, typical), high: times(self.high, high), ..self }
     }
 
-    /// What shops use for an operation with a tool of that material; `None` where the tables have no figure for it. A metal harder
-    /// than the tables know is cut no faster than the hardest that they have, and nothing is known of how slow that may be.
+    /// What shops use for an operation with a tool of that material; `None` where the tables have no figure for it.
     ///
     /// # Errors
     /// The tables cannot answer.
@@ -54,15 +51,39 @@ impl<'k> PracticeSpeed<'k> {
         material: &Material<'k>,
         knowledge: &'k Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
+        Self::or_of_softer(material, |material| Self::as_hard(operation, tool, material, knowledge))
+    }
+
+    /// The speeds for a material, or those of its hardest state that the tables know: what is harder is cut no faster.
+    fn or_of_softer(
+        material: &Material<'k>,
+        of: impl Fn(&Material<'k>) -> Result<Option<Self>, KnowledgeError>,
+    ) -> Result<Option<Self>, KnowledgeError> {
         let mut softer = material.clone();
         while softer.hardness.millionths() > 0 {
-            if let Some(found) = Self::as_hard(operation, tool, &softer, knowledge)? {
-                let low = if softer.hardness == material.hardness { found.low } else { MetresPerMinute(0.0) };
-                return Ok(Some(Self { low, ..found }));
+            if let Some(found) = of(&softer)? {
+                let softer = (softer.hardness != material.hardness).then_some(softer.hardness);
+                return Ok(Some(Self { softer, ..found }));
             }
             softer.hardness = Decimal::from_millionths(softer.hardness.millionths() - SOFTER.millionths());
         }
         Ok(None)
+    }
+
+    /// The lower end, as far as it says something of the material: how slow a harder one may be cut nobody tells.
+    pub fn lowest(&self) -> Option<MetresPerMinute> {
+        self.softer.is_none().then_some(self.low)
+    }
+
+    /// The range beside the speed of a formula, which is `share` of the usual one.
+    pub fn beside(&self, formula: MetresPerMinute, share: f64) -> Note {
+        let note = match self.softer {
+            Some(hardness) => Note::new("second-opinion-softer").with("hardness", hardness.to_f64()),
+            None => Note::new("second-opinion").with("low", round_to(self.low.0, 1)),
+        };
+        note.with("high", round_to(self.high.0, 1))
+            .with("formula", round_to(formula.0, 1))
+            .with("percent", round_to(share * 100.0, 0))
     }
 
     fn as_hard(
@@ -118,6 +139,15 @@ impl<'k> PracticeSpeed<'k> {
         material: &Material<'k>,
         knowledge: &'k Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
+        Self::or_of_softer(material, |material| Self::turned(pass, inner, material, knowledge))
+    }
+
+    fn turned(
+        pass: RoughOrFinish,
+        inner: bool,
+        material: &Material<'k>,
+        knowledge: &'k Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
         let Some(group) = practice_group(material, knowledge)?.map(|row| row.group) else { return Ok(None) };
         let of = |coating| Self::carbide(CarbideWork::Turn, coating, pass, group, knowledge);
         let (uncoated, coated) = (of(Coating::Uncoated)?, of(Coating::Coated)?);
@@ -143,7 +173,7 @@ impl<'k> PracticeSpeed<'k> {
 
     fn hss(operation: HssWork, group: &str, knowledge: &'k Knowledge) -> Result<Option<Self>, KnowledgeError> {
         let row = knowledge.ask(&HssSpeedFor { operation, group })?.winner()?;
-        Ok(row.map(|row| Self { low: row.speed_low, typical: row.speed, high: row.speed_high, row: row.row }))
+        Ok(row.map(|row| Self { typical: row.speed, ..Self::new(row.speed_low, row.speed_high, row.row) }))
     }
 
     fn of_drill(operation: SharedWork, group: &str, knowledge: &'k Knowledge) -> Result<Option<Self>, KnowledgeError> {

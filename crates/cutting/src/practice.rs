@@ -58,15 +58,13 @@ pub fn second_opinion(
     let (speed, comparison) = match taken {
         Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, PracticeComparison::Slower),
         Taken::PracticeUsual if practice.typical.0 < formula.0 => (practice.typical, PracticeComparison::Slower),
-        Taken::PracticeLow if practice.low.0 > formula.0 => (practice.low, PracticeComparison::Faster),
+        Taken::PracticeLow => match practice.lowest().filter(|low| low.0 > formula.0) {
+            Some(low) => (low, PracticeComparison::Faster),
+            None => (formula, PracticeComparison::FormulaKept),
+        },
         _ => (formula, PracticeComparison::FormulaKept),
     };
-    let note = Note::new("second-opinion")
-        .with("formula", round_to(formula.0, 1))
-        .with("low", round_to(practice.low.0, 1))
-        .with("high", round_to(practice.high.0, 1))
-        .with("percent", round_to(share * 100.0, 0));
-    let mut because = vec![Because::row(practice.row, note)];
+    let mut because = vec![Because::row(practice.row, practice.beside(formula, share))];
     if comparison != PracticeComparison::FormulaKept {
         let note = Note::new("practice-speed").with("speed", round_to(speed.0, 1));
         because.push(Because::answer(&answer.answer, note));

@@ -38,6 +38,7 @@ vocabulary! {
         JawShare = "jaw-share",
         CentreAngle = "centre-angle",
         CentreBody = "centre-body",
+        CentreClearance = "centre-clearance",
         CentreOut = "centre-out",
         QuillShare = "quill-share",
         JawFriction = "jaw-friction",

@@ -182,6 +182,15 @@ rows! {
         take: Taken,
     }
 
+    /// Whether a field holds the nominal size.
+    pub struct TurningField of One("turning-field") asked by TurningFieldFor<'t> {
+        letters: &'t str,
+        grade: ItGrade,
+        diameter: Micrometres,
+    } {
+        holds: bool,
+    }
+
     /// When the torque is that of the specific cutting force.
     pub struct ForceOpinion of One("force-opinion") asked by ForceOpinionFor {
         operation: Operation,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
 use crate::knowledge::vocabulary::{Operation as Cutting, Severity as Judged, ToolMaterial};
 use crate::motion::Turning;
@@ -10,6 +10,7 @@ use crate::note::{Note, Severity};
 use crate::program::Fault;
 use crate::program::lathe::{LatheAct, LatheMotion, LatheRun};
 use crate::tables::audit::{AuditLathePaceFor, PaceFigure};
+use crate::tables::cutting::BoringForceFor;
 use crate::tables::practice::RoughOrFinish;
 use crate::tables::turning::jobs::ThreadingSpeedFor;
 use crate::turning::contour::Side;
@@ -20,13 +21,11 @@ use crate::turning::tooling::{Hand, Lathe, ToolKind};
 use crate::units::{Micrometres, round_to};
 use technolog_core::material::Material;
 use technolog_core::practice_speed::PracticeSpeed;
+use technolog_cutting::figures::{self, Asking};
 
 use super::calls::CalledTool;
 use super::fault;
 use super::lathe::{per_turn, turns};
-
-/// The exponent of the feed in the cutting force (table `boring-force`).
-const FORCE_BY_FEED: f64 = 0.75;
 
 /// What of the pace of a program spoils its tools, for each tool and kind once, at the worst place. A tool that the text does not
 /// name is not known well enough to be wrong.
@@ -47,6 +46,7 @@ pub(super) fn paced(
         None => material,
     };
     let lathe = part.machine.as_deref().map(|id| Lathe::find(knowledge, id)).transpose()?;
+    let by_feed = force_by_feed(&material, knowledge)?;
     let largest = part.blank.largest_diameter().to_mm() / 2.0;
     let mut faults = Vec::new();
     for tool in tools {
@@ -105,13 +105,13 @@ pub(super) fn paced(
             let note = Note::new("turned-feed").with("feed", round_to(used, 3)).with("planned", round_to(planned, 3));
             tell("turned-feed", severity, line, note);
         }
-        // N ~ V·f^0.75 at the depth of the plan.
+        // N ~ V·f^y at the depth of the plan.
         let load = |motion: &LatheMotion| {
             let conditions = same.iter().filter_map(|job| job.conditions.as_ref());
-            let (speed, feed) = (speed(motion)?, feed(motion)?);
+            let (speed, feed, by_feed) = (speed(motion)?, feed(motion)?, by_feed?);
             let power = |one: &crate::turning::cutting::TurningConditions| {
                 let share = speed / one.speed_m_per_min.0;
-                Some(one.power_kw?.0 * share * libm::pow(feed / one.feed_mm_per_rev.0, FORCE_BY_FEED))
+                Some(one.power_kw?.0 * share * libm::pow(feed / one.feed_mm_per_rev.0, by_feed))
             };
             conditions.filter_map(power).min_by(f64::total_cmp)
         };
@@ -123,6 +123,22 @@ pub(super) fn paced(
         }
     }
     Ok(faults)
+}
+
+/// The exponent of the feed in the cutting force, with the stand-ins of the plan; none where no table has the material.
+fn force_by_feed<'k>(material: &Material<'k>, knowledge: &'k Knowledge) -> Result<Option<f64>, KnowledgeError> {
+    struct Turned<'m, 'k>(&'m Material<'k>, &'k Knowledge);
+    impl<'k> Asking<'k> for Turned<'_, 'k> {
+        fn knowledge(&self) -> &'k Knowledge {
+            self.1
+        }
+        fn material(&self) -> &Material<'k> {
+            self.0
+        }
+    }
+    let question = |material_group| BoringForceFor { material_group, tool_material: ToolMaterial::Carbide };
+    let found = Refusal::split(figures::ask(question, &Turned(material, knowledge)))?;
+    Ok(found.ok().map(|figures| figures.row.y))
 }
 
 /// Whether a tool cuts only while the spindle turns with M3: what works on the axis, and a right-hand insert, which leads

@@ -9,6 +9,7 @@ mod block;
 pub mod control_2c42_65;
 pub mod iso;
 pub mod lathe;
+mod left_over;
 mod limits;
 pub mod proof;
 mod running;

@@ -71,18 +71,20 @@ impl SpeedLaw<'_> {
         let take = asked.need(self.cut.name())?.take;
         let (speed, lives) = match take {
             // Faster than the formula: its tool life does not apply to practice.
-            Taken::PracticeLow if practice.low.0 > computed.0 => (practice.low, None),
+            Taken::PracticeLow => match practice.lowest().filter(|low| low.0 > computed.0) {
+                Some(low) => (low, None),
+                None => (computed, self.formula),
+            },
             Taken::PracticeHigh if practice.high.0 < computed.0 => (practice.high, self.formula),
             Taken::PracticeUsual => (computed, self.formula),
             _ => (computed, self.formula),
         };
         let taken = speed != computed || take == Taken::PracticeUsual;
-        let range = Note::new(if self.formula.is_some() { "second-opinion" } else { "practice-range" })
-            .with("low", round_to(practice.low.0, 1))
-            .with("high", round_to(practice.high.0, 1));
         let range = match self.formula {
-            Some(_) => range.with("formula", round_to(computed.0, 1)).with("percent", round_to(share * 100.0, 0)),
-            None => range,
+            Some(_) => practice.beside(computed, share),
+            None => Note::new("practice-range")
+                .with("low", round_to(practice.low.0, 1))
+                .with("high", round_to(practice.high.0, 1)),
         };
         let mut because = vec![Because::row(practice.row, range)];
         if taken {

@@ -291,7 +291,7 @@ fn plan_without(
     let mut elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     // What tools on the axis make to size does not hang on what the lathe holds with a bar.
     elsewhere.retain(|one| axials.iter().flatten().flat_map(Axial::surfaces).all(|name| *name != one.surface));
-    findings.extend(off_size::off_size(workpiece, &elsewhere));
+    findings.extend(off_size::off_size(workpiece, &elsewhere, knowledge)?);
     let bench = Bench { elsewhere: &elsewhere, ..bench };
     let cut_off = parted.map(|parted| parted.workpiece(workpiece));
     let mut done = Vec::new();

@@ -1,25 +1,34 @@
 //! Surfaces whose field leaves out the size that the program makes.
 
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
 use crate::turning::allowances::Elsewhere;
-use crate::turning::contour::{Profile, Surface, SurfaceKind};
+use crate::turning::contour::{Surface, SurfaceKind};
 use crate::turning::workpiece::Workpiece;
 use crate::units::Micrometres;
 
 /// A finding for each surface whose field leaves out the nominal size. Programs make the nominal size, so a part of that size is
 /// scrap. What another machine finishes gets its size there: the lathe only leaves an allowance.
-pub(super) fn off_size(workpiece: &Workpiece, elsewhere: &[Elsewhere]) -> Vec<Finding> {
+///
+/// # Errors
+/// The knowledge base lacks the rule.
+pub(super) fn off_size(
+    workpiece: &Workpiece,
+    elsewhere: &[Elsewhere],
+    knowledge: &Knowledge,
+) -> Result<Vec<Finding>, KnowledgeError> {
+    let mut findings = Vec::new();
     let profiles = std::iter::once(&workpiece.outer).chain(&workpiece.inner);
-    let surfaces = profiles.flat_map(|profile: &Profile| profile.surfaces.iter().map(|one| (profile.side, one)));
-    let finding = |(side, surface): (_, &Surface)| {
-        let (field, diameter) = (surface.field.as_ref()?, size(surface)?);
-        if field.has_nominal(side, diameter) || elsewhere.iter().any(|one| one.surface == surface.name) {
-            return None;
+    for surface in profiles.flat_map(|profile| &profile.surfaces) {
+        let (Some(field), Some(diameter)) = (&surface.field, size(surface)) else { continue };
+        if elsewhere.iter().any(|one| one.surface == surface.name) || field.has_nominal(diameter, knowledge)? {
+            continue;
         }
         let note = Note::new("field-off-size").with("surface", &surface.name).with("field", field);
-        Some(Finding::of_part(Severity::Wrong, note.with("diameter", diameter)))
-    };
-    surfaces.filter_map(finding).collect()
+        findings.push(Finding::of_part(Severity::Wrong, note.with("diameter", diameter)));
+    }
+    Ok(findings)
 }
 
 /// The diameter that a field is of: that of a cylinder, also of the floor of a groove, else the largest. A face has a length, whose

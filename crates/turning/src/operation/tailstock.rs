@@ -24,6 +24,9 @@ pub struct Tailstock {
     pub slope: f64,
     /// The diameter of the centre after its cone.
     pub body_mm: Micrometres,
+    /// What stays free between a tool and a centre that is turned down for it, on one side.
+    #[serde(skip)]
+    pub clearance: Micrometres,
     /// Whether a usual centre is in the way of the tools, so that this one has to be turned down.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub turned_down: bool,
@@ -32,9 +35,6 @@ pub struct Tailstock {
     /// The diameter of the quill.
     pub quill_mm: Micrometres,
 }
-
-/// Between a tool and a centre that is turned down for it.
-const FREE: Half = Half::new(1000);
 
 impl Tailstock {
     /// The tailstock of a set-up; none in a chuck, and if the size of the lathe is not known.
@@ -48,8 +48,9 @@ impl Tailstock {
         knowledge: &Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
         let (Some(Hold::Centres), Some(lathe)) = (&set_up.holds_at, lathe) else { return Ok(None) };
-        let Some(Workholding { centre_slope: slope, centre_body, centre_out, quill_diameter, .. }) =
-            lathe.workholding(knowledge)?
+        let Some(Workholding {
+            centre_slope: slope, centre_body, centre_clearance, centre_out, quill_diameter, ..
+        }) = lathe.workholding(knowledge)?
         else {
             return Ok(None);
         };
@@ -63,6 +64,7 @@ impl Tailstock {
             mouth_mm,
             slope,
             body_mm: centre_body.max(mouth_mm),
+            clearance: centre_clearance,
             turned_down: false,
             out_mm: centre_out,
             quill_mm: quill_diameter,
@@ -82,7 +84,7 @@ impl Tailstock {
     /// The centre turned down behind its cone until it is clear of tools that come as near to the axis as that; none where nothing
     /// would be left of it beside the centre hole.
     pub fn turned_down(&self, nearest: Half) -> Option<Self> {
-        let body_mm = Micrometres::from_mm((nearest - FREE).diameter().micrometres() / 1000);
+        let body_mm = Micrometres::from_mm((nearest - Half::of(self.clearance)).diameter().micrometres() / 1000);
         (body_mm > self.mouth_mm && body_mm < self.body_mm).then_some(Self { body_mm, turned_down: true, ..*self })
     }
 

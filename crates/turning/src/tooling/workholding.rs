@@ -22,6 +22,8 @@ pub struct Workholding {
     pub centre_slope: f64,
     /// Diameter of the centre after its cone.
     pub centre_body: Micrometres,
+    /// What stays free between a tool and a centre that is turned down for it, on one side.
+    pub centre_clearance: Micrometres,
     /// The distance of the centre's point from the quill.
     pub centre_out: Micrometres,
     /// Diameter of the quill after the centre.
@@ -51,6 +53,7 @@ impl<'k> Lathe<'k> {
             jaw: of(chuck_diameter, Figure::JawShare)?,
             centre_slope: libm::tan((figure(Figure::CentreAngle, knowledge)? / 2.0).to_radians()),
             centre_body: Micrometres::from_mm_rounded(figure(Figure::CentreBody, knowledge)?),
+            centre_clearance: Micrometres::from_mm_rounded(figure(Figure::CentreClearance, knowledge)?),
             centre_out: Micrometres::from_mm_rounded(figure(Figure::CentreOut, knowledge)?),
             quill_diameter: of(bed, Figure::QuillShare)?,
         }))

@@ -81,6 +81,7 @@ mill-too-large = { $tool } ({ $table }): Ø{ $diameter } is more than Ø{ $limit
 tool-too-wide = { $tool } ({ $table }): Ø{ $diameter } is more than Ø{ $limit }, the widest the magazine takes
 assembly-too-heavy = assembly with { $holder }: mass { $mass } kg, and { $limit } kg are allowed
 second-opinion = public speed tables have { $low } to { $high } m/min; the formula gives { $formula } m/min, { $percent } % of their usual speed
+second-opinion-softer = public speed tables end below this hardness; at HB { $hardness }, the hardest that they have, they end at { $high } m/min; the formula gives { $formula } m/min, { $percent } % of the usual speed there
 practice-speed = the speed of practice is taken: { $speed } m/min
 does-not-pass = { $tool } ({ $table }): Ø{ $diameter } ≥ Ø{ $within } of the step it would have to pass
 pilot-wider-than-hole = { $tool } ({ $table }): its pilot bore Ø{ $pilot } > Ø{ $hole }: the middle would be left standing

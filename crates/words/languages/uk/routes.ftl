@@ -81,6 +81,7 @@ mill-too-large = { $tool } ({ $table }): Ø{ $diameter } більше за Ø{ $
 tool-too-wide = { $tool } ({ $table }): Ø{ $diameter } більше за Ø{ $limit }, найбільший у магазині
 assembly-too-heavy = комплект з { $holder }: маса { $mass } кг, а дозволено { $limit } кг
 second-opinion = загальнодоступні таблиці мають { $low }…{ $high } м/хв; формула дає { $formula } м/хв, { $percent } % їх звичайної швидкості
+second-opinion-softer = загальнодоступні таблиці такої твердості не мають; для HB { $hardness }, найтвердішого в них, вони мають до { $high } м/хв; формула дає { $formula } м/хв, { $percent } % тамтешньої звичайної швидкості
 practice-speed = взято швидкість за практикою: { $speed } м/хв
 does-not-pass = { $tool } ({ $table }): Ø{ $diameter } ≥ Ø{ $within } ступеня, крізь який він мав би пройти
 pilot-wider-than-hole = { $tool } ({ $table }): отвір під цапфу Ø{ $pilot } > Ø{ $hole }: середина лишиться невирізаною

@@ -1,5 +1,6 @@
 //! What the program before may have left: modes that this one relies on and has never set, and the height of the quill.
 
+use super::super::left_over::{height_unknown, never_set};
 use super::block::Maker;
 use super::state::{CYCLE, DISTANCE, LENGTH, PLANE, RADIUS, SYSTEM};
 use super::words::BlockWords;
@@ -7,8 +8,7 @@ use crate::motion::Axis;
 use crate::note::IntoFigure;
 
 impl Maker<'_> {
-    /// Groups that the block relies on and that the program has never set: there what the program before has left
-    /// acts. Each is told once.
+    /// Tells of the groups that the block relies on and that the program has never set.
     pub(super) fn modes_left_over(&mut self, words: &BlockWords) {
         for (own, _) in self.state.own.iter_mut().zip(&words.g).filter(|(_, function)| function.is_some()) {
             *own = true;
@@ -18,7 +18,9 @@ impl Maker<'_> {
         let moves = Axis::ALL.into_iter().any(names);
         let cycle = words.cycle.is_some();
         let arc = matches!(self.motion_function(), 2 | 3) && (moves || words.centre.iter().any(Option::is_some));
-        self.height_of_way(names(Axis::Z), names(Axis::X) || names(Axis::Y));
+        if height_unknown(&mut self.state.height_known, names(Axis::Z), names(Axis::X) || names(Axis::Y)) {
+            self.fault("height-unknown", self.span);
+        }
         // A position of the machine is one in increments, too.
         let positions = cycle || (moves && self.state.groups[SYSTEM] != 53);
         let relied_on = [
@@ -29,25 +31,12 @@ impl Maker<'_> {
             (DISTANCE, positions),
             (SYSTEM, positions),
         ];
-        let unset =
-            relied_on.into_iter().filter(|(group, used)| *used && !self.state.own[*group]).map(|(group, _)| group);
-        let unset: Vec<usize> = unset.collect();
-        for group in &unset {
-            self.state.own[*group] = true;
-        }
         // G49 is what a safe start says of the length, though G43 acts after power-on.
         let safe = |group: usize| if group == LENGTH { 49 } else { self.control.power_on[group] };
+        let unset = never_set(&mut self.state.own, relied_on.map(|(group, used)| (group, group, used)));
         let wanted: Vec<String> = unset.into_iter().map(|group| format!("G{}", safe(group))).collect();
         if !wanted.is_empty() {
             self.report("mode-left-over", self.span, &[("words", wanted.join(", ").into_figure())]);
-        }
-    }
-
-    /// A way along X or Y before the program has brought Z anywhere: the quill may be down.
-    fn height_of_way(&mut self, lifts: bool, goes: bool) {
-        self.state.height_known |= lifts;
-        if goes && !std::mem::replace(&mut self.state.height_known, true) {
-            self.fault("height-unknown", self.span);
         }
     }
 }

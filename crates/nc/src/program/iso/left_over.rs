@@ -1,5 +1,6 @@
 //! What the program before may have left: modes that this one relies on and has never set, and the height of the quill.
 
+use super::super::left_over::{height_unknown, never_set};
 use super::block::Maker;
 use super::control::{Effect, Group};
 use super::words::BlockWords;
@@ -7,8 +8,7 @@ use crate::motion::Axis;
 use crate::note::IntoFigure;
 
 impl Maker<'_> {
-    /// Groups that the block relies on and that the program has never set: there what the program before has left
-    /// acts. Each is told once.
+    /// Tells of the groups that the block relies on and that the program has never set.
     pub(super) fn modes_left_over(&mut self, words: &BlockWords) {
         for &(_, group) in Group::NAMES {
             self.state.own[group as usize] |= words.function(group).is_some();
@@ -20,7 +20,9 @@ impl Maker<'_> {
         if !moves {
             return;
         }
-        self.height_of_way(names(Axis::Z), names(Axis::X) || names(Axis::Y));
+        if height_unknown(&mut self.state.height_known, names(Axis::Z), names(Axis::X) || names(Axis::Y)) {
+            self.fault("height-unknown", self.span);
+        }
         let on_machine = words.one_shot(Effect::MachinePosition, self.control).is_some();
         let motion = words.function(Group::Motion).map(|function| function.code).or(self.state.mode(Group::Motion));
         let cycle = words.function(Group::Cycle).map(|function| function.code).or(self.state.mode(Group::Cycle));
@@ -35,25 +37,10 @@ impl Maker<'_> {
             (Group::Length, "G49", names(Axis::Z) && !on_machine),
             (Group::System, "G54", !on_machine && words.one_shot(Effect::Return, self.control).is_none()),
         ];
-        let unset: Vec<(Group, &str)> = relied_on
-            .into_iter()
-            .filter(|(group, _, used)| *used && !self.state.own[*group as usize])
-            .map(|(group, word, _)| (group, word))
-            .collect();
-        for (group, _) in &unset {
-            self.state.own[*group as usize] = true;
-        }
-        let wanted: Vec<&str> = unset.into_iter().map(|(_, word)| word).collect();
+        let relied_on = relied_on.map(|(group, word, used)| (group as usize, word, used));
+        let wanted = never_set(&mut self.state.own, relied_on);
         if !wanted.is_empty() {
             self.report("mode-left-over", self.span, &[("words", wanted.join(", ").into_figure())]);
-        }
-    }
-
-    /// A way along X or Y before the program has brought Z anywhere: the quill may be down.
-    fn height_of_way(&mut self, lifts: bool, goes: bool) {
-        self.state.height_known |= lifts;
-        if goes && !std::mem::replace(&mut self.state.height_known, true) {
-            self.fault("height-unknown", self.span);
         }
     }
 }
