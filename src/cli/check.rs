@@ -29,7 +29,7 @@ use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind
 pub struct Args {
     #[arg(value_name = "PROGRAM")]
     pub(super) program: PathBuf,
-    #[arg(long, value_parser = controls())]
+    #[arg(long, value_parser = control::Names { lathes: true })]
     pub(super) control: Option<String>,
     #[arg(long, value_name = "ID")]
     pub(super) machine: Option<String>,
@@ -39,11 +39,6 @@ pub struct Args {
     pub(super) part: Option<PathBuf>,
     #[arg(long, value_name = "N", requires = "part", value_parser = whole_number::<1, 9>)]
     pub(super) set_up: Option<u32>,
-}
-
-/// The controls whose programs are read: of mills, then of lathes.
-fn controls() -> clap::builder::PossibleValuesParser {
-    Language::NAMES.into_iter().chain(LatheLanguage::NAMES).collect::<Vec<_>>().into()
 }
 
 /// The answer in JSON.
@@ -103,7 +98,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if let Some(own) = of_part.as_deref() {
         control::same_machine(id, own, context)?;
     }
-    let control = control::chosen(args.control.as_deref(), &machine, context)?;
+    let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let mut setting = match &args.setting {
         None => Setting::default(),
@@ -158,7 +153,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             if args.control.is_none() && faults.iter().any(|fault| OF_ANOTHER_LANGUAGE.contains(&fault.code)) {
                 let message = say!(context.lang, "check-read-as", control = control);
-                let help = say!(context.lang, "check-read-as-other", controls = Language::NAMES.join(", "));
+                let help = say!(context.lang, "check-read-as-other", controls = Language::names(knowledge).join(", "));
                 let read_as = Diagnostic::error("read-as", message, None).help(help);
                 problems.insert(0, Diagnostic { severity: Severity::Note, ..read_as });
             }
