@@ -21,6 +21,11 @@ impl Maker<'_> {
         let target = self.target(words, false);
         let given = centre.iter().flatten().next().or(radius.as_ref()).map(|word| word.span);
         let Some(span) = target.span.or(given) else { return };
+        let named = [a, b].iter().any(|axis| words.get(axis.letter()).is_some());
+        if !named && self.control.is(Q::ArcNamesEnd) {
+            self.fault("arc-without-end", span);
+            return;
+        }
         let sense = if self.state.mode(Group::Motion) == Some(20) { Sense::Clockwise } else { Sense::Counterclockwise };
         let (start, end) = (in_plane(self.state.at, plane), in_plane(target.at, plane));
         let middle = match (given, radius) {

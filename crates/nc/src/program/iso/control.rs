@@ -164,6 +164,16 @@ impl Control {
         self.yes.contains(&characteristic)
     }
 
+    /// Whether it has a function for the tool change.
+    pub(super) fn changes_tools(&self) -> bool {
+        self.m.values().any(|function| function.action == Action::ToolChange)
+    }
+
+    /// Whether it taps: a spindle and a feed that go together.
+    pub(in crate::program) fn taps(&self) -> bool {
+        self.cycles.values().any(|cycle| cycle.bottom == Bottom::Reversed)
+    }
+
     /// The parts of a setting that this control has.
     pub const fn setting(&self) -> &Limits {
         &self.setting
