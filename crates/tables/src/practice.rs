@@ -199,6 +199,7 @@ vocabulary! {
         LeastWall = "least-wall",
         LeastWallShare = "least-wall-share",
         CastHoleStock = "cast-hole-stock",
+        CoreShift = "core-shift",
         PlateSpringFeeds = "plate-spring-feeds",
     }
 

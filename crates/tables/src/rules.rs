@@ -91,6 +91,7 @@ rows! {
         own_cell: bool,
         finer_roughness: bool,
         finer_grade: bool,
+        tighter_centres: bool,
     } {
         take: CellTaken,
     }
@@ -259,7 +260,7 @@ rows! {
     pub struct StockForElsewhere of One("stock-for-elsewhere") asked by StockForElsewhereFor {
         diameter: Micrometres,
     } {
-        transitions: Vec<Operation>,
+        transitions: Option<Vec<Operation>>,
     }
 
     /// Surface of the blank, for the speed factor.

@@ -5,7 +5,6 @@ use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::reason::{OfOther, Unfit};
-use crate::tables::holes::HoleDefault;
 use crate::tooling::CutterNeed;
 use crate::tooling::named;
 use crate::units::Micrometres;
@@ -111,7 +110,7 @@ fn need<'a>(
             _ => None,
         },
         clearance: Micrometres::ZERO,
-        grind_limit: context.shop.convention(HoleDefault::CutterGrindLimit).unwrap_or_default(),
+        grind_limit: context.shop.grind_limit(diameter).unwrap_or_default(),
         ..CutterNeed::plain(operation, diameter)
     }
 }

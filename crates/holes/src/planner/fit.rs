@@ -150,7 +150,6 @@ pub(super) struct Fitting<'p, 'k> {
     lead: Lead,
     clearance: Micrometres,
     floor_clearance: Micrometres,
-    grind_limit: Micrometres,
     /// The lead of a reamer as a multiple of the lead that its stock requires.
     reamer_lead_share: f64,
     /// The widest mill for a floor over the diameter of the hole, if there is one.
@@ -204,7 +203,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
             lead,
             clearance: shop.convention(HoleDefault::MillClearance)?,
             floor_clearance: shop.convention(HoleDefault::FloorClearance)?,
-            grind_limit: shop.convention(HoleDefault::CutterGrindLimit)?,
             reamer_lead_share: shop.share(HoleDefault::ReamerLeadShare)?,
             floor_mill_share: shop.share(HoleDefault::FloorMillShare)?,
             flat_floor_gap: shop.convention(HoleDefault::FlatFloorGap)?,
@@ -359,7 +357,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             entry_cylinder: step.entry_cylinder,
             hole_above: self.step_above(step),
             clearance: if step.from == step.diameter { self.floor_clearance } else { self.clearance },
-            grind_limit: self.grind_limit,
+            grind_limit: self.shop.grind_limit(step.diameter)?,
         };
         let found = match step.also {
             Some(wide) => {
@@ -404,8 +402,11 @@ impl<'p, 'k> Fitting<'p, 'k> {
         // A reamer or core drill of the catalogs, wider than asked, is ground down.
         let grinds = step.operation.is_reaming() || step.operation == Operation::CoreDrill;
         if grinds && cutter.diameter > step.nominal {
-            let note = Note::new("ground-within").with("limit", self.grind_limit);
-            because.push(Because::row(self.shop.default_row(HoleDefault::CutterGrindLimit)?.row, note));
+            let limit = self.shop.grind_limit(step.diameter)?;
+            let absolute = limit == self.shop.convention(HoleDefault::CutterGrindLimit)?;
+            let name = if absolute { HoleDefault::CutterGrindLimit } else { HoleDefault::CutterGrindShare };
+            let note = Note::new("ground-within").with("limit", limit);
+            because.push(Because::row(self.shop.default_row(name)?.row, note));
         }
         because.append(&mut assembly.because);
         let tool = FittedTool {

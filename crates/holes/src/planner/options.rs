@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::job::Hands;
 use crate::note::{Because, Note};
-use crate::part::{Hole, Part};
+use crate::part::{Bottom, Hole, Part};
 use crate::plan::{Alternative, AlternativeStep, Feature, Operation, Preference, RouteSource};
 use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
@@ -128,11 +128,33 @@ impl Options {
     }
 }
 
-/// Every route of a group of holes.
+/// Every route of a group of holes. A free floor is made flat where no route leaves the cone of a drill: its point may come
+/// through the part, and what a flat floor permits is permitted by a free one.
 ///
 /// # Errors
 /// The knowledge base has no answer. What makes the whole group impossible is a refusal, not an error.
 pub(super) fn options(
+    hole: &Hole,
+    part: &Part,
+    preference: Preference,
+    drills: (&[Micrometres], &[DrillSize]),
+    shop: &Shop<'_>,
+) -> Tried<Options> {
+    let meets = |options: &Options| options.choices.iter().any(Choice::meets_requirements);
+    let own = options_as_drawn(hole, part, preference, drills, shop)?;
+    if hole.through || hole.thread.is_some() || hole.bottom == Bottom::Flat || meets(&own) {
+        return Ok(own);
+    }
+    let flat = Hole { bottom: Bottom::Flat, ..hole.clone() };
+    let mut flat = options_as_drawn(&flat, part, preference, drills, shop)?;
+    if !meets(&flat) || flat.impossible.len() > own.impossible.len() {
+        return Ok(own);
+    }
+    flat.remarks.push(Note::new("free-floor-flat"));
+    Ok(flat)
+}
+
+fn options_as_drawn(
     hole: &Hole,
     part: &Part,
     preference: Preference,

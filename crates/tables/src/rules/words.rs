@@ -39,6 +39,7 @@ vocabulary! {
         Own = "own-cell",
         FinerRoughness = "finer-roughness",
         FinerGrade = "finer-grade",
+        TighterCentres = "tighter-centres",
         Nothing = "nothing",
     }
 
@@ -184,8 +185,10 @@ vocabulary! {
     pub enum MadeBy {
         /// There is no hole.
         Solid = "solid",
-        /// The blank has it.
+        /// The blank has it; to the proof only a cast one.
         BlankHole = "blank-hole",
+        /// A tool made it before this work.
+        PreMachined = "pre-machined",
         Drill = "drill",
         CoreDrill = "core-drill",
         Bore = "bore",

@@ -218,6 +218,7 @@ table-value-share-of-drill = a share of the drill
 table-value-own-cell = own cell
 table-value-finer-roughness = finer roughness
 table-value-finer-grade = finer grade
+table-value-tighter-centres = tighter centre distances
 table-value-take-first = the first
 table-value-take-second = the second
 table-value-cycle-drill = drill

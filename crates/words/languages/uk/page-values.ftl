@@ -218,6 +218,7 @@ table-value-share-of-drill = частка діаметра свердла
 table-value-own-cell = власна клітинка
 table-value-finer-roughness = тонша шорсткість
 table-value-finer-grade = точніший квалітет
+table-value-tighter-centres = тісніші міжосьові відстані
 table-value-take-first = перше
 table-value-take-second = друге
 table-value-cycle-drill = свердління
