@@ -65,6 +65,7 @@ vocabulary! {
         CounterboreRa = "counterbore-ra-um",
         FaceStock = "face-stock-mm",
         CutterGrindLimit = "cutter-grind-limit-mm",
+        MillCoreShare = "mill-core-share",
         CutterGrindShare = "cutter-grind-share",
         MillClearance = "mill-clearance-mm",
         MilledRoundnessShare = "milled-roundness-share",

@@ -71,6 +71,13 @@ rows! {
         coolant: bool,
     }
 
+    /// The feed of a mill that plunges into metal.
+    pub struct PlungeFeed of One("plunge-feed") asked by PlungeFeedFor<'t> {
+        material_group: &'t str,
+    } {
+        share: f64,
+    }
+
     /// Depth corrections beyond the handbook's table.
     pub struct DepthBeyond of One("depth-beyond") asked by DepthBeyondFor<'t> {
         of_table: &'t str,

@@ -154,6 +154,8 @@ pub(super) struct Fitting<'p, 'k> {
     reamer_lead_share: f64,
     /// The widest mill for a floor over the diameter of the hole, if there is one.
     floor_mill_share: f64,
+    /// The middle of an end mill that has no teeth, over its diameter.
+    mill_core_share: f64,
     /// How far above a flat floor a reamer or boring bar stops.
     flat_floor_gap: Micrometres,
     /// Room for chips below a reamer in a blind hole, where the part has it.
@@ -205,6 +207,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             floor_clearance: shop.convention(HoleDefault::FloorClearance)?,
             reamer_lead_share: shop.share(HoleDefault::ReamerLeadShare)?,
             floor_mill_share: shop.share(HoleDefault::FloorMillShare)?,
+            mill_core_share: shop.share(HoleDefault::MillCoreShare)?,
             flat_floor_gap: shop.convention(HoleDefault::FlatFloorGap)?,
             reamer_chip_room: shop.convention(HoleDefault::ReamerChipRoom)?,
             thickness: part.blank.thickness,
@@ -357,6 +360,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             entry_cylinder: step.entry_cylinder,
             hole_above: self.step_above(step),
             clearance: if step.from == step.diameter { self.floor_clearance } else { self.clearance },
+            plunges: (step.place.feature == Feature::Face).then(|| self.widest_to_plunge(step)),
             grind_limit: self.shop.grind_limit(step.diameter)?,
         };
         let found = match step.also {
@@ -376,6 +380,16 @@ impl<'p, 'k> Fitting<'p, 'k> {
                     Err(_) => tooling::find_tool(&need, shop)?,
                 }
             }
+            // A mill that does not enter the hole cuts its way down on the rim of it.
+            None if step.operation == Operation::Mill && step.place.feature != Feature::Bore => {
+                match tooling::find_tool(&need, shop)? {
+                    Ok(found) => Ok(found),
+                    Err(why) => {
+                        let plunges = Some(self.widest_to_plunge(step));
+                        tooling::find_tool(&CutterNeed { plunges, ..need }, shop)?.map_err(|_| why)
+                    }
+                }
+            }
             None => tooling::find_tool(&need, shop)?,
         };
         let (cutter, mut assembly) = found.map_err(|why| Refusal::Not(Reason::no_tool(step.operation, why)))?;
@@ -391,11 +405,14 @@ impl<'p, 'k> Fitting<'p, 'k> {
             cutter: cutter_shape(&cutter),
             ..self.cut(step, follows, cutter.head.material, travel)
         };
-        // On a floor the mill cuts as far as its own radius.
-        let cut = if step.operation == Operation::Mill && step.from == step.diameter {
-            Cut { from: (step.diameter - cutter.diameter).max(cutter.diameter + Micrometres::new(1)), ..cut }
-        } else {
-            cut
+        let own = cutter.diameter + Micrometres::new(1);
+        let cut = match step.operation {
+            // On a floor the mill cuts as far as its own radius.
+            Operation::Mill if step.from == step.diameter => {
+                Cut { from: (step.diameter - cutter.diameter).max(own), plunges: true, ..cut }
+            }
+            Operation::Mill if step.from < own => Cut { from: own, plunges: true, ..cut },
+            _ => cut,
         };
         let (conditions, doubts) = cutting::with_doubts(&cut, shop)?;
         let mut because = vec![cutter.order(), cutter.because()];
@@ -421,6 +438,14 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let pass_time = self.pass_time(step, travel, self.travels(step.place.through).0, &conditions)?;
         Ok(ToolAndConditions { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), pass_time, doubts })
+    }
+
+    /// The widest mill that may cut its way down over a hole: its teeth do not reach its middle, so that must lie over the hole;
+    /// and its circles must not be so small that its centre hardly moves.
+    fn widest_to_plunge(&self, step: &RouteStep) -> Micrometres {
+        let over_hole = step.from.to_mm() / self.mill_core_share;
+        let share = if step.place.feature == Feature::Face { self.floor_mill_share } else { 1.0 };
+        Micrometres::from_mm_rounded(over_hole.min(step.diameter.to_mm() * share)).min(step.diameter - Micrometres::new(1))
     }
 
     /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.
@@ -463,6 +488,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             it: step.required_finish.map(|(grade, _)| grade),
             feed_diameter: step.also.map(|_| step.diameter),
             tool_diameter: step.also.map(|_| step.diameter),
+            plunges: false,
         }
     }
 }
