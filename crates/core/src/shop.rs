@@ -72,7 +72,8 @@ impl<'k> Shop<'k> {
     /// # Errors
     /// The table `hole-defaults` does not name them.
     pub fn grind_limit(&self, diameter: Micrometres) -> Result<Micrometres, KnowledgeError> {
-        let (limit, share) = (self.convention(HoleDefault::CutterGrindLimit)?, self.share(HoleDefault::CutterGrindShare)?);
+        let (limit, share) =
+            (self.convention(HoleDefault::CutterGrindLimit)?, self.share(HoleDefault::CutterGrindShare)?);
         Ok(limit.min(Micrometres::from_mm_rounded(diameter.to_mm() * share / (1.0 - share))))
     }
 

@@ -445,7 +445,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
     fn widest_to_plunge(&self, step: &RouteStep) -> Micrometres {
         let over_hole = step.from.to_mm() / self.mill_core_share;
         let share = if step.place.feature == Feature::Face { self.floor_mill_share } else { 1.0 };
-        Micrometres::from_mm_rounded(over_hole.min(step.diameter.to_mm() * share)).min(step.diameter - Micrometres::new(1))
+        Micrometres::from_mm_rounded(over_hole.min(step.diameter.to_mm() * share))
+            .min(step.diameter - Micrometres::new(1))
     }
 
     /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.

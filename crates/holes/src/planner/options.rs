@@ -101,10 +101,14 @@ pub(super) struct Options {
 
 impl Options {
     /// Keeps either the routes that finish the hole here or those that leave it to another machine: the former if one of them
-    /// holds every requirement, and not only at best. Time does not decide, because that of the other machine is not known.
+    /// holds every requirement, and not only at best; where the other machine is a last resort, also at best. Time does not decide,
+    /// because that of the other machine is not known.
     pub fn finish_here_or_elsewhere(&mut self) {
         let elsewhere = |choice: &Choice| choice.candidate.finish_elsewhere;
-        let sure = |choice: &Choice| !elsewhere(choice) && choice.meets_requirements() && choice.at_best.is_empty();
+        let resort = self.choices.iter().filter(|choice| elsewhere(choice)).all(|choice| choice.candidate.last_resort);
+        let sure = |choice: &Choice| {
+            !elsewhere(choice) && choice.meets_requirements() && (resort || choice.at_best.is_empty())
+        };
         let here = self.choices.iter().any(sure);
         let kept = |choice: &Choice| if here { sure(choice) } else { elsewhere(choice) };
         let (kept, back): (Vec<Choice>, Vec<Choice>) = self.choices.drain(..).partition(kept);

@@ -30,7 +30,8 @@ impl Finder<'_, '_> {
         }
         self.tables(kind, options)?;
         let elsewhere = options.choices.iter().any(|choice| choice.candidate.finish_elsewhere);
-        if elsewhere && (self.preference == Preference::Tables || self.close()?) {
+        let resort = options.choices.iter().any(|choice| choice.candidate.last_resort);
+        if elsewhere && !resort && (self.preference == Preference::Tables || self.close()?) {
             return Ok(());
         }
         self.other_sources(options)?;
@@ -65,6 +66,7 @@ impl Finder<'_, '_> {
             scheme: Operation::Tap.name().to_owned(),
             transitions: vec![Operation::Tap],
             finish_elsewhere: false,
+            last_resort: false,
             promise: None,
             because: vec![Because::table(rule, note)],
         }))

@@ -141,6 +141,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
                 scheme,
                 transitions: Vec::new(),
                 finish_elsewhere: cell.finish_elsewhere && left,
+                last_resort: take == CellTaken::TighterCentres,
                 promise: Some(Promise {
                     it: cell.grade,
                     roughness: Some(cell.roughness),
