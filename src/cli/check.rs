@@ -13,6 +13,7 @@ use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
 use technolog::note::{Figure, Finding, Note};
+use technolog::plan::CuttingMethod;
 use technolog::program::lathe::{LatheLanguage, recognised};
 use technolog::program::proof::PlannedJob;
 use technolog::program::{Fault, Language, Setting, is_run};
@@ -22,14 +23,14 @@ use technolog::words::say;
 
 use super::diagnostics::Texts;
 use super::usage::whole_number;
-use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind, knowledge, problems, proof};
+use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind, knowledge, plan, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
 #[derive(Debug, clap::Args)]
 pub struct Args {
     #[arg(value_name = "PROGRAM")]
     pub(super) program: PathBuf,
-    #[arg(long, value_parser = controls())]
+    #[arg(long, value_parser = control::Names { lathes: true })]
     pub(super) control: Option<String>,
     #[arg(long, value_name = "ID")]
     pub(super) machine: Option<String>,
@@ -39,11 +40,6 @@ pub struct Args {
     pub(super) part: Option<PathBuf>,
     #[arg(long, value_name = "N", requires = "part", value_parser = whole_number::<1, 9>)]
     pub(super) set_up: Option<u32>,
-}
-
-/// The controls whose programs are read: of mills, then of lathes.
-fn controls() -> clap::builder::PossibleValuesParser {
-    Language::NAMES.into_iter().chain(LatheLanguage::NAMES).collect::<Vec<_>>().into()
 }
 
 /// The answer in JSON.
@@ -95,16 +91,19 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
     let text = context.text(&args.program)?;
-    let mut planned = args.part.as_deref().map(|part| proof::planned_job(part, knowledge, context)).transpose()?;
-    let of_part = planned.as_ref().map(|planned| planned.plan.part.machine.clone());
+    let plan =
+        args.part.as_deref().map(|part| plan::make(part, CuttingMethod::default(), knowledge, context)).transpose()?;
+    let of_part = plan.as_ref().map(|plan| plan.part.machine.clone());
     let machine = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
     let machine = control::machine(machine, knowledge, context)?;
     let id = machine.id();
     if let Some(own) = of_part.as_deref() {
         control::same_machine(id, own, context)?;
     }
-    let control = control::chosen(args.control.as_deref(), &machine, context)?;
+    let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
+    let planned = plan.map(|plan| PlannedJob::of(plan, &language, knowledge)).transpose();
+    let mut planned = planned.map_err(at_fault)?;
     let mut setting = match &args.setting {
         None => Setting::default(),
         Some(path) => {
@@ -158,7 +157,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             if args.control.is_none() && faults.iter().any(|fault| OF_ANOTHER_LANGUAGE.contains(&fault.code)) {
                 let message = say!(context.lang, "check-read-as", control = control);
-                let help = say!(context.lang, "check-read-as-other", controls = Language::NAMES.join(", "));
+                let help = say!(context.lang, "check-read-as-other", controls = Language::names(knowledge).join(", "));
                 let read_as = Diagnostic::error("read-as", message, None).help(help);
                 problems.insert(0, Diagnostic { severity: Severity::Note, ..read_as });
             }

@@ -1,7 +1,7 @@
 //! Arcs and helices: G2 and G3 with I, J, K or R.
 
 use super::block::Maker;
-use super::control::{Group, IsoControl};
+use super::control::{Characteristic as Q, Group};
 use super::moves::Target;
 use super::words::{BlockWords, WordValue};
 use crate::motion::geometry::{Point, distance, in_plane};
@@ -12,7 +12,7 @@ use crate::units::Micrometres;
 
 impl Maker<'_> {
     /// An arc in the active plane; with a word across the plane a helix. I, J, K are relative to the start; a missing
-    /// one is 0. Without an axis of the plane it is a full circle. LinuxCNC makes P turns of it.
+    /// one is 0. Without an axis of the plane it is a full circle. Some controls make P turns of it.
     pub(super) fn arc(&mut self, words: &BlockWords) {
         let plane = self.state.plane();
         let [a, b, _] = plane.axes();
@@ -21,6 +21,11 @@ impl Maker<'_> {
         let target = self.target(words, false);
         let given = centre.iter().flatten().next().or(radius.as_ref()).map(|word| word.span);
         let Some(span) = target.span.or(given) else { return };
+        let named = [a, b].iter().any(|axis| words.get(axis.letter()).is_some());
+        if !named && self.control.is(Q::ArcNamesEnd) {
+            self.fault("arc-without-end", span);
+            return;
+        }
         let sense = if self.state.mode(Group::Motion) == Some(20) { Sense::Clockwise } else { Sense::Counterclockwise };
         let (start, end) = (in_plane(self.state.at, plane), in_plane(target.at, plane));
         let middle = match (given, radius) {
@@ -35,7 +40,7 @@ impl Maker<'_> {
             (Some(_), Some(radius)) => self.by_radius(start, end, radius, sense),
             (Some(_), None) => self.by_centre([a, b], centre, &target, span),
         };
-        let turns = if self.control.kind == IsoControl::LinuxCnc { self.take(words, 'P') } else { None };
+        let turns = if self.control.is(Q::ArcTurns) { self.take(words, 'P') } else { None };
         if let Some(given) = turns.filter(|given| given.millionths < 1_000_000 || given.millionths % 1_000_000 != 0) {
             let figures =
                 [("address", "P".into_figure()), ("low", 1_u32.into_figure()), ("high", 99_999_u32.into_figure())];

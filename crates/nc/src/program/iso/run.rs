@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::block::{After, Maker};
-use super::control::Control;
+use super::control::{Characteristic as Q, Control};
 use super::programs::{self, Programs};
 use super::rules::fault;
 use super::state::ControlState;
@@ -84,7 +84,7 @@ impl<S: Sink> ProgramRun<'_, S> {
     fn open_end(&mut self) {
         let last = self.programs.main.clone().last().and_then(|index| self.blocks.get(index));
         let (span, number) = last.map_or((TextSpan::default(), None), |block| (block.span, block.number));
-        if self.closed && self.control.o_words {
+        if self.closed && self.control.is(Q::OWords) {
             let block = BlockRef { line: span.line, number };
             self.running.take(&MotionStep { motion: Motion::End, at: self.state.at, block });
         } else {
