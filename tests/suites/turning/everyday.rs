@@ -100,6 +100,23 @@ fn what_the_blank_has_already_is_not_turned() {
     assert_eq!(flat.filter(|(piece, _)| piece.from.radius == Half::from(20.0)).count(), 0);
 }
 
+/// Chamfers at both ends of outside and bore, written as `chamfer` or as points; the bore is drilled and bored through in the first
+/// set-up, and the second cuts nothing but its chamfer, without a drill. A taper before a cylinder is bored. Before a hole of Ø16 no
+/// bar enters the taper, which is told as that, and not looked for among countersinks.
+#[test]
+fn both_ends_of_a_bore_are_broken() {
+    for name in ["bore-chamfers", "bore-chamfers-small", "taper-bore"] {
+        let operation = planned(name);
+        assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
+        let second = operation.set_ups[1].jobs.iter().filter(|job| job.side == Side::Inner);
+        let works: Vec<Work> = second.map(|job| job.work).collect();
+        assert!(works.iter().all(|work| matches!(work, Work::Rough | Work::Finish)), "{name}: {works:?}");
+        assert_eq!(works.is_empty(), name == "taper-bore", "{name}");
+    }
+    let narrow = planned("taper-before-ream");
+    assert_eq!(wrong(&narrow), ["no-bar-for-bore", "surface-not-finished"], "{:?}", narrow.findings);
+}
+
 /// The cup has one cylinder and 9 mm of bar behind it: nothing holds it. What can be cut is made whole. Turned over, the plug has
 /// nothing but a thread and 7.5 mm of Ø45: it is held by the thread in a split bushing.
 #[test]

@@ -1,7 +1,7 @@
 //! The jobs of a set-up, in the order of work: faces, holes on the axis, rough zones, the finished contours, and the
 //! grooves and threads in them.
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal};
 use crate::note::Finding;
 use crate::tables::turning::jobs::JobLimit;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind};
@@ -127,7 +127,20 @@ fn drilled(
     let (diameter, from) = (drilled.diameter_mm, there.max(bench.raw_bore()));
     let mut jobs = Vec::new();
     let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false, tapped: false };
-    let mut drills = features::made(hole::drilling(&task, bench), findings)?.unwrap_or_default();
+    // A bore that widens again towards the far face is drilled through in one go, where a drill reaches.
+    let whole = bench.workpiece.inner.as_ref().and_then(|inner| inner.contour().end()).map(|end| end.z);
+    let whole = whole.filter(|end| *end == bench.workpiece.length() && !set_up.turned_over && *end > drilled.depth_mm);
+    let at_once = match (end, whole) {
+        (HoleEnd::Through(_), Some(whole)) => {
+            let task = Hole { end: HoleEnd::Through(bench.through(whole)), ..task.clone() };
+            Refusal::split(hole::drilling(&task, bench))?.ok()
+        }
+        _ => None,
+    };
+    let mut drills = match at_once {
+        Some(drills) => drills,
+        None => features::made(hole::drilling(&task, bench), findings)?.unwrap_or_default(),
+    };
     let first = drills.first().and_then(|drill| drill.tool.diameter()).unwrap_or(diameter);
     if from == Micrometres::ZERO {
         jobs.extend(features::made(hole::spot(first, face, drilled.depth_mm, bench), findings)?);

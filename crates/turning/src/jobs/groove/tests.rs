@@ -30,6 +30,7 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
         held: None,
         grip: None,
         through: None,
+        opened: Micrometres::ZERO,
         barred: Vec::new(),
         knowledge: &knowledge,
     };
