@@ -13,7 +13,6 @@ use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
-use crate::turning::shaft::Holding;
 use crate::turning::tooling::{Spindle, TurningTool};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::zones::{Feed, SetUp, TurnedSide};
@@ -309,8 +308,8 @@ fn finish(
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
     let standing = &side.layers.rough;
-    // Between centres the face is finished before: the tailstock centre is in front of it.
-    let contour = if bench.workpiece.holding == Holding::Centres && side.side == Side::Outer {
+    // At a centre the face is finished before: the tailstock is in front of it.
+    let contour = if set_up.centre && side.side == Side::Outer {
         without_face(&side.layers.left)
     } else {
         side.layers.left.clone()

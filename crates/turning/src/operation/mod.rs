@@ -326,6 +326,11 @@ fn plan_without(
         };
         let sides = sides(turned, axial.as_ref(), &bench, &mut findings)?;
         let mut jobs = jobs::jobs(turned, &sides, axial.as_ref(), &bench, &mut findings)?;
+        if set_up.centre && jobs.iter().any(|job| job.side == Side::Inner) {
+            jobs.retain(|job| job.side != Side::Inner);
+            let note = Note::new("bore-behind-centre").with("number", set_up.number);
+            findings.push(Finding::of_part(Severity::Wrong, note));
+        }
         if let Some(parted) = parts {
             set_up.notes.push(Note::new("setup-parts-off").with("z", Half::ZERO - parted.face()));
             match parted.job(jaws.as_ref(), &jobs, &bench, &mut findings)? {

@@ -51,6 +51,7 @@ table-value-tool-change = tool change
 table-value-call = call of a subprogram
 table-value-auxiliary = auxiliary function
 table-value-centre-both-ends = centre both ends
+table-value-centre-free-end = face and centre the free end
 table-value-cut-one-face = face one end
 table-value-pre-turn-where-held = turn the place of holding first
 table-value-heat-treat-before = heat-treat before

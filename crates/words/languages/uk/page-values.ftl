@@ -51,6 +51,7 @@ table-value-tool-change = заміна інструмента
 table-value-call = виклик підпрограми
 table-value-auxiliary = допоміжна функція
 table-value-centre-both-ends = зацентрувати обидва торці
+table-value-centre-free-end = підрізати й зацентрувати вільний торець
 table-value-cut-one-face = підрізати один торець
 table-value-pre-turn-where-held = попередньо обточити місце закріплення
 table-value-heat-treat-before = термообробити заздалегідь
