@@ -24,10 +24,10 @@ fn wrong(operation: &Operation) -> Vec<&str> {
 
 /// A spool with a neck between two collars, a stud, a flanged bushing, a shaft with a collar in the middle between centres, a flange,
 /// axles with grooves for retaining rings, the first example of the book, a waist before a wall whose other side is turned
-/// in the second set-up, a rounding at the end of the second set-up.
+/// in the second set-up, a rounding at the end of the second set-up, a belt pulley.
 #[test]
 fn everyday_parts_are_made_whole() {
-    for name in ["spool", "bolt", "bushing", "shaft", "flange", "axle", "circlip", "stud", "capfa", "waist", "rounded"]
+    for name in ["spool", "bolt", "bushing", "shaft", "flange", "axle", "circlip", "stud", "capfa", "waist", "rounded", "pulley"]
     {
         let operation = planned(name);
         assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
