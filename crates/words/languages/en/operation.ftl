@@ -55,6 +55,7 @@ no-tool-to-finish = { $side }: no tool finishes this contour: it needs φ of at 
     .help = give the steep surfaces a groove or a second set-up, or add a tool to the catalog
 finish-feed-of = finishing feed { $feed } mm/rev ({ $roughness }): { $surfaces }
 finish-feed-of-others = finishing feed { $feed } mm/rev ({ $roughness }): the other surfaces
+finish-one-speed = one step of the spindle for the whole pass, { $rpm } rpm, that of Ø{ $diameter }: a step that is changed in the cut marks the surface; Ø{ $least } is cut at { $speed } m/min only, its own step would be { $own } rpm
 finish-tool-presses-less = { $tool } is taken instead of { $instead }, which presses harder and, because the part bends, would have to be fed slower
 nose-fills-hollow = the nose of radius { $nose } mm fills the hollow of radius { $hollow } mm; no tool has a smaller one
     .help = draw the bore with the cone of a drill at its bottom, make it a through hole, or finish the bottom with a flat drill
