@@ -249,6 +249,7 @@ table-value-own-cylinder = cylinder of its own
 table-value-bar = bar
 table-value-near-part = near the part
 table-value-chuck = chuck
+table-value-chuck-and-centre = chuck and tailstock centre
 table-value-centres = centres
 table-value-lead-5deg = 5°
 table-value-lead-15deg = 15°

@@ -249,6 +249,7 @@ table-value-own-cylinder = власний циліндр
 table-value-bar = пруток
 table-value-near-part = близька до деталі
 table-value-chuck = патрон
+table-value-chuck-and-centre = патрон і задній центр
 table-value-centres = центри
 table-value-lead-5deg = 5°
 table-value-lead-15deg = 15°
