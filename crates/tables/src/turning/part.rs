@@ -159,6 +159,8 @@ vocabulary! {
         Chuck = "chuck",
         /// Between centres.
         Centres = "centres",
+        /// In the chuck, the free end of the first set-up at the tailstock centre.
+        ChuckAndCentre = "chuck-and-centre",
     }
 
     /// Whether and when the blank is heat-treated.

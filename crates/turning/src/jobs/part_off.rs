@@ -177,6 +177,7 @@ mod tests {
             held: None,
             grip: None,
             through: None,
+            opened: Micrometres::ZERO,
             barred: Vec::new(),
             knowledge: &knowledge,
         };

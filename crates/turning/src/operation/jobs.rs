@@ -1,7 +1,7 @@
 //! The jobs of a set-up, in the order of work: faces, holes on the axis, rough zones, the finished contours, and the
 //! grooves and threads in them.
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal};
 use crate::note::Finding;
 use crate::tables::turning::jobs::JobLimit;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind};
@@ -13,7 +13,6 @@ use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
-use crate::turning::shaft::Holding;
 use crate::turning::tooling::{Spindle, TurningTool};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::zones::{Feed, SetUp, TurnedSide};
@@ -127,7 +126,20 @@ fn drilled(
     let (diameter, from) = (drilled.diameter_mm, there.max(bench.raw_bore()));
     let mut jobs = Vec::new();
     let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false, tapped: false };
-    let mut drills = features::made(hole::drilling(&task, bench), findings)?.unwrap_or_default();
+    // A bore that widens again towards the far face is drilled through in one go, where a drill reaches.
+    let whole = bench.workpiece.inner.as_ref().and_then(|inner| inner.contour().end()).map(|end| end.z);
+    let whole = whole.filter(|end| *end == bench.workpiece.length() && !set_up.turned_over && *end > drilled.depth_mm);
+    let at_once = match (end, whole) {
+        (HoleEnd::Through(_), Some(whole)) => {
+            let task = Hole { end: HoleEnd::Through(bench.through(whole)), ..task.clone() };
+            Refusal::split(hole::drilling(&task, bench))?.ok()
+        }
+        _ => None,
+    };
+    let mut drills = match at_once {
+        Some(drills) => drills,
+        None => features::made(hole::drilling(&task, bench), findings)?.unwrap_or_default(),
+    };
     let first = drills.first().and_then(|drill| drill.tool.diameter()).unwrap_or(diameter);
     if from == Micrometres::ZERO {
         jobs.extend(features::made(hole::spot(first, face, drilled.depth_mm, bench), findings)?);
@@ -296,8 +308,8 @@ fn finish(
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
     let standing = &side.layers.rough;
-    // Between centres the face is finished before: the tailstock centre is in front of it.
-    let contour = if bench.workpiece.holding == Holding::Centres && side.side == Side::Outer {
+    // At a centre the face is finished before: the tailstock is in front of it.
+    let contour = if set_up.centre && side.side == Side::Outer {
         without_face(&side.layers.left)
     } else {
         side.layers.left.clone()

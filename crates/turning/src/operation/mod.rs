@@ -34,6 +34,7 @@ mod jobs;
 pub mod layers;
 mod level;
 mod off_size;
+mod opened;
 mod parted;
 mod pocket;
 pub mod prepare;
@@ -64,6 +65,7 @@ use crate::turning::length::Half;
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::{Advice, Blank, Workpiece, advice};
 use crate::turning::zones::{self, Hold, SetUp};
+use crate::units::Micrometres;
 use layers::Layers;
 use parted::{NotParted, Parted};
 use tools::Bench;
@@ -260,6 +262,7 @@ fn plan_without(
         held: None,
         grip: None,
         through: None,
+        opened: Micrometres::ZERO,
         elsewhere: &[],
         barred: Vec::new(),
         knowledge,
@@ -314,7 +317,8 @@ fn plan_without(
         let grip = Grip::limit(jaws.as_ref(), knowledge)?;
         let parts = parted.filter(|_| !set_up.turned_over);
         let through = parts.and_then(Parted::drilled_to);
-        let bench = Bench { workpiece, held, grip, through, barred: own, ..bench.clone() };
+        let opened = if set_up.turned_over { opened::opened(&done, workpiece.length()) } else { Micrometres::ZERO };
+        let bench = Bench { workpiece, held, grip, through, opened, barred: own, ..bench.clone() };
         // The set-up as turning tools see it: its bore ends where the hole that is made to size begins.
         let turned = match &axial {
             Some(axial) => &SetUp { inner: axial.bored.clone(), ..set_up.clone() },
@@ -322,6 +326,11 @@ fn plan_without(
         };
         let sides = sides(turned, axial.as_ref(), &bench, &mut findings)?;
         let mut jobs = jobs::jobs(turned, &sides, axial.as_ref(), &bench, &mut findings)?;
+        if set_up.centre && jobs.iter().any(|job| job.side == Side::Inner) {
+            jobs.retain(|job| job.side != Side::Inner);
+            let note = Note::new("bore-behind-centre").with("number", set_up.number);
+            findings.push(Finding::of_part(Severity::Wrong, note));
+        }
         if let Some(parted) = parts {
             set_up.notes.push(Note::new("setup-parts-off").with("z", Half::ZERO - parted.face()));
             match parted.job(jaws.as_ref(), &jobs, &bench, &mut findings)? {

@@ -41,6 +41,8 @@ pub struct Bench<'a, 'k> {
     pub elsewhere: &'a [Elsewhere],
     /// How deep a through hole is drilled, where the part is parted off behind its end: past the blade.
     pub through: Option<Half>,
+    /// The diameter of the hole that the set-up before has opened at the far face; zero where there is none.
+    pub opened: Micrometres,
     /// The tools that the proof rejected in this set-up.
     pub barred: Vec<Barred>,
     /// Every table.

@@ -89,7 +89,7 @@ impl Reader<'_> {
             None => Some(None),
         };
         let holding = match fields.take(WorkpieceFile::holding) {
-            Some(node) => self.choice(node, &[("chuck", Holding::Chuck), ("centres", Holding::Centres)]),
+            Some(node) => self.choice(node, Holding::NAMES),
             None => Some(Holding::default()),
         };
         let heat_treatment = match fields.take(WorkpieceFile::heat_treatment) {

@@ -215,7 +215,7 @@ impl Walk<'_, '_, '_> {
         false
     }
 
-    /// The direction of the radius: that of the face before, or of the face after.
+    /// The direction of the radius: that of the face before, or of the face after, or of the edge at an end of the part.
     pub fn radial_way(&self, index: usize) -> Option<i64> {
         let before = self.last().filter(|last| last.kind == SurfaceKind::Face).and_then(|face| face.pieces.first());
         if let Some(face) = before {
@@ -224,7 +224,11 @@ impl Walk<'_, '_, '_> {
         if self.last().is_none() {
             return Some(if self.walked.side == Side::Outer { 1 } else { -1 });
         }
-        match self.items.get(index + 1)?.as_ref()?.shape {
+        // At the far end of the part it breaks the edge of the far face.
+        let Some(next) = self.items.get(index + 1) else {
+            return Some(if self.walked.side == Side::Outer { -1 } else { 1 });
+        };
+        match next.as_ref()?.shape {
             ItemShape::Face(ref d) => {
                 Some((radius_of(d)? - self.radius?).halves().signum()).filter(|direction| *direction != 0)
             }

@@ -121,6 +121,7 @@ blank-for-several-parts = one blank of Ø{ $diameter } may serve for several par
 blank-length-deviation = the length of the blank may deviate by at most { $most } mm
 blank-length-too-coarse = the length of the blank deviates by { $given } mm, but may by at most { $most } mm
 blank-centre-both-ends = before the lathe the blank is centred at both ends
+blank-centre-free-end = before this set-up the free end is faced and centred, in the same chuck
 blank-cut-one-face = before the lathe one face is cut
 blank-pre-turn-where-held = the forging is turned beforehand where it is held
 blank-heat-treat-before = heat treatment comes before this lathe

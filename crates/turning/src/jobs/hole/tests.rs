@@ -23,6 +23,7 @@ fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
         held: None,
         grip: None,
         through: None,
+        opened: Micrometres::ZERO,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

@@ -27,6 +27,7 @@ fn job(workpiece: &Workpiece, side: Side, passes: Passes) -> Result<Job, NoJob> 
         held: None,
         grip: None,
         through: None,
+        opened: Micrometres::ZERO,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

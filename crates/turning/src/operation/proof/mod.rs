@@ -80,11 +80,13 @@ pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork
     Proven { set_up: number, proof: proof::prove(&task) }
 }
 
-/// The bodies that hold the part in a set-up: the jaws with the chuck behind them, or the tailstock.
+/// The bodies that hold the part in a set-up: the jaws with the chuck behind them, and the tailstock.
 fn bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
-    if let Some(tailstock) = &set_up.tailstock {
-        return tailstock_bodies(tailstock);
-    }
+    let tailstock = set_up.tailstock.iter().flat_map(tailstock_bodies);
+    chuck_bodies(set_up).into_iter().chain(tailstock).collect()
+}
+
+fn chuck_bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
     let Some((jaws, body)) = set_up.jaws.and_then(|jaws| Some((jaws, jaws.body?))) else { return Vec::new() };
     let (front, grips) = (-jaws.front_mm.to_mm(), jaws.grips_mm.to_mm() / 2.0);
     let face = front - body.out_mm.to_mm();
