@@ -199,6 +199,8 @@ vocabulary! {
         LeastWall = "least-wall",
         LeastWallShare = "least-wall-share",
         CastHoleStock = "cast-hole-stock",
+        CastHolePlace = "cast-hole-place",
+        CastSkin = "cast-skin",
         PlateSpringFeeds = "plate-spring-feeds",
     }
 
