@@ -18,6 +18,7 @@ mod milling;
 pub mod practice;
 pub mod reaming;
 mod settle;
+pub mod state;
 pub mod tapping;
 
 // The types of other crates, under one name each in the whole program.

@@ -135,6 +135,7 @@ impl Walk<'_, '_> {
         if let Some(before) = before {
             self.stock(transition, &required, before, reach, last);
             self.check_largest_stock(transition, before)?;
+            self.under_skin(transition, before)?;
         }
         let width = reach.width(transition.diameter_mm, self.shop).unwrap_or_default();
         let state = self.left(transition, before, reach, width)?;
@@ -272,6 +273,27 @@ impl Walk<'_, '_> {
     }
 
     /// The largest stock: what a reamer or a finishing bar removes at once.
+    /// The first cut in a cast hole, of each pass, at the place where radius and axis of the hole leave the least: it
+    /// must get under the skin. Where the drawing leaves too little for any cut, the fault is that of the blank.
+    fn under_skin(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
+        let BlankHole::Cast(cast) = self.hole.state else { return Ok(()) };
+        if before.made_by != MadeBy::BlankHole || transition.elsewhere {
+            return Ok(());
+        }
+        let mm = |name| tool::limit(name, self.shop).map(Micrometres::from_mm_rounded);
+        if (self.hole.diameter.nominal - cast).half() < mm(ProofLimit::CastHoleStock)? {
+            return Ok(());
+        }
+        let (place, least) = (mm(ProofLimit::CastHolePlace)?, mm(ProofLimit::CastSkin)?);
+        let rounds = transition.conditions.rounds.map_or(1, |rounds| rounds.passes);
+        let passes = i64::from(transition.passes.max(1) * rounds.max(1));
+        let depth = (transition.diameter_mm - before.largest).half().ratio(1, passes);
+        if depth < place + least {
+            self.faults.push(Fault::UnderSkin { operation: transition.operation, depth, place, least });
+        }
+        Ok(())
+    }
+
     fn check_largest_stock(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
         let operation = transition.operation;
         let mm = |name| tool::limit(name, self.shop).map(Micrometres::from_mm_rounded);

@@ -61,6 +61,7 @@ vocabulary! {
         ThreadHoleGrade = "thread-hole-grade",
         SettingStep = "setting-step-mm",
         ClampInset = "clamp-inset-mm",
+        ClampSideShare = "clamp-side-share",
         ThreadChamferPitches = "thread-chamfer-pitches",
         CounterboreRa = "counterbore-ra-um",
         FaceStock = "face-stock-mm",

@@ -200,6 +200,8 @@ vocabulary! {
         LeastWallShare = "least-wall-share",
         CastHoleStock = "cast-hole-stock",
         CoreShift = "core-shift",
+        CastHolePlace = "cast-hole-place",
+        CastSkin = "cast-skin",
         PlateSpringFeeds = "plate-spring-feeds",
     }
 

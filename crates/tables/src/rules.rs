@@ -1,7 +1,7 @@
 //! Row types: rules.
 
 use technolog_knowledge::rows;
-use technolog_knowledge::units::{Decimal, ItGrade, Micrometres, Minutes, Percent, Roughness};
+use technolog_knowledge::units::{Brinell, Decimal, ItGrade, Megapascals, Micrometres, Minutes, Percent, Roughness};
 use technolog_knowledge::vocabulary::{CuttingMethod, Operation, Shank, ToolMaterial};
 
 use crate::cutting::{Coefficients, FeedMultiple, ReamingCondition, Surface};
@@ -197,6 +197,15 @@ rows! {
         diameter: Micrometres,
     } {
         holds: bool,
+    }
+
+    /// Class of an alloy by its stated hardness or strength; 0 where not stated.
+    pub struct AlloyClassState of One("alloy-class-state") asked by AlloyClassStateFor<'t> {
+        alloy_class: &'t str,
+        hardness: Brinell,
+        strength: Megapascals,
+    } {
+        class: &'t str,
     }
 
     /// When the torque is that of the specific cutting force.

@@ -31,6 +31,8 @@ pub(super) struct Choice {
     pub steps: Vec<Fitted>,
     /// The requirements of grade, roughness and position that it misses.
     pub misses: Vec<Note>,
+    /// Those of them that the proof does not tell.
+    pub untold: Vec<Note>,
     /// What the proof says that the route reaches only at best.
     pub at_best: Vec<Note>,
     /// Time of cutting and rapids in all holes of the group, without tool changes.

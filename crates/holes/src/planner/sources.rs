@@ -10,7 +10,7 @@ use crate::route::{Candidate, RouteStep, complex, search};
 use crate::tables::practice::{ProofLimit, ProofLimits};
 use crate::tables::rules::NextTransition;
 use crate::units::{Micrometres, Minutes};
-use technolog_proof::Fault;
+use technolog_proof::{Fault, Shortfall};
 
 use super::fit::Fitted;
 use super::options::{Choice, Options, RefusedRoute};
@@ -193,7 +193,12 @@ impl Finder<'_, '_> {
             return Ok(None);
         }
         let at_best = at_best.into_iter().map(|fault| fault.note()).collect();
-        Ok(Some(Choice { at_best, ..self.choice(candidate, steps)? }))
+        let misses = self.misses(candidate, &steps)?;
+        // A shortfall that the proof finds too is told by the proof alone, with its severity.
+        let untold = misses.iter().filter(|miss| !faults.iter().any(|fault| miss.is_told_by(fault)));
+        let untold = untold.map(|miss| miss.note.clone()).collect();
+        let misses = misses.into_iter().map(|miss| miss.note).collect();
+        Ok(Some(Choice { at_best, misses, untold, ..self.choice(candidate, steps)? }))
     }
 
     /// Files a route as feasible, unless the same route is there already.
@@ -215,11 +220,11 @@ impl Finder<'_, '_> {
     fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Result<Choice, KnowledgeError> {
         let own = steps.iter().map(|fitted| self.time(fitted) + self.rapids_between.0).sum::<f64>();
         let borrowed = steps.iter().find(|fitted| fitted.step.borrowed).map(|fitted| fitted.step.diameter);
-        let misses = self.misses(candidate, &steps)?;
         Ok(Choice {
             candidate: candidate.clone(),
             steps,
-            misses,
+            misses: Vec::new(),
+            untold: Vec::new(),
             at_best: Vec::new(),
             own_time: Minutes(own),
             borrowed,
@@ -229,7 +234,7 @@ impl Finder<'_, '_> {
 
     /// The requirements of the drawing that a route does not hold. Grade, roughness and position must be promised by
     /// the table of the route or reached by its chain; what is finished on another machine is held there.
-    fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Result<Vec<Note>, KnowledgeError> {
+    fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Result<Vec<Miss>, KnowledgeError> {
         let main = &self.task.main;
         if candidate.finish_elsewhere || candidate.transitions == [Operation::Tap] {
             return Ok(Vec::new());
@@ -238,7 +243,7 @@ impl Finder<'_, '_> {
             |step: &&RouteStep| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some();
         let last = steps.iter().rev().map(|fitted| &fitted.step).find(cuts);
         let Some(reached) = last.and_then(|step| step.achieved) else {
-            return Ok(vec![Note::new("misses-unknown")]);
+            return Ok(vec![Miss { of: None, note: Note::new("misses-unknown") }]);
         };
         let mut misses = Vec::new();
         if main.thread.is_none() {
@@ -248,17 +253,19 @@ impl Finder<'_, '_> {
                 && reached.it.is_none_or(|grade| grade > main.diameter.it)
             {
                 let it = reached.it.map_or_else(|| "-".to_owned(), |it| it.to_string());
-                misses.push(Note::new("misses-grade").with("it", it).with("asked", main.diameter.it));
+                let note = Note::new("misses-grade").with("it", it).with("asked", main.diameter.it);
+                misses.push(Miss { of: Some(Requirement::Grade), note });
             }
             let promised = candidate.promise.and_then(|promise| promise.roughness);
             if promised.is_none_or(|roughness| roughness > main.roughness)
                 && reached.roughness.is_none_or(|own| own > main.roughness)
             {
                 let note = Note::new("misses-roughness").with("asked", main.roughness);
-                misses.push(match reached.roughness {
+                let note = match reached.roughness {
                     Some(own) => note.with("roughness", own),
                     None => note.with("roughness", "-"),
-                });
+                };
+                misses.push(Miss { of: Some(Requirement::Surface), note });
             }
         }
         let required = self.question.position;
@@ -267,12 +274,42 @@ impl Finder<'_, '_> {
             let shift = self.shop.knowledge.need(ProofLimit::CoreShift.name(), named)?.value;
             let shift = Micrometres::from_mm_rounded(shift);
             if shift > required {
-                misses.push(Note::new("misses-axis").with("shift", shift).with("asked", required));
+                let note = Note::new("misses-axis").with("shift", shift).with("asked", required);
+                misses.push(Miss { of: None, note });
             }
         }
         let beyond = reached.position_mm.filter(|own| *own > required);
-        misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", required)));
+        misses.extend(beyond.map(|own| Miss {
+            of: Some(Requirement::Position),
+            note: Note::new("misses-position").with("position", own).with("asked", required),
+        }));
         Ok(misses)
+    }
+}
+
+/// A requirement that the proof judges too.
+#[derive(Clone, Copy, PartialEq)]
+enum Requirement {
+    Grade,
+    Surface,
+    Position,
+}
+
+/// A requirement that a route misses by its tables; `of` is none for what the proof does not judge.
+struct Miss {
+    of: Option<Requirement>,
+    note: Note,
+}
+
+impl Miss {
+    fn is_told_by(&self, fault: &Fault) -> bool {
+        let Fault::Wanting { shortfall, .. } = fault else { return false };
+        self.of
+            == Some(match shortfall {
+                Shortfall::Grade(..) => Requirement::Grade,
+                Shortfall::Surface(..) => Requirement::Surface,
+                Shortfall::Position(..) => Requirement::Position,
+            })
     }
 }
 

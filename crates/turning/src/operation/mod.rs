@@ -55,8 +55,10 @@ use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
+use crate::knowledge::vocabulary::ToolMaterial;
 use crate::material::Material;
 use crate::note::{Figure, Finding, Note, Severity};
+use crate::tables::cutting::Process;
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
@@ -255,10 +257,15 @@ fn plan_without(
     findings.extend(
         blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()),
     );
+    let material = stated(workpiece, knowledge)?;
+    if let Some(state) = workpiece.material_state {
+        let by = (Process::Turning, ToolMaterial::Carbide);
+        findings.extend(technolog_cutting::state::without_force(&material, state, by, knowledge)?);
+    }
     let bench = Bench {
         workpiece,
         lathe: lathe.as_ref(),
-        material: stated(workpiece, knowledge)?,
+        material,
         held: None,
         grip: None,
         through: None,

@@ -63,3 +63,5 @@ force-opinion = a maker's formulas give { $thrust } N and { $torque } N·m; ours
 torque-opinion = by the specific cutting force { $torque } N·m at { $feed } mm/rev; the formula gives { $percent } % of it
 torque-by-specific-force = the formula is less than two thirds of it: the larger torque is taken
 reamed-for-surface = the last reamer is driven no faster than a rough one that takes { $stock } mm: { $speed } m/min
+hardness-no-force = HB { $stated } as stated changes no force: the tables have the forces of { $material } for one state, HB { $own }; harder metal needs more
+strength-no-force = { $stated } MPa as stated change no force: the tables have the forces of { $material } for one state, { $own } MPa; stronger metal needs more
