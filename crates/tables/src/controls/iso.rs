@@ -194,6 +194,18 @@ rows! {
         whole: Option<bool>,
     } shown { meaning_uk, meaning_en }
 
+    /// Words of LinuxCNC and Fanuc that the check does not carry out, and what it passes over with them.
+    pub struct NotCarriedOut of One("iso-not-carried-out") {
+        word: &'t str,
+        last: Option<&'t str>,
+        controls: Vec<IsoControl>,
+        takes: Option<Vec<Letter>>,
+        named_by: Option<Letter>,
+        whole: Option<bool>,
+        goes_on: Option<bool>,
+        harmless: Option<bool>,
+    } shown { meaning_uk, meaning_en }
+
     /// The meanings of the words of a control, where one table has all of them.
     pub struct Words of Each(&["fanuc-words", "linuxcnc-words"]) {
         word: &'t str,

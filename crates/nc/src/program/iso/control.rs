@@ -10,7 +10,7 @@ use crate::program::setting::Limits;
 use crate::program::{in_unit, letters};
 use crate::tables::controls::Acts;
 use crate::tables::controls::iso::{
-    ActiveComments, Addresses, Characteristic, Cycles, GFunctions, MFunctions, MGroup, Record,
+    ActiveComments, Addresses, Characteristic, Cycles, GFunctions, MFunctions, MGroup, NotCarriedOut, Record,
 };
 use crate::units::Micrometres;
 
@@ -44,6 +44,21 @@ pub(super) struct Cycle {
     pub outwards: Outwards,
 }
 
+/// A word that is not carried out here: table iso-not-carried-out.
+#[derive(Clone, Debug)]
+pub(super) struct Passed {
+    /// The addresses that it takes with it.
+    pub takes: Vec<char>,
+    /// The address that names it together with its code.
+    pub named_by: Option<char>,
+    /// Whether nothing of its block is carried out but modes and machine functions.
+    pub whole: bool,
+    /// Whether that holds for the blocks behind it, until the next function of motion or cycle.
+    pub goes_on: bool,
+    /// Whether it changes no motion.
+    pub harmless: bool,
+}
+
 /// A comment that the control executes.
 #[derive(Clone, Debug)]
 pub(super) struct ActiveComment {
@@ -66,6 +81,10 @@ pub struct Control {
     pub(super) power_on: Vec<i64>,
     pub(super) m: BTreeMap<i64, MFunction>,
     pub(super) addresses: BTreeMap<char, Written>,
+    /// What is not carried out: G functions in tenths, M functions, addresses.
+    pub(super) passed_g: BTreeMap<i64, Passed>,
+    pub(super) passed_m: BTreeMap<i64, Passed>,
+    pub(super) passed_addresses: BTreeMap<char, Passed>,
     pub(super) active_comments: Vec<ActiveComment>,
     pub(super) cycles: BTreeMap<i64, Cycle>,
     pub(super) depth: usize,
@@ -107,6 +126,9 @@ impl Control {
             power_on: Vec::new(),
             m: BTreeMap::new(),
             addresses: BTreeMap::new(),
+            passed_g: BTreeMap::new(),
+            passed_m: BTreeMap::new(),
+            passed_addresses: BTreeMap::new(),
             active_comments: Vec::new(),
             cycles: BTreeMap::new(),
             depth: count(Characteristic::SubprogramDepthMax)?,
@@ -130,6 +152,14 @@ impl Control {
         };
         language.read_words(knowledge)?;
         Ok(language)
+    }
+
+    /// Whether a word of the control has that address, carried out or not.
+    pub(super) fn knows_address(&self, address: char) -> bool {
+        let passed = self.passed_g.values().chain(self.passed_m.values());
+        self.addresses.contains_key(&address)
+            || self.passed_addresses.contains_key(&address)
+            || passed.flat_map(|passed| &passed.takes).any(|taken| *taken == address)
     }
 
     /// The parts of a setting that this control has.
@@ -161,6 +191,30 @@ impl Control {
         for row in knowledge.rows::<MFunctions<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
             let function = MFunction { action: row.action, at_start: row.acts == Acts::Start, group: row.group };
             self.m.insert(code(row.code, row.row)? / 10, function);
+        }
+        for row in knowledge.rows::<NotCarriedOut<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+            let passed = Passed {
+                takes: letters(row.takes.unwrap_or_default()),
+                named_by: row.named_by.map(|letter| letter.0),
+                whole: row.whole == Some(true),
+                goes_on: row.goes_on == Some(true),
+                harmless: row.harmless == Some(true),
+            };
+            let mut signs = row.word.chars();
+            match (signs.next(), signs.next()) {
+                (Some('G'), Some(_)) => {
+                    self.passed_g.insert(code(row.word, row.row)?, passed);
+                }
+                (Some('M'), Some(_)) => {
+                    let first = code(row.word, row.row)? / 10;
+                    let last = row.last.map(|last| code(last, row.row)).transpose()?.map_or(first, |last| last / 10);
+                    self.passed_m.extend((first..=last).map(|code| (code, passed.clone())));
+                }
+                (Some(letter), None) => {
+                    self.passed_addresses.insert(letter, passed);
+                }
+                _ => {}
+            }
         }
         for row in knowledge.rows::<Cycles<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
             let cycle = Cycle {
