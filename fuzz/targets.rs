@@ -112,7 +112,7 @@ fn marks(text: &str) {
 }
 
 fn setting(text: &str) {
-    for control in Language::NAMES {
+    for control in Language::names(&KNOWLEDGE) {
         let language = Language::read(control, &KNOWLEDGE).expect("the control has its tables");
         if let Err(problems) = language.setting("setting.yaml", text) {
             check_texts(&problems, text);

@@ -30,7 +30,7 @@ use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind
 pub struct Args {
     #[arg(value_name = "PROGRAM")]
     pub(super) program: PathBuf,
-    #[arg(long, value_parser = controls())]
+    #[arg(long, value_parser = control::Names { lathes: true })]
     pub(super) control: Option<String>,
     #[arg(long, value_name = "ID")]
     pub(super) machine: Option<String>,
@@ -40,11 +40,6 @@ pub struct Args {
     pub(super) part: Option<PathBuf>,
     #[arg(long, value_name = "N", requires = "part", value_parser = whole_number::<1, 9>)]
     pub(super) set_up: Option<u32>,
-}
-
-/// The controls whose programs are read: of mills, then of lathes.
-fn controls() -> clap::builder::PossibleValuesParser {
-    Language::NAMES.into_iter().chain(LatheLanguage::NAMES).collect::<Vec<_>>().into()
 }
 
 /// The answer in JSON.
@@ -104,7 +99,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if let Some(own) = of_part.as_deref() {
         control::same_machine(id, own, context)?;
     }
-    let control = control::chosen(args.control.as_deref(), &machine, context)?;
+    let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let mut setting = match &args.setting {
         None => Setting::default(),
@@ -160,7 +155,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 reported.iter().map(|(fault, others)| of_group(fault, others, &file, context)).collect();
             if args.control.is_none() && faults.iter().any(|fault| OF_ANOTHER_LANGUAGE.contains(&fault.code)) {
                 let message = say!(context.lang, "check-read-as", control = control);
-                let help = say!(context.lang, "check-read-as-other", controls = Language::NAMES.join(", "));
+                let help = say!(context.lang, "check-read-as-other", controls = Language::names(knowledge).join(", "));
                 let read_as = Diagnostic::error("read-as", message, None).help(help);
                 problems.insert(0, Diagnostic { severity: Severity::Note, ..read_as });
             }
@@ -207,9 +202,8 @@ fn groups<'a>(faults: &'a [Fault], context: &Context) -> Vec<(&'a Fault, Vec<u32
     };
     let mut count: BTreeMap<_, usize> = BTreeMap::new();
     faults.iter().for_each(|fault| *count.entry(kind(fault)).or_default() += 1);
-    let grouped = |fault: &Fault| {
-        context.amount != Amount::All && count.get(&kind(fault)).is_some_and(|of| *of > MOST_OF_A_KIND)
-    };
+    let grouped =
+        |fault: &Fault| context.amount != Amount::All && count.get(&kind(fault)).is_some_and(|of| *of > MOST_OF_A_KIND);
     let mut groups: Vec<(&Fault, Vec<u32>)> = Vec::new();
     let mut first = BTreeMap::new();
     for fault in faults {

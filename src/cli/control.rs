@@ -1,29 +1,71 @@
 //! Finds the machine, and the control of a program.
 
+use std::sync::LazyLock;
+
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::{self, Machine};
 use technolog::program::Language;
+use technolog::program::lathe::LatheLanguage;
 use technolog::turning::tooling::Lathe;
 use technolog::words::say;
 
 use super::{CliError, Context, words};
 
+/// The name of a control on the command line. Any name is taken: `--knowledge` may have records of more controls than ship,
+/// which help and completion name.
+#[derive(Clone, Copy, Debug)]
+pub struct Names {
+    /// Whether controls of lathes are named, too.
+    pub lathes: bool,
+}
+
+impl TypedValueParser for Names {
+    type Value = String;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        arg: Option<&clap::Arg>,
+        value: &std::ffi::OsStr,
+    ) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        static SHIPPED: LazyLock<Option<Knowledge>> = LazyLock::new(|| technolog::shipped::knowledge().ok());
+        let knowledge = SHIPPED.as_ref()?;
+        let lathes = LatheLanguage::NAMES.into_iter().filter(|_| self.lathes);
+        let names: Vec<&str> = Language::names(knowledge).into_iter().chain(lathes).collect();
+        Some(Box::new(names.into_iter().map(PossibleValue::new)))
+    }
+}
+
 /// The given control, otherwise that of the machine's record.
 ///
 /// # Errors
-/// None is given, and the record names none, or one whose language is not known.
-pub fn chosen<'a>(given: Option<&'a str>, machine: &Machine<'a>, context: &Context) -> Result<&'a str, CliError> {
+/// None is given, and the record names none; or there is none of that name, or its language is not known.
+pub fn chosen<'a>(
+    given: Option<&'a str>,
+    machine: &Machine<'a>,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<&'a str, CliError> {
     let Some(control) = given.or(machine.control) else {
-        return Err(unknown(words::no_control(context.lang, machine.id()), context));
+        return Err(unknown(words::no_control(context.lang, machine.id()), knowledge, context));
     };
-    if Language::NAMES.contains(&control) {
+    if Language::names(knowledge).contains(&control) {
         return Ok(control);
     }
-    Err(unknown(words::alien_control(context.lang, machine.id(), control), context))
+    let message = match given {
+        Some(_) => say!(context.lang, "cli-unknown-control", control = control),
+        None => words::alien_control(context.lang, machine.id(), control),
+    };
+    Err(unknown(message, knowledge, context))
 }
 
-fn unknown(message: String, context: &Context) -> CliError {
-    let known = Language::NAMES.join(", ");
+fn unknown(message: String, knowledge: &Knowledge, context: &Context) -> CliError {
+    let known = Language::names(knowledge).join(", ");
     Diagnostic::error("unknown-control", message, None).help(words::name_control(context.lang, known)).into()
 }
 

@@ -30,7 +30,7 @@ use super::{CliError, Context, Format, Lang, Outcome, check, control, format, kn
 pub struct Args {
     #[arg(value_name = "PART.yaml")]
     part: PathBuf,
-    #[arg(long, value_parser = Language::NAMES)]
+    #[arg(long, value_parser = control::Names { lathes: false })]
     control: Option<String>,
     #[arg(long, value_enum, default_value = "program", hide_possible_values = true)]
     show: Show,
@@ -105,7 +105,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
     let form = Form { program: args.number, subprograms: !args.no_subprograms, ..form };
-    let control = control::chosen(args.control.as_deref(), &shop.machine, context)?;
+    let control = control::chosen(args.control.as_deref(), &shop.machine, knowledge, context)?;
     if let Some(number) = args.number.filter(|number| control == "2c42-65" && *number > 99) {
         let message = say!(context.lang, "program-number-beyond", number = number);
         return Err(Diagnostic::error("bad-number", message, None).into());

@@ -194,7 +194,7 @@ impl Reader<'_> {
     fn program(&mut self, node: &Node, fields: &mut Fields<'_, CaseForm>) -> Option<Question> {
         let knowledge = self.context.knowledge;
         let control = fields.need(CaseForm::control, &mut self.problems);
-        let names = Language::NAMES.map(|name| (name, name));
+        let names: Vec<(&str, &str)> = Language::names(knowledge).into_iter().map(|name| (name, name)).collect();
         let control = control.and_then(|node| self.choice(node, &names));
         let machine = fields.take(CaseForm::machine);
         let (setting, part) = (fields.take(CaseForm::setting), fields.take(CaseForm::part));

@@ -59,14 +59,6 @@ crate::vocabulary! {
         Carbide = "carbide",
     }
 
-    /// Controls of mills that read the language of ISO 6983.
-    pub enum IsoControl {
-        /// LinuxCNC 2.9.
-        LinuxCnc = "linuxcnc",
-        /// Fanuc 0i.
-        Fanuc = "fanuc",
-    }
-
     /// Controls of lathes.
     pub enum LatheControl {
         /// LinuxCNC 2.9.
@@ -203,7 +195,6 @@ impl Vocabularies {
             of("operations", Operation::WORDS),
             of("shanks", Shank::WORDS),
             of("tool-materials", ToolMaterial::WORDS),
-            of("iso-controls", IsoControl::WORDS),
             of("lathe-controls", LatheControl::WORDS),
             of("stock-kinds", StockKind::WORDS),
             of("places", Place::WORDS),

@@ -15,6 +15,7 @@ use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::plan::Plan;
 use crate::program::written::{LineRole, WorkRef, WrittenProgram};
+use crate::tables::controls::iso::{Characteristic, Record};
 
 use super::sheet::mm;
 use super::words::say;
@@ -110,12 +111,13 @@ pub fn sheet_of_text(
     let dictionary = Dictionary::read(control, knowledge)?;
     let mut modes = dictionary::Modes::default();
     let mut rows = Vec::new();
+    let end = end(control, knowledge)?;
     for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let found = blocks::words_of_line(line);
         let tool = dictionary.tool(&found);
         let meaning = dictionary.meaning(&found, &mut modes, lang);
         // The sign of a tape is no block and has no end.
-        let end = if found == [blocks::Word::Tape] { "" } else { end(control) };
+        let end = if found == [blocks::Word::Tape] { "" } else { end };
         let code = format!("{} {end}", line.trim()).trim_end().to_owned();
         rows.push(SheetRow { line: index + 1, transition: None, tool, code, meaning });
     }
@@ -127,18 +129,23 @@ pub fn sheet_of_text(
     Ok(EncodingSheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })
 }
 
-/// The name of a control for people.
+/// The name of a control for people; without one, that of the command line.
 fn name(control: &str, lang: Lang) -> &str {
     lang.term("control", control)
 }
 
-/// The end of a block on paper: LF on the textbook's sheet, `;` in Fanuc's manuals; LinuxCNC writes none.
-fn end(control: &str) -> &'static str {
-    match control {
-        "2c42-65" => "LF",
-        "fanuc" => ";",
-        _ => "",
+/// The end of a block on paper: LF on the textbook's sheet, else what the record of the control says.
+fn end<'k>(control: &str, knowledge: &'k Knowledge) -> Result<&'k str, KnowledgeError> {
+    if control == "2c42-65" {
+        return Ok("LF");
     }
+    for row in knowledge.table(&format!("control-{control}"))?.rows() {
+        let row: Record<'k> = row?;
+        if row.name.is(Characteristic::BlockEnd) {
+            return Ok(row.text.unwrap_or_default());
+        }
+    }
+    Ok("")
 }
 
 fn work_of(job: &Job, at: WorkRef) -> Option<&ToolWork> {

@@ -25,10 +25,16 @@ use technolog::audit::Auditor;
 use technolog::knowledge::{Knowledge, RowRef, SourceFile, Value};
 use technolog::part::{Part, read_part};
 use technolog::plan::{CuttingMethod, Operation, Plan, RouteSource};
+use technolog::program::Language;
 use technolog::units::Micrometres;
 use technolog::{planner, shipped};
 
 pub static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
+
+/// Every control of mills, by its name.
+pub fn languages() -> Vec<(&'static str, Language)> {
+    Language::names(&KNOWLEDGE).into_iter().map(|name| (name, Language::read(name, &KNOWLEDGE).unwrap())).collect()
+}
 
 /// Audits of many plans: our own plan of a part is made once for all of them.
 pub static AUDITOR: LazyLock<Auditor<'static>> = LazyLock::new(|| Auditor::new(&KNOWLEDGE).unwrap());

@@ -4,12 +4,10 @@ use std::sync::LazyLock;
 
 use technolog::program::Language;
 use technolog::units::Micrometres;
-use technolog_testing::KNOWLEDGE;
 use technolog_testing::proof_bench::ProofBench;
 use technolog_testing::read;
 
-static LANGUAGES: LazyLock<Vec<(&str, Language)>> =
-    LazyLock::new(|| Language::NAMES.map(|name| (name, Language::read(name, &KNOWLEDGE).unwrap())).into());
+static LANGUAGES: LazyLock<Vec<(&str, Language)>> = LazyLock::new(technolog_testing::languages);
 
 /// Four holes round a clamp in the middle of each side, and a counterbore from the back face.
 fn bench(fixture: &str) -> ProofBench {

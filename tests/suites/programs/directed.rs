@@ -7,12 +7,10 @@ use std::sync::LazyLock;
 use technolog::note::Severity;
 use technolog::program::{Fault, Language};
 use technolog_laws::share;
-use technolog_testing::KNOWLEDGE;
 use technolog_testing::mutants::mutants;
 use technolog_testing::proof_bench::ProofBench;
 
-static LANGUAGES: LazyLock<Vec<(&str, Language)>> =
-    LazyLock::new(|| Language::NAMES.map(|name| (name, Language::read(name, &KNOWLEDGE).unwrap())).into());
+static LANGUAGES: LazyLock<Vec<(&str, Language)>> = LazyLock::new(technolog_testing::languages);
 
 const PARTS: [&str; 3] = ["examples/plate.yaml", "examples/variant-4.yaml", "tests/written/every-cycle.yaml"];
 

@@ -428,8 +428,7 @@ fn written_programs_are_drawn_and_told_in_words() {
         let (plan, job) = of_file(path);
         let shop = Shop::new(&plan.part, CuttingMethod::Formula, &KNOWLEDGE).unwrap();
         let form = Form::read(&shop).unwrap();
-        for control in Language::NAMES {
-            let language = Language::read(control, &KNOWLEDGE).unwrap();
+        for (control, language) in technolog_testing::languages() {
             let written = language.write(&job, form);
             let mut steps: Vec<MotionStep> = Vec::new();
             language.check(&written.text(), &shop.machine, &Setting::of_job(&job), &mut steps);
@@ -464,7 +463,7 @@ proptest! {
     /// A sheet shows whatever stands in a file, line by line.
     #[test]
     fn no_text_makes_a_sheet_panic(text in "([A-Za-z#%;/(\\[\\]<>).0-9 -]{0,30}|\\PC{0,40})(\n[GMXZTHODNP/(#.0-9 -]{0,40}){0,4}") {
-        for control in ["2c42-65", "linuxcnc", "fanuc"] {
+        for control in Language::names(&KNOWLEDGE) {
             let sheet = encoding::sheet_of_text(&text, "gf2171", control, &KNOWLEDGE, Lang::UK).unwrap();
             let lines = text.lines().filter(|line| !line.trim().is_empty()).count();
             prop_assert_eq!(sheet.rows.len(), lines);

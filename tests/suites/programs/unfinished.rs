@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use technolog::program::Language;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
@@ -43,7 +44,7 @@ fn a_program_that_leaves_work_undone_is_not_written_unless_forced_and_says_so() 
     for (name, holes, remark) in PARTS {
         let folder = folder(name);
         fs::write(folder.join("part.yaml"), format!("{head}{holes}")).unwrap();
-        for control in ["2c42-65", "linuxcnc", "fanuc"] {
+        for control in Language::names(&technolog_testing::KNOWLEDGE) {
             let write = ["program", "part.yaml", "--control", control, "--lang", "en"];
             let refused = technolog(&folder, &[&write[..], &["-o", "p.nc"]].concat());
             let told = String::from_utf8(refused.stderr).unwrap();

@@ -16,8 +16,11 @@ use technolog_testing::mutants::{Score, score};
 use technolog_testing::proof_bench::ProofBench;
 use technolog_testing::{KNOWLEDGE, read};
 
-static LANGUAGES: LazyLock<Vec<(&str, Language)>> =
-    LazyLock::new(|| Language::NAMES.map(|name| (name, Language::read(name, &KNOWLEDGE).unwrap())).into());
+static LANGUAGES: LazyLock<Vec<(&str, Language)>> = LazyLock::new(technolog_testing::languages);
+
+fn language(name: &str) -> Language {
+    Language::read(name, &KNOWLEDGE).unwrap()
+}
 
 /// What the tests of this file are done with: the examples, and parts that need every cycle there is.
 const PARTS: [&str; 7] = [
@@ -100,9 +103,12 @@ fn numbers_and_subprograms_change_nothing_that_is_made() {
                 assert!(!faults.iter().any(|fault| fault.is_grave()), "{part} {name} {number:?}: {faults:?}");
                 assert_eq!((made.visits.len(), made.has_errors()), (proof.visits.len(), false), "{part} {name}");
                 assert!(run.does_as(&usual), "{part} {name} {number:?} {subprograms}");
-                let call = [("2c42-65", " P0"), ("linuxcnc", " call"), ("fanuc", "M98")];
-                let call = call.iter().find(|(of, _)| of == name).map(|(_, call)| *call);
-                assert_eq!(subprograms, text.contains(call.unwrap()) || number == Some(99), "{text}");
+                let call = match *name {
+                    "2c42-65" => " P0",
+                    "linuxcnc" => " call",
+                    _ => "M98",
+                };
+                assert_eq!(subprograms, text.contains(call) || number == Some(99), "{text}");
                 assert_eq!(text.contains(":07\n") || text.contains("O0007"), number == Some(7) && *name != "linuxcnc");
             }
         }
@@ -116,7 +122,7 @@ fn a_fanuc_takes_its_program_as_it_is_written() {
                 machine: ir500pmf4\nfixture: {height: 60}\nholes:\n  \
                 - {name: T, thread: M10-6H, depth: 18, centre_tolerance: 0.3, at: [[0, 35], [40, 35]]}\n";
     let bench = ProofBench::of(&read(part));
-    let text = bench.written(&LANGUAGES[2].1);
+    let text = bench.written(&language("fanuc"));
     for line in text.lines().filter(|line| line.starts_with('N')) {
         let words = line.split('(').next().unwrap_or_default();
         let functions = words.split(' ').filter(|word| word.starts_with('M')).count();
@@ -168,7 +174,7 @@ fn programs_look_as_they_should() {
 /// What section 3 asks of the form of a block: its length, its number, the cycle last (3.4, 3.7, 3.12.1).
 #[test]
 fn blocks_of_2c42_65_have_the_form_that_the_text_asks() {
-    let (_, language) = &LANGUAGES[0];
+    let language = &language("2c42-65");
     for part in PARTS {
         let text = ProofBench::new(part).written(language);
         assert!(text.len() <= 32 * 1024, "{part}");
@@ -206,7 +212,7 @@ fn rows_of_equal_steps_are_repeated() {
     let part = "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {kind: plate, length: 600, width: 100, thickness: 20}\n\
                 holes:\n  - {name: A, diameter: 8H12, through: true, roughness: Rz 80, centre_tolerance: 0.46, \
                 pattern: {line: {start: [-250, 0], count: 26, step: 20}}}\n";
-    let text = ProofBench::of(&read(part)).written(&LANGUAGES[0].1);
+    let text = ProofBench::of(&read(part)).written(&language("2c42-65"));
     assert!(text.contains(" L25") || text.contains(" L24"), "{text}");
     assert!(text.lines().count() < 45, "{text}");
 }

@@ -223,7 +223,7 @@ impl Reader<'_> {
         let control_node = fields.need(file::Program::control, &mut self.problems);
         let setting_node = fields.take(file::Program::setting);
         fields.finish(&mut self.problems);
-        let names = Language::NAMES.map(|name| (name, name));
+        let names: Vec<(&str, &str)> = Language::names(self.knowledge).into_iter().map(|name| (name, name)).collect();
         let control = control_node.and_then(|node| self.choice(node, &names));
         let path = self.text(file_node);
         let text = path.as_ref().zip(file_node).and_then(|(path, node)| self.named(&path.value, node));

@@ -142,9 +142,10 @@ impl<'a> Reader<'a> {
 
     /// Whether a word of letters follows; it is passed.
     fn next_word(&mut self, word: &str) -> bool {
-        let is = word.chars().enumerate().all(|(index, c)| {
-            self.characters.get(self.at + index).is_some_and(|(_, written)| *written == c)
-        });
+        let is = word
+            .chars()
+            .enumerate()
+            .all(|(index, c)| self.characters.get(self.at + index).is_some_and(|(_, written)| *written == c));
         self.at += if is { word.len() } else { 0 };
         is
     }

@@ -1,5 +1,5 @@
 //! Programs of controls: writers and interpreters. There are two rooms for milling machines, [`control_2c42_65`], and
-//! [`iso`] for LinuxCNC and Fanuc, which differ in their tables; [`Language`] is one of them. [`proof`] compares the
+//! [`iso`] for all that read ISO 6983, which differ in their records; [`Language`] is one of them. [`proof`] compares the
 //! motions of a program with a job.
 //!
 //! An interpreter turns the text of a program into steps of [`crate::motion`]; a writer does the opposite. An
@@ -32,18 +32,23 @@ use crate::note::{IntoFigure, Note, Severity};
 use crate::tables::controls::Letter;
 use written::{Form, WrittenProgram};
 
+/// The name of 2С42-65.
+const OLD: &str = "2c42-65";
+
 /// The language of a control, read from its tables.
 #[derive(Clone, Debug)]
 pub enum Language {
     /// 2С42-65.
     Control2c42(control_2c42_65::Control),
-    /// LinuxCNC and Fanuc.
+    /// A control that reads ISO 6983, by its record.
     Iso(iso::Control),
 }
 
 impl Language {
-    /// The controls, as a user names them.
-    pub const NAMES: [&str; 3] = ["2c42-65", "linuxcnc", "fanuc"];
+    /// The controls, as a user names them: 2С42-65, then those that have a record.
+    pub fn names(knowledge: &Knowledge) -> Vec<&str> {
+        std::iter::once(OLD).chain(iso::Control::names(knowledge)).collect()
+    }
 
     /// Reads the language of a control.
     ///
@@ -51,7 +56,7 @@ impl Language {
     /// There is no such control, or a table of it is missing or lacks what is required of it.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         match control {
-            "2c42-65" => control_2c42_65::Control::read(knowledge).map(Self::Control2c42),
+            OLD => control_2c42_65::Control::read(knowledge).map(Self::Control2c42),
             other => iso::Control::read(other, knowledge).map(Self::Iso),
         }
     }
@@ -72,7 +77,7 @@ impl Language {
     pub fn write(&self, job: &Job, form: Form) -> WrittenProgram {
         match self {
             Self::Control2c42(_) => control_2c42_65::write(job, form),
-            Self::Iso(control) => iso::write(job, control.kind, form),
+            Self::Iso(control) => iso::write(job, control, form),
         }
     }
 
@@ -82,7 +87,7 @@ impl Language {
         let reason = format!("DO NOT RUN: {}", technolog_core::ascii::ascii(reason));
         match self {
             Self::Control2c42(_) => written.warned(format!("% {reason}"), true),
-            Self::Iso(control) => written.warned(format!("({reason})"), !control.o_words),
+            Self::Iso(control) => written.warned(format!("({reason})"), control.reads_from_sign()),
         }
     }
 

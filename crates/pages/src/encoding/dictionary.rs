@@ -1,7 +1,7 @@
 //! The meanings of the words of a control: one dictionary from its tables.
 //!
 //! The meanings for 2C42-65 are in several tables of its manual; those of another control `NAME` are in one,
-//! `NAME-words`. A row with cycles is a parameter of those cycles.
+//! `NAME-words`, or else those of the functions and addresses that it has. A row with cycles is a parameter of those cycles.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,7 +12,7 @@ use crate::report::Lang;
 use crate::tables::controls::control_2c42_65::{
     AddressUnit, Addresses, CycleParameters, GFunctions, MActions, MFunctions,
 };
-use crate::tables::controls::iso::Words;
+use crate::tables::controls::iso::{self, Words};
 use crate::words::{Note, say};
 
 use super::blocks::Word;
@@ -60,9 +60,11 @@ impl Dictionary {
             dictionary.take_2c42_65(knowledge)?;
             return Ok(dictionary);
         }
-        let words = format!("{control}-words");
-        let lacks = |_| KnowledgeError::missing(&words, crate::note::Note::new("table-no-words-of-control"));
-        for row in knowledge.table(&words).map_err(lacks)?.rows() {
+        let Ok(words) = knowledge.table(&format!("{control}-words")) else {
+            dictionary.take_iso(control, knowledge)?;
+            return Ok(dictionary);
+        };
+        for row in words.rows() {
             let row: Words<'_> = row?;
             let unit = row.unit.filter(|unit| *unit != AddressUnit::Ones.name()).map(str::to_owned);
             let incremental = row.incremental_uk.zip(row.incremental_en);
@@ -70,6 +72,34 @@ impl Dictionary {
             dictionary.take(row.word, &row.cycles.unwrap_or_default(), meaning);
         }
         Ok(dictionary)
+    }
+
+    /// The words of a control that has no table of its own for the sheet.
+    fn take_iso(&mut self, control: &str, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
+        let words = format!("{control}-words");
+        let lacks = || KnowledgeError::missing(&words, crate::note::Note::new("table-no-words-of-control"));
+        let mut names = vec![control];
+        for row in knowledge.table(&format!("control-{control}")).map_err(|_| lacks())?.rows() {
+            let row: iso::Record<'_> = row?;
+            names.extend(row.text.filter(|_| row.name.is(iso::Characteristic::WordsOf)));
+        }
+        let has = |controls: &[&str]| controls.iter().any(|control| names.contains(control));
+        for row in knowledge.rows::<iso::GFunctions<'_>>()?.into_iter().filter(|row| has(&row.controls)) {
+            let code = two_digits('G', row.code.trim_start_matches('G'));
+            self.take(&code, &[], Meaning::new(row.meaning_uk, row.meaning_en, None));
+        }
+        for row in knowledge.rows::<iso::MFunctions<'_>>()?.into_iter().filter(|row| has(&row.controls)) {
+            let code = two_digits('M', row.code.trim_start_matches('M'));
+            self.take(&code, &[], Meaning::new(row.meaning_uk, row.meaning_en, None));
+        }
+        for row in knowledge.rows::<iso::Addresses<'_>>()?.into_iter().filter(|row| has(&row.controls)) {
+            let meaning = Meaning::new(row.meaning_uk, row.meaning_en, None);
+            self.take(&row.address.0.to_string(), &[], meaning);
+        }
+        if self.words.is_empty() {
+            return Err(lacks());
+        }
+        Ok(())
     }
 
     fn take_2c42_65(&mut self, knowledge: &Knowledge) -> Result<(), KnowledgeError> {

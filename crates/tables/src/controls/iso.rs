@@ -1,6 +1,6 @@
-//! The language of LinuxCNC and Fanuc.
+//! The language of ISO 6983 as each control reads it: a record for each, and the tables of its words.
 
-pub use technolog_knowledge::vocabulary::IsoControl;
+use technolog_knowledge::contract::{Named, Use};
 use technolog_knowledge::{rows, vocabulary};
 
 use super::{Acts, Letter};
@@ -39,6 +39,8 @@ vocabulary! {
         Dwell = "dwell",
         Return = "return",
         MachinePosition = "machine-position",
+        /// A length offset by the value of Z, which moves nothing.
+        OffsetValue = "offset-value",
         Noted = "noted",
     }
 
@@ -103,63 +105,73 @@ vocabulary! {
         FeedToTheEnd = "feed-to-the-end",
     }
 
-    /// The characteristics of a control in its record. Yes is 1, no is 0.
+    /// The characteristics of a control in its record, whose meanings `iso-control-quantities` has. Of those that are yes
+    /// or no, yes is 1 and no is 0; where the record does not name one, it is 0.
     pub enum Characteristic {
-        /// The deepest nesting of subprogram calls.
         SubprogramDepthMax = "subprogram-depth-max",
-        /// The number of offset registers.
         Correctors = "correctors",
-        /// Steps of the switch, %; two figures are the ends of a range of whole numbers.
         FeedOverride = "feed-override",
-        /// Steps of the switch, %; two figures are the ends of a range of whole numbers.
         SpindleOverride = "spindle-override",
         MFunctionsPerBlockMax = "m-functions-per-block-max",
-        /// The unit of P in a dwell, s.
         DwellUnit = "dwell-unit",
-        /// The permitted difference of the radii at start and end of an arc, mm.
         ArcTolerance = "arc-tolerance",
-        /// The same as a part of the radius.
         ArcToleranceRelative = "arc-tolerance-relative",
-        /// The distance above the metal where the rapid of G83 ends, mm.
         G83Clearance = "g83-clearance",
-        /// The retract of G73, mm.
         G73Retract = "g73-retract",
-        /// Whether cycles and motions are one group, of which a block may have one.
-        CyclesAreMotions = "cycles-are-motions",
+        WordsOf = "words-of",
+        BlockEnd = "block-end",
         WordsInSmallLetters = "words-in-small-letters",
-        /// Whether subprograms are written with o-words.
         OWords = "o-words",
-        /// Whether G43 without H takes the offset register of the tool in the spindle.
+        ReadsFromSign = "reads-from-sign",
+        SkipNumbers = "skip-numbers",
+        DecimalOfSetting = "decimal-of-setting",
+        CyclesAreMotions = "cycles-are-motions",
+        OneOfGroup = "one-of-group",
+        PathTolerance = "path-tolerance",
+        DwellInX = "dwell-in-x",
+        DwellPointInSeconds = "dwell-point-in-seconds",
         LengthOfToolInSpindle = "length-of-tool-in-spindle",
-        /// Whether the operator sets clearance and retract of steps.
+        MachinePositionAtRapid = "machine-position-at-rapid",
+        ReturnAlone = "return-alone",
+        ReturnOfAllAxes = "return-of-all-axes",
+        ReturnNumber = "return-number",
+        ArcTurns = "arc-turns",
+        ArcNamesEnd = "arc-names-end",
         PecksOfSetting = "pecks-of-setting",
-    }
-}
-
-impl Characteristic {
-    /// The unit of its value, as the record writes it.
-    pub const fn unit(self) -> &'static str {
-        match self {
-            Self::DwellUnit => "s",
-            Self::ArcTolerance | Self::G83Clearance | Self::G73Retract => "mm",
-            Self::FeedOverride | Self::SpindleOverride => "%",
-            _ => "1",
-        }
+        CycleBeginsAnew = "cycle-begins-anew",
+        CycleNeedsAxes = "cycle-needs-axes",
+        CycleRises = "cycle-rises",
+        RepeatsInL = "repeats-in-l",
+        RepeatsNone = "repeats-none",
+        TapTurnsBeforeDwell = "tap-turns-before-dwell",
+        Signs = "signs",
+        ProgramNumberDigits = "program-number-digits",
+        PointsWritten = "points-written",
+        MFunctionsWritten = "m-functions-written",
+        LengthOffOnWayUp = "length-off-on-way-up",
+        TapPreparation = "tap-preparation",
+        TapStartsSpindle = "tap-starts-spindle",
+        MacroWords = "macro-words",
+        ToolTakenOut = "tool-taken-out",
+        ArcToleranceInches = "arc-tolerance-inches",
+        ArcReach = "arc-reach",
     }
 }
 
 rows! {
-    /// Addresses of LinuxCNC and Fanuc.
+    /// Addresses of the ISO controls.
     pub struct Addresses of One("iso-addresses") {
         address: Letter,
-        controls: Vec<IsoControl>,
+        controls: Vec<&'t str>,
         kind: Written,
-    } shown { meaning_uk, meaning_en }
+        meaning_uk: &'t str,
+        meaning_en: &'t str,
+    }
 
-    /// Fixed cycles of LinuxCNC and Fanuc.
+    /// Fixed cycles of the ISO controls.
     pub struct Cycles of One("iso-cycles") {
         code: &'t str,
-        controls: Vec<IsoControl>,
+        controls: Vec<&'t str>,
         required: Vec<Letter>,
         optional_words: Option<Vec<Letter>>,
         inwards: Inwards,
@@ -167,28 +179,32 @@ rows! {
         outwards: Outwards,
     }
 
-    /// G functions of LinuxCNC and Fanuc.
+    /// G functions of the ISO controls.
     pub struct GFunctions of One("iso-g-functions") {
         code: &'t str,
-        controls: Vec<IsoControl>,
+        controls: Vec<&'t str>,
         group: Group,
-        power_on: Option<Vec<IsoControl>>,
+        power_on: Option<Vec<&'t str>>,
         effect: Effect,
-    } shown { meaning_uk, meaning_en }
+        meaning_uk: &'t str,
+        meaning_en: &'t str,
+    }
 
-    /// M functions of LinuxCNC and Fanuc.
+    /// M functions of the ISO controls.
     pub struct MFunctions of One("iso-m-functions") {
         code: &'t str,
-        controls: Vec<IsoControl>,
+        controls: Vec<&'t str>,
         action: Action,
         group: MGroup,
         acts: Acts,
-    } shown { meaning_uk, meaning_en }
+        meaning_uk: &'t str,
+        meaning_en: &'t str,
+    }
 
     /// Comments that the control executes.
     pub struct ActiveComments of One("iso-active-comments") {
         begins: &'t str,
-        controls: Vec<IsoControl>,
+        controls: Vec<&'t str>,
         acts: CommentAct,
         after_semicolon: Option<bool>,
         whole: Option<bool>,
@@ -198,7 +214,7 @@ rows! {
     pub struct NotCarriedOut of One("iso-not-carried-out") {
         word: &'t str,
         last: Option<&'t str>,
-        controls: Vec<IsoControl>,
+        controls: Vec<&'t str>,
         takes: Option<Vec<Letter>>,
         named_by: Option<Letter>,
         whole: Option<bool>,
@@ -217,10 +233,16 @@ rows! {
         unit: Option<&'t str>,
     }
 
-    /// A characteristic of a control.
-    pub struct Record of Each(&["control-fanuc", "control-linuxcnc"]) complete name {
-        name: Characteristic,
+    /// The characteristics that the record of a control may name.
+    pub struct Quantities of One("iso-control-quantities") complete name {
+        name: Named<'t, Characteristic>,
+        use_ as "use": Use,
+    } shown { unit, required, meaning_uk, meaning_en }
+
+    /// A characteristic of a control. The law `record` has checked its unit.
+    pub struct Record of Record("iso-control-quantities") {
+        name: Named<'t, Characteristic>,
         value: Option<Vec<f64>>,
-        unit: Option<&'t str>,
-    } shown { text }
+        text: Option<&'t str>,
+    } shown { unit }
 }

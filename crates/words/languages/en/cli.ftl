@@ -89,6 +89,7 @@ cli-give-keys = add, for example, { $example }
 cli-other-machine = the machine is { $asked }, but the part is for { $own }
 cli-leave-machine = leave out --machine, or change the part's machine
 cli-no-control = the record of the machine `{ $machine }` does not say which control it has
+cli-unknown-control = there is no control `{ $control }`
 cli-alien-control = the machine `{ $machine }` has the control `{ $control }`, whose language is not known here
 cli-name-control = name one with --control: there are { $known }
 check-of-lathe = this is a program of a lathe, and { $control } is the control of a mill

@@ -89,6 +89,7 @@ cli-give-keys = допишіть, наприклад, { $example }
 cli-other-machine = верстат { $asked }, а деталь – для { $own }
 cli-leave-machine = приберіть --machine або змініть machine у файлі деталі
 cli-no-control = запис верстата `{ $machine }` не каже, який на ньому пристрій ЧПК
+cli-unknown-control = пристрою ЧПК `{ $control }` немає
 cli-alien-control = на верстаті `{ $machine }` пристрій ЧПК `{ $control }`, мови якого тут немає
 cli-name-control = назвіть його: --control, є { $known }
 check-of-lathe = це програма токарного верстата, а { $control } – пристрій ЧПК фрезерного

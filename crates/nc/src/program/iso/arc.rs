@@ -1,7 +1,7 @@
 //! Arcs and helices: G2 and G3 with I, J, K or R.
 
 use super::block::Maker;
-use super::control::{Group, IsoControl};
+use super::control::{Characteristic as Q, Group};
 use super::words::{BlockWords, WordValue};
 use crate::motion::geometry::{Point, distance, in_plane};
 use crate::motion::{Axis, Motion, Plane, Position, Sense};
@@ -11,7 +11,7 @@ use crate::units::Micrometres;
 
 impl Maker<'_> {
     /// An arc in the active plane; with a word across the plane a helix. I, J, K are relative to the start; a missing
-    /// one is 0. Without an axis of the plane it is a full circle. LinuxCNC makes P turns of it.
+    /// one is 0. Without an axis of the plane it is a full circle. Some controls make P turns of it.
     pub(super) fn arc(&mut self, words: &BlockWords) {
         let plane = self.state.plane();
         let [a, b, _] = plane.axes();
@@ -35,7 +35,7 @@ impl Maker<'_> {
             (Some(_), Some(radius)) => self.by_radius(start, end, radius, sense),
             (Some(_), None) => self.by_centre(start, end, centre, span),
         };
-        let turns = if self.control.kind == IsoControl::LinuxCnc { self.take(words, 'P') } else { None };
+        let turns = if self.control.is(Q::ArcTurns) { self.take(words, 'P') } else { None };
         if let Some(given) = turns.filter(|given| given.millionths < 1_000_000 || given.millionths % 1_000_000 != 0) {
             let figures =
                 [("address", "P".into_figure()), ("low", 1_u32.into_figure()), ("high", 99_999_u32.into_figure())];
@@ -54,25 +54,21 @@ impl Maker<'_> {
         self.state.lost = target.lost;
     }
 
-    fn by_centre(
-        &mut self,
-        start: Point,
-        end: Point,
-        centre: [Option<WordValue>; 2],
-        span: TextSpan,
-    ) -> Option<Point> {
+    fn by_centre(&mut self, start: Point, end: Point, centre: [Option<WordValue>; 2], span: TextSpan) -> Option<Point> {
         let inches = self.state.inches();
         let mut middle = start;
         for (value, given) in middle.iter_mut().zip(centre) {
             *value += given.map(|word| word.exact_mm(inches)).unwrap_or_default();
         }
         let (radius, other) = (distance(start, middle), distance(end, middle));
-        if radius == 0.0 {
+        let off = (radius - other).abs();
+        let (near, part) = self.control.arc_tolerance(inches);
+        // LinuxCNC takes a smaller radius for none.
+        let least = if part > 0.0 { self.control.arc_reach() } else { 0.0 };
+        if radius == 0.0 || radius.min(other) < least {
             self.fault("arc-without-radius", span);
             return None;
         }
-        let off = (radius - other).abs();
-        let (near, part) = self.control.arc_tolerance;
         // LinuxCNC refuses a difference of a hundred times the first limit, or of both limits.
         let wrong =
             if part > 0.0 { off > 100.0 * near || (off > near && off > part * radius.max(other)) } else { off > near };
@@ -97,7 +93,7 @@ impl Maker<'_> {
             return None;
         }
         let half = chord / 2.0;
-        if half > radius.abs() + self.control.arc_tolerance.0 {
+        if half > radius.abs() + self.control.arc_reach() {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
             self.report(
                 "arc-radius-short",

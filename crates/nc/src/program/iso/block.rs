@@ -5,7 +5,7 @@
 //! first; the dwell; modal functions; length correction; the motion or the cycle; functions of the end of a block;
 //! the call of a subprogram. It is that of LinuxCNC; Fanuc's manual leaves most of it to the machine.
 
-use super::control::{Action, Control, Effect, Group, IsoControl};
+use super::control::{Action, Characteristic as Q, Control, Effect, Group};
 use super::rules::fault;
 use super::state::ControlState;
 use super::words::{BlockWords, Function, WordValue, place};
@@ -149,7 +149,7 @@ impl Maker<'_> {
         if let Some(tool) = self.take(words, 'T') {
             let number = tool.millionths / 1_000_000;
             self.state.wanted = u32::try_from(number).unwrap_or_default();
-            self.state.tool_named = number != 0 || self.control.kind == IsoControl::LinuxCnc;
+            self.state.tool_named = number != 0 || self.control.is(Q::ToolTakenOut);
             let places = self.machine.magazine;
             if number > places as i64 {
                 let fault = fault("tool-beyond-magazine", tool.span, self.block.number).with("tool", number);
@@ -255,17 +255,17 @@ impl Maker<'_> {
         self.push(Motion::ToolChange { tool: self.state.wanted });
     }
 
-    /// G4: P in the unit of the control; for Fanuc also X in seconds.
+    /// G4: P in the unit of the control; of some also X in seconds.
     fn dwell(&mut self, function: Function, words: &BlockWords) {
-        let pause = self.take(words, 'P').map(|given| given.value() * self.control.dwell_unit_s);
+        let pause = self.take(words, 'P').map(|given| given.dwell_s(self.control));
         let pause = match pause {
-            None if self.control.kind == IsoControl::Fanuc => self.take(words, 'X').map(WordValue::seconds),
+            None if self.control.is(Q::DwellInX) => self.take(words, 'X').map(WordValue::seconds),
             other => other,
         };
         match pause.filter(|seconds| *seconds >= 0.0) {
             Some(seconds) => self.wait(seconds),
             None => {
-                let address = if self.control.kind == IsoControl::Fanuc { "P, X" } else { "P" };
+                let address = if self.control.is(Q::DwellInX) { "P, X" } else { "P" };
                 self.report("dwell-time-missing", function.span, &[("words", address.to_owned().into_figure())]);
             }
         }
@@ -284,7 +284,7 @@ impl Maker<'_> {
                 Some(Effect::Mode) => self.state.set(group, Some(function.code)),
                 Some(Effect::Noted) => {
                     // The tolerance of G64.
-                    if function.code == 640 && self.control.kind == IsoControl::LinuxCnc {
+                    if function.code == 640 && self.control.is(Q::PathTolerance) {
                         self.take(words, 'P');
                     }
                     self.push(Motion::Auxiliary { word: function.name() });
@@ -302,7 +302,7 @@ impl Maker<'_> {
         if function.code == 430 {
             let given =
                 self.take(words, 'H').map(|given| u32::try_from(given.millionths / 1_000_000).unwrap_or_default());
-            let tool = Some(self.state.tool).filter(|tool| self.control.length_of_tool && *tool > 0);
+            let tool = Some(self.state.tool).filter(|tool| self.control.is(Q::LengthOfToolInSpindle) && *tool > 0);
             let Some(number) = given.or(tool) else {
                 self.fault("corrector-missing", function.span);
                 return;

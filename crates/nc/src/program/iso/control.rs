@@ -1,21 +1,22 @@
 //! The language of a control as data: functions, groups, addresses, cycles and limits, from catalogs/controls.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use technolog_note::note;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::contract::Word;
-use crate::knowledge::{Knowledge, RowRef, Table};
+use crate::knowledge::contract::Named;
+use crate::knowledge::{Knowledge, RowRef};
+use crate::program::letters;
 use crate::program::setting::Limits;
-use crate::program::{in_unit, letters};
 use crate::tables::controls::Acts;
 use crate::tables::controls::iso::{
-    ActiveComments, Addresses, Characteristic, Cycles, GFunctions, MFunctions, MGroup, NotCarriedOut, Record,
+    ActiveComments, Addresses, Characteristic as Q, Cycles, GFunctions, MFunctions, MGroup, NotCarriedOut, Record,
 };
 use crate::units::Micrometres;
 
-pub use crate::tables::controls::iso::IsoControl;
-pub(super) use crate::tables::controls::iso::{Action, Bottom, CommentAct, Effect, Group, Inwards, Outwards, Written};
+pub(super) use crate::tables::controls::iso::{
+    Action, Bottom, Characteristic, CommentAct, Effect, Group, Inwards, Outwards, Written,
+};
 
 /// A G function.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +75,8 @@ pub(super) struct ActiveComment {
 /// The language of a control.
 #[derive(Clone, Debug)]
 pub struct Control {
-    pub(in crate::program) kind: IsoControl,
+    /// What its record says yes to.
+    yes: BTreeSet<Q>,
     /// G functions by their codes in tenths: 911 is G91.1.
     pub(super) g: BTreeMap<i64, GFunction>,
     /// The codes in force after power-on.
@@ -87,41 +89,60 @@ pub struct Control {
     pub(super) passed_addresses: BTreeMap<char, Passed>,
     pub(super) active_comments: Vec<ActiveComment>,
     pub(super) cycles: BTreeMap<i64, Cycle>,
+    /// How deep subprograms may call one another; 0 without any.
     pub(super) depth: usize,
     pub(super) m_per_block: usize,
     /// The unit of P in a dwell, s.
     pub(super) dwell_unit_s: f64,
-    /// The permitted difference between the radii at start and end of an arc, mm, and as a part of the radius.
-    pub(super) arc_tolerance: (f64, f64),
+    /// The permitted difference between the radii at start and end of an arc, mm, in programs in millimetres and in
+    /// inches, and as a part of the radius.
+    arc_tolerance: (f64, f64, f64),
+    /// How far a radius may fall short of the end of its arc, mm.
+    arc_reach: f64,
     /// The distance above the metal where the rapid of G83 ends; the retract of G73.
     pub(super) pecks: (Micrometres, Micrometres),
-    /// Whether cycles and motions are one group, so that a block may have one of them.
-    pub(super) cycles_are_motions: bool,
-    pub(super) small_letters: bool,
-    /// Whether subprograms are written with o-words.
-    pub(in crate::program) o_words: bool,
-    /// Whether G43 without H takes the offset register of the tool in the spindle.
-    pub(super) length_of_tool: bool,
+    /// The digits of a program number that is written; 0 without one.
+    pub(super) number_digits: usize,
+    /// How many M functions are written in a block.
+    pub(super) m_written: usize,
+    /// The M function that is written before a tapping cycle.
+    pub(super) tap_preparation: Option<u32>,
     setting: Limits,
 }
 
+/// The first words of the ids of records.
+const RECORD: &str = "control-";
+
 impl Control {
+    /// The controls that have a record.
+    pub fn names(knowledge: &Knowledge) -> impl Iterator<Item = &str> {
+        knowledge.tables_of::<Record<'_>>().filter_map(|table| table.id.strip_prefix(RECORD))
+    }
+
     /// Reads the language from the tables.
     ///
     /// # Errors
     /// There is no such control, or a table lacks what is needed.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let table = knowledge.table(&format!("control-{control}"))?;
-        let lacks = || KnowledgeError::missing(&table.id, note!("nc-interpreter", control = control));
-        let kind = IsoControl::from_word(control).ok_or_else(lacks)?;
+        let known = Self::names(knowledge).any(|name| name == control);
+        let table = knowledge.table(&format!("{RECORD}{control}"))?;
+        if !known {
+            return Err(KnowledgeError::missing(&table.id, note!("nc-interpreter", control = control)));
+        }
         let record: Vec<Record<'_>> = table.rows().collect::<Result<_, _>>()?;
-        let figures = |name| figures(&record, name, table);
-        let number = |name| figures(name).map(|(first, _)| first);
-        let count = |name| number(name).map(|value| value as usize);
-        let flag = |name| number(name).map(|value| value > 0.0);
-        let length = |name| number(name).map(Micrometres::from_mm_rounded);
+        let row = |name: Q| record.iter().find(|row| row.name.is(name));
+        let figures = |name: Q| row(name).and_then(|row| row.value.as_deref()).unwrap_or_default();
+        let any = |name: Q| figures(name).first().copied().unwrap_or_default();
+        // The law of the record holds that these are there, but a folder of tables may be one that nobody has checked.
+        let need = |name: Q| match figures(name) {
+            [] => Err(KnowledgeError::no_row(table, name.name())),
+            [first, ..] => Ok(*first),
+        };
+        let length = |name| Micrometres::from_mm_rounded(any(name));
+        let yes = record.iter().filter(|row| row.value.as_deref() == Some(&[1.0]));
+        let yes: BTreeSet<Q> =
+            yes.filter_map(|row| if let Named::Read(name) = row.name { Some(name) } else { None }).collect();
         let mut language = Self {
-            kind,
             g: BTreeMap::new(),
             power_on: Vec::new(),
             m: BTreeMap::new(),
@@ -131,26 +152,31 @@ impl Control {
             passed_addresses: BTreeMap::new(),
             active_comments: Vec::new(),
             cycles: BTreeMap::new(),
-            depth: count(Characteristic::SubprogramDepthMax)?,
-            m_per_block: count(Characteristic::MFunctionsPerBlockMax)?,
-            dwell_unit_s: number(Characteristic::DwellUnit)?,
-            arc_tolerance: (number(Characteristic::ArcTolerance)?, number(Characteristic::ArcToleranceRelative)?),
-            pecks: (length(Characteristic::G83Clearance)?, length(Characteristic::G73Retract)?),
-            cycles_are_motions: flag(Characteristic::CyclesAreMotions)?,
-            small_letters: flag(Characteristic::WordsInSmallLetters)?,
-            o_words: flag(Characteristic::OWords)?,
-            length_of_tool: flag(Characteristic::LengthOfToolInSpindle)?,
+            depth: need(Q::SubprogramDepthMax)? as usize,
+            m_per_block: need(Q::MFunctionsPerBlockMax)? as usize,
+            dwell_unit_s: need(Q::DwellUnit)?,
+            arc_tolerance: (need(Q::ArcTolerance)?, any(Q::ArcToleranceInches), need(Q::ArcToleranceRelative)?),
+            arc_reach: any(Q::ArcReach),
+            pecks: (length(Q::G83Clearance), length(Q::G73Retract)),
+            number_digits: any(Q::ProgramNumberDigits) as usize,
+            m_written: (any(Q::MFunctionsWritten) as usize).max(1),
+            tap_preparation: Some(any(Q::TapPreparation) as u32).filter(|code| *code > 0),
             setting: Limits {
-                correctors: number(Characteristic::Correctors)? as i64,
-                feed_overrides: steps(&figures(Characteristic::FeedOverride)?.1),
-                speed_overrides: steps(&figures(Characteristic::SpindleOverride)?.1),
+                correctors: need(Q::Correctors)? as i64,
+                feed_overrides: steps(figures(Q::FeedOverride)),
+                speed_overrides: steps(figures(Q::SpindleOverride)),
                 panel_2c42_65: false,
-                pecks: flag(Characteristic::PecksOfSetting)?,
+                pecks: yes.contains(&Q::PecksOfSetting),
                 most: None,
-                decimal: kind == IsoControl::Fanuc,
+                decimal: yes.contains(&Q::DecimalOfSetting),
             },
+            yes,
         };
-        language.read_words(knowledge)?;
+        let other = row(Q::WordsOf).and_then(|row| row.text);
+        if let Some(other) = other {
+            language.read_words(other, knowledge)?;
+        }
+        language.read_words(control, knowledge)?;
         Ok(language)
     }
 
@@ -162,18 +188,39 @@ impl Control {
             || passed.flat_map(|passed| &passed.takes).any(|taken| *taken == address)
     }
 
+    /// Whether what stands before the first sign of a text is no program.
+    pub(in crate::program) fn reads_from_sign(&self) -> bool {
+        self.is(Q::ReadsFromSign)
+    }
+
+    /// The permitted difference between the radii at start and end of an arc, mm, and as a part of the radius.
+    pub(super) const fn arc_tolerance(&self, inches: bool) -> (f64, f64) {
+        let (metric, in_inches, part) = self.arc_tolerance;
+        (if inches && in_inches > 0.0 { in_inches } else { metric }, part)
+    }
+
+    /// How far a radius may fall short of the end of its arc, mm.
+    pub(super) const fn arc_reach(&self) -> f64 {
+        self.arc_reach
+    }
+
+    /// Whether its record says yes.
+    pub(super) fn is(&self, characteristic: Characteristic) -> bool {
+        self.yes.contains(&characteristic)
+    }
+
     /// The parts of a setting that this control has.
     pub const fn setting(&self) -> &Limits {
         &self.setting
     }
 
     /// The rows of the tables iso-… that name the control.
-    fn read_words(&mut self, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
-        let kind = self.kind;
-        for row in knowledge.rows::<Addresses<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+    fn read_words(&mut self, control: &str, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
+        let names = |controls: &[&str]| controls.contains(&control);
+        for row in knowledge.rows::<Addresses<'_>>()?.into_iter().filter(|row| names(&row.controls)) {
             self.addresses.insert(row.address.0, row.kind);
         }
-        for row in knowledge.rows::<ActiveComments<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+        for row in knowledge.rows::<ActiveComments<'_>>()?.into_iter().filter(|row| names(&row.controls)) {
             self.active_comments.push(ActiveComment {
                 begins: row.begins.to_owned(),
                 act: row.acts,
@@ -181,18 +228,18 @@ impl Control {
                 nothing_follows: row.whole == Some(true),
             });
         }
-        for row in knowledge.rows::<GFunctions<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+        for row in knowledge.rows::<GFunctions<'_>>()?.into_iter().filter(|row| names(&row.controls)) {
             let code = code(row.code, row.row)?;
             self.g.insert(code, GFunction { group: row.group, effect: row.effect });
-            if row.power_on.is_some_and(|controls| controls.contains(&kind)) {
+            if row.power_on.is_some_and(|controls| names(&controls)) {
                 self.power_on.push(code);
             }
         }
-        for row in knowledge.rows::<MFunctions<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+        for row in knowledge.rows::<MFunctions<'_>>()?.into_iter().filter(|row| names(&row.controls)) {
             let function = MFunction { action: row.action, at_start: row.acts == Acts::Start, group: row.group };
             self.m.insert(code(row.code, row.row)? / 10, function);
         }
-        for row in knowledge.rows::<NotCarriedOut<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+        for row in knowledge.rows::<NotCarriedOut<'_>>()?.into_iter().filter(|row| names(&row.controls)) {
             let passed = Passed {
                 takes: letters(row.takes.unwrap_or_default()),
                 named_by: row.named_by.map(|letter| letter.0),
@@ -216,7 +263,7 @@ impl Control {
                 _ => {}
             }
         }
-        for row in knowledge.rows::<Cycles<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+        for row in knowledge.rows::<Cycles<'_>>()?.into_iter().filter(|row| names(&row.controls)) {
             let cycle = Cycle {
                 required: letters(row.required),
                 optional: letters(row.optional_words.unwrap_or_default()),
@@ -228,13 +275,6 @@ impl Control {
         }
         Ok(())
     }
-}
-
-/// The figures of a characteristic, in its unit.
-fn figures(record: &[Record<'_>], name: Characteristic, table: &Table) -> Result<(f64, Vec<f64>), KnowledgeError> {
-    let row = record.iter().find(|row| row.name == name);
-    let row = row.ok_or_else(|| KnowledgeError::no_row(table, name.name()))?;
-    in_unit(row.value.as_deref(), row.unit, name.unit(), row.row)
 }
 
 /// The number of a code such as `G54` or `G91.1`, in tenths.

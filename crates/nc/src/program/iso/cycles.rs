@@ -12,11 +12,11 @@
 //!
 //! With G91 R is relative to the initial level and Z to R, and every repeat moves on by X and Y.
 //!
-//! LinuxCNC chooses the path to the hole: from an initial level below R it first goes up to R, and from R or below it
-//! crosses at the level where this hole will end. Fanuc crosses at its present level.
+//! LinuxCNC chooses the path to the hole (`cycle-rises`): from an initial level below R it first goes up to R, and from R
+//! or below it crosses at the level where this hole will end. Others cross at their present level.
 
 use super::block::Maker;
-use super::control::{Bottom, Cycle, Group, Inwards, IsoControl, Outwards};
+use super::control::{Bottom, Characteristic as Q, Cycle, Group, Inwards, Outwards};
 use super::programs::calls;
 use super::words::{BlockWords, Function, place};
 use crate::motion::{Axis, Motion, Position, Turning};
@@ -34,7 +34,7 @@ struct CycleLevels {
 }
 
 impl Maker<'_> {
-    /// Cancels the cycle. Fanuc forgets the parameters; LinuxCNC keeps P for a cycle where it is optional.
+    /// Cancels the cycle and forgets the parameters; LinuxCNC keeps P for a cycle where it is optional.
     pub(super) fn cycle_off(&mut self) {
         self.state.set(Group::Cycle, None);
         self.state.initial = None;
@@ -42,7 +42,7 @@ impl Maker<'_> {
     }
 
     fn forget(&mut self) {
-        let kept = self.state.parameters[place('P')].filter(|_| self.control.kind == IsoControl::LinuxCnc);
+        let kept = self.state.parameters[place('P')].filter(|_| self.control.is(Q::CycleBeginsAnew));
         self.state.parameters = [None; 26];
         self.state.parameters[place('P')] = kept;
     }
@@ -51,17 +51,18 @@ impl Maker<'_> {
     pub(super) fn cycle(&mut self, code: i64, given: Option<Function>, words: &BlockWords) {
         let Some(cycle) = self.control.cycles.get(&code).cloned() else { return };
         let span = given.map_or(self.span, |function| function.span);
-        let linuxcnc = self.control.kind == IsoControl::LinuxCnc;
-        if linuxcnc && self.state.mode(Group::Cycle) != Some(code) {
+        if self.control.is(Q::CycleBeginsAnew) && self.state.mode(Group::Cycle) != Some(code) {
             self.forget();
             if cycle.required.contains(&'P') {
                 self.state.parameters[place('P')] = None;
             }
+        }
+        if self.control.is(Q::CyclesAreMotions) {
             self.state.set(Group::Motion, None);
         }
         self.state.set(Group::Cycle, Some(code));
         let hole = Axis::ALL.iter().any(|axis| words.get(axis.letter()).is_some());
-        if !hole && linuxcnc {
+        if !hole && self.control.is(Q::CycleNeedsAxes) {
             if given.is_some() {
                 self.report("axes-missing", span, &[("function", format!("G{}", code / 10).into_figure())]);
             }
@@ -110,7 +111,11 @@ impl Maker<'_> {
                 continue;
             }
             if let Some(given) = self.take(words, address) {
-                let value = if address == 'P' { given.millionths } else { given.length(inches).micrometres() };
+                let value = if address == 'P' {
+                    libm::round(given.dwell_s(self.control) * 1e6) as i64
+                } else {
+                    given.length(inches).micrometres()
+                };
                 self.state.parameters[place(address)] = Some(value);
                 if address == 'Q' && value <= 0 {
                     self.report("cycle-step-not-positive", given.span, &[("address", "Q".to_owned().into_figure())]);
@@ -123,16 +128,16 @@ impl Maker<'_> {
         self.state.parameters[place(address)]
     }
 
-    /// L of LinuxCNC, K of Fanuc; K0 only stores the parameters.
+    /// L or K; of some controls 0 only stores the parameters.
     fn repeats(&mut self, words: &BlockWords, named: bool) -> i64 {
-        let address = if self.control.kind == IsoControl::LinuxCnc { 'L' } else { 'K' };
+        let address = if self.control.is(Q::RepeatsInL) { 'L' } else { 'K' };
         let Some(given) = words.get(address).filter(|_| named) else { return 1 };
         self.take(words, address);
         if given.millionths % 1_000_000 != 0 {
             self.report("number-not-whole", given.span, &[("address", address.into_figure())]);
         }
         let repeats = given.millionths / 1_000_000;
-        if repeats < i64::from(self.control.kind == IsoControl::LinuxCnc) {
+        if repeats < i64::from(!self.control.is(Q::RepeatsNone)) {
             self.report("cycle-step-not-positive", given.span, &[("address", address.into_figure())]);
         }
         repeats
@@ -147,10 +152,10 @@ impl Maker<'_> {
             self.report("cycle-levels", span, &[("z", shown(bottom).into_figure()), ("r", shown(r).into_figure())]);
             return None;
         }
-        let clear = match (self.state.to_initial_level(), self.control.kind) {
-            (false, _) => r,
-            (true, IsoControl::LinuxCnc) => initial.max(r),
-            (true, IsoControl::Fanuc) => initial,
+        let clear = match self.state.to_initial_level() {
+            false => r,
+            true if self.control.is(Q::CycleRises) => initial.max(r),
+            true => initial,
         };
         Some(CycleLevels { r, bottom, clear })
     }
@@ -164,8 +169,7 @@ impl Maker<'_> {
             if self.state.turning == Turning::Counterclockwise {
                 self.fault("tap-counterclockwise", span);
             }
-            // The cycle of Fanuc starts the spindle itself where tapping is rigid.
-            if self.state.turning == Turning::Stopped && self.control.kind == IsoControl::LinuxCnc {
+            if self.state.turning == Turning::Stopped && !self.control.is(Q::TapStartsSpindle) {
                 self.fault("tap-without-spindle", span);
             }
         }
@@ -174,13 +178,13 @@ impl Maker<'_> {
 
     fn holes(&mut self, cycle: &Cycle, levels: CycleLevels, words: &BlockWords, repeats: i64, span: TextSpan) {
         let feed = Motion::Feed { feed_mm_per_min: self.feed(span) };
-        if self.control.kind == IsoControl::LinuxCnc && self.initial() < levels.r {
+        if self.control.is(Q::CycleRises) && self.initial() < levels.r {
             self.set_floating();
             self.climb(Motion::Rapid, levels.r, span);
         }
         for _ in 0..repeats {
             let here = self.state.at.get(Axis::Z);
-            let low = self.control.kind == IsoControl::LinuxCnc && here <= levels.r;
+            let low = self.control.is(Q::CycleRises) && here <= levels.r;
             let crossing = if low { levels.clear } else { here };
             let target = self.target(words, false);
             self.set_floating();
@@ -212,9 +216,9 @@ impl Maker<'_> {
         let before = self.state.turning;
         let waits = cycle.required.contains(&'P') || cycle.optional.contains(&'P');
         let pause = self.parameter('P').filter(|_| waits).map(|millionths| millionths as f64 / 1e6);
-        let pause = pause.map(|value| value * self.control.dwell_unit_s).filter(|seconds| *seconds > 0.0);
-        // LinuxCNC waits with the tap already reversed, Fanuc before the reversal.
-        let back_first = cycle.bottom == Bottom::Reversed && self.control.kind == IsoControl::LinuxCnc;
+        let pause = pause.filter(|seconds| *seconds > 0.0);
+
+        let back_first = cycle.bottom == Bottom::Reversed && self.control.is(Q::TapTurnsBeforeDwell);
         if back_first {
             self.spindle(Turning::Counterclockwise);
         }

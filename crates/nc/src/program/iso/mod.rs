@@ -1,5 +1,5 @@
-//! The controls of ISO 6983 (G and M words) in the dialects of LinuxCNC and Fanuc: reads and runs their programs.
-//! docs/control-linuxcnc.md and docs/control-fanuc.md say which part of the two languages is implemented.
+//! The controls of ISO 6983 (G and M words), each by its record: reads, runs and writes their programs.
+//! docs/control-linuxcnc.md and the pages of the others say which part of their languages is implemented.
 //!
 //! - `control` the language as data, from the tables iso-… and control-… of catalogs/controls;
 //! - `text` words and blocks with their places; `programs` subprograms and calls; `words` the words of a block by their
@@ -9,8 +9,7 @@
 //! - `run` the execution of the blocks; `rules` all rules;
 //! - `writer` writes a job as a program.
 //!
-//! Where the dialects differ in figures or words, the tables say so. Where they differ in the effect of a word,
-//! [`IsoControl`] decides: the levels of a cycle, the form of a call, the time of G4.
+//! Where the controls differ, their records and tables say so; no code knows a control by its name.
 
 mod arc;
 mod block;
@@ -26,7 +25,7 @@ mod text;
 mod words;
 mod writer;
 
-pub use control::{Control, IsoControl};
+pub use control::Control;
 pub use run::{check, check_within};
 pub use text::MOST_BLOCKS;
 pub use writer::write;

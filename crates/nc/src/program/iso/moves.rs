@@ -2,7 +2,7 @@
 //! G28 and G30.
 
 use super::block::Maker;
-use super::control::{Effect, Group, IsoControl};
+use super::control::{Characteristic as Q, Effect, Group};
 use super::words::{BlockWords, Function};
 use crate::motion::{Axis, Motion, Position};
 use crate::note::IntoFigure;
@@ -24,7 +24,7 @@ pub(super) struct Target {
 impl Maker<'_> {
     /// The motion or the cycle of the block, if any.
     ///
-    /// A function of motion ends a cycle. G80 ends it too; in LinuxCNC it ends the motions as well.
+    /// A function of motion ends a cycle. G80 ends it too; where cycles are motions it ends these as well.
     pub(super) fn motion(&mut self, words: &BlockWords) {
         let cycle = words.function(Group::Cycle);
         let off = cycle.is_some_and(|it| self.control.g.get(&it.code).is_some_and(|it| it.effect == Effect::CycleOff));
@@ -36,21 +36,21 @@ impl Maker<'_> {
         }
         if off {
             self.cycle_off();
-            if self.control.cycles_are_motions {
+            if self.control.is(Q::CyclesAreMotions) {
                 self.state.set(Group::Motion, None);
             }
         }
         if let Some(function) = words.one_shot(Effect::Return, self.control) {
             let other = words.function(Group::Motion).or(cycle.filter(|_| !off));
-            if let Some(other) = other.filter(|_| self.control.kind == IsoControl::LinuxCnc) {
+            if let Some(other) = other.filter(|_| self.control.is(Q::ReturnAlone)) {
                 let figures = [("first", other.name().into_figure()), ("second", function.name().into_figure())];
                 self.report("axes-taken-twice", function.span, &figures);
                 return;
             }
             return self.returning(function, words);
         }
-        // G4 of Fanuc moves nothing, and its X is a time.
-        if self.control.kind == IsoControl::Fanuc && words.one_shot(Effect::Dwell, self.control).is_some() {
+        // Where X may be a time, the block moves nothing.
+        if self.control.is(Q::DwellInX) && words.one_shot(Effect::Dwell, self.control).is_some() {
             return;
         }
         if let Some(function) = words.one_shot(Effect::MachinePosition, self.control) {
@@ -119,7 +119,7 @@ impl Maker<'_> {
         }
     }
 
-    /// G53: a position of the machine, with the active motion in LinuxCNC, at rapid in Fanuc.
+    /// G53: a position of the machine, with the active motion, or at rapid whatever it is.
     fn on_machine(&mut self, function: Function, words: &BlockWords) {
         if !self.state.absolute() {
             self.fault("machine-position-with-g91", function.span);
@@ -127,7 +127,7 @@ impl Maker<'_> {
         }
         let target = self.target(words, true);
         let Some(span) = target.span else { return };
-        let code = if self.control.kind == IsoControl::Fanuc { Some(0) } else { self.state.mode(Group::Motion) };
+        let code = if self.control.is(Q::MachinePositionAtRapid) { Some(0) } else { self.state.mode(Group::Motion) };
         let motion = match code.filter(|_| words.function(Group::Cycle).is_none()) {
             Some(0) => Motion::Rapid,
             Some(10) => Motion::Feed { feed_mm_per_min: self.feed(span) },
@@ -141,12 +141,12 @@ impl Maker<'_> {
     }
 
     /// G28, G30: at rapid through the point of the words, then along their axes to the machine zero or to the fixed
-    /// point of the setting. LinuxCNC without words moves every axis.
+    /// point of the setting. Without words some controls move every axis.
     fn returning(&mut self, function: Function, words: &BlockWords) {
         let goal = if function.code == 280 { Some(Position::default()) } else { self.setting.fixed_point };
-        // P2 of Fanuc means the same point as G30 alone.
+        // P2 means the same point as G30 alone.
         let second = function.code == 280
-            || self.control.kind == IsoControl::LinuxCnc
+            || !self.control.is(Q::ReturnNumber)
             || self.take(words, 'P').is_none_or(|point| point.millionths == 2_000_000);
         let Some(goal) = goal.filter(|_| second) else {
             self.report("fixed-point-unknown", function.span, &[("function", function.name().into_figure())]);
@@ -154,7 +154,7 @@ impl Maker<'_> {
         };
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| words.get(axis.letter()).is_some()).collect();
         let through = self.target(words, false);
-        if named.is_empty() && self.control.kind == IsoControl::Fanuc {
+        if named.is_empty() && !self.control.is(Q::ReturnOfAllAxes) {
             self.report("axes-missing", function.span, &[("function", function.name().into_figure())]);
             return;
         }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::control::{Action, Control};
+use super::control::{Action, Characteristic as Q, Control};
 use super::rules::fault;
 use super::text::{Block, Label};
 use super::words::{BlockWords, Function};
@@ -48,7 +48,7 @@ pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control
     // Fanuc runs the first program of the text. In LinuxCNC a number alone does not separate programs: the run
     // continues.
     let second = starts.iter().copied().find(|start| *start > 0);
-    programs.main = 0..second.filter(|_| !control.o_words).unwrap_or(blocks.len());
+    programs.main = 0..second.filter(|_| !control.is(Q::OWords)).unwrap_or(blocks.len());
     subs(blocks, &mut programs, faults);
     // A name that could not be read may be the called one; a number may be that of the call.
     let headless = blocks.iter().any(|block| block.unread && block.words.is_empty() && block.label.is_none());
@@ -123,6 +123,6 @@ pub(super) fn call(block: &Block, words: &BlockWords, control: &Control) -> Opti
     let number = program.millionths / 1_000_000;
     let times = words.get('L').map(|given| given.millionths / 1_000_000);
     let (number, packed) =
-        if !control.o_words && number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
+        if !control.is(Q::OWords) && number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
     Some(Call { name: number.to_string(), repeats: times.unwrap_or(packed), span: program.span })
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::block::{After, Maker};
-use super::control::{Control, Group};
+use super::control::{Characteristic as Q, Control, Group};
 use super::programs::{self, Programs};
 use super::rules::fault;
 use super::state::ControlState;
@@ -86,7 +86,7 @@ fn once(faults: Vec<Fault>) -> Vec<Fault> {
 fn parameters(blocks: &[Block], control: &Control) -> Parameters {
     let calculates = |block: &Block| !block.expressions.is_empty() || !block.sets.is_empty();
     let used = blocks.iter().any(|block| calculates(block) || !block.arguments.is_empty());
-    let free = if used && control.o_words { 1..=FREE_PARAMETERS } else { 1..=0 };
+    let free = if used && control.is(Q::OWords) { 1..=FREE_PARAMETERS } else { 1..=0 };
     free.map(|number| (format!("#{number}"), 0.0)).collect()
 }
 
@@ -121,7 +121,7 @@ impl<S: Sink> ProgramRun<'_, S> {
     fn open_end(&mut self) {
         let last = self.programs.main.clone().last().and_then(|index| self.blocks.get(index));
         let (span, number) = last.map_or((TextSpan::default(), None), |block| (block.span, block.number));
-        if self.closed && self.control.o_words {
+        if self.closed && self.control.is(Q::OWords) {
             let block = BlockRef { line: span.line, number };
             self.running.take(&MotionStep { motion: Motion::End, at: self.state.at, block });
         } else {
@@ -200,7 +200,7 @@ impl<S: Sink> ProgramRun<'_, S> {
                     continue;
                 };
                 let millionths = libm::round(value * 1e6) as i64;
-                words.words.push(Word { address: *address, millionths, increments: false, span: *span });
+                words.words.push(Word { address: *address, millionths, increments: false, point: true, span: *span });
             }
             let mut carried = BlockWords::read(&words, self.control, &mut Vec::new());
             if !known {

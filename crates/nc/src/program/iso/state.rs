@@ -31,7 +31,7 @@ pub(super) struct ControlState {
     pub tool: u32,
     /// What G43 adds to Z.
     pub length: Micrometres,
-    /// The last parameters of cycles, by their letters: lengths in micrometres, P in millionths.
+    /// The last parameters of cycles, by their letters: lengths in micrometres, P in millionths of a second.
     pub parameters: [Option<i64>; 26],
     /// Z at the start of the first of several cycles, in the program's system.
     pub initial: Option<Micrometres>,

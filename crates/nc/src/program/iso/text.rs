@@ -1,7 +1,7 @@
 //! Splits the text of a program into words and blocks with their places. Nothing is interpreted here. Reading
 //! recovers from errors: a word that cannot be read is reported and skipped.
 
-use super::control::{ActiveComment, CommentAct, Control, IsoControl, Written};
+use super::control::{ActiveComment, Characteristic as Q, CommentAct, Control, Written};
 use super::rules::fault;
 use crate::program::control_2c42_65::{comma_places, decimal_comma, latin};
 use crate::program::expression::{Expression, Reader};
@@ -17,6 +17,8 @@ pub(super) struct Word {
     pub millionths: i64,
     /// Whether it counts least increments, because it has no point and the control is set so.
     pub increments: bool,
+    /// Whether it is written with a point.
+    pub point: bool,
     pub span: TextSpan,
 }
 
@@ -64,13 +66,13 @@ pub const MOST_BLOCKS: usize = 200_000;
 pub(super) fn blocks(text: &str, control: &Control, decimal: Option<DecimalInput>) -> (Vec<Block>, bool, Vec<Fault>) {
     let mut points = Points::new(decimal);
     let (blocks, closed, mut faults) = blocks_within(MOST_BLOCKS, text, control, &mut points);
-    if control.kind == IsoControl::Fanuc {
+    if control.is(Q::DecimalOfSetting) {
         faults.extend(points.fault());
     }
     (blocks, closed, faults)
 }
 
-/// Lengths with and without a decimal point, of a Fanuc program.
+/// Lengths with and without a decimal point, of a program whose control is set to count them.
 struct Points {
     /// What a length without a point counts, where the owner of the control has said so.
     decimal: Option<DecimalInput>,
@@ -103,15 +105,14 @@ fn blocks_within(most: usize, text: &str, control: &Control, points: &mut Points
     let mut faults = Vec::new();
     let mut blocks = Vec::new();
     let mut opened = false;
-    let fanuc = control.kind == IsoControl::Fanuc;
-    // Fanuc reads nothing before the first of two `%` signs.
-    let sign = |line: &str| line.trim_start().starts_with('%');
+    let leads = control.is(Q::ReadsFromSign);
+    let sign = |line: &str| control.is(Q::Signs) && line.trim_start().starts_with('%');
     let signs = text.lines().filter(|line| sign(line)).take(2).count();
-    let leader = text.lines().position(sign).filter(|_| fanuc && signs == 2).unwrap_or_default();
+    let leader = text.lines().position(sign).filter(|_| leads && signs == 2).unwrap_or_default();
     for (index, line) in text.lines().enumerate().skip(leader) {
         let line_number = u32::try_from(index + 1).unwrap_or(u32::MAX);
         if sign(line) {
-            if opened || (fanuc && !blocks.is_empty()) {
+            if opened || (leads && !blocks.is_empty()) {
                 return (blocks, true, faults);
             }
             if blocks.is_empty() {
@@ -146,7 +147,19 @@ pub(super) const UNREAD: char = '#';
 /// What decides which blocks are run: macros of Fanuc, o-words of LinuxCNC with their values.
 const MACRO_WORDS: [&str; 5] = ["IF", "WHILE", "GOTO", "DO", "END"];
 const FLOW_WORDS: [&str; 13] = [
-    "IF", "ELSEIF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "DO", "REPEAT", "ENDREPEAT", "BREAK", "CONTINUE", "ENDSUB[", "RETURN[",
+    "IF",
+    "ELSEIF",
+    "ELSE",
+    "ENDIF",
+    "WHILE",
+    "ENDWHILE",
+    "DO",
+    "REPEAT",
+    "ENDREPEAT",
+    "BREAK",
+    "CONTINUE",
+    "ENDSUB[",
+    "RETURN[",
 ];
 
 struct SourceLine<'a> {
@@ -173,13 +186,12 @@ impl SourceLine<'_> {
             block.skipped = true;
             at = 1;
             // The number of the switch: there is one switch here.
-            while self.control.kind == IsoControl::Fanuc && characters.get(at).is_some_and(|(_, c)| c.is_ascii_digit())
-            {
+            while self.control.is(Q::SkipNumbers) && characters.get(at).is_some_and(|(_, c)| c.is_ascii_digit()) {
                 at += 1;
             }
         }
         while let Some(&(column, character)) = characters.get(at) {
-            if character == 'O' && self.control.o_words && block.words.is_empty() {
+            if character == 'O' && self.control.is(Q::OWords) && block.words.is_empty() {
                 self.label(&characters[at..], &mut block);
                 break;
             }
@@ -235,6 +247,7 @@ impl SourceLine<'_> {
     /// where the control permits them.
     fn characters(&mut self, line: &str) -> Vec<(usize, char)> {
         let mut kept = Vec::new();
+        let small = self.control.is(Q::WordsInSmallLetters);
         let mut comment = None;
         let mut text = String::new();
         for (column, character) in line.chars().enumerate() {
@@ -254,7 +267,7 @@ impl SourceLine<'_> {
                     break;
                 }
                 (None, c) if c.is_whitespace() => {}
-                (None, c) if self.control.small_letters => kept.push((column, c.to_ascii_uppercase())),
+                (None, c) if small => kept.push((column, c.to_ascii_uppercase())),
                 (None, c) => kept.push((column, c)),
             }
         }
@@ -323,7 +336,7 @@ impl SourceLine<'_> {
 
     /// What depends on parameters: `#1=2`, `X#1`, `X[#1+2]`, or a word of a macro, `IF [#1 GT 0] GOTO 10`.
     fn calculated(&mut self, characters: &[(usize, char)], at: usize, block: &mut Block) -> Calculated {
-        let fanuc = self.control.kind == IsoControl::Fanuc;
+        let fanuc = self.control.is(Q::MacroWords);
         let here = characters.get(at).map_or(0, |(column, _)| *column);
         let text: String = characters[at..].iter().map(|(_, c)| *c).collect();
         let known = MACRO_WORDS.iter().find(|word| text.starts_with(**word));
@@ -421,7 +434,7 @@ impl SourceLine<'_> {
         // K may be a length, too: which it is the block decides.
         let increments = known == Written::Length && address != 'F' && !written.contains('.');
         let increments = increments && self.points.decimal == Some(DecimalInput::Increment);
-        Some(Word { address, millionths, increments, span })
+        Some(Word { address, millionths, increments, point: written.contains('.'), span })
     }
 
     /// A number as written, in millionths.

@@ -1,6 +1,6 @@
 //! The words of a block, its functions by their groups; and the checks of what may be combined.
 
-use super::control::{Control, Effect, Group};
+use super::control::{Characteristic as Q, Control, Effect, Group};
 use super::rules::fault;
 use super::text::{Block, Word};
 use crate::program::{Fault, TextSpan};
@@ -12,6 +12,8 @@ pub(super) struct WordValue {
     pub millionths: i64,
     /// Whether it counts least increments, thousandths, because it has no point.
     pub increments: bool,
+    /// Whether it is written with a point.
+    pub point: bool,
     pub span: TextSpan,
 }
 
@@ -19,6 +21,12 @@ impl WordValue {
     /// As it is written.
     pub(super) const fn value(self) -> f64 {
         self.millionths as f64 / 1e6
+    }
+
+    /// As P of a dwell, s.
+    pub(super) fn dwell_s(self, control: &Control) -> f64 {
+        let in_seconds = self.point && control.is(Q::DwellPointInSeconds);
+        self.value() * if in_seconds { 1.0 } else { control.dwell_unit_s }
     }
 
     /// As the time of an axis word: in increments, milliseconds.
@@ -110,7 +118,12 @@ impl BlockWords {
         let before = faults.len();
         let mut words = Self::default();
         for word in &block.words {
-            let given = WordValue { millionths: word.millionths, increments: word.increments, span: word.span };
+            let given = WordValue {
+                millionths: word.millionths,
+                increments: word.increments,
+                point: word.point,
+                span: word.span,
+            };
             match word.address {
                 'G' => words.take_g(given, control, faults),
                 'M' => words.take_m(given, control, faults),
@@ -191,14 +204,14 @@ impl BlockWords {
         let Some(first) = self.g[known.group as usize].replace(function) else {
             let pair = [Group::Motion, Group::Cycle].map(|group| self.function(group));
             if let [Some(motion), Some(cycle)] = pair
-                && control.cycles_are_motions
+                && control.is(Q::CyclesAreMotions)
                 && matches!(known.group, Group::Motion | Group::Cycle)
             {
                 faults.push(twice("group-exclusive", motion, cycle, given.span));
             }
             return;
         };
-        let code = if control.cycles_are_motions { "group-exclusive" } else { "group-twice" };
+        let code = if control.is(Q::OneOfGroup) { "group-exclusive" } else { "group-twice" };
         faults.push(twice(code, first, function, given.span));
     }
 

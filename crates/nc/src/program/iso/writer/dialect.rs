@@ -1,10 +1,10 @@
-//! The differences between programs for LinuxCNC and Fanuc.
+//! What programs for one control have that those for another have not, by its record.
 
 use std::fmt;
 
 use crate::job::{self, Cycle};
 use crate::program::block::Block;
-use crate::program::iso::control::IsoControl;
+use crate::program::iso::control::{Characteristic as Q, Control};
 use crate::units::{Micrometres, RevsPerMinute, Seconds};
 
 /// A block with its number.
@@ -18,64 +18,73 @@ impl fmt::Display for Numbered {
 
 /// How a control writes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Dialect(pub IsoControl);
+pub(super) struct Dialect<'c>(pub &'c Control);
 
-impl Dialect {
-    /// A length, mm. Fanuc counts a number without a point in micrometres, unless it is set otherwise.
+impl Dialect<'_> {
+    /// A length, mm. Where a number without a point may count increments, it has one.
     pub(super) fn length(self, value: Micrometres) -> String {
         let text = value.to_string();
-        if self.0 == IsoControl::Fanuc && !text.contains('.') { text + ".0" } else { text }
+        if self.0.is(Q::PointsWritten) && !text.contains('.') { text + ".0" } else { text }
     }
 
     /// A feed, mm/min.
     pub(super) fn feed(self, cycle: &Cycle) -> String {
         let text = cycle.feed_mm_per_min.0.to_string();
-        if self.0 == IsoControl::Fanuc && !text.contains('.') { text + "." } else { text }
+        if self.0.is(Q::PointsWritten) && !text.contains('.') { text + "." } else { text }
     }
 
-    fn dwell(self, time: Seconds) -> String {
-        match self.0 {
-            IsoControl::LinuxCnc => time.0.to_string(),
-            IsoControl::Fanuc => libm::round(time.0 * 1000.0).to_string(),
-        }
+    /// P of a dwell: whole where its unit is a part of a second.
+    pub(super) fn dwell(self, time: Seconds) -> String {
+        let unit = self.0.dwell_unit_s;
+        if unit < 1.0 { libm::round(time.0 / unit).to_string() } else { time.0.to_string() }
+    }
+
+    /// Whether the control has subprograms.
+    pub(super) const fn subprograms(self) -> bool {
+        self.0.depth > 0
     }
 
     /// The lines before the first block.
     pub(super) fn head(self, part: &str, number: u32) -> Vec<String> {
-        match self.0 {
-            IsoControl::LinuxCnc => vec![format!("({part})")],
-            IsoControl::Fanuc => vec![format!("O{number:04} ({part})")],
+        match self.0.number_digits {
+            0 => vec![format!("({part})")],
+            digits => vec![format!("O{number:0digits$} ({part})")],
         }
     }
 
-    /// From wherever a tool is to the place of the tool change. Of Fanuc G49 stands with the way up, because alone it may
-    /// move the axis by the length of the tool, and G53 is always rapid.
+    /// From wherever a tool is to the place of the tool change. Where G49 alone may move the axis by the length of the
+    /// tool, it stands with the way up.
     pub(super) fn withdrawal(self, up: String, across: [String; 2]) -> Vec<Block> {
         let [x, y] = across;
         let off = Block::new().g(90).g(80);
-        let on_machine = || Block::new().g(53).g(0);
-        let (first, up, aside) = match self.0 {
-            IsoControl::LinuxCnc => (off.g(49), on_machine().word('Z', up), on_machine()),
-            IsoControl::Fanuc => (off, Block::new().g(49).g(53).word('Z', up), Block::new().g(53)),
+        let on_machine = |block: Block| {
+            let block = block.g(53);
+            if self.0.is(Q::MachinePositionAtRapid) { block } else { block.g(0) }
         };
-        vec![first, up, Block::new().m(5), Block::new().m(9), aside.word('X', x).word('Y', y)]
+        let (first, up_from) = match self.0.is(Q::LengthOffOnWayUp) {
+            true => (off, Block::new().g(49)),
+            false => (off.g(49), Block::new()),
+        };
+        let up = on_machine(up_from).word('Z', up);
+        let aside = on_machine(Block::new()).word('X', x).word('Y', y);
+        vec![first, up, Block::new().m(5), Block::new().m(9), aside]
     }
 
-    /// The spindle, and the coolant where it flows. Fanuc takes one M function in a block unless a parameter allows more
-    /// (3404#7).
+    /// The spindle, and the coolant where it flows.
     pub(super) fn turning(self, speed: RevsPerMinute, coolant: bool) -> Vec<Block> {
         let turning = Block::new().word('S', speed.0).m(3);
-        match (coolant, self.0) {
-            (false, _) => vec![turning],
-            (true, IsoControl::LinuxCnc) => vec![turning.m(8)],
-            (true, IsoControl::Fanuc) => vec![turning, Block::new().m(8)],
+        match coolant {
+            false => vec![turning],
+            true if self.0.m_written > 1 => vec![turning.m(8)],
+            true => vec![turning, Block::new().m(8)],
         }
     }
 
-    /// What stands before a cycle: of Fanuc M29, so that a tap is turned and fed as one.
+    /// What stands before a cycle: the function by which a tap is turned and fed as one, where there is one.
     pub(super) fn before_cycle(self, cycle: &Cycle) -> Option<Block> {
-        let rigid = self.0 == IsoControl::Fanuc && matches!(cycle.kind, job::CycleKind::Tap { .. });
-        rigid.then(|| Block::new().word('S', cycle.speed_rpm.0).m(29))
+        let taps = matches!(cycle.kind, job::CycleKind::Tap { .. });
+        let code = self.0.tap_preparation.filter(|_| taps)?;
+        Some(Block::new().word('S', cycle.speed_rpm.0).m(code))
     }
 
     /// The first blocks: what the program relies on.
@@ -85,23 +94,20 @@ impl Dialect {
     }
 
     pub(super) fn subprogram_begins(self, number: u32) -> String {
-        match self.0 {
-            IsoControl::LinuxCnc => format!("o{number} sub"),
-            IsoControl::Fanuc => format!("O{number:04}"),
+        match self.0.number_digits {
+            _ if self.0.is(Q::OWords) => format!("o{number} sub"),
+            digits => format!("O{number:0digits$}"),
         }
     }
 
     pub(super) fn subprogram_ends(self, number: u32) -> String {
-        match self.0 {
-            IsoControl::LinuxCnc => format!("o{number} endsub"),
-            IsoControl::Fanuc => "M99".to_owned(),
-        }
+        if self.0.is(Q::OWords) { format!("o{number} endsub") } else { "M99".to_owned() }
     }
 
     pub(super) fn call(self, number: usize, called: u32) -> String {
-        match self.0 {
-            IsoControl::LinuxCnc => format!("o{called} call"),
-            IsoControl::Fanuc => Numbered(number, format!("M98 P{called:04}")).to_string(),
+        match self.0.number_digits {
+            _ if self.0.is(Q::OWords) => format!("o{called} call"),
+            digits => Numbered(number, format!("M98 P{called:0digits$}")).to_string(),
         }
     }
 
@@ -123,8 +129,9 @@ impl Dialect {
         if let Some(step) = step {
             words += &format!(" Q{}", self.length(lengths(step)));
         }
-        // LinuxCNC does not run G86 without a dwell.
-        let needed = (code == 86 && self.0 == IsoControl::LinuxCnc).then(|| "0".to_owned());
+        // Some controls do not run a cycle without a dwell.
+        let known = self.0.cycles.get(&(i64::from(code) * 10));
+        let needed = known.is_some_and(|cycle| cycle.required.contains(&'P')).then(|| "0".to_owned());
         if let Some(dwell) = dwell.or(needed) {
             words += &format!(" P{dwell}");
         }

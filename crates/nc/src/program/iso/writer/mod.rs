@@ -1,10 +1,10 @@
-//! Writes a job as a program in ISO 6983, in the dialects of LinuxCNC and Fanuc.
+//! Writes a job as a program in ISO 6983, as the record of its control says.
 //!
 //! The main program has for each tool its change, the spindle, the approach, its cycles and points. Subprograms are
 //! the retract to the tool change, the contours of mills, and points that several tools visit. Positions are
 //! absolute.
 //!
-//! - `dialect` the differences between the two;
+//! - `dialect` what differs from control to control;
 //! - `tool` one tool from its change to its retract.
 
 mod dialect;
@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 use crate::job::{Job, Pause, Unfinished};
 use crate::program::block::Block;
-use crate::program::iso::control::IsoControl;
+use crate::program::iso::control::{Characteristic as Q, Control};
 use crate::program::written::{Form, LineRole, ProgramLine, WorkRef, WrittenProgram};
 use technolog_core::ascii::ascii;
 
@@ -30,9 +30,9 @@ const FIRST_SUBPROGRAM: u32 = 101;
 const LAST: u32 = 9999;
 
 /// The program under construction.
-struct ProgramWriter {
+struct ProgramWriter<'c> {
     form: Form,
-    dialect: Dialect,
+    dialect: Dialect<'c>,
     main: Vec<PlacedLine>,
     subprograms: Subprograms,
 }
@@ -51,8 +51,9 @@ enum MainLine {
 }
 
 /// The program of a job.
-pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
-    let dialect = Dialect(kind);
+pub fn write(job: &Job, control: &Control, form: Form) -> WrittenProgram {
+    let dialect = Dialect(control);
+    let form = Form { subprograms: form.subprograms && dialect.subprograms(), ..form };
     let mut sheet = ProgramWriter { form, dialect, main: Vec::new(), subprograms: Vec::new() };
     let axis = |value| sheet.dialect.length(form.grid(value));
     let (up, across) = (axis(job.change_at.z), [axis(job.change_at.x), axis(job.change_at.y)]);
@@ -103,7 +104,7 @@ fn remark(pause: Pause, designation: &str) -> String {
     }
 }
 
-impl ProgramWriter {
+impl ProgramWriter<'_> {
     fn push_block(&mut self, block: Block, role: LineRole, work: Option<WorkRef>, cycle: Option<usize>) {
         self.main.push((MainLine::Block(block), role, work, cycle));
     }
@@ -127,8 +128,8 @@ impl ProgramWriter {
         let plain = |text: String, role| ProgramLine { text, role, work: None, cycle: None };
         let mut before = Vec::new();
         let mut after = Vec::new();
-        // LinuxCNC requires a subprogram before its call, Fanuc after the main program.
-        let place = if dialect.0 == IsoControl::LinuxCnc { &mut before } else { &mut after };
+        // An o-word must stand before its call, a program of its own behind the main one.
+        let place = if dialect.0.is(Q::OWords) { &mut before } else { &mut after };
         let kept = if form.subprograms { subprograms.as_slice() } else { &[] };
         for (index, (blocks, work)) in kept.iter().enumerate() {
             let number = form.subprogram(index);
@@ -139,7 +140,8 @@ impl ProgramWriter {
             }
             place.push(line(dialect.subprogram_ends(number), LineRole::End));
         }
-        let mut lines = vec![plain("%".to_owned(), LineRole::Frame)];
+        let sign = || dialect.0.is(Q::Signs).then(|| plain("%".to_owned(), LineRole::Frame));
+        let mut lines: Vec<ProgramLine> = sign().into_iter().collect();
         let remarks = remarks.into_iter().map(|remark| format!("({remark})"));
         lines.extend(
             dialect
@@ -161,7 +163,7 @@ impl ProgramWriter {
             lines.push(ProgramLine { text, role, work, cycle });
         }
         lines.append(&mut after);
-        lines.push(plain("%".to_owned(), LineRole::Frame));
+        lines.extend(sign());
         WrittenProgram { lines }
     }
 }

@@ -14,7 +14,7 @@ use super::{ProgramWriter, Shared};
 const SUBPROGRAM: usize = 30;
 
 /// How often each list of further points occurs.
-pub(super) fn shared_points(job: &Job, form: Form, dialect: Dialect) -> Shared {
+pub(super) fn shared_points(job: &Job, form: Form, dialect: Dialect<'_>) -> Shared {
     let mut counts = Shared::new();
     for work in job.setups.iter().flat_map(|setup| &setup.works) {
         for (cycle, stops) in runs(work) {
@@ -34,17 +34,17 @@ fn runs(work: &ToolWork) -> impl Iterator<Item = (&Cycle, &[Stop])> {
     })
 }
 
-fn point(at: Point, form: Form, dialect: Dialect) -> Block {
+fn point(at: Point, form: Form, dialect: Dialect<'_>) -> Block {
     let at = form.point(at);
     Block::new().word('X', dialect.length(at.x)).word('Y', dialect.length(at.y))
 }
 
 /// A block for every stop after the first.
-fn further(stops: &[Stop], form: Form, dialect: Dialect) -> Vec<Block> {
+fn further(stops: &[Stop], form: Form, dialect: Dialect<'_>) -> Vec<Block> {
     stops.iter().skip(1).map(|stop| point(stop.at, form, dialect)).collect()
 }
 
-impl ProgramWriter {
+impl ProgramWriter<'_> {
     pub(super) fn one_tool(&mut self, work: &ToolWork, work_ref: WorkRef, shared: &Shared) {
         let place = Some(work_ref);
         let (form, dialect) = (self.form, self.dialect);
@@ -117,7 +117,7 @@ fn contour(
     levels: &[Micrometres],
     radii: &[Micrometres],
     sense: Sense,
-    dialect: Dialect,
+    dialect: Dialect<'_>,
     form: Form,
 ) -> Vec<Block> {
     let length = |value: Micrometres| dialect.length(form.grid(value));
