@@ -100,6 +100,10 @@ pub struct ToolWork {
     pub corrector: u32,
     /// Its designation.
     pub designation: String,
+    /// What it does first: its name for people.
+    pub operation: Operation,
+    /// Its diameter.
+    pub diameter_mm: Micrometres,
     /// What the operator has to do before it.
     pub pauses: Vec<Pause>,
     /// Whether the coolant flows.
