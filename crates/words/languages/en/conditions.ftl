@@ -25,6 +25,7 @@ life-for-feed = for a feed of { $feed } mm/rev the formula gives { $speed } m/mi
 tap-lead = the tap's lead, { $lead } mm, goes beyond the full thread
 thread-runout = the hole under a blind thread is drilled { $runout } mm deeper
 mill-clearance = the mill is at least { $clearance } mm smaller than the hole it enters
+mill-over-hole = the mill need not enter the hole Ø{ $hole }: only { $percent } % of its diameter, its middle, has no teeth
 ground-within = ground down by { $limit } mm at most
 feed-held = feed limited to { $limit } mm/min
 stand-in = { $table } has no figure for { $material }; { $group } is used instead
