@@ -328,8 +328,13 @@ impl<'p, 'k> Fitting<'p, 'k> {
                 cite(name, Note::new("mill-clearance").with("clearance", clearance))?;
             }
             Operation::Drill | Operation::DrillOut if main && self.hole.thread.is_some() && !step.place.through => {
-                let note = Note::new("thread-runout").with("runout", step.place.depth - self.hole.depth);
-                cite(HoleDefault::ThreadRunoutPitches, note)?;
+                let run_out = step.place.depth - self.hole.depth;
+                let pitch = self.hole.thread.as_ref().map_or(0.0, |thread| thread.pitch.to_mm());
+                let lead = Micrometres::from_mm_rounded(pitch * self.tap_lead);
+                let short = run_out <= lead;
+                let name = if short { HoleDefault::TapLeadPitches } else { HoleDefault::ThreadRunoutPitches };
+                let code = if short { "thread-runout-short" } else { "thread-runout" };
+                cite(name, Note::new(code).with("runout", run_out))?;
             }
             _ => {}
         }

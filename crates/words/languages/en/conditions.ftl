@@ -24,6 +24,7 @@ speed-for-feed = the speed is that for a feed of { $feed } mm/rev: { $speed } m/
 life-for-feed = for a feed of { $feed } mm/rev the formula gives { $speed } m/min: the tool life is calculated from it
 tap-lead = the tap's lead, { $lead } mm, goes beyond the full thread
 thread-runout = the hole under a blind thread is drilled { $runout } mm deeper
+thread-runout-short = the hole under a blind thread is drilled { $runout } mm deeper, as the lead of the tap is long: there is no room for the usual run-out
 mill-clearance = the mill is at least { $clearance } mm smaller than the hole it enters
 mill-over-hole = the mill need not enter the hole Ø{ $hole }: only { $percent } % of its diameter, its middle, has no teeth
 ground-within = ground down by { $limit } mm at most
