@@ -217,9 +217,7 @@ impl Finder<'_, '_> {
         for step in steps[..=last].iter_mut().filter(|step| pointed(step)) {
             let core = step.operation == Operation::CoreDrill;
             let stop = if core { open } else { depth } - self.fitting.lead(step);
-            // A core drill that would not even cut as deep as its own cone is left out.
-            let least = if core { self.fitting.lead(step) } else { Micrometres::ZERO };
-            if stop <= least {
+            if stop <= Micrometres::ZERO {
                 return Err(Refusal::Not(Reason::TooShallowForFlat { depth, diameter: step.diameter }));
             }
             step.place.depth = stop;
