@@ -4,14 +4,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::KnowledgeError;
-use crate::knowledge::diagnostic::nearest;
-use crate::knowledge::{Knowledge, RowRef};
 use crate::knowledge::contract::Question;
+use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::units::{Brinell, Megapascals};
-use crate::tables::rules::AlloyClassStateFor;
+use crate::knowledge::{Knowledge, RowRef};
 use crate::tables::materials::{
     DeliveryState, DeliveryStates, Governs, HardnessStrength, MaterialAlias, MaterialGrade,
 };
+use crate::tables::rules::AlloyClassStateFor;
 use crate::units::Decimal;
 
 /// A material grade.

@@ -50,10 +50,13 @@ pub fn without_force(
         return Ok(None);
     }
     let of = |figure: Option<f64>, own: f64| figure.filter(|figure| figure.to_bits() != own.to_bits());
-    let by_hardness = of(state.hardness, grade.hardness.to_f64()).map(|figure| ("hardness-no-force", figure, grade.hardness));
-    let by_strength = of(state.strength, grade.strength.to_f64()).map(|figure| ("strength-no-force", figure, grade.strength));
+    let by_hardness =
+        of(state.hardness, grade.hardness.to_f64()).map(|figure| ("hardness-no-force", figure, grade.hardness));
+    let by_strength =
+        of(state.strength, grade.strength.to_f64()).map(|figure| ("strength-no-force", figure, grade.strength));
     let Some((code, figure, own)) = by_hardness.or(by_strength) else { return Ok(None) };
     let severity = if figure > own.to_f64() { Severity::Doubtful } else { Severity::Note };
-    let note = Note::new(code).with("stated", round_to(figure, 0)).with("own", own).with("material", material.designation());
+    let note =
+        Note::new(code).with("stated", round_to(figure, 0)).with("own", own).with("material", material.designation());
     Ok(Some(Finding::of_part(severity, note)))
 }

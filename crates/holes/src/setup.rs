@@ -177,14 +177,7 @@ fn clamped(
             .with("needed", name);
         faults.push((Severity::Error, note));
     }
-    let hold = hold::Hold {
-        torque: turns.0,
-        side: pushes,
-        hole: turns.1,
-        bears: most,
-        safety: k,
-        friction: f + f2,
-    };
+    let hold = hold::Hold { torque: turns.0, side: pushes, hole: turns.1, bears: most, safety: k, friction: f + f2 };
     faults.extend(hold::faults(part, &clamping.clamps, hold, shop)?);
     Ok(Some((clamping, faults)))
 }

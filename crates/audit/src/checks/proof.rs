@@ -55,7 +55,9 @@ pub(super) fn check<'a>(
                 | Fault::Floor { .. } => continue,
             };
             // What our own plans only doubt, the author may know better.
-            if fault.severity() == Severity::Doubtful && !matches!(fault, Fault::Wanting { .. } | Fault::UnderSkin { .. }) {
+            if fault.severity() == Severity::Doubtful
+                && !matches!(fault, Fault::Wanting { .. } | Fault::UnderSkin { .. })
+            {
                 continue;
             }
             let place = context.stated.rows_of_hole(&hole.name).next().map(|(_, row)| row.place.clone());
