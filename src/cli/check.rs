@@ -14,6 +14,7 @@ use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
 use technolog::note::{Figure, Finding, Note};
+use technolog::plan::CuttingMethod;
 use technolog::program::lathe::{LatheLanguage, recognised};
 use technolog::program::proof::PlannedJob;
 use technolog::program::{Fault, Language, Setting, is_run};
@@ -23,7 +24,7 @@ use technolog::words::say;
 
 use super::diagnostics::{Amount, Texts};
 use super::usage::whole_number;
-use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind, knowledge, problems, proof};
+use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind, knowledge, plan, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
 #[derive(Debug, clap::Args)]
@@ -91,8 +92,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
     let text = context.text(&args.program)?;
-    let mut planned = args.part.as_deref().map(|part| proof::planned_job(part, knowledge, context)).transpose()?;
-    let of_part = planned.as_ref().map(|planned| planned.plan.part.machine.clone());
+    let plan =
+        args.part.as_deref().map(|part| plan::make(part, CuttingMethod::default(), knowledge, context)).transpose()?;
+    let of_part = plan.as_ref().map(|plan| plan.part.machine.clone());
     let machine = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
     let machine = control::machine(machine, knowledge, context)?;
     let id = machine.id();
@@ -101,6 +103,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
     let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
+    let planned = plan.map(|plan| PlannedJob::of(plan, &language, knowledge)).transpose();
+    let mut planned = planned.map_err(at_fault)?;
     let mut setting = match &args.setting {
         None => Setting::default(),
         Some(path) => {

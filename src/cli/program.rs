@@ -100,17 +100,18 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
-    let planned = PlannedJob::of(plan, knowledge).map_err(at_fault)?;
+    let machine = control::machine(&plan.part.machine, knowledge, context)?;
+    let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
+    let language = Language::read(control, knowledge).map_err(at_fault)?;
+    let planned = PlannedJob::of(plan, &language, knowledge).map_err(at_fault)?;
     let (plan, job) = (&planned.plan, &planned.job);
     let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
     let form = Form { program: args.number, subprograms: !args.no_subprograms, ..form };
-    let control = control::chosen(args.control.as_deref(), &shop.machine, knowledge, context)?;
     if let Some(number) = args.number.filter(|number| control == "2c42-65" && *number > 99) {
         let message = say!(context.lang, "program-number-beyond", number = number);
         return Err(Diagnostic::error("bad-number", message, None).into());
     }
-    let language = Language::read(control, knowledge).map_err(at_fault)?;
     let written = language.write(job, form);
     let setting = Setting::of_job(job);
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(&shop.machine, setting.start));

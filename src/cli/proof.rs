@@ -1,19 +1,17 @@
 //! The additions of `technolog check --part`: the part's plan and job, and what a program makes of them.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 
 use serde::Serialize;
 use technolog::document::{Column, Inlines, Table};
-use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
+use technolog::knowledge::{Diagnostic, Place, Severity};
 use technolog::note;
-use technolog::plan::CuttingMethod;
 use technolog::program::proof::{MadeStop, MissingStop, PlannedJob, ProgramFinding, Proof, SuperfluousCut};
 use technolog::report;
 use technolog::report::backplot::Frame;
 
-use super::{CliError, Context, Lang, plan};
+use super::{Context, Lang};
 
 /// The answer in JSON.
 #[derive(Serialize)]
@@ -30,15 +28,6 @@ struct ProofMessage<'a> {
     help: Option<String>,
     #[serde(flatten)]
     finding: &'a ProgramFinding,
-}
-
-/// Plans a part and makes its job.
-///
-/// # Errors
-/// The part cannot be used, or the knowledge has no answer.
-pub fn planned_job(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<PlannedJob, CliError> {
-    let plan = plan::make(path, CuttingMethod::default(), knowledge, context)?;
-    PlannedJob::of(plan, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
 /// The part below the motions of a program.

@@ -51,7 +51,8 @@ fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeE
     let planned = match &program.part {
         None => None,
         Some(part) => {
-            let mut planned = PlannedJob::of(planner::plan(part, CuttingMethod::default(), knowledge)?, knowledge)?;
+            let plan = planner::plan(part, CuttingMethod::default(), knowledge)?;
+            let mut planned = PlannedJob::of(plan, &program.language, knowledge)?;
             planned.set(&mut setting);
             Some(planned)
         }

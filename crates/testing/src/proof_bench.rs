@@ -69,14 +69,32 @@ impl ProofBench {
         self
     }
 
+    /// The job for that control, which leaves out what the control cannot do.
+    pub fn job_for(&self, language: &Language) -> Job {
+        self.planned_for(language).map_or_else(|| self.job.clone(), |(_, job)| job)
+    }
+
+    /// The plan and job for that control, where it leaves something out.
+    fn planned_for(&self, language: &Language) -> Option<(Plan, Job)> {
+        let mut plan = self.plan.clone();
+        language.leave(&mut plan);
+        if plan == self.plan {
+            return None;
+        }
+        let mut shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+        shop.machine.magazine = self.machine.magazine;
+        let job = job::make(&plan, &shop).unwrap();
+        Some((plan, job))
+    }
+
     /// The program that is written for it.
     pub fn written(&self, language: &Language) -> String {
-        language.write(&self.job, self.form).text()
+        language.write(&self.job_for(language), self.form).text()
     }
 
     /// The same with a number of its own, and with or without subprograms.
     pub fn written_as(&self, language: &Language, program: Option<u32>, subprograms: bool) -> String {
-        language.write(&self.job, Form { program, subprograms, ..self.form }).text()
+        language.write(&self.job_for(language), Form { program, subprograms, ..self.form }).text()
     }
 
     /// What the proof says of a program, by its codes.
@@ -88,10 +106,12 @@ impl ProofBench {
         let mut sink = (Vec::<MotionStep>::new(), Clock::new(&self.machine, self.setting.start));
         let faults = language.check(text, &self.machine, &self.setting, &mut sink);
         let (steps, clock) = sink;
-        let zeros: Vec<Position> = self.job.setups.iter().map(|setup| setup.zero).collect();
+        let own = self.planned_for(language);
+        let (plan, job) = own.as_ref().map_or((&self.plan, &self.job), |(plan, job)| (plan, job));
+        let zeros: Vec<Position> = job.setups.iter().map(|setup| setup.zero).collect();
         let input = ProofInput {
-            plan: &self.plan,
-            job: &self.job,
+            plan,
+            job,
             zeros: &zeros,
             start: self.setting.start,
             tolerated: self.tolerated,

@@ -23,10 +23,13 @@ static CONTROL: LazyLock<Language> = LazyLock::new(|| Language::read("2c42-65", 
 
 /// A folder of programs: its control, the name of a program in it, the machine where none is named, and how many programs
 /// there are at least.
-const FOLDERS: [(&str, &str, &str, &str, usize); 3] = [
+const FOLDERS: [(&str, &str, &str, &str, usize); 6] = [
     ("tests/programs", "2c42-65", "program.nc", "gf2171", 60),
     ("tests/programs-linuxcnc", "linuxcnc", "program.ngc", "ir500pmf4", 100),
     ("tests/programs-fanuc", "fanuc", "program.nc", "ir500pmf4", 40),
+    ("tests/programs-haas", "haas-ngc", "program.nc", "ir500pmf4", 8),
+    ("tests/programs-mach3", "mach3", "program.nc", "ir500pmf4", 5),
+    ("tests/programs-grbl", "grbl", "program.nc", "ir500pmf4", 8),
 ];
 
 fn root() -> PathBuf {

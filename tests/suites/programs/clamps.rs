@@ -102,7 +102,12 @@ fn on_plane_r_a_tool_goes_through_clamps() {
     for (fixture, through) in [(CLAMPS, true), ("", false)] {
         let bench = bench(fixture);
         for (control, language) in LANGUAGES.iter().filter(|(control, _)| *control != "2c42-65") {
-            let text = bench.written(language).replace("G98", "G99");
+            let written = bench.written(language);
+            // Without cycles there is no plane R.
+            if !written.contains("G98") {
+                continue;
+            }
+            let text = written.replace("G98", "G99");
             assert_eq!(bench.codes(language, &text).contains(&"through-obstacle"), through, "{control} {fixture}");
         }
     }

@@ -140,7 +140,8 @@ fn rules(page: &str) -> Vec<String> {
 #[test]
 fn every_rule_is_broken_by_some_program() {
     let mut seen = String::new();
-    for folder in folders("tests/programs-linuxcnc").iter().chain(&folders("tests/programs-fanuc")) {
+    let of = ["linuxcnc", "fanuc", "haas", "mach3", "grbl"];
+    for folder in of.iter().flat_map(|control| folders(&format!("tests/programs-{control}"))) {
         seen.push_str(&fs::read_to_string(folder.join("expected")).unwrap());
     }
     let rules = rules("docs/control-linuxcnc.md");
@@ -158,11 +159,14 @@ fn every_rule_is_broken_by_some_program() {
 }
 
 #[test]
-fn the_command_checks_all_three_controls() {
+fn the_command_checks_every_control() {
     for (control, program) in [
         ("2c42-65", "tests/programs/four-holes/program.nc"),
         ("linuxcnc", "tests/programs-linuxcnc/pecks/program.ngc"),
         ("fanuc", "tests/programs-fanuc/pecks/program.nc"),
+        ("haas-ngc", "tests/programs-haas/pecks/program.nc"),
+        ("mach3", "tests/programs-mach3/cycle-rises/program.nc"),
+        ("grbl", "tests/programs-grbl/change-by-hand/program.nc"),
     ] {
         let folder = Path::new(program).parent().unwrap().join("setting.yaml");
         let mut arguments = vec!["check", program, "--control", control, "--machine", "ir500pmf4", "--lang", "en"];

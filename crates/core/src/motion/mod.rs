@@ -183,8 +183,9 @@ pub enum Motion {
     LengthCorrection {
         /// The axis.
         axis: Axis,
-        /// The number of the offset register.
-        corrector: u32,
+        /// The number of the offset register; none where the program itself gives the value.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        corrector: Option<u32>,
         /// The value added to the axis.
         value: Micrometres,
     },

@@ -104,7 +104,10 @@ fn push_step(text: &mut String, step: &MotionStep, word: &dyn Fn(&'static str) -
         }
         Motion::Coolant { on } => write!(text, "{}", word(if *on { "on" } else { "off" })),
         Motion::ToolChange { tool } => write!(text, "T{tool} ").map(|()| axes(text, step.at)),
-        Motion::LengthCorrection { axis, corrector, value } => write!(text, "H{corrector} {}{value}", axis.letter()),
+        Motion::LengthCorrection { axis, corrector: None, value } => write!(text, "{}{value}", axis.letter()),
+        Motion::LengthCorrection { axis, corrector: Some(corrector), value } => {
+            write!(text, "H{corrector} {}{value}", axis.letter())
+        }
         Motion::RadiusCorrection { side: Side::Off, .. } => write!(text, "{}", word("off")),
         Motion::RadiusCorrection { side, corrector, value } => {
             let side = if *side == Side::Left { "left" } else { "right" };

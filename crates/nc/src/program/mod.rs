@@ -17,6 +17,8 @@ mod running;
 pub mod setting;
 pub mod written;
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 use technolog_note::note;
 
@@ -29,6 +31,7 @@ use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, MotionStep, Sink};
 use crate::note::{IntoFigure, Note, Severity};
+use crate::plan::{Operation, Plan};
 use crate::tables::controls::Letter;
 use written::{Form, WrittenProgram};
 
@@ -71,6 +74,27 @@ impl Language {
             Self::Iso(control) => control.setting(),
         };
         setting::read_setting(file, text, limits)
+    }
+
+    /// Leaves to another machine what the control cannot do of a plan: taps, where its spindle does not go with the feed.
+    pub fn leave(&self, plan: &mut Plan) {
+        let Self::Iso(control) = self else { return };
+        if control.taps() {
+            return;
+        }
+        let mut left = BTreeSet::new();
+        for hole in &mut plan.holes {
+            for (index, transition) in hole.transitions.iter_mut().enumerate() {
+                if transition.operation == Operation::Tap {
+                    transition.elsewhere = true;
+                    left.insert((hole.name.clone(), index));
+                }
+            }
+        }
+        for visit in &mut plan.sequence {
+            visit.stops.retain(|stop| !left.contains(&(stop.hole.clone(), stop.transition)));
+        }
+        plan.sequence.retain(|visit| !visit.stops.is_empty());
     }
 
     /// The program of a job.

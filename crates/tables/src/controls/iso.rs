@@ -136,6 +136,7 @@ vocabulary! {
         ReturnOfAllAxes = "return-of-all-axes",
         ReturnNumber = "return-number",
         ArcTurns = "arc-turns",
+        ArcCentresAsSet = "arc-centres-as-set",
         ArcNamesEnd = "arc-names-end",
         PecksOfSetting = "pecks-of-setting",
         CycleBeginsAnew = "cycle-begins-anew",
@@ -143,6 +144,7 @@ vocabulary! {
         CycleRises = "cycle-rises",
         RepeatsInL = "repeats-in-l",
         RepeatsNone = "repeats-none",
+        RepeatsInP = "repeats-in-p",
         TapTurnsBeforeDwell = "tap-turns-before-dwell",
         Signs = "signs",
         ProgramNumberDigits = "program-number-digits",
@@ -210,7 +212,7 @@ rows! {
         whole: Option<bool>,
     } shown { meaning_uk, meaning_en }
 
-    /// Words of LinuxCNC and Fanuc that the check does not carry out, and what it passes over with them.
+    /// Words of the ISO controls that the check does not carry out, and what it passes over with them.
     pub struct NotCarriedOut of One("iso-not-carried-out") {
         word: &'t str,
         last: Option<&'t str>,

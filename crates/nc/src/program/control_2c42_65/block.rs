@@ -305,7 +305,7 @@ impl Maker<'_> {
             return;
         }
         self.state.length_in_force = corrector;
-        self.push(Motion::LengthCorrection { axis, corrector, value });
+        self.push(Motion::LengthCorrection { axis, corrector: Some(corrector), value });
         if same {
             return;
         }

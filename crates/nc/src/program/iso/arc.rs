@@ -20,6 +20,11 @@ impl Maker<'_> {
         let target = self.target(words, false);
         let given = centre.iter().flatten().next().or(radius.as_ref()).map(|word| word.span);
         let Some(span) = target.span.or(given) else { return };
+        let named = [a, b].iter().any(|axis| words.get(axis.letter()).is_some());
+        if !named && self.control.is(Q::ArcNamesEnd) {
+            self.fault("arc-without-end", span);
+            return;
+        }
         let sense = if self.state.mode(Group::Motion) == Some(20) { Sense::Clockwise } else { Sense::Counterclockwise };
         // Judged as written: a rounded end may lie off a small arc by more than the control allows.
         let (start, end) = (exact(self.state.at, self.state.lost, plane), exact(target.at, target.lost, plane));
@@ -63,9 +68,7 @@ impl Maker<'_> {
         let (radius, other) = (distance(start, middle), distance(end, middle));
         let off = (radius - other).abs();
         let (near, part) = self.control.arc_tolerance(inches);
-        // LinuxCNC takes a smaller radius for none.
-        let least = if part > 0.0 { self.control.arc_reach() } else { 0.0 };
-        if radius == 0.0 || radius.min(other) < least {
+        if radius == 0.0 || radius.min(other) < self.control.least_radius() {
             self.fault("arc-without-radius", span);
             return None;
         }

@@ -212,6 +212,8 @@ impl Maker<'_> {
             Action::SpindleStop => self.spindle(Turning::Stopped),
             Action::CoolantOn => self.push(Motion::Coolant { on: true }),
             Action::CoolantOff => self.push(Motion::Coolant { on: false }),
+            // Where there is no M6, the operator changes the tool that T names at the stop.
+            Action::Stop if words.get('T').is_some() && !self.control.changes_tools() => self.change_by_hand(function),
             Action::Stop => self.push(Motion::Stop { optional: false }),
             Action::OptionalStop if self.setting.optional_stop => self.push(Motion::Stop { optional: true }),
             Action::ToolChange => self.tool_change(function),
@@ -229,6 +231,14 @@ impl Maker<'_> {
             }
             Action::OptionalStop | Action::End | Action::Return => {}
         }
+    }
+
+    /// T and M0: the operator changes the tool, and a spindle that the control does not stop would meet the hand.
+    fn change_by_hand(&mut self, function: Function) {
+        if self.state.turning != Turning::Stopped {
+            self.fault("change-turning", function.span);
+        }
+        self.tool_change(function);
     }
 
     /// M6: the tool of T is put into the spindle, which stops for that time.
@@ -299,6 +309,10 @@ impl Maker<'_> {
         let Some(function) = words.function(Group::Length) else { return };
         let mut corrector = 0;
         let mut value = Micrometres::ZERO;
+        if self.offset_by_value(words) {
+            self.offset_of(function, words);
+            return;
+        }
         if function.code == 430 {
             let given =
                 self.take(words, 'H').map(|given| u32::try_from(given.millionths / 1_000_000).unwrap_or_default());
@@ -315,7 +329,32 @@ impl Maker<'_> {
             }
         }
         self.state.length = value;
-        self.push(Motion::LengthCorrection { axis: Axis::Z, corrector, value });
+        self.push(Motion::LengthCorrection { axis: Axis::Z, corrector: Some(corrector), value });
+    }
+
+    /// Whether the block sets the length offset by a value: Z is no way then.
+    pub(super) fn offset_by_value(&self, words: &BlockWords) -> bool {
+        let known = words.function(Group::Length).and_then(|function| self.control.g.get(&function.code));
+        known.is_some_and(|known| known.effect == Effect::OffsetValue)
+    }
+
+    /// G43.1 Z: the offset is the value of Z. GRBL takes it only while a function of motion acts. Where the lengths of the
+    /// tools are known, it must be that of one of them: which one the program does not say.
+    fn offset_of(&mut self, function: Function, words: &BlockWords) {
+        let Some(given) = self.take(words, 'Z') else {
+            self.report("axes-missing", function.span, &[("function", function.name().into_figure())]);
+            return;
+        };
+        if self.state.mode(Group::Motion).is_none() && words.function(Group::Motion).is_none() {
+            self.fault("motion-missing", function.span);
+        }
+        let value = given.length(self.state.inches());
+        let known = &self.setting.correctors;
+        if !known.is_empty() && !known.values().any(|own| *own == value) {
+            self.report("offset-of-no-tool", given.span, &[("value", value.into_figure())]);
+        }
+        self.state.length = value;
+        self.push(Motion::LengthCorrection { axis: Axis::Z, corrector: None, value });
     }
 
     /// The feed by F and the operator's switch; reported when there is none, or when the spindle does not turn.

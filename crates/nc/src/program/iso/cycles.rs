@@ -182,6 +182,10 @@ impl Maker<'_> {
             self.set_floating();
             self.climb(Motion::Rapid, levels.r, span);
         }
+        if repeats == 0 {
+            // The words of the position are taken with the others, and nothing moves.
+            self.target(words, false);
+        }
         for _ in 0..repeats {
             let here = self.state.at.get(Axis::Z);
             let low = self.control.is(Q::CycleRises) && here <= levels.r;

@@ -2,7 +2,7 @@
 
 use super::super::left_over::{height_unknown, never_set};
 use super::block::Maker;
-use super::control::{Effect, Group};
+use super::control::{Characteristic as Q, Effect, Group};
 use super::words::BlockWords;
 use crate::motion::Axis;
 use crate::note::IntoFigure;
@@ -16,7 +16,14 @@ impl Maker<'_> {
         // A function of motion ends a cycle.
         self.state.own[Group::Cycle as usize] |= words.function(Group::Motion).is_some();
         let names = |axis: Axis| words.get(axis.letter()).is_some();
-        let moves = Axis::ALL.into_iter().any(names) && words.one_shot(Effect::Dwell, self.control).is_none();
+        let motion = words.function(Group::Motion).map(|function| function.code).or(self.state.mode(Group::Motion));
+        let cycle = words.function(Group::Cycle).map(|function| function.code).or(self.state.mode(Group::Cycle));
+        let cycle = cycle.is_some_and(|code| self.control.cycles.contains_key(&code));
+        let arc = !cycle && matches!(motion, Some(20 | 30));
+        let time = words.one_shot(Effect::Dwell, self.control).is_some();
+        // A full circle may name no axis.
+        let circle = arc && ['I', 'J', 'K'].into_iter().any(|address| words.get(address).is_some());
+        let moves = (Axis::ALL.into_iter().any(names) || circle) && !time && !self.offset_by_value(words);
         if !moves {
             return;
         }
@@ -24,14 +31,12 @@ impl Maker<'_> {
             self.fault("height-unknown", self.span);
         }
         let on_machine = words.one_shot(Effect::MachinePosition, self.control).is_some();
-        let motion = words.function(Group::Motion).map(|function| function.code).or(self.state.mode(Group::Motion));
-        let cycle = words.function(Group::Cycle).map(|function| function.code).or(self.state.mode(Group::Cycle));
-        let cycle = cycle.is_some_and(|code| self.control.cycles.contains_key(&code));
         let relied_on = [
             (Group::Units, "G21", true),
             (Group::Distance, "G90", true),
             (Group::Cycle, "G80", true),
-            (Group::Plane, "G17", cycle || matches!(motion, Some(20 | 30))),
+            (Group::Plane, "G17", cycle || arc),
+            (Group::ArcDistance, "G91.1", arc && self.control.is(Q::ArcCentresAsSet)),
             (Group::Radius, "G40", names(Axis::X) || names(Axis::Y)),
             // A position of the machine contains no length offset, and no zero of the operator.
             (Group::Length, "G49", names(Axis::Z) && !on_machine),

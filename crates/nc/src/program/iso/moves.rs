@@ -53,6 +53,9 @@ impl Maker<'_> {
         if self.control.is(Q::DwellInX) && words.one_shot(Effect::Dwell, self.control).is_some() {
             return;
         }
+        if self.offset_by_value(words) {
+            return;
+        }
         if let Some(function) = words.one_shot(Effect::MachinePosition, self.control) {
             return self.on_machine(function, words);
         }

@@ -113,7 +113,7 @@ pub(super) fn calls(words: &BlockWords, control: &Control) -> Option<Function> {
 
 /// What a block calls: `o… call`, or M98 with P and L.
 ///
-/// In Fanuc a P of more than four digits has the repeats before the number: `M98 P31001` calls O1001 three times.
+/// Of some controls a P of more than four digits has the repeats before the number: `M98 P31001` calls O1001 three times.
 pub(super) fn call(block: &Block, words: &BlockWords, control: &Control) -> Option<Call> {
     if let Some(Label::Call(name)) = &block.label {
         return Some(Call { name: name.clone(), repeats: 1, span: block.span });
@@ -123,6 +123,6 @@ pub(super) fn call(block: &Block, words: &BlockWords, control: &Control) -> Opti
     let number = program.millionths / 1_000_000;
     let times = words.get('L').map(|given| given.millionths / 1_000_000);
     let (number, packed) =
-        if !control.is(Q::OWords) && number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
+        if control.is(Q::RepeatsInP) && number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
     Some(Call { name: number.to_string(), repeats: times.unwrap_or(packed), span: program.span })
 }

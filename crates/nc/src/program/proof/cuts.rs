@@ -31,8 +31,8 @@ pub(super) struct Descent {
     pub block: BlockRef,
     /// Its place among the steps.
     pub order: usize,
-    /// The offset register in force, and the added value.
-    pub corrector: (u32, Micrometres),
+    /// The offset register in force, none where the program gives the value, and the added value.
+    pub corrector: (Option<u32>, Micrometres),
     /// From the first motion below the face to the last.
     pub moves: Vec<TipMove>,
     /// The height to which the tip rose afterwards, before it went on or down again.

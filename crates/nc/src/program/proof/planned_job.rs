@@ -8,7 +8,7 @@ use crate::knowledge::Knowledge;
 use crate::motion::{Axis, MotionStep, Position};
 use crate::note;
 use crate::plan::Plan;
-use crate::program::Setting;
+use crate::program::{Language, Setting};
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
@@ -26,11 +26,12 @@ pub struct PlannedJob {
 }
 
 impl PlannedJob {
-    /// A plan and its job, with the job's own zeros and correctors.
+    /// A plan and its job, with the job's own zeros and correctors; what the control cannot do is left to another machine.
     ///
     /// # Errors
     /// The knowledge has no answer.
-    pub fn of(plan: Plan, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+    pub fn of(mut plan: Plan, language: &Language, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        language.leave(&mut plan);
         let shop = Shop::new(&plan.part, plan.cutting, knowledge)?;
         let job = job::make(&plan, &shop)?;
         let tolerated = Tolerated::read(&plan.part, knowledge)?;

@@ -61,7 +61,7 @@ pub(super) fn tools(made: &ObservedCuts, tasks: &[StopTask<'_>], input: &ProofIn
         for tool in makes(cut) {
             *scores.entry(tool).or_default() += 1;
             let own = input.plan.tools.iter().find(|known| known.number == tool);
-            let own = own.is_some_and(|own| cut.corrector == (own.corrector, own.correction_mm));
+            let own = own.is_some_and(|own| cut.corrector == (Some(own.corrector), own.correction_mm));
             let (made, with_own) = by_section.entry(cut.section).or_default().entry(tool).or_default();
             *made += 1;
             *with_own += usize::from(own);
@@ -172,11 +172,11 @@ fn begin_of(made: &ObservedCuts, section: usize) -> usize {
 /// register of a tool is the one that most of its cuts use, two tools may not share one, and a value other than the
 /// plan's is reported.
 fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
-    let mut used: BTreeMap<u32, BTreeMap<(u32, Micrometres), usize>> = BTreeMap::new();
+    let mut used: BTreeMap<u32, BTreeMap<(Option<u32>, Micrometres), usize>> = BTreeMap::new();
     for cut in &made.cuts {
         *used.entry(cut.tool).or_default().entry(cut.corrector).or_default() += 1;
     }
-    let usual: BTreeMap<u32, (u32, Micrometres)> = used
+    let usual: BTreeMap<u32, (Option<u32>, Micrometres)> = used
         .iter()
         .filter_map(|(tool, counts)| Some((*tool, *counts.iter().max_by_key(|(_, count)| **count)?.0)))
         .collect();
@@ -189,7 +189,7 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
         let say = |code, severity| {
             ProgramFinding::new(code, severity, cut.block)
                 .with(Name::Tool, cut.tool)
-                .with(Name::Corrector, number)
+                .with(Name::Corrector, number.unwrap_or_default())
                 .with(Name::Value, value)
                 .with(Name::Needed, own.correction_mm)
                 .with(Name::Own, own.corrector)
@@ -197,22 +197,24 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
         let wrong = || {
             // The owner of a value shows which number was confused with which.
             let other = match input.own_correctors {
-                false => input.plan.tools.iter().find(|tool| tool.corrector == number).map(|tool| tool.number),
+                false => input.plan.tools.iter().find(|tool| Some(tool.corrector) == number).map(|tool| tool.number),
                 true => usual.iter().find(|(_, used)| used.0 == number).map(|(tool, _)| *tool),
             };
             let finding = say(Code::WrongCorrection, Severity::Error);
-            match other.filter(|other| number != 0 && *other != plan) {
+            match other.filter(|other| number != Some(0) && *other != plan) {
                 Some(other) => finding.with(Name::Whose, "tool".to_owned()).with(Name::Other, other),
                 None => finding.with(Name::Whose, "none".to_owned()),
             }
         };
         if !input.own_correctors {
             if value != own.correction_mm {
-                let none = number == 0 || value == Micrometres::ZERO;
+                let none = number == Some(0) || value == Micrometres::ZERO;
                 findings.push(if none { say(Code::NoCorrection, Severity::Error) } else { wrong() });
-            } else if number != own.corrector && number != 0 && value != Micrometres::ZERO {
+            } else if number.is_none() {
+                // Of a value there is no number to be another one.
+            } else if number != Some(own.corrector) && number != Some(0) && value != Micrometres::ZERO {
                 findings.push(say(Code::OtherCorrector, Severity::Doubtful));
-            } else if number != own.corrector {
+            } else if number != Some(own.corrector) {
                 findings.push(say(Code::NoCorrector, Severity::Wrong));
             }
             continue;
@@ -220,17 +222,16 @@ fn correctors(made: &ObservedCuts, tools: &mut Tools, input: &ProofInput<'_>) {
         let first = usual.get(&cut.tool).copied().unwrap_or(cut.corrector);
         // A register that holds 0 is the same as none for these motions, but not when the tool has been measured anew.
         if cut.corrector != first && (value != Micrometres::ZERO || first.1 != Micrometres::ZERO) {
-            findings.push(wrong().with(Name::Needed, first.1).with(Name::Own, first.0));
+            findings.push(wrong().with(Name::Needed, first.1).with(Name::Own, first.0.unwrap_or_default()));
         } else if cut.corrector != first {
-            findings.push(say(Code::NoCorrector, Severity::Wrong).with(Name::Own, first.0));
-        } else if let Some((other, _)) = usual
-            .iter()
-            .find(|(tool, used)| **tool != cut.tool && used.0 == number && number != 0 && value != Micrometres::ZERO)
-        {
+            findings.push(say(Code::NoCorrector, Severity::Wrong).with(Name::Own, first.0.unwrap_or_default()));
+        } else if let Some((other, _)) = usual.iter().find(|(tool, used)| {
+            **tool != cut.tool && used.0 == number && number.is_some_and(|it| it > 0) && value != Micrometres::ZERO
+        }) {
             findings.push(say(Code::SharedCorrector, Severity::Error).with(Name::Other, *other));
         } else if value == Micrometres::ZERO && own.correction_mm != Micrometres::ZERO {
             findings.push(say(Code::NoCorrection, Severity::Error));
-        } else if number == 0 {
+        } else if number == Some(0) {
             findings.push(say(Code::NoCorrector, Severity::Wrong));
         } else if value == -own.correction_mm && value != Micrometres::ZERO {
             findings.push(say(Code::WrongSign, Severity::Error));

@@ -59,8 +59,8 @@ pub(super) struct TipMove {
     pub turning: Turning,
     pub speed: f64,
     pub coolant: bool,
-    /// The active offset register, and the added value.
-    pub corrector: (u32, Micrometres),
+    /// The active offset register, none where the program gives the value, and the added value.
+    pub corrector: (Option<u32>, Micrometres),
     pub block: BlockRef,
     /// Its place among the steps.
     pub order: usize,
@@ -141,7 +141,7 @@ struct WalkState {
     turning: Turning,
     speed: f64,
     coolant: bool,
-    corrector: (u32, Micrometres),
+    corrector: (Option<u32>, Micrometres),
     /// The length of the tool of every section over the reference tool.
     longer: BTreeMap<usize, Micrometres>,
     /// The block that stopped the spindle last.
@@ -167,7 +167,7 @@ pub(super) fn walk(
         turning: Turning::Stopped,
         speed: 0.0,
         coolant: false,
-        corrector: (0, Micrometres::ZERO),
+        corrector: (Some(0), Micrometres::ZERO),
         longer: longer(steps, references),
         stopped_by: None,
     };

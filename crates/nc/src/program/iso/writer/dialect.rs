@@ -52,6 +52,12 @@ impl Dialect<'_> {
         }
     }
 
+    /// What the operator must know of the whole program: where the lengths of the tools stand.
+    pub(super) fn notice(self) -> Option<String> {
+        let by_value = !self.0.g.contains_key(&430);
+        by_value.then(|| "G43.1 Z IS THE LENGTH OFFSET OF EACH TOOL: SET THE TOOLS TO IT".to_owned())
+    }
+
     /// From wherever a tool is to the place of the tool change. Where G49 alone may move the axis by the length of the
     /// tool, it stands with the way up.
     pub(super) fn withdrawal(self, up: String, across: [String; 2]) -> Vec<Block> {
@@ -80,6 +86,34 @@ impl Dialect<'_> {
         }
     }
 
+    /// The change of a tool; by hand at a stop where the control has none.
+    pub(super) fn change(self, place: u32) -> Block {
+        let change = Block::new().word('T', place);
+        change.m(if self.0.changes_tools() { 6 } else { 0 })
+    }
+
+    /// The way down to a level with the length offset of a tool: its register, or where there are none its value.
+    pub(super) fn length_on(self, level: String, corrector: u32, value: Micrometres) -> Vec<Block> {
+        let down = Block::new().g(0);
+        if self.0.g.contains_key(&430) {
+            return vec![down.g(43).word('Z', level).word('H', corrector)];
+        }
+        vec![Block::new().word('G', "43.1").word('Z', self.length(value)), down.word('Z', level)]
+    }
+
+    /// Whether the control has the fixed cycle.
+    pub(super) fn has(self, cycle: &Cycle) -> bool {
+        let (code, _) = fixed(cycle);
+        self.0.cycles.contains_key(&(i64::from(code) * 10))
+    }
+
+    /// A circle around a centre that lies so far from where it begins and ends.
+    pub(super) fn circle(self, code: u32, radius: Micrometres) -> Block {
+        let zero = || self.length(Micrometres::ZERO);
+        let block = Block::new().g(code).word('I', self.length(-radius)).word('J', zero());
+        if self.0.is(Q::ArcNamesEnd) { block.word('X', zero()).word('Y', zero()) } else { block }
+    }
+
     /// What stands before a cycle: the function by which a tap is turned and fed as one, where there is one.
     pub(super) fn before_cycle(self, cycle: &Cycle) -> Option<Block> {
         let taps = matches!(cycle.kind, job::CycleKind::Tap { .. });
@@ -90,7 +124,8 @@ impl Dialect<'_> {
     /// The first blocks: what the program relies on.
     pub(super) fn beginning(self) -> Vec<Block> {
         let modes = Block::new().g(21).g(17).g(40).g(49).g(80).g(90).g(94);
-        vec![modes]
+        let centres = self.0.is(Q::ArcCentresAsSet);
+        vec![if centres { modes.word('G', "91.1") } else { modes }]
     }
 
     pub(super) fn subprogram_begins(self, number: u32) -> String {
@@ -114,17 +149,7 @@ impl Dialect<'_> {
     /// The fixed cycle at a point, with return to the initial level (G98).
     pub(super) fn cycle(self, cycle: &Cycle, lengths: impl Fn(Micrometres) -> Micrometres) -> Block {
         let dwell = cycle.dwell_s.map(|time| self.dwell(time));
-        let (code, step) = match (&cycle.kind, &dwell) {
-            (job::CycleKind::FeedOut, None) => (85, None),
-            (job::CycleKind::FeedOut, Some(_)) => (89, None),
-            (job::CycleKind::BoreStop, _) => (86, None),
-            (job::CycleKind::Peck { step, .. }, _) => (83, Some(*step)),
-            (job::CycleKind::ChipBreak { step, .. }, _) => (73, Some(*step)),
-            (job::CycleKind::Tap { .. }, _) => (84, None),
-            // Milled circles are no fixed cycle: `tool` writes them.
-            (job::CycleKind::Drill | job::CycleKind::Circles { .. }, None) => (81, None),
-            (job::CycleKind::Drill | job::CycleKind::Circles { .. }, Some(_)) => (82, None),
-        };
+        let (code, step) = fixed(cycle);
         let mut words = format!("R{}", self.length(lengths(cycle.begin)));
         if let Some(step) = step {
             words += &format!(" Q{}", self.length(lengths(step)));
@@ -137,5 +162,20 @@ impl Dialect<'_> {
         }
         words += &format!(" F{}", self.feed(cycle));
         Block::new().g(98).g(code).word('Z', self.length(lengths(cycle.end))).cycle(words)
+    }
+}
+
+/// The G function of a fixed cycle, and its step.
+const fn fixed(cycle: &Cycle) -> (u32, Option<Micrometres>) {
+    match (&cycle.kind, cycle.dwell_s) {
+        (job::CycleKind::FeedOut, None) => (85, None),
+        (job::CycleKind::FeedOut, Some(_)) => (89, None),
+        (job::CycleKind::BoreStop, _) => (86, None),
+        (job::CycleKind::Peck { step, .. }, _) => (83, Some(*step)),
+        (job::CycleKind::ChipBreak { step, .. }, _) => (73, Some(*step)),
+        (job::CycleKind::Tap { .. }, _) => (84, None),
+        // Milled circles are no fixed cycle: `tool` writes them.
+        (job::CycleKind::Drill | job::CycleKind::Circles { .. }, None) => (81, None),
+        (job::CycleKind::Drill | job::CycleKind::Circles { .. }, Some(_)) => (82, None),
     }
 }

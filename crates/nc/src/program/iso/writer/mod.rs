@@ -5,9 +5,10 @@
 //! absolute.
 //!
 //! - `dialect` what differs from control to control;
-//! - `tool` one tool from its change to its retract.
+//! - `tool` one tool from its change to its retract; `expand` a cycle in single motions.
 
 mod dialect;
+mod expand;
 mod tool;
 
 use std::collections::BTreeMap;
@@ -81,11 +82,11 @@ pub fn write(job: &Job, control: &Control, form: Form) -> WrittenProgram {
                 }
             }
             if in_spindle != Some(work.place) {
-                let change = Block::new().word('T', work.place).m(6);
+                let change = dialect.change(work.place);
                 sheet.main.push((MainLine::Remarked(change, named(work)), LineRole::ToolChange, place, None));
                 in_spindle = Some(work.place);
             }
-            sheet.one_tool(work, work_ref, &shared);
+            sheet.one_tool(work, work_ref, job, &shared);
             sheet.call(away, LineRole::Withdrawal, place, None);
         }
     }
@@ -148,7 +149,7 @@ impl ProgramWriter<'_> {
         }
         let sign = || dialect.0.is(Q::Signs).then(|| plain("%".to_owned(), LineRole::Frame));
         let mut lines: Vec<ProgramLine> = sign().into_iter().collect();
-        let remarks = remarks.into_iter().map(|remark| format!("({remark})"));
+        let remarks = dialect.notice().into_iter().chain(remarks).map(|remark| format!("({remark})"));
         lines.extend(
             dialect
                 .head(part, form.program.unwrap_or(MAIN))

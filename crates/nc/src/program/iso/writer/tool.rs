@@ -8,6 +8,7 @@ use crate::program::written::{Form, LineRole, WorkRef};
 use crate::units::Micrometres;
 
 use super::dialect::Dialect;
+use super::expand::expand;
 use super::{ProgramWriter, Shared};
 
 /// The characters of a subprogram of points besides its blocks.
@@ -45,7 +46,7 @@ fn further(stops: &[Stop], form: Form, dialect: Dialect<'_>) -> Vec<Block> {
 }
 
 impl ProgramWriter<'_> {
-    pub(super) fn one_tool(&mut self, work: &ToolWork, work_ref: WorkRef, shared: &Shared) {
+    pub(super) fn one_tool(&mut self, work: &ToolWork, work_ref: WorkRef, job: &Job, shared: &Shared) {
         let place = Some(work_ref);
         let (form, dialect) = (self.form, self.dialect);
         let length = |value: Micrometres| dialect.length(form.grid(value));
@@ -62,8 +63,11 @@ impl ProgramWriter<'_> {
             }
             if index == 0 {
                 self.push_block(to.clone().g(0).g(work_ref.system()), LineRole::Approach, place, number);
-                let down = Block::new().g(0).g(43).word('Z', length(cycle.out)).word('H', work.corrector);
-                self.push_block(down, LineRole::Approach, place, number);
+                let known = job.correctors.iter().find(|(corrector, _)| *corrector == work.corrector);
+                let value = known.map(|(_, value)| form.grid(*value)).unwrap_or_default();
+                for down in dialect.length_on(length(cycle.out), work.corrector, value) {
+                    self.push_block(down, LineRole::Approach, place, number);
+                }
             } else {
                 self.push_block(to.clone().g(0), LineRole::Point, place, number);
                 if height != Some(cycle.out) {
@@ -81,7 +85,24 @@ impl ProgramWriter<'_> {
                         self.call(contour, LineRole::Cycle, place, number);
                     }
                 }
-                _ => self.fixed(cycle, to, stops, place, shared),
+                // Left out of the job (`Language::leave`): a thread cannot be cut by a feed that the spindle does not follow.
+                job::CycleKind::Tap { .. } if !dialect.has(cycle) => {}
+                _ if dialect.has(cycle) => self.fixed(cycle, to, stops, place, shared),
+                _ => self.expanded(cycle, stops, place),
+            }
+        }
+    }
+
+    /// A cycle in single motions at each of its points.
+    fn expanded(&mut self, cycle: &Cycle, stops: &[Stop], place: Option<WorkRef>) {
+        let number = stops.first().map(|stop| stop.cycle);
+        for (index, stop) in stops.iter().enumerate() {
+            if index > 0 {
+                let to = point(stop.at, self.form, self.dialect).g(0);
+                self.push_block(to, LineRole::Point, place, number);
+            }
+            for block in expand(cycle, self.form, self.dialect) {
+                self.push_block(block, LineRole::Cycle, place, number);
             }
         }
     }
@@ -132,8 +153,7 @@ fn contour(
         let mut at = Micrometres::ZERO;
         for radius in radii.iter().map(|radius| form.grid(*radius)) {
             blocks.push(Block::new().g(91).g(1).word('X', dialect.length(radius - at)));
-            let centre = (dialect.length(-radius), dialect.length(Micrometres::ZERO));
-            blocks.push(Block::new().g(code).word('I', centre.0).word('J', centre.1));
+            blocks.push(dialect.circle(code, radius));
             at = radius;
         }
         blocks.push(Block::new().g(1).word('X', dialect.length(-at)));
