@@ -95,3 +95,20 @@ fn the_height_of_a_clamp_under_a_way_is_asked_for() {
         assert!(found.iter().all(|finding| finding.severity == technolog::note::Severity::Wrong), "{fixture}");
     }
 }
+
+/// G99 for G98 lets a tool go from hole to hole on plane R: harmless over a bare face, through a clamp it is an error.
+#[test]
+fn on_plane_r_a_tool_goes_through_clamps() {
+    for (fixture, through) in [(CLAMPS, true), ("", false)] {
+        let bench = bench(fixture);
+        for (control, language) in LANGUAGES.iter().filter(|(control, _)| *control != "2c42-65") {
+            let written = bench.written(language);
+            // Without cycles there is no plane R.
+            if !written.contains("G98") {
+                continue;
+            }
+            let text = written.replace("G98", "G99");
+            assert_eq!(bench.codes(language, &text).contains(&"through-obstacle"), through, "{control} {fixture}");
+        }
+    }
+}

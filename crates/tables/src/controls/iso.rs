@@ -212,7 +212,7 @@ rows! {
         whole: Option<bool>,
     } shown { meaning_uk, meaning_en }
 
-    /// Words of LinuxCNC and Fanuc that the check does not carry out, and what it passes over with them.
+    /// Words of the ISO controls that the check does not carry out, and what it passes over with them.
     pub struct NotCarriedOut of One("iso-not-carried-out") {
         word: &'t str,
         last: Option<&'t str>,

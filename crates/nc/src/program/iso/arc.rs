@@ -68,9 +68,7 @@ impl Maker<'_> {
         let (radius, other) = (distance(start, middle), distance(end, middle));
         let off = (radius - other).abs();
         let (near, part) = self.control.arc_tolerance(inches);
-        // LinuxCNC takes a smaller radius for none.
-        let least = if part > 0.0 { self.control.arc_reach() } else { 0.0 };
-        if radius == 0.0 || radius.min(other) < least {
+        if radius == 0.0 || radius.min(other) < self.control.least_radius() {
             self.fault("arc-without-radius", span);
             return None;
         }

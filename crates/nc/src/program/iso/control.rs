@@ -97,7 +97,7 @@ pub struct Control {
     /// The permitted difference between the radii at start and end of an arc, mm, in programs in millimetres and in
     /// inches, and as a part of the radius.
     arc_tolerance: (f64, f64, f64),
-    /// How far a radius may fall short of the end of its arc, mm.
+    /// How far a radius may fall short of the end of its arc, mm; 0 where that is the tolerance.
     arc_reach: f64,
     /// The distance above the metal where the rapid of G83 ends; the retract of G73.
     pub(super) pecks: (Micrometres, Micrometres),
@@ -201,6 +201,11 @@ impl Control {
 
     /// How far a radius may fall short of the end of its arc, mm.
     pub(super) const fn arc_reach(&self) -> f64 {
+        if self.arc_reach > 0.0 { self.arc_reach } else { self.arc_tolerance.0 }
+    }
+
+    /// The radius below which there is none, mm.
+    pub(super) const fn least_radius(&self) -> f64 {
         self.arc_reach
     }
 
@@ -260,7 +265,10 @@ impl Control {
             let mut signs = row.word.chars();
             match (signs.next(), signs.next()) {
                 (Some('G'), Some(_)) => {
-                    self.passed_g.insert(code(row.word, row.row)?, passed);
+                    let code = code(row.word, row.row)?;
+                    if !self.g.contains_key(&code) {
+                        self.passed_g.insert(code, passed);
+                    }
                 }
                 (Some('M'), Some(_)) => {
                     let first = code(row.word, row.row)? / 10;
