@@ -208,6 +208,17 @@ rows! {
         class: &'t str,
     }
 
+    /// Where a tolerance field lies.
+    pub struct FieldPosition of One("field-position") asked by FieldPositionFor<'t> {
+        letters: &'t str,
+        grade: ItGrade,
+        diameter: Micrometres,
+    } {
+        begins: FieldBegins,
+        of: &'t str,
+        delta: bool,
+    }
+
     /// When the torque is that of the specific cutting force.
     pub struct ForceOpinion of One("force-opinion") asked by ForceOpinionFor {
         operation: Operation,

@@ -234,4 +234,12 @@ vocabulary! {
         PracticeUsual = "practice-usual",
         PracticeHigh = "practice-high",
     }
+
+    /// The limit of a tolerance field that its fundamental deviation gives.
+    pub enum FieldBegins {
+        Upper = "upper",
+        Lower = "lower",
+        /// Evenly about the nominal size.
+        About = "about",
+    }
 }

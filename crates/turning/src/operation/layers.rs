@@ -156,8 +156,7 @@ pub fn layers(
     for (surface, allowance) in stretch.profile.surfaces.iter().zip(&mut allowances) {
         if drilled_first.is_none() && thin::is_of_blank(surface, &blank) {
             allowance.allowance_mm = Some(Half::ZERO);
-            let asked = surface.grade.is_some() || surface.roughness.is_some();
-            let severity = if asked { Severity::Doubtful } else { Severity::Note };
+            let severity = thin::judged(surface, workpiece.blank.kind, knowledge)?;
             findings.push(Finding::of_part(severity, Note::new("surface-of-blank").with("surface", &surface.name)));
         }
     }
