@@ -33,13 +33,13 @@ mod jaws;
 mod jobs;
 pub mod layers;
 mod level;
-mod off_size;
 mod parted;
 mod pocket;
 pub mod prepare;
 pub mod programs;
 pub mod proof;
 pub mod setting;
+pub mod sizes;
 mod tailstock;
 pub(crate) mod tapped;
 mod thin;
@@ -73,6 +73,7 @@ pub use axial::{Axial, AxialHole};
 pub use barred::{Barred, Stage};
 pub use grip::Grip;
 pub use jaws::{ChuckBody, Jaws};
+pub use sizes::{SizeOf, Sized, Sizes};
 pub use tailstock::Tailstock;
 
 /// A turning operation.
@@ -88,6 +89,9 @@ pub struct Operation {
     pub blank_advice: Vec<Advice>,
     /// The surfaces finished on another machine.
     pub elsewhere: Vec<Elsewhere>,
+    /// The diameters that are turned between limits.
+    #[serde(serialize_with = "sized", skip_serializing_if = "no_size")]
+    pub sizes: Sizes,
     /// The set-ups.
     pub set_ups: Vec<SetUpWork>,
     /// How many tools the turret of its lathe holds.
@@ -98,6 +102,15 @@ pub struct Operation {
     pub proven: Vec<proof::Proven>,
     /// Findings for the reader.
     pub findings: Vec<Finding>,
+}
+
+/// The sizes as a list.
+fn sized<S: serde::Serializer>(sizes: &Sizes, serializer: S) -> Result<S::Ok, S::Error> {
+    sizes.surfaces.serialize(serializer)
+}
+
+fn no_size(sizes: &Sizes) -> bool {
+    sizes.surfaces.is_empty()
 }
 
 /// A set-up with its work.
@@ -253,6 +266,7 @@ fn plan_without(
     findings.extend(
         blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()),
     );
+    let none = Sizes::default();
     let bench = Bench {
         workpiece,
         lathe: lathe.as_ref(),
@@ -261,6 +275,7 @@ fn plan_without(
         grip: None,
         through: None,
         elsewhere: &[],
+        sizes: &none,
         barred: Vec::new(),
         knowledge,
     };
@@ -291,8 +306,9 @@ fn plan_without(
     let mut elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     // What tools on the axis make to size does not hang on what the lathe holds with a bar.
     elsewhere.retain(|one| axials.iter().flatten().flat_map(Axial::surfaces).all(|name| *name != one.surface));
-    findings.extend(off_size::off_size(workpiece, &elsewhere, knowledge)?);
-    let bench = Bench { elsewhere: &elsewhere, ..bench };
+    let (sizes, off_size) = Sizes::of(workpiece, &elsewhere, &axials, knowledge)?;
+    findings.extend(off_size);
+    let bench = Bench { elsewhere: &elsewhere, sizes: &sizes, ..bench };
     let cut_off = parted.map(|parted| parted.workpiece(workpiece));
     let mut done = Vec::new();
     for (mut set_up, axial) in set_ups.into_iter().zip(axials) {
@@ -343,7 +359,8 @@ fn plan_without(
         workpiece: workpiece.clone(),
         blank_before: None,
         blank_advice,
-        elsewhere,
+        elsewhere: elsewhere.clone(),
+        sizes: sizes.clone(),
         set_ups: done,
         turret_places: lathe.as_ref().and_then(|lathe| lathe.turret_places),
         proven: Vec::new(),
