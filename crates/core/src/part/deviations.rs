@@ -21,6 +21,28 @@ impl Deviations {
         self.upper - self.lower
     }
 
+    /// The middle between the limits, doubled.
+    pub fn twice_middle(self) -> Micrometres {
+        self.upper + self.lower
+    }
+
+    /// The coarsest grade that is no wider, at a size; the finest of the tables if all are.
+    ///
+    /// # Errors
+    /// The knowledge base is broken.
+    pub fn grade(self, size: Micrometres, knowledge: &Knowledge) -> Result<Option<ItGrade>, KnowledgeError> {
+        if size <= Micrometres::ZERO || size > LARGEST {
+            return Ok(None);
+        }
+        for it in (FINEST..=COARSEST).rev().filter_map(ItGrade::new) {
+            let asked = knowledge.ask(&ItGradesFor { it, diameter: size })?;
+            if asked.need("it")?.tolerance <= self.width() {
+                return Ok(Some(it));
+            }
+        }
+        Ok(ItGrade::new(FINEST))
+    }
+
     /// The deviations of a field by its letters and grade; none where the tables do not tell them. The half of an odd
     /// tolerance of js and JS is rounded down to a whole micrometre, as ISO 286-1 allows.
     ///

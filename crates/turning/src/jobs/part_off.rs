@@ -174,6 +174,7 @@ mod tests {
             lathe: Some(&lathe),
             material,
             elsewhere: &[],
+            sizes: &crate::turning::operation::Sizes::default(),
             held: None,
             grip: None,
             through: None,

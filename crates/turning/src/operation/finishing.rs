@@ -21,7 +21,7 @@ use crate::turning::zones::fit::reaches;
 use crate::units::{Degrees, Micrometres, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 use technolog_core::part::tolerance_width;
 
-use super::Stage;
+use super::{Sized, Stage};
 use super::depth::{self, ZoneCut};
 use super::feeds::{OwnFeed, with_feeds};
 use super::jobs::{constant_speed, pace_of};
@@ -375,8 +375,10 @@ impl<'a> Finishing<'a> {
             };
             let is_face = surface.pieces.iter().all(|piece| piece.is_face());
             let radius = surface.pieces.iter().map(|piece| piece.from.radius.max(piece.to.radius)).max();
+            let limits = bench.sizes.of_surface(&surface.name).map(Sized::tolerance);
             let tolerance = radius.filter(|_| made && !is_face).and_then(|radius| {
-                surface.grade.and_then(|grade| tolerance_width(grade, radius.diameter(), bench.knowledge).ok())
+                let by_grade = || surface.grade.and_then(|grade| tolerance_width(grade, radius.diameter(), bench.knowledge).ok());
+                limits.or_else(by_grade)
             });
             let own = self.allowances.iter().find(|one| one.surface == surface.name).and_then(|one| one.allowance_mm);
             let z = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);

@@ -318,8 +318,8 @@ fn finish(
     if contour.pieces.is_empty() || contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
         return Ok(Vec::new());
     }
-    let stretch = stretch(set_up, side.side);
-    let surfaces: Vec<&Surface> = stretch.map(main_surfaces).unwrap_or_default();
+    let made = stretch(set_up, side.side).map(|stretch| main_surfaces(stretch, set_up, bench));
+    let surfaces: Vec<&Surface> = made.iter().flatten().collect();
     let face = |surface: &&Surface| {
         surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO)
     };
@@ -385,7 +385,9 @@ fn finish_hollow(
     if !hollow.zones.iter().all(ZoneWork::is_cleared) {
         return Ok(jobs);
     }
-    let profile = stretch(set_up, side.side).map(|stretch| &stretch.profile);
+    let profile = stretch(set_up, side.side);
+    let profile = profile.map(|stretch| bench.sizes.profile(&stretch.profile, set_up.turned_over));
+    let profile = profile.as_ref();
     let surfaces: Vec<&Surface> =
         hollow.surfaces.iter().filter_map(|index| profile.and_then(|profile| profile.surfaces.get(*index))).collect();
     let contour = &as_turned(hollow.layers.left.clone(), set_up, bench);
@@ -418,10 +420,11 @@ fn finish_hollow(
     Ok(jobs)
 }
 
-/// A contour with the cylinders of threads as turned.
+/// A contour with the cylinders of threads and of fits as turned.
 fn as_turned(contour: Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Contour {
     let Some(stretch) = stretch(set_up, contour.side) else { return contour };
-    crests::turned(contour, &features::with_made_before(set_up, &stretch.profile, bench), bench.workpiece)
+    let crests = crests::turned(contour, &features::with_made_before(set_up, &stretch.profile, bench), bench.workpiece);
+    bench.sizes.contour(crests, set_up)
 }
 
 /// The contour of a side in a set-up.
@@ -444,8 +447,9 @@ fn split_at_face(contour: &Contour) -> (Contour, Contour) {
     (of(face), of(rest))
 }
 
-/// The main elements of a turned side.
-fn main_surfaces(stretch: &TurnedSide) -> Vec<&Surface> {
-    let both = stretch.profile.surfaces.iter().zip(&stretch.classes);
+/// The main elements of a turned side, as they are made.
+fn main_surfaces(stretch: &TurnedSide, set_up: &SetUp, bench: &Bench<'_, '_>) -> Vec<Surface> {
+    let made = bench.sizes.profile(&stretch.profile, set_up.turned_over);
+    let both = made.surfaces.into_iter().zip(&stretch.classes);
     both.filter(|(_, class)| class.element == Element::Main).map(|(surface, _)| surface).collect()
 }

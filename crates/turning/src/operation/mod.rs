@@ -33,7 +33,6 @@ mod jaws;
 mod jobs;
 pub mod layers;
 mod level;
-mod off_size;
 mod opened;
 mod parted;
 mod pocket;
@@ -41,6 +40,7 @@ pub mod prepare;
 pub mod programs;
 pub mod proof;
 pub mod setting;
+pub mod sizes;
 mod tailstock;
 pub(crate) mod tapped;
 mod thin;
@@ -77,6 +77,7 @@ pub use axial::{Axial, AxialHole};
 pub use barred::{Barred, Stage};
 pub use grip::Grip;
 pub use jaws::{ChuckBody, Jaws};
+pub use sizes::{SizeOf, Sized, Sizes};
 pub use tailstock::Tailstock;
 
 /// A turning operation.
@@ -92,6 +93,9 @@ pub struct Operation {
     pub blank_advice: Vec<Advice>,
     /// The surfaces finished on another machine.
     pub elsewhere: Vec<Elsewhere>,
+    /// The diameters that are turned between limits.
+    #[serde(serialize_with = "sized", skip_serializing_if = "no_size")]
+    pub sizes: Sizes,
     /// The set-ups.
     pub set_ups: Vec<SetUpWork>,
     /// How many tools the turret of its lathe holds.
@@ -102,6 +106,15 @@ pub struct Operation {
     pub proven: Vec<proof::Proven>,
     /// Findings for the reader.
     pub findings: Vec<Finding>,
+}
+
+/// The sizes as a list.
+fn sized<S: serde::Serializer>(sizes: &Sizes, serializer: S) -> Result<S::Ok, S::Error> {
+    sizes.surfaces.serialize(serializer)
+}
+
+fn no_size(sizes: &Sizes) -> bool {
+    sizes.surfaces.is_empty()
 }
 
 /// A set-up with its work.
@@ -262,6 +275,7 @@ fn plan_without(
         let by = (Process::Turning, ToolMaterial::Carbide);
         findings.extend(technolog_cutting::state::without_force(&material, state, by, knowledge)?);
     }
+    let none = Sizes::default();
     let bench = Bench {
         workpiece,
         lathe: lathe.as_ref(),
@@ -271,6 +285,7 @@ fn plan_without(
         through: None,
         opened: Micrometres::ZERO,
         elsewhere: &[],
+        sizes: &none,
         barred: Vec::new(),
         knowledge,
     };
@@ -301,8 +316,9 @@ fn plan_without(
     let mut elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     // What tools on the axis make to size does not hang on what the lathe holds with a bar.
     elsewhere.retain(|one| axials.iter().flatten().flat_map(Axial::surfaces).all(|name| *name != one.surface));
-    findings.extend(off_size::off_size(workpiece, &elsewhere, knowledge)?);
-    let bench = Bench { elsewhere: &elsewhere, ..bench };
+    let (sizes, off_size) = Sizes::of(workpiece, &elsewhere, &axials, knowledge)?;
+    findings.extend(off_size);
+    let bench = Bench { elsewhere: &elsewhere, sizes: &sizes, ..bench };
     let cut_off = parted.map(|parted| parted.workpiece(workpiece));
     let mut done = Vec::new();
     for (mut set_up, axial) in set_ups.into_iter().zip(axials) {
@@ -359,7 +375,8 @@ fn plan_without(
         workpiece: workpiece.clone(),
         blank_before: None,
         blank_advice,
-        elsewhere,
+        elsewhere: elsewhere.clone(),
+        sizes: sizes.clone(),
         set_ups: done,
         turret_places: lathe.as_ref().and_then(|lathe| lathe.turret_places),
         proven: Vec::new(),

@@ -27,6 +27,7 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
         lathe: Some(&lathe),
         material,
         elsewhere: &[],
+        sizes: &crate::turning::operation::Sizes::default(),
         held: None,
         grip: None,
         through: None,

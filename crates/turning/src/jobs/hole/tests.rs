@@ -20,6 +20,7 @@ fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
         lathe: Some(&lathe),
         material,
         elsewhere: &[],
+        sizes: &crate::turning::operation::Sizes::default(),
         held: None,
         grip: None,
         through: None,

@@ -206,6 +206,7 @@ fn told_but<'a>(
             false
         }
         Fault::Stands { surface, .. }
+        | Fault::OffSize { surface, missing: false, .. }
         | Fault::Corner { surface, .. }
         | Fault::ThreadShallow { surface, .. }
         | Fault::ThreadPart { surface, .. }
@@ -223,6 +224,7 @@ fn told_but<'a>(
 fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
     match fault {
         Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } => false,
+        Fault::OffSize { missing, .. } => *missing,
         Fault::ThreadPart { .. } | Fault::ThreadShort { .. } => false,
         Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
         Fault::Struck { .. } | Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
