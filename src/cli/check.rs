@@ -2,6 +2,7 @@
 //! that the program makes it (`proof.rs`).
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -21,7 +22,7 @@ use technolog::report;
 use technolog::units::Minutes;
 use technolog::words::say;
 
-use super::diagnostics::Texts;
+use super::diagnostics::{Amount, Texts};
 use super::usage::whole_number;
 use super::{CliError, Context, Format, Lang, Outcome, check_lathe, control, kind, knowledge, plan, problems, proof};
 
@@ -152,9 +153,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
             // Only shown faults get words: a program may have a fault in every word.
-            let (reported, more) = context.amount.select(faults.iter().collect(), |fault| fault.severity);
+            let groups = groups(&faults, context);
+            let (reported, more) = context.amount.select(groups, |group| group.0.severity);
             let mut problems: Vec<Diagnostic> =
-                reported.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+                reported.iter().map(|(fault, others)| of_group(fault, others, &file, context)).collect();
             if args.control.is_none() && faults.iter().any(|fault| OF_ANOTHER_LANGUAGE.contains(&fault.code)) {
                 let message = say!(context.lang, "check-read-as", control = control);
                 let help = say!(context.lang, "check-read-as-other", controls = Language::names(knowledge).join(", "));
@@ -187,6 +189,52 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
     let unproven = !serious.is_empty() || proof.as_ref().is_some_and(technolog::program::proof::Proof::has_errors);
     Ok(if unproven || faults.iter().any(Fault::is_grave) { Outcome::Findings } else { Outcome::Done })
+}
+
+/// The most findings of one kind that are told one by one.
+const MOST_OF_A_KIND: usize = 3;
+/// The most lines that are named of a group.
+const MOST_LINES: usize = 8;
+
+/// The findings to tell, each with the lines of others that it stands for: of a kind that is found all over the program
+/// the first is told. All of them are told where all are asked for.
+fn groups<'a>(faults: &'a [Fault], context: &Context) -> Vec<(&'a Fault, Vec<u32>)> {
+    // Findings of two words are of two kinds.
+    let kind = |fault: &Fault| {
+        let word = fault.note.figures().find(|(name, _)| *name == "word");
+        (fault.code, word.map(|(_, word)| word.text().into_owned()))
+    };
+    let mut count: BTreeMap<_, usize> = BTreeMap::new();
+    faults.iter().for_each(|fault| *count.entry(kind(fault)).or_default() += 1);
+    let grouped =
+        |fault: &Fault| context.amount != Amount::All && count.get(&kind(fault)).is_some_and(|of| *of > MOST_OF_A_KIND);
+    let mut groups: Vec<(&Fault, Vec<u32>)> = Vec::new();
+    let mut first = BTreeMap::new();
+    for fault in faults {
+        match first.get(&kind(fault)).and_then(|index: &usize| groups.get_mut(*index)) {
+            Some((_, others)) => others.push(fault.span.line),
+            None => {
+                if grouped(fault) {
+                    first.insert(kind(fault), groups.len());
+                }
+                groups.push((fault, Vec::new()));
+            }
+        }
+    }
+    // A cutter that goes on at no feed is told before anything else.
+    groups.sort_by_key(|(fault, _)| fault.code != "feed-zero");
+    groups
+}
+
+/// A finding with the lines of those that it stands for.
+fn of_group(fault: &Fault, others: &[u32], file: &Arc<str>, context: &Context) -> Diagnostic {
+    let mut lines: Vec<u32> = others.to_vec();
+    lines.dedup();
+    let dots = if lines.len() > MOST_LINES { ", …" } else { "" };
+    let named: Vec<String> = lines.iter().take(MOST_LINES).map(ToString::to_string).collect();
+    let lines = format!("{}{dots}", named.join(", "));
+    let more = say!(context.lang, "check-more-of-a-kind", count = others.len(), lines = lines);
+    said(fault, Some(more).filter(|_| !others.is_empty()), file, context)
 }
 
 /// Makes sure that a program that a mill's control finds wrong is none of a lathe.
@@ -274,6 +322,10 @@ pub(super) fn total(counts: [usize; 3], lang: Lang) -> String {
 
 /// A mistake of a program with its place.
 pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnostic {
+    said(fault, None, file, context)
+}
+
+fn said(fault: &Fault, more: Option<String>, file: &Arc<str>, context: &Context) -> Diagnostic {
     let span = fault.span;
     let place = Place { file: file.clone(), line: span.line, column: span.column, width: span.width };
     let severity = proof::shown(fault.severity);
@@ -282,6 +334,7 @@ pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnost
         Some(path) => format!("{path}: {sentence}"),
         None => sentence,
     };
+    let message = more.map_or_else(|| message.clone(), |more| format!("{message} ({more})"));
     let help = context.lang.remedy(&fault.note);
     let help = help
         .map(|what| say!(context.lang, "cli-by-rule", what = what, section = fault.rule.trim_end_matches('*')).into());

@@ -203,7 +203,9 @@ def of_technolog(technolog, program, setting_file, machine_id):
             machine.put(kind)
         for record in machine.records[before:]:
             record["line"] = step["line"]
-    return machine.records, [f"{it['code']} line {it['line']}" for it in answer["findings"] if it["severity"] == "error"]
+    # What is not carried out is told, and the rest is traced without it.
+    refused = [it for it in answer["findings"] if it["severity"] == "error" or it["code"] == "not-carried-out"]
+    return machine.records, [f"{it['code']} line {it['line']}" for it in refused]
 
 
 def close(a, b):

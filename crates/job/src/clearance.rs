@@ -31,39 +31,46 @@ pub(super) fn change_over_part(
     }
 }
 
-/// Paths from hole to hole that cross a clamp of the part file whose height is not known.
+/// Paths from hole to hole that cross a clamp whose height is not known: of the part file nobody can prove them, and clamps
+/// that the plan proposes must be chosen low enough.
 ///
 /// # Errors
 /// The knowledge base has no answer.
 pub(super) fn ways_over_clamps(
     setup: &SetUp,
-    part: &Part,
+    plan: &Plan,
     change: (Micrometres, Micrometres),
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
     let foot = shop.convention(HoleDefault::ClampInset)?;
     let home = Point { x: change.0 - setup.zero.x, y: change.1 - setup.zero.y };
-    let unmeasured = part.fixture.clamps.iter().filter(|clamp| clamp.height.is_none());
-    let mut under: Vec<String> = Vec::new();
-    let mut height = None;
-    for work in &setup.works {
-        let ends = std::iter::once(home).chain(work.stops.iter().map(|stop| stop.at)).chain([home]);
-        let points: Vec<Point> = ends.collect();
-        for (clamp, pair) in unmeasured.clone().flat_map(|clamp| points.windows(2).map(move |pair| (clamp, pair))) {
-            let shown = format!("[{};{}]", clamp.at.x, clamp.at.y);
-            let outline = Outline::Round(clamp.at, foot);
-            if outline.is_hit_by_rapid(pair[0], pair[1], Micrometres::ZERO) && !under.contains(&shown) {
-                under.push(shown);
-                let out = work.cycles.iter().map(|cycle| cycle.out).min();
-                height = height.into_iter().chain(out).min();
+    let unmeasured = plan.part.fixture.clamps.iter().filter(|clamp| clamp.height.is_none());
+    let unmeasured: Vec<Point> = unmeasured.map(|clamp| clamp.at).collect();
+    let proposed = plan.clamping.iter().filter(|clamping| clamping.proposed).flat_map(|clamping| &clamping.clamps);
+    let proposed: Vec<Point> = proposed.copied().collect();
+    for (clamps, severity, code) in
+        [(unmeasured, Severity::Wrong, "ways-over-clamps"), (proposed, Severity::Note, "ways-over-proposed-clamps")]
+    {
+        let mut under: Vec<String> = Vec::new();
+        let mut height = None;
+        for work in &setup.works {
+            let ends = std::iter::once(home).chain(work.stops.iter().map(|stop| stop.at)).chain([home]);
+            let points: Vec<Point> = ends.collect();
+            for (at, pair) in clamps.iter().flat_map(|at| points.windows(2).map(move |pair| (*at, pair))) {
+                if Outline::Round(at, foot).is_hit_by_rapid(pair[0], pair[1], Micrometres::ZERO) {
+                    let shown = format!("[{}; {}]", at.x, at.y);
+                    under.extend(Some(shown.clone()).filter(|_| !under.contains(&shown)));
+                    let out = work.cycles.iter().map(|cycle| cycle.out).min();
+                    height = height.into_iter().chain(out).min();
+                }
             }
         }
-    }
-    if let Some(height) = height {
-        let over = height - part.datum.top;
-        let note = Note::new("ways-over-clamps").with("clamps", under.join(", ")).with("height", over);
-        findings.push(Finding::of_part(Severity::Doubtful, note));
+        if let Some(height) = height {
+            let over = height - plan.part.datum.top;
+            let note = Note::new(code).with("clamps", under.join(", ")).with("height", over);
+            findings.push(Finding::of_part(severity, note));
+        }
     }
     Ok(())
 }

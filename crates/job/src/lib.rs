@@ -100,6 +100,10 @@ pub struct ToolWork {
     pub corrector: u32,
     /// Its designation.
     pub designation: String,
+    /// What it does first: its name for people.
+    pub operation: Operation,
+    /// Its diameter.
+    pub diameter_mm: Micrometres,
     /// What the operator has to do before it.
     pub pauses: Vec<Pause>,
     /// Whether the coolant flows.
@@ -213,6 +217,9 @@ pub enum CycleKind {
     /// Along circles around the point, all at the working feed: at each level out to the first circle, round, out to
     /// the next, and back to the middle.
     Circles {
+        /// The feed down, where it is another than that of the circles.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        plunge_mm_per_min: Option<MillimetresPerMinute>,
         /// Z of the levels, downwards.
         levels: Vec<Micrometres>,
         /// Radii of the mill's centre, outwards.

@@ -57,7 +57,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         change_over_part(&setup, part, machine.tool_change_at, &mut findings);
         // The clamps of the file are those of the first set-up.
         if face == Face::Entry {
-            ways_over_clamps(&setup, part, machine.tool_change_at, shop, &mut findings)?;
+            ways_over_clamps(&setup, plan, machine.tool_change_at, shop, &mut findings)?;
         }
         reach_of_quill(&setup, plan, shop, &mut findings);
         setups.push(setup);
@@ -104,12 +104,17 @@ fn rounds(
         if let Some(diameter_mm) = setting.filter(|_| several) {
             pauses.push(Pause::SetBar { diameter_mm });
         }
+        let first = stops.first().and_then(|(index, _)| visit.stops.get(*index));
+        let first = first.and_then(|stop| transition_of(plan, &stop.hole, stop.transition));
+        let Some(operation) = first.map(|transition| transition.operation) else { continue };
         let mut work = ToolWork {
             visit: number,
             tool: tool.number,
             place,
             corrector: tool.corrector,
             designation: tool.designation.clone(),
+            operation,
+            diameter_mm: tool.diameter_mm,
             pauses: std::mem::take(&mut pauses),
             coolant: false,
             because: Vec::new(),

@@ -169,6 +169,39 @@ fn as_many_tries_give_the_path_of_a_clock_again() {
     assert!(stderr.contains("`1`") && stderr.contains("1ms … 3600s"), "{stderr}");
 }
 
+/// Centring for four sizes of drill: a speed of its own for each, which the spindle takes once.
+#[test]
+fn points_of_one_speed_follow_each_other() {
+    let part = "part: P\nmaterial: steel-45\nblank: {kind: plate, length: 400, width: 300, thickness: 30}\nmachine: gf2171\n\
+                holes:\n";
+    let hole = |name: &str, diameter: &str, at: &str| {
+        format!(
+            "  - {{name: {name}, diameter: {diameter}, depth: 30, through: true, roughness: Ra 12.5, \
+             centre_tolerance: 0.3, at: [{at}]}}\n"
+        )
+    };
+    let holes = [
+        hole("A", "10H12", "[-150, -100], [-50, -100], [50, -100], [150, -100]"),
+        hole("B", "14H12", "[-150, 0], [-50, 0], [50, 0], [150, 0]"),
+        hole("C", "8H12", "[-100, -50], [0, -50], [100, -50]"),
+    ];
+    let part = part::read_part("speeds.yaml", &(part.to_owned() + &holes.concat()), &KNOWLEDGE).unwrap();
+    let plan = planner::plan(&part, CuttingMethod::default(), &KNOWLEDGE).unwrap();
+    for visit in &plan.sequence {
+        let speed = |stop: &technolog::plan::Stop| {
+            let hole = plan.holes.iter().find(|hole| hole.name == stop.hole).unwrap();
+            hole.transitions[stop.transition].conditions.spindle_rpm.0.to_bits()
+        };
+        let speeds: Vec<u64> = visit.stops.iter().map(speed).collect();
+        let changes = speeds.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        let distinct: std::collections::BTreeSet<u64> = speeds.iter().copied().collect();
+        assert_eq!(changes + 1, distinct.len(), "T{}: {speeds:?}", visit.tool);
+        assert!(visit.rapid_min.0 <= visit.nearest_rapid_min.0, "T{}", visit.tool);
+    }
+    let most = plan.sequence.iter().map(|visit| visit.stops.len()).max();
+    assert_eq!(most, Some(11), "one centre drill for all");
+}
+
 #[test]
 fn every_stop_of_many_kinds_is_made_once_and_in_order() {
     let part = part::read_part("kinds.yaml", &kinds::part_of_kinds(10), &KNOWLEDGE).unwrap();

@@ -78,3 +78,37 @@ fn a_program_that_knows_no_clamps_is_told_of_them() {
         assert!(codes.contains(&"through-obstacle"), "{control}: {codes:?}");
     }
 }
+
+/// A way over a clamp whose height nobody has said cannot be proven: the height is asked for. One that no way crosses is
+/// not asked for.
+#[test]
+fn the_height_of_a_clamp_under_a_way_is_asked_for() {
+    for (fixture, asked) in [
+        (", clamps: [{at: [0, -60]}, {at: [0, 60]}]", true),
+        (", clamps: [{at: [0, -60], height: 35}, {at: [0, 60], height: 35}]", false),
+        (", clamps: [{at: [110, -70]}, {at: [-110, -70]}]", false),
+    ] {
+        let bench = bench(fixture);
+        let asks = |finding: &&technolog::note::Finding| finding.note.code() == "ways-over-clamps";
+        let found: Vec<_> = bench.job.findings.iter().filter(asks).collect();
+        assert_eq!(!found.is_empty(), asked, "{fixture}");
+        assert!(found.iter().all(|finding| finding.severity == technolog::note::Severity::Wrong), "{fixture}");
+    }
+}
+
+/// G99 for G98 lets a tool go from hole to hole on plane R: harmless over a bare face, through a clamp it is an error.
+#[test]
+fn on_plane_r_a_tool_goes_through_clamps() {
+    for (fixture, through) in [(CLAMPS, true), ("", false)] {
+        let bench = bench(fixture);
+        for (control, language) in LANGUAGES.iter().filter(|(control, _)| *control != "2c42-65") {
+            let written = bench.written(language);
+            // Without cycles there is no plane R.
+            if !written.contains("G98") {
+                continue;
+            }
+            let text = written.replace("G98", "G99");
+            assert_eq!(bench.codes(language, &text).contains(&"through-obstacle"), through, "{control} {fixture}");
+        }
+    }
+}

@@ -15,6 +15,8 @@ mod spanning;
 pub mod tour;
 pub mod visiting;
 
+use std::collections::BTreeMap;
+
 use crate::error::KnowledgeError;
 use crate::job;
 use crate::machine::{Machine, Rapid};
@@ -48,22 +50,29 @@ pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: 
         while let Some(tool) = next_tool(holes, &to_do) {
             // The points of the tool in the order of the drawing, each with all its work.
             let mut places: Vec<Vec<Stop>> = Vec::new();
+            let mut speeds: Vec<Speeds> = Vec::new();
             for ((plan, hole), to_do) in holes.iter().zip(&part.holes).zip(&mut to_do) {
                 let mut own = Vec::new();
                 while let Some(transition) = to_do.pop_if(|index| tool_of(plan, *index) == Some(tool)) {
                     own.push(transition);
                 }
                 if !own.is_empty() {
+                    let speed = |step: &usize| plan.transitions.get(*step).map(|step| step.conditions.spindle_rpm);
+                    let speed: Speeds = own.iter().filter_map(speed).map(|speed| speed.0.to_bits()).collect();
+                    speeds.extend(hole.at.iter().map(|_| speed.clone()));
                     let stop = |at, transition| Stop { hole: plan.name.clone(), transition, at };
                     places.extend(hole.at.iter().map(|&at| own.iter().map(|&step| stop(at, step)).collect()));
                 }
             }
-            let visit = visit(tool, setup, places, &mut paths);
+            let visit = visit(tool, setup, places, &speeds, &mut paths);
             visits.push(visit);
         }
     }
     visits
 }
+
+/// The spindle speeds of the work at a place, one after another.
+type Speeds = Vec<u64>;
 
 /// Writes into a plan how its time is spent, what the programs of its job need on the machine, and what prevents them
 /// from running on it.
@@ -118,19 +127,52 @@ impl Paths {
 }
 
 /// The path of a tool over its points, from the tool-change position and back; the work at one point stays together,
-/// in the order of its transitions.
-fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, paths: &mut Paths) -> ToolVisit {
+/// in the order of its transitions. Points with one spindle speed follow each other, so that the spindle changes its speed
+/// as seldom as can be.
+fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, speeds: &[Speeds], paths: &mut Paths) -> ToolVisit {
     let at = places.iter().filter_map(|stops| stops.first()).map(|stop| stop.at);
     let points: Vec<Point> = std::iter::once(paths.home).chain(at).collect();
     let metric = Metric::Rapid(paths.rapid);
-    let path = paths.over(&points);
+    let space = Space::closed(&points, metric);
+    let (path, nearest) = by_speed(&points, speeds, &space, paths);
     let time = |cost| metric.minutes(cost).unwrap_or_default();
     let rapid_min = time(path.cost);
-    let nearest_rapid_min = time(tour::nearest_rule(&Space::closed(&points, metric)).cost);
+    let nearest_rapid_min = time(nearest);
     let path_mm = Micrometres::new(Space::closed(&points, Metric::Euclid).length(&path.order));
     let stops = path.order.iter().skip(1).flat_map(|&point| std::mem::take(&mut places[point - 1])).collect();
     let bound_min = path.optimal.then_some(rapid_min);
     ToolVisit { tool, setup, stops, rapid_min, nearest_rapid_min, bound_min, path_mm }
+}
+
+/// The path over the points, speed by speed, and the cost of that by the rule of the nearest point.
+fn by_speed(points: &[Point], speeds: &[Speeds], space: &Space<'_>, paths: &mut Paths) -> (Path, i64) {
+    let mut groups: BTreeMap<&Speeds, Vec<usize>> = BTreeMap::new();
+    speeds.iter().zip(1..).for_each(|(speed, point)| groups.entry(speed).or_default().push(point));
+    if groups.len() < 2 {
+        return (paths.over(points), tour::nearest_rule(space).cost);
+    }
+    let (mut order, mut nearest, mut tries) = (vec![0], vec![0], 0);
+    for group in groups.values() {
+        let own: Vec<Point> =
+            std::iter::once(&0).chain(group).filter_map(|point| points.get(*point)).copied().collect();
+        // The numbers of the points of the group among all.
+        let numbers = |order: &[usize]| -> Vec<usize> {
+            order.iter().skip(1).filter_map(|point| group.get(point.wrapping_sub(1))).copied().collect()
+        };
+        let path = paths.over(&own);
+        tries += path.tries;
+        let mut further = numbers(&path.order);
+        let here = order.last().copied().unwrap_or_default();
+        let from = |point: Option<&usize>| point.map_or(0, |point| space.cost(here, *point));
+        if from(further.last()) < from(further.first()) {
+            further.reverse();
+        }
+        order.append(&mut further);
+        nearest.append(&mut numbers(&tour::nearest_rule(&Space::closed(&own, space.metric())).order));
+    }
+    let (cost, of_nearest) = (space.length(&order), space.length(&nearest));
+    let (order, cost) = if of_nearest < cost { (nearest, of_nearest) } else { (order, cost) };
+    (Path { order, cost, optimal: false, tries }, of_nearest)
 }
 
 /// The lower bound of a visit of a plan: the least time of its rapids, min. Equal to its own time where the path is

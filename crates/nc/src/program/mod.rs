@@ -7,6 +7,7 @@
 
 mod block;
 pub mod control_2c42_65;
+mod expression;
 pub mod iso;
 pub mod lathe;
 mod left_over;

@@ -152,6 +152,11 @@ vocabulary! {
         MFunctionsWritten = "m-functions-written",
         LengthOffOnWayUp = "length-off-on-way-up",
         TapPreparation = "tap-preparation",
+        TapStartsSpindle = "tap-starts-spindle",
+        MacroWords = "macro-words",
+        ToolTakenOut = "tool-taken-out",
+        ArcToleranceInches = "arc-tolerance-inches",
+        ArcReach = "arc-reach",
     }
 }
 
@@ -205,6 +210,18 @@ rows! {
         acts: CommentAct,
         after_semicolon: Option<bool>,
         whole: Option<bool>,
+    } shown { meaning_uk, meaning_en }
+
+    /// Words of the ISO controls that the check does not carry out, and what it passes over with them.
+    pub struct NotCarriedOut of One("iso-not-carried-out") {
+        word: &'t str,
+        last: Option<&'t str>,
+        controls: Vec<&'t str>,
+        takes: Option<Vec<Letter>>,
+        named_by: Option<Letter>,
+        whole: Option<bool>,
+        goes_on: Option<bool>,
+        harmless: Option<bool>,
     } shown { meaning_uk, meaning_en }
 
     /// The meanings of the words of a control, where one table has all of them.

@@ -94,6 +94,7 @@ cli-alien-control = the machine `{ $machine }` has the control `{ $control }`, w
 cli-name-control = name one with --control: there are { $known }
 check-of-lathe = this is a program of a lathe, and { $control } is the control of a mill
 check-name-lathe = name the control of the lathe: { $controls }
+check-more-of-a-kind = and { $count } more, lines { $lines }
 check-read-as = the program was read as one of { $control }, because no control is named
 check-read-as-other = name another with --control: { $controls }
 cli-no-machine = the catalog has no machine `{ $id }`

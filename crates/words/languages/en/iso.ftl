@@ -1,5 +1,20 @@
 unknown-word = the word { $word } is not run here
     .help = `technolog table iso-addresses`, `iso-g-functions` and `iso-m-functions` list the words that are run
+not-carried-out = { $word } is not carried out here{ $count ->
+        [one] {""}
+       *[other] {" "}({ $count } places)
+    }: what it changes is missing in the motions shown
+    .help = prove that part of the program by other means; the rest is traced: `technolog table iso-not-carried-out`
+passed-over = { $word } changes no motion and is passed over{ $count ->
+        [one] {""}
+       *[other] {" "}({ $count } places)
+    }
+    .help = nothing need be done
+macro-not-run = macros are not run here: `{ $word }` decides which blocks are run{ $count ->
+        [one] {""}
+       *[other] {" "}({ $count } such words)
+    }
+    .help = prove the program by the control's own graphics, or write it out without branches and loops
 number-too-long = the number of { $address } has more than six places after the decimal point
     .help = round the number
 number-without-point = the number of { $address } has no point: taken as millimetres (calculator-type input)
@@ -38,6 +53,8 @@ cycle-levels = the bottom of the cycle Z{ $z } is above its plane R{ $r }
     .help = give a Z below R
 cycle-plane = a fixed cycle outside the plane G17
     .help = give G17 before the cycle
+tap-without-spindle = tapping with the spindle stopped
+    .help = start it with S and M3 before the cycle
 tap-counterclockwise = tapping while the spindle turns counterclockwise
     .help = give M3
 too-many-blocks = the program has more than { $most } blocks: it is not run

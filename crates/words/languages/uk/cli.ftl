@@ -94,6 +94,7 @@ cli-alien-control = на верстаті `{ $machine }` пристрій ЧПК
 cli-name-control = назвіть його: --control, є { $known }
 check-of-lathe = це програма токарного верстата, а { $control } – пристрій ЧПК фрезерного
 check-name-lathe = назвіть пристрій ЧПК токарного верстата: { $controls }
+check-more-of-a-kind = і ще { $count }, рядки { $lines }
 check-read-as = програму прочитано як програму для { $control }, бо пристрою ЧПК не названо
 check-read-as-other = інший назвіть через --control: { $controls }
 cli-no-machine = верстата `{ $id }` в каталозі немає

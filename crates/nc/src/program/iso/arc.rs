@@ -2,10 +2,9 @@
 
 use super::block::Maker;
 use super::control::{Characteristic as Q, Group};
-use super::moves::Target;
 use super::words::{BlockWords, WordValue};
 use crate::motion::geometry::{Point, distance, in_plane};
-use crate::motion::{Axis, Motion, Sense};
+use crate::motion::{Axis, Motion, Plane, Position, Sense};
 use crate::note::IntoFigure;
 use crate::program::TextSpan;
 use crate::units::Micrometres;
@@ -27,7 +26,8 @@ impl Maker<'_> {
             return;
         }
         let sense = if self.state.mode(Group::Motion) == Some(20) { Sense::Clockwise } else { Sense::Counterclockwise };
-        let (start, end) = (in_plane(self.state.at, plane), in_plane(target.at, plane));
+        // Judged as written: a rounded end may lie off a small arc by more than the control allows.
+        let (start, end) = (exact(self.state.at, self.state.lost, plane), exact(target.at, target.lost, plane));
         let middle = match (given, radius) {
             (None, _) => {
                 self.fault("arc-without-centre", span);
@@ -38,7 +38,7 @@ impl Maker<'_> {
                 None
             }
             (Some(_), Some(radius)) => self.by_radius(start, end, radius, sense),
-            (Some(_), None) => self.by_centre([a, b], centre, &target, span),
+            (Some(_), None) => self.by_centre(start, end, centre, span),
         };
         let turns = if self.control.is(Q::ArcTurns) { self.take(words, 'P') } else { None };
         if let Some(given) = turns.filter(|given| given.millionths < 1_000_000 || given.millionths % 1_000_000 != 0) {
@@ -51,35 +51,27 @@ impl Maker<'_> {
         let Some(middle) = middle else {
             // The run continues as if the position had been reached.
             self.state.at = target.at;
-            self.state.floating = target.floating;
+            (self.state.lost, self.state.floating) = (target.lost, target.floating);
             return;
         };
         let centre = middle.map(Micrometres::from_mm_rounded);
         self.go(Motion::Arc { plane, sense, centre, turns, feed_mm_per_min }, target.at, target.floating, span);
+        self.state.lost = target.lost;
     }
 
-    fn by_centre(
-        &mut self,
-        axes: [Axis; 2],
-        centre: [Option<WordValue>; 2],
-        target: &Target,
-        span: TextSpan,
-    ) -> Option<Point> {
+    fn by_centre(&mut self, start: Point, end: Point, centre: [Option<WordValue>; 2], span: TextSpan) -> Option<Point> {
         let inches = self.state.inches();
-        let mut middle = [0.0; 2];
-        for ((value, axis), given) in middle.iter_mut().zip(axes).zip(centre) {
-            let distance = given.map(|word| word.length(inches)).unwrap_or_default();
-            *value = (self.state.at.get(axis) + distance).to_mm();
+        let mut middle = start;
+        for (value, given) in middle.iter_mut().zip(centre) {
+            *value += given.map(|word| word.exact_mm(inches)).unwrap_or_default();
         }
-        let plane = self.state.plane();
-        let (radius, other) =
-            (distance(in_plane(self.state.at, plane), middle), distance(in_plane(target.at, plane), middle));
-        if radius == 0.0 {
+        let (radius, other) = (distance(start, middle), distance(end, middle));
+        let off = (radius - other).abs();
+        let (near, part) = self.control.arc_tolerance(inches);
+        if radius == 0.0 || radius.min(other) < self.control.least_radius() {
             self.fault("arc-without-radius", span);
             return None;
         }
-        let off = (radius - other).abs();
-        let (near, part) = self.control.arc_tolerance;
         // LinuxCNC refuses a difference of a hundred times the first limit, or of both limits.
         let wrong =
             if part > 0.0 { off > 100.0 * near || (off > near && off > part * radius.max(other)) } else { off > near };
@@ -97,14 +89,14 @@ impl Maker<'_> {
 
     /// The centre of an arc by its radius: of the smaller arc, with a negative R of the larger one.
     fn by_radius(&mut self, start: Point, end: Point, given: WordValue, sense: Sense) -> Option<Point> {
-        let radius = given.length(self.state.inches()).to_mm();
+        let radius = given.exact_mm(self.state.inches());
         let chord = distance(start, end);
         if chord == 0.0 || radius == 0.0 {
             self.fault("arc-radius-alone", given.span);
             return None;
         }
         let half = chord / 2.0;
-        if half > radius.abs() + self.control.arc_tolerance.0 {
+        if half > radius.abs() + self.control.arc_reach() {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
             self.report(
                 "arc-radius-short",
@@ -120,6 +112,13 @@ impl Maker<'_> {
         let [dx, dy] = [(end[0] - start[0]) / chord, (end[1] - start[1]) / chord];
         Some([(start[0] + end[0]) / 2.0 + dy * side, (start[1] + end[1]) / 2.0 - dx * side])
     }
+}
+
+/// A position in a plane before it was rounded.
+fn exact(at: Position, lost: [f64; 3], plane: Plane) -> Point {
+    let [a, b, _] = plane.axes();
+    let [x, y] = in_plane(at, plane);
+    [x + lost[a.index()], y + lost[b.index()]]
 }
 
 /// The letter of a centre along an axis.

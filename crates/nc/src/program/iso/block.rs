@@ -76,6 +76,9 @@ impl Maker<'_> {
         if let Some(units) = words.function(Group::Units) {
             self.state.set(Group::Units, Some(units.code));
         }
+        if self.is_passed(words) {
+            return self.pass(words);
+        }
         self.modes_left_over(words);
         self.numbers(words);
         self.start_functions(words);
@@ -94,6 +97,34 @@ impl Maker<'_> {
             self.report("word-unused", given.span, &[("word", letter.into_figure())]);
         }
         after
+    }
+
+    /// Whether the block moves in a way that is not carried out here.
+    fn is_passed(&mut self, words: &BlockWords) -> bool {
+        if words.function(Group::Motion).or(words.function(Group::Cycle)).is_some() {
+            self.state.passes = false;
+        }
+        self.state.passes |= words.passes_on;
+        let moves = Axis::ALL.into_iter().any(|axis| words.get(axis.letter()).is_some());
+        words.passed || (self.state.passes && moves && words.function(Group::OneShot).is_none())
+    }
+
+    /// What remains of a block that is not carried out: speeds, tools, machine functions and modes.
+    fn pass(&mut self, words: &BlockWords) -> After {
+        for &(_, group) in Group::NAMES {
+            self.state.own[group as usize] |= words.function(group).is_some();
+        }
+        self.numbers(words);
+        self.start_functions(words);
+        self.modes(words);
+        if let Some(function) = words.function(Group::Motion) {
+            self.cycle_off();
+            self.state.set(Group::Motion, Some(function.code));
+        }
+        // Where the axis goes is not known; that it goes somewhere is. A zero that is set moves nothing.
+        let moves = self.state.passes || words.function(Group::Motion).is_some();
+        self.state.height_known |= moves && words.get('Z').is_some();
+        self.end_functions(words)
     }
 
     /// F, S, T, compared with the machine.
@@ -118,6 +149,7 @@ impl Maker<'_> {
         if let Some(tool) = self.take(words, 'T') {
             let number = tool.millionths / 1_000_000;
             self.state.wanted = u32::try_from(number).unwrap_or_default();
+            self.state.tool_named = number != 0 || self.control.is(Q::ToolTakenOut);
             let places = self.machine.magazine;
             if number > places as i64 {
                 let fault = fault("tool-beyond-magazine", tool.span, self.block.number).with("tool", number);
@@ -211,7 +243,7 @@ impl Maker<'_> {
 
     /// M6: the tool of T is put into the spindle, which stops for that time.
     fn tool_change(&mut self, function: Function) {
-        if self.state.wanted == 0 {
+        if !self.state.tool_named {
             self.fault("no-tool", function.span);
         }
         let (x, y) = self.machine.tool_change_at;
@@ -345,6 +377,10 @@ impl Maker<'_> {
     /// Adds a step to a position; none if a straight motion would not move.
     pub(super) fn go(&mut self, motion: Motion, to: Position, floating: [Floating; 3], span: TextSpan) {
         let from = std::mem::replace(&mut self.state.at, to);
+        // A level of a cycle or a return is a whole micrometre; who goes to written words says what they lost.
+        for axis in Axis::ALL.into_iter().filter(|axis| from.get(*axis) != to.get(*axis)) {
+            self.state.lost[axis.index()] = 0.0;
+        }
         self.state.floating = floating;
         if from == to && !matches!(motion, Motion::Arc { .. }) {
             return;

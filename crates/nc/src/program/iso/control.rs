@@ -10,7 +10,7 @@ use crate::program::letters;
 use crate::program::setting::Limits;
 use crate::tables::controls::Acts;
 use crate::tables::controls::iso::{
-    ActiveComments, Addresses, Characteristic as Q, Cycles, GFunctions, MFunctions, MGroup, Record,
+    ActiveComments, Addresses, Characteristic as Q, Cycles, GFunctions, MFunctions, MGroup, NotCarriedOut, Record,
 };
 use crate::units::Micrometres;
 
@@ -45,6 +45,21 @@ pub(super) struct Cycle {
     pub outwards: Outwards,
 }
 
+/// A word that is not carried out here: table iso-not-carried-out.
+#[derive(Clone, Debug)]
+pub(super) struct Passed {
+    /// The addresses that it takes with it.
+    pub takes: Vec<char>,
+    /// The address that names it together with its code.
+    pub named_by: Option<char>,
+    /// Whether nothing of its block is carried out but modes and machine functions.
+    pub whole: bool,
+    /// Whether that holds for the blocks behind it, until the next function of motion or cycle.
+    pub goes_on: bool,
+    /// Whether it changes no motion.
+    pub harmless: bool,
+}
+
 /// A comment that the control executes.
 #[derive(Clone, Debug)]
 pub(super) struct ActiveComment {
@@ -68,6 +83,10 @@ pub struct Control {
     pub(super) power_on: Vec<i64>,
     pub(super) m: BTreeMap<i64, MFunction>,
     pub(super) addresses: BTreeMap<char, Written>,
+    /// What is not carried out: G functions in tenths, M functions, addresses.
+    pub(super) passed_g: BTreeMap<i64, Passed>,
+    pub(super) passed_m: BTreeMap<i64, Passed>,
+    pub(super) passed_addresses: BTreeMap<char, Passed>,
     pub(super) active_comments: Vec<ActiveComment>,
     pub(super) cycles: BTreeMap<i64, Cycle>,
     /// How deep subprograms may call one another; 0 without any.
@@ -75,8 +94,11 @@ pub struct Control {
     pub(super) m_per_block: usize,
     /// The unit of P in a dwell, s.
     pub(super) dwell_unit_s: f64,
-    /// The permitted difference between the radii at start and end of an arc, mm, and as a part of the radius.
-    pub(super) arc_tolerance: (f64, f64),
+    /// The permitted difference between the radii at start and end of an arc, mm, in programs in millimetres and in
+    /// inches, and as a part of the radius.
+    arc_tolerance: (f64, f64, f64),
+    /// How far a radius may fall short of the end of its arc, mm; 0 where that is the tolerance.
+    arc_reach: f64,
     /// The distance above the metal where the rapid of G83 ends; the retract of G73.
     pub(super) pecks: (Micrometres, Micrometres),
     /// The digits of a program number that is written; 0 without one.
@@ -125,12 +147,16 @@ impl Control {
             power_on: Vec::new(),
             m: BTreeMap::new(),
             addresses: BTreeMap::new(),
+            passed_g: BTreeMap::new(),
+            passed_m: BTreeMap::new(),
+            passed_addresses: BTreeMap::new(),
             active_comments: Vec::new(),
             cycles: BTreeMap::new(),
             depth: need(Q::SubprogramDepthMax)? as usize,
             m_per_block: need(Q::MFunctionsPerBlockMax)? as usize,
             dwell_unit_s: need(Q::DwellUnit)?,
-            arc_tolerance: (need(Q::ArcTolerance)?, need(Q::ArcToleranceRelative)?),
+            arc_tolerance: (need(Q::ArcTolerance)?, any(Q::ArcToleranceInches), need(Q::ArcToleranceRelative)?),
+            arc_reach: any(Q::ArcReach),
             pecks: (length(Q::G83Clearance), length(Q::G73Retract)),
             number_digits: any(Q::ProgramNumberDigits) as usize,
             m_written: (any(Q::MFunctionsWritten) as usize).max(1),
@@ -154,9 +180,33 @@ impl Control {
         Ok(language)
     }
 
+    /// Whether a word of the control has that address, carried out or not.
+    pub(super) fn knows_address(&self, address: char) -> bool {
+        let passed = self.passed_g.values().chain(self.passed_m.values());
+        self.addresses.contains_key(&address)
+            || self.passed_addresses.contains_key(&address)
+            || passed.flat_map(|passed| &passed.takes).any(|taken| *taken == address)
+    }
+
     /// Whether what stands before the first sign of a text is no program.
     pub(in crate::program) fn reads_from_sign(&self) -> bool {
         self.is(Q::ReadsFromSign)
+    }
+
+    /// The permitted difference between the radii at start and end of an arc, mm, and as a part of the radius.
+    pub(super) const fn arc_tolerance(&self, inches: bool) -> (f64, f64) {
+        let (metric, in_inches, part) = self.arc_tolerance;
+        (if inches && in_inches > 0.0 { in_inches } else { metric }, part)
+    }
+
+    /// How far a radius may fall short of the end of its arc, mm.
+    pub(super) const fn arc_reach(&self) -> f64 {
+        if self.arc_reach > 0.0 { self.arc_reach } else { self.arc_tolerance.0 }
+    }
+
+    /// The radius below which there is none, mm.
+    pub(super) const fn least_radius(&self) -> f64 {
+        self.arc_reach
     }
 
     /// Whether its record says yes.
@@ -203,6 +253,33 @@ impl Control {
         for row in knowledge.rows::<MFunctions<'_>>()?.into_iter().filter(|row| names(&row.controls)) {
             let function = MFunction { action: row.action, at_start: row.acts == Acts::Start, group: row.group };
             self.m.insert(code(row.code, row.row)? / 10, function);
+        }
+        for row in knowledge.rows::<NotCarriedOut<'_>>()?.into_iter().filter(|row| names(&row.controls)) {
+            let passed = Passed {
+                takes: letters(row.takes.unwrap_or_default()),
+                named_by: row.named_by.map(|letter| letter.0),
+                whole: row.whole == Some(true),
+                goes_on: row.goes_on == Some(true),
+                harmless: row.harmless == Some(true),
+            };
+            let mut signs = row.word.chars();
+            match (signs.next(), signs.next()) {
+                (Some('G'), Some(_)) => {
+                    let code = code(row.word, row.row)?;
+                    if !self.g.contains_key(&code) {
+                        self.passed_g.insert(code, passed);
+                    }
+                }
+                (Some('M'), Some(_)) => {
+                    let first = code(row.word, row.row)? / 10;
+                    let last = row.last.map(|last| code(last, row.row)).transpose()?.map_or(first, |last| last / 10);
+                    self.passed_m.extend((first..=last).map(|code| (code, passed.clone())));
+                }
+                (Some(letter), None) => {
+                    self.passed_addresses.insert(letter, passed);
+                }
+                _ => {}
+            }
         }
         for row in knowledge.rows::<Cycles<'_>>()?.into_iter().filter(|row| names(&row.controls)) {
             let cycle = Cycle {

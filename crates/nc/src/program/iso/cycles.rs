@@ -75,6 +75,8 @@ impl Maker<'_> {
         if !named {
             return;
         }
+        // Before what else may be wrong with it: a cycle without a feed must not be overlooked.
+        self.feed(span);
         let missing: Vec<String> =
             cycle.required.iter().filter(|sign| self.parameter(**sign).is_none()).map(ToString::to_string).collect();
         if !missing.is_empty() {
@@ -167,6 +169,9 @@ impl Maker<'_> {
             if self.state.turning == Turning::Counterclockwise {
                 self.fault("tap-counterclockwise", span);
             }
+            if self.state.turning == Turning::Stopped && !self.control.is(Q::TapStartsSpindle) {
+                self.fault("tap-without-spindle", span);
+            }
         }
         !self.broken()
     }
@@ -191,6 +196,7 @@ impl Maker<'_> {
             floating[2] = self.state.floating[2];
             let over: Position = target.at.with(Axis::Z, crossing);
             self.go(Motion::Rapid, over, floating, target.span.unwrap_or(span));
+            self.state.lost = [target.lost[0], target.lost[1], 0.0];
             self.climb(Motion::Rapid, levels.r, span);
             self.hole(cycle, levels, &feed, span);
             // A block with an error makes no steps, and the budget ends endless repeats.

@@ -8,11 +8,14 @@ use crate::motion::{Axis, Motion, Position};
 use crate::note::IntoFigure;
 use crate::program::TextSpan;
 use crate::program::limits::Floating;
+use crate::units::Micrometres;
 
 /// The target position of a block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Target {
     pub at: Position,
+    /// What rounding has taken off it, mm.
+    pub lost: [f64; 3],
     pub floating: [Floating; 3],
     /// The first word of an axis.
     pub span: Option<TextSpan>,
@@ -78,25 +81,33 @@ impl Maker<'_> {
         let Some(span) = target.span else { return };
         let motion = if code == 0 { Motion::Rapid } else { Motion::Feed { feed_mm_per_min: self.feed(span) } };
         self.go(motion, target.at, target.floating, span);
+        self.state.lost = target.lost;
     }
 
     /// The target of the words: positions in the active system (G90), or distances (G91). In machine coordinates
     /// (G53) they are positions from the machine zero, without length correction.
     pub(super) fn target(&mut self, words: &BlockWords, on_machine: bool) -> Target {
-        let mut target = Target { at: self.state.at, floating: self.state.floating, span: None };
+        let Maker { state, .. } = self;
+        let mut target = Target { at: state.at, lost: state.lost, floating: state.floating, span: None };
         for axis in Axis::ALL {
             let Some(word) = self.take(words, axis.letter()) else { continue };
-            let value = word.length(self.state.inches());
+            let inches = self.state.inches();
+            let value = word.length(inches);
             self.finer_than_machine(value, word.span);
-            let (at, floating) = if on_machine {
-                (value, None)
+            let over = word.exact_mm(inches) - value.to_mm();
+            let (at, over, floating) = if on_machine {
+                (value, over, None)
             } else if self.state.absolute() {
                 let (origin, floating) = self.state.origin(axis, self.setting);
-                (origin + value, floating)
+                (origin + value, over, floating)
             } else {
-                (target.at.get(axis) + value, target.floating[axis.index()])
+                // What was lost before counts, so that many small distances do not add up to an error.
+                let over = over + target.lost[axis.index()];
+                let whole = Micrometres::from_mm_rounded(over);
+                (target.at.get(axis) + value + whole, over - whole.to_mm(), target.floating[axis.index()])
             };
             target.at = target.at.with(axis, at);
+            target.lost[axis.index()] = over;
             target.floating[axis.index()] = floating;
             target.span = target.span.or(Some(word.span));
         }
@@ -129,6 +140,7 @@ impl Maker<'_> {
             }
         };
         self.go(motion, target.at, target.floating, span);
+        self.state.lost = target.lost;
     }
 
     /// G28, G30: at rapid through the point of the words, then along their axes to the machine zero or to the fixed

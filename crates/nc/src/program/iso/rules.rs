@@ -12,6 +12,9 @@ pub(super) const RULES: &[Rule] = &[
     ("unknown-character", Error, "text"),
     ("cyrillic-letter", Error, "text"),
     ("unknown-word", Error, "words"),
+    ("not-carried-out", Wrong, "words"),
+    ("passed-over", Remark, "words"),
+    ("macro-not-run", Error, "words"),
     ("comma-for-point", Error, "text"),
     ("number-missing", Error, "text"),
     ("number-too-long", Error, "text"),
@@ -39,11 +42,11 @@ pub(super) const RULES: &[Rule] = &[
     ("return-without-call", Error, "calls"),
     ("calls-too-deep", Error, "calls"),
     ("run-too-long", Error, "calls"),
-    // The limits of the machine.
+    // The limits of the machine. What the control carries out all the same is wrong and traced.
     ("mode-left-over", Wrong, "blocks"),
     ("height-unknown", Wrong, "blocks"),
-    ("feed-beyond-machine", Error, "machine"),
-    ("speed-beyond-machine", Error, "machine"),
+    ("feed-beyond-machine", Wrong, "machine"),
+    ("speed-beyond-machine", Wrong, "machine"),
     ("no-spindle-step", Warning, "machine"),
     ("finer-than-machine", Warning, "machine"),
     ("tool-beyond-magazine", Warning, "machine"),
@@ -51,10 +54,10 @@ pub(super) const RULES: &[Rule] = &[
     ("change-elsewhere", Warning, "machine"),
     ("change-turning", Error, "machine"),
     ("spindle-without-speed", Error, "machine"),
-    ("feed-without-spindle", Error, "machine"),
+    ("feed-without-spindle", Wrong, "machine"),
     ("feed-zero", Error, "machine"),
     ("beyond-travel-of", Error, "machine"),
-    ("span-beyond-travel", Error, "machine"),
+    ("span-beyond-travel", Wrong, "machine"),
     ("cannot-tap", Error, "machine"),
     ("zero-not-set", Remark, "machine"),
     // Motions.
@@ -79,6 +82,7 @@ pub(super) const RULES: &[Rule] = &[
     ("cycle-levels", Error, "cycles"),
     ("cycle-plane", Error, "cycles"),
     ("tap-counterclockwise", Error, "cycles"),
+    ("tap-without-spindle", Error, "cycles"),
 ];
 
 /// A broken rule.

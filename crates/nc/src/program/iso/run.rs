@@ -1,16 +1,18 @@
 //! The execution of a program: its blocks, calls and repeats.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::block::{After, Maker};
-use super::control::{Characteristic as Q, Control};
+use super::control::{Characteristic as Q, Control, Group};
 use super::programs::{self, Programs};
 use super::rules::fault;
 use super::state::ControlState;
-use super::text::{self, Block, Label};
+use super::text::{self, Block, Label, UNREAD, Word};
 use super::words::BlockWords;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, MotionStep, Sink};
+use crate::program::expression::{Expression, Parameters};
 use crate::program::running::{BUDGET, BlockOutcome, Running};
 use crate::program::{Fault, Setting, TextSpan};
 
@@ -51,14 +53,48 @@ pub fn check_within<S: Sink>(
             setting,
             closed,
             state: ControlState::power_on(control, setting),
+            parameters: parameters(&blocks, control),
             running: Running::new(sink, fault, budget),
         };
         run.main();
         faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));
     }
     faults.sort_by_key(|fault| fault.span);
-    faults
+    once(faults)
 }
+
+/// What is not carried out is told at its first place, with how often it stands in the program.
+fn once(faults: Vec<Fault>) -> Vec<Fault> {
+    let key = |fault: &Fault| {
+        let known = matches!(fault.code, "not-carried-out" | "passed-over" | "macro-not-run");
+        let word = fault.note.figures().find(|(name, _)| *name == "word").map(|(_, word)| word.text().into_owned());
+        // Of a macro every word says the same.
+        known.then(|| (fault.code, word.filter(|_| fault.code != "macro-not-run").unwrap_or_default()))
+    };
+    let mut counts: BTreeMap<(&'static str, String), usize> = BTreeMap::new();
+    for key in faults.iter().filter_map(key) {
+        *counts.entry(key).or_default() += 1;
+    }
+    let told = |fault: Fault| match key(&fault) {
+        Some(key) => counts.remove(&key).map(|count| fault.with("count", count)),
+        None => Some(fault),
+    };
+    faults.into_iter().filter_map(told).collect()
+}
+
+/// The parameters before a run: those that a program of LinuxCNC has not set are 0, those of Fanuc are empty.
+fn parameters(blocks: &[Block], control: &Control) -> Parameters {
+    let calculates = |block: &Block| !block.expressions.is_empty() || !block.sets.is_empty();
+    let used = blocks.iter().any(|block| calculates(block) || !block.arguments.is_empty());
+    let free = if used && control.is(Q::OWords) { 1..=FREE_PARAMETERS } else { 1..=0 };
+    free.map(|number| (format!("#{number}"), 0.0)).collect()
+}
+
+/// The parameters that each called o-word of LinuxCNC has for itself.
+const LOCAL_PARAMETERS: usize = 30;
+
+/// The last parameter of LinuxCNC that belongs to programs; those above are the control's own.
+const FREE_PARAMETERS: u32 = 5000;
 
 struct ProgramRun<'a, S> {
     blocks: &'a [Block],
@@ -70,6 +106,7 @@ struct ProgramRun<'a, S> {
     /// Whether a second `%` closes the text, which also ends a LinuxCNC program.
     closed: bool,
     state: ControlState,
+    parameters: Parameters,
     running: Running<'a, S>,
 }
 
@@ -118,6 +155,8 @@ impl<S: Sink> ProgramRun<'_, S> {
         if !self.running.spend(block.span, block.number) {
             return BlockOutcome::Out;
         }
+        let calculated = self.calculated(block);
+        let words = calculated.as_ref().unwrap_or(words);
         let mut maker = Maker {
             control: self.control,
             machine: self.machine,
@@ -144,12 +183,69 @@ impl<S: Sink> ProgramRun<'_, S> {
         }
     }
 
+    /// The words of a block with numbers that depend on parameters, none if it has none; and the parameters it sets.
+    fn calculated(&mut self, block: &Block) -> Option<BlockWords> {
+        let mut faults = Vec::new();
+        let mut read = None;
+        let unknown = |span| fault("not-carried-out", span, block.number).with("word", "#");
+        if !block.expressions.is_empty() {
+            let mut words = Block { words: block.words.clone(), number: block.number, ..Block::default() };
+            let mut known = true;
+            for (address, expression, span) in &block.expressions {
+                let value = expression.value(&self.parameters).filter(|value| value.abs() < 1e9);
+                known &= value.is_some();
+                let Some(value) = value else {
+                    // What could not be read has been told.
+                    faults.extend(Some(unknown(*span)).filter(|_| *address != UNREAD));
+                    continue;
+                };
+                let millionths = libm::round(value * 1e6) as i64;
+                words.words.push(Word { address: *address, millionths, increments: false, point: true, span: *span });
+            }
+            let mut carried = BlockWords::read(&words, self.control, &mut Vec::new());
+            if !known {
+                carried.passed = true;
+                carried.passes_on |= carried.function(Group::Cycle).is_some();
+            }
+            read = Some(carried);
+        }
+        // LinuxCNC sets parameters when the whole block is read.
+        let set: Vec<_> = block.sets.iter().map(|(name, value)| self.set(name, value)).collect();
+        for (name, value) in set {
+            match (name, value) {
+                (Some(name), Some(value)) => {
+                    self.parameters.insert(name, value);
+                }
+                (Some(name), None) => {
+                    self.parameters.remove(&name);
+                    faults.push(unknown(block.span));
+                }
+                _ => faults.push(unknown(block.span)),
+            }
+        }
+        faults.into_iter().for_each(|fault| self.running.report(fault));
+        read
+    }
+
+    /// The name of a parameter that a block sets, and its value.
+    fn set(&self, name: &Expression, value: &Expression) -> (Option<String>, Option<f64>) {
+        let name = match name {
+            Expression::Parameter(name) => Some(name.clone()),
+            Expression::Indirect(number) => {
+                number.value(&self.parameters).map(|number| format!("#{}", libm::round(number)))
+            }
+            _ => None,
+        };
+        (name, value.value(&self.parameters))
+    }
+
     fn call(&mut self, block: &Block, words: &BlockWords, depth: usize) -> BlockOutcome {
         let Some(call) = programs::call(block, words, self.control) else { return BlockOutcome::On };
         let Some(range) = self.programs.named.get(&call.name).cloned() else { return BlockOutcome::On };
         if self.running.too_deep(depth, self.control.depth, call.span, block.number) {
             return BlockOutcome::Out;
         }
+        let before = self.hand_over(block);
         for _ in 0..call.repeats {
             match self.program(range.clone(), depth + 1) {
                 BlockOutcome::Back => {}
@@ -162,6 +258,28 @@ impl<S: Sink> ProgramRun<'_, S> {
                 BlockOutcome::Out => return BlockOutcome::Out,
             }
         }
+        for (name, value) in before {
+            match value {
+                Some(value) => self.parameters.insert(name, value),
+                None => self.parameters.remove(&name),
+            };
+        }
         BlockOutcome::On
+    }
+
+    /// Gives the arguments of `o… call` to parameters 1 to 30, which a called o-word has for itself; what they were.
+    fn hand_over(&mut self, block: &Block) -> Vec<(String, Option<f64>)> {
+        if self.parameters.is_empty() || !matches!(block.label, Some(Label::Call(_))) {
+            return Vec::new();
+        }
+        let given: Vec<Option<f64>> = block.arguments.iter().map(|given| given.value(&self.parameters)).collect();
+        let names = (1..=LOCAL_PARAMETERS).map(|number| format!("#{number}"));
+        let before: Vec<_> = names.map(|name| (name.clone(), self.parameters.remove(&name))).collect();
+        for (index, (name, _)) in before.iter().enumerate() {
+            if let Some(value) = given.get(index).copied().unwrap_or(Some(0.0)) {
+                self.parameters.insert(name.clone(), value);
+            }
+        }
+        before
     }
 }

@@ -16,6 +16,8 @@ pub(super) struct ControlState {
     pub own: [bool; Group::NAMES.len()],
     /// Whether the program itself has brought Z somewhere: until then the quill may be down.
     pub height_known: bool,
+    /// Whether motions are not carried out until the next function of motion or cycle.
+    pub passes: bool,
     /// F, mm/min.
     pub feed: f64,
     /// S, 1/min.
@@ -23,6 +25,8 @@ pub(super) struct ControlState {
     pub turning: Turning,
     /// T: the tool that the next M6 brings.
     pub wanted: u32,
+    /// Whether a T has named it; T0 of LinuxCNC takes the tool out.
+    pub tool_named: bool,
     /// The tool in the spindle.
     pub tool: u32,
     /// What G43 adds to Z.
@@ -33,6 +37,8 @@ pub(super) struct ControlState {
     pub initial: Option<Micrometres>,
     /// Where the axes are, machine coordinates.
     pub at: Position,
+    /// What rounding to the micrometre has taken off the position of each axis, mm: an arc is judged before it.
+    pub lost: [f64; 3],
     /// Axes whose machine position is not known.
     pub floating: [Floating; 3],
 }
@@ -44,15 +50,18 @@ impl ControlState {
             // After power-on what acts is known, too.
             own: [setting.as_powered_on; Group::NAMES.len()],
             height_known: setting.as_powered_on,
+            passes: false,
             feed: 0.0,
             speed: 0.0,
             turning: Turning::Stopped,
             wanted: 0,
+            tool_named: false,
             tool: 0,
             length: Micrometres::ZERO,
             parameters: [None; 26],
             initial: None,
             at: setting.start,
+            lost: [0.0; 3],
             floating: [None; 3],
         };
         for code in &control.power_on {

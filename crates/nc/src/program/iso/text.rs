@@ -4,6 +4,7 @@
 use super::control::{ActiveComment, Characteristic as Q, CommentAct, Control, Written};
 use super::rules::fault;
 use crate::program::control_2c42_65::{comma_places, decimal_comma, latin};
+use crate::program::expression::{Expression, Reader};
 use crate::program::setting::DecimalInput;
 use crate::program::{Fault, TextSpan};
 use crate::units::Micrometres;
@@ -37,7 +38,7 @@ pub(super) enum Label {
 }
 
 /// A line of the program.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Block {
     /// The whole of it.
     pub span: TextSpan,
@@ -50,6 +51,12 @@ pub(super) struct Block {
     pub words: Vec<Word>,
     /// Whether a word of it could not be read: a missing word may be that one.
     pub unread: bool,
+    /// Words whose numbers depend on parameters, known when the block is run.
+    pub expressions: Vec<(char, Expression, TextSpan)>,
+    /// Parameters that it sets.
+    pub sets: Vec<(Expression, Expression)>,
+    /// What is handed to the called subprogram: `o100 call [1] [2]`.
+    pub arguments: Vec<Expression>,
 }
 
 /// The most blocks of a program: a check of so many takes a second and a third of a gigabyte.
@@ -124,6 +131,37 @@ fn blocks_within(most: usize, text: &str, control: &Control, points: &mut Points
     (blocks, false, faults)
 }
 
+/// What a stretch of a line is that may depend on parameters.
+enum Calculated {
+    /// A plain word.
+    Not,
+    /// It was read up to here.
+    To(usize),
+    /// The rest of the line is not read.
+    Unread,
+}
+
+/// The address of what could not be read and whose value is not known therefore.
+pub(super) const UNREAD: char = '#';
+
+/// What decides which blocks are run: macros of Fanuc, o-words of LinuxCNC with their values.
+const MACRO_WORDS: [&str; 5] = ["IF", "WHILE", "GOTO", "DO", "END"];
+const FLOW_WORDS: [&str; 13] = [
+    "IF",
+    "ELSEIF",
+    "ELSE",
+    "ENDIF",
+    "WHILE",
+    "ENDWHILE",
+    "DO",
+    "REPEAT",
+    "ENDREPEAT",
+    "BREAK",
+    "CONTINUE",
+    "ENDSUB[",
+    "RETURN[",
+];
+
 struct SourceLine<'a> {
     control: &'a Control,
     faults: &'a mut Vec<Fault>,
@@ -156,6 +194,14 @@ impl SourceLine<'_> {
             if character == 'O' && self.control.is(Q::OWords) && block.words.is_empty() {
                 self.label(&characters[at..], &mut block);
                 break;
+            }
+            match self.calculated(&characters, at, &mut block) {
+                Calculated::To(end) => {
+                    at = end;
+                    continue;
+                }
+                Calculated::Unread => break,
+                Calculated::Not => {}
             }
             let end = number_end(&characters, at + 1);
             let until = characters.get(end - 1).map_or(column, |(column, _)| *column) + 1;
@@ -265,11 +311,89 @@ impl SourceLine<'_> {
             "ENDSUB" => Some(Label::EndSub(name)),
             "RETURN" => Some(Label::Return(name)),
             "CALL" => Some(Label::Call(name)),
+            _ if rest.starts_with("CALL[") => {
+                let mut reader = Reader::new(characters, characters.len() + "CALL".len() - rest.chars().count(), false);
+                reader.functions = true;
+                while reader.at < characters.len()
+                    && let Some(argument) = reader.operand(0)
+                {
+                    block.arguments.push(argument);
+                }
+                (reader.at == characters.len()).then_some(Label::Call(name))
+            }
             _ => None,
         };
+        let flow = FLOW_WORDS.iter().find(|word| rest.starts_with(**word));
+        if let Some(word) = flow.filter(|_| block.label.is_none()) {
+            block.unread = true;
+            self.faults.push(fault("macro-not-run", span, None).with("word", word.to_ascii_lowercase()));
+            return;
+        }
         if block.label.is_none() {
             self.faults.push(fault("unknown-word", span, None).with("word", format!("o{}", text.to_ascii_lowercase())));
         }
+    }
+
+    /// What depends on parameters: `#1=2`, `X#1`, `X[#1+2]`, or a word of a macro, `IF [#1 GT 0] GOTO 10`.
+    fn calculated(&mut self, characters: &[(usize, char)], at: usize, block: &mut Block) -> Calculated {
+        let fanuc = self.control.is(Q::MacroWords);
+        let here = characters.get(at).map_or(0, |(column, _)| *column);
+        let text: String = characters[at..].iter().map(|(_, c)| *c).collect();
+        let known = MACRO_WORDS.iter().find(|word| text.starts_with(**word));
+        if let Some(word) = known.filter(|word| fanuc && text[word.len()..].starts_with(['[', '#', '1', '2', '3'])) {
+            self.faults.push(fault("macro-not-run", self.span(here, here + word.len()), None).with("word", *word));
+            block.unread = true;
+            return Calculated::Unread;
+        }
+        // Polar words of LinuxCNC.
+        if text.starts_with(['@', '^']) && !fanuc {
+            let word = text.chars().take(1).collect::<String>();
+            self.faults.push(fault("not-carried-out", self.span(here, here + 1), None).with("word", word));
+            block.expressions.push((UNREAD, Expression::Parameter(String::new()), self.span(here, here + 1)));
+            return Calculated::Unread;
+        }
+        let sets = text.starts_with('#');
+        let sign = usize::from(!sets);
+        let behind = &text[text.chars().take(sign).map(char::len_utf8).sum::<usize>()..];
+        let first = behind.trim_start_matches(['+', '-']).chars().next();
+        let letters = behind.chars().take_while(char::is_ascii_uppercase).count();
+        let function = !sets && letters > 1 && behind[letters..].starts_with('[') && !text.starts_with('O');
+        if !sets && !function && !matches!(first, Some('#' | '[')) {
+            return Calculated::Not;
+        }
+        let mut reader = Reader::new(characters, at + sign, false);
+        reader.functions = true;
+        let read = reader.operand(0).and_then(|first| match sets {
+            false => Some((first, None)),
+            true if characters.get(reader.at).is_some_and(|(_, c)| *c == '=') => {
+                reader.at += 1;
+                // LinuxCNC writes sums in brackets, Fanuc does not.
+                let value = if fanuc { reader.sum(0) } else { reader.operand(0) };
+                value.map(|value| (first, Some(value)))
+            }
+            true => None,
+        });
+        let until = characters.get(reader.at.max(at + 1) - 1).map_or(here, |(column, _)| *column) + 1;
+        let span = self.span(here, until);
+        // Fanuc rounds below 0 another way.
+        let rounding = fanuc && (text.contains("FIX") || text.contains("FUP"));
+        let Some((first, value)) = read.filter(|_| !rounding) else {
+            self.faults.push(fault("not-carried-out", span, None).with("word", "#"));
+            block.expressions.push((UNREAD, Expression::Parameter(String::new()), span));
+            return Calculated::Unread;
+        };
+        match value {
+            Some(value) => block.sets.push((first, value)),
+            None => {
+                let address = characters.get(at).map_or(' ', |(_, c)| *c);
+                if !self.control.knows_address(address) {
+                    self.faults.push(fault("unknown-word", span, None).with("word", address));
+                }
+                block.expressions.push((address, first, span));
+                block.unread = true;
+            }
+        }
+        Calculated::To(reader.at)
     }
 
     fn word(&mut self, address: char, written: &str, span: TextSpan) -> Option<Word> {
@@ -277,7 +401,9 @@ impl SourceLine<'_> {
             self.faults.push(fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin));
             return None;
         }
-        let Some(known) = self.control.addresses.get(&address).copied() else {
+        let known = self.control.addresses.get(&address).copied();
+        let known = known.or_else(|| self.control.knows_address(address).then_some(Written::Number));
+        let Some(known) = known else {
             let problem = if address.is_ascii_uppercase() {
                 fault("unknown-word", span, None).with("word", format!("{address}{written}"))
             } else {

@@ -2,7 +2,7 @@
 
 use super::control::{Characteristic as Q, Control, Effect, Group};
 use super::rules::fault;
-use super::text::Block;
+use super::text::{Block, Word};
 use crate::program::{Fault, TextSpan};
 use crate::units::Micrometres;
 
@@ -32,6 +32,17 @@ impl WordValue {
     /// As the time of an axis word: in increments, milliseconds.
     pub(super) const fn seconds(self) -> f64 {
         self.value() / if self.increments { 1000.0 } else { 1.0 }
+    }
+
+    /// As a length, mm or inches, before it is rounded; mm.
+    pub(super) const fn exact_mm(self, inches: bool) -> f64 {
+        let unit = match (inches, self.increments) {
+            (false, false) => 1.0,
+            (false, true) => 0.001,
+            (true, false) => 25.4,
+            (true, true) => 0.00254,
+        };
+        self.value() * unit
     }
 
     /// As a length, mm or inches, to the nearest micrometre.
@@ -74,6 +85,10 @@ pub(super) struct BlockWords {
     pub m: Vec<Function>,
     /// Every other address, by its letter.
     values: [Option<WordValue>; 26],
+    /// Whether nothing of the block is carried out but modes and machine functions.
+    pub passed: bool,
+    /// Whether that holds for the blocks behind it.
+    pub passes_on: bool,
 }
 
 impl BlockWords {
@@ -119,6 +134,7 @@ impl BlockWords {
                 }
             }
         }
+        words.pass(block, control, faults);
         if let Some(many) = words.m.get(control.m_per_block) {
             let problem = fault("too-many-m", many.span, None).with("count", words.m.len());
             faults.push(problem.with("limit", control.m_per_block));
@@ -129,10 +145,58 @@ impl BlockWords {
         words
     }
 
+    /// Takes out what is not carried out here.
+    fn pass(&mut self, block: &Block, control: &Control, faults: &mut Vec<Fault>) {
+        let known = |word: &Word| match word.address {
+            'G' if word.millionths % 100_000 == 0 => {
+                let code = word.millionths / 100_000;
+                (control.passed_g.get(&code), Function { code, span: word.span }.name())
+            }
+            'M' => {
+                let code = word.millionths / 1_000_000;
+                (control.passed_m.get(&code), format!("M{code}"))
+            }
+            address => (control.passed_addresses.get(&address), address.to_string()),
+        };
+        self.passed = block.words.iter().any(|word| known(word).0.is_some_and(|passed| passed.whole));
+        for word in &block.words {
+            let (Some(passed), mut name) = known(word) else { continue };
+            // In a block that is passed over as a whole its other words are not told.
+            if self.passed && !matches!(word.address, 'G' | 'M') {
+                continue;
+            }
+            if let Some(by) = passed.named_by
+                && let Some(given) = block.words.iter().find(|word| word.address == by)
+            {
+                name.push_str(&format!(" {by}{}", given.millionths / 1_000_000));
+            }
+            let code = if passed.harmless { "passed-over" } else { "not-carried-out" };
+            faults.push(fault(code, word.span, None).with("word", name));
+            self.passes_on |= passed.goes_on;
+            for address in passed.takes.iter().copied().chain(Some(word.address)) {
+                self.values[place(address)] = None;
+            }
+        }
+        // An address of such a word that stands without it.
+        let alone = |address: char| !control.addresses.contains_key(&address) && self.get(address).is_some();
+        if self.passed {
+            return;
+        }
+        for address in ('A'..='Z').filter(|address| alone(*address)).collect::<Vec<_>>() {
+            if let Some(given) = self.values[place(address)].take() {
+                let word = format!("{address}{}", given.value());
+                faults.push(fault("unknown-word", given.span, None).with("word", word));
+            }
+        }
+    }
+
     fn take_g(&mut self, given: WordValue, control: &Control, faults: &mut Vec<Fault>) {
         let function = Function { code: given.millionths / 100_000, span: given.span };
         let known = control.g.get(&function.code).filter(|_| given.millionths % 100_000 == 0);
         let Some(known) = known else {
+            if control.passed_g.contains_key(&function.code) && given.millionths % 100_000 == 0 {
+                return;
+            }
             let word = format!("G{}", given.value());
             faults.push(fault("unknown-word", given.span, None).with("word", word));
             return;
@@ -154,6 +218,9 @@ impl BlockWords {
     fn take_m(&mut self, given: WordValue, control: &Control, faults: &mut Vec<Fault>) {
         let function = Function { code: given.millionths / 1_000_000, span: given.span };
         let Some(known) = control.m.get(&function.code) else {
+            if control.passed_m.contains_key(&function.code) {
+                return;
+            }
             let word = format!("M{}", function.code);
             faults.push(fault("unknown-word", given.span, None).with("word", word));
             return;

@@ -2,7 +2,7 @@
 //! of the three languages is read. Nothing here is shared with the code that writes such programs.
 //!
 //! - `control` the language as data, from the tables lathe-functions and lathe-read-cycles;
-//! - `text` blocks with their places, `expression` numbers that depend on parameters, `words` the words of a block;
+//! - `text` blocks with their places, `words` the words of a block;
 //! - `block` one block and the motions it makes, `state` the state kept between blocks;
 //! - `contour` elements of contours and the frame of passes, `roughing` passes over them, `cycles` the cycles that
 //!   make passes over a contour, `threads` those that cut threads, `tapping` those that drive a tap;
@@ -13,7 +13,6 @@ mod block;
 mod contour;
 mod control;
 mod cycles;
-mod expression;
 mod motion;
 mod recognise;
 mod roughing;
@@ -37,7 +36,7 @@ pub use recognise::recognised;
 pub use run::{LatheRun, Subprogram, read};
 pub use time::{LatheRates, LatheTimes, times};
 
-use super::Fault;
+use super::{Fault, expression};
 
 /// Whether a program with this fault must not be run on a machine.
 pub fn is_serious(fault: &Fault) -> bool {

@@ -13,7 +13,7 @@ mod tool;
 
 use std::collections::BTreeMap;
 
-use crate::job::{Job, Pause, Unfinished};
+use crate::job::{Job, Pause, ToolWork, Unfinished};
 use crate::program::block::Block;
 use crate::program::iso::control::{Characteristic as Q, Control};
 use crate::program::written::{Form, LineRole, ProgramLine, WorkRef, WrittenProgram};
@@ -83,8 +83,7 @@ pub fn write(job: &Job, control: &Control, form: Form) -> WrittenProgram {
             }
             if in_spindle != Some(work.place) {
                 let change = dialect.change(work.place);
-                let name = ascii(&work.designation);
-                sheet.main.push((MainLine::Remarked(change, name), LineRole::ToolChange, place, None));
+                sheet.main.push((MainLine::Remarked(change, named(work)), LineRole::ToolChange, place, None));
                 in_spindle = Some(work.place);
             }
             sheet.one_tool(work, work_ref, job, &shared);
@@ -94,6 +93,13 @@ pub fn write(job: &Job, control: &Control, form: Form) -> WrittenProgram {
     sheet.push_block(Block::new().m(30), LineRole::End, None, None);
     let unfinished: Vec<String> = job.unfinished.iter().map(Unfinished::remark).collect();
     sheet.finish(&ascii(&job.part), unfinished)
+}
+
+/// A tool for people: its number, name, diameter, offset register and designation.
+fn named(work: &ToolWork) -> String {
+    let name = work.operation.name().to_ascii_uppercase().replace('-', " ");
+    let ToolWork { tool, diameter_mm, corrector, .. } = work;
+    format!("T{tool} {name} D{diameter_mm} H{corrector} {}", ascii(&work.designation))
 }
 
 /// What the operator does, in letters that every control can show.
