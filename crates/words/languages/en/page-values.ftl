@@ -106,6 +106,7 @@ table-value-group-copper-alloy = copper alloy
 table-value-none = none
 table-value-effect-mode = mode
 table-value-effect-cycle = cycle
+table-value-effect-offset-value = length offset by its value
 table-value-cycle-off = cycle off
 table-value-dwell = dwell
 table-value-machine-position = machine position

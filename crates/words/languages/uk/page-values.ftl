@@ -106,6 +106,7 @@ table-value-group-copper-alloy = мідний сплав
 table-value-none = немає
 table-value-effect-mode = режим
 table-value-effect-cycle = цикл
+table-value-effect-offset-value = корекція на довжину значенням
 table-value-cycle-off = скасування циклу
 table-value-dwell = витримка
 table-value-machine-position = положення за верстатом
