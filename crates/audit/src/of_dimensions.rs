@@ -6,7 +6,6 @@
 use crate::plan::Operation;
 use crate::reason::{OfOther, Unfit};
 use crate::shop::Shop;
-use crate::tables::holes::HoleDefault;
 use crate::tooling::CutterNeed;
 use crate::tooling::named::{self, NamedCutter};
 use crate::units::Micrometres;
@@ -71,7 +70,7 @@ fn does(cutter: &NamedCutter<'_>, row: &Row, stated: &Stated, shop: &Shop<'_>) -
             _ => None,
         },
         clearance: Micrometres::ZERO,
-        grind_limit: shop.convention(HoleDefault::CutterGrindLimit).unwrap_or_default(),
+        grind_limit: shop.grind_limit(Micrometres::from_mm_rounded(diameter.value)).unwrap_or_default(),
         ..CutterNeed::plain(operation, Micrometres::from_mm_rounded(diameter.value))
     };
     let other = named::unsuited(cutter, &need, &shop.machine);

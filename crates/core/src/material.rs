@@ -4,11 +4,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::KnowledgeError;
+use crate::knowledge::contract::Question;
 use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::units::{Brinell, Megapascals};
 use crate::knowledge::{Knowledge, RowRef};
 use crate::tables::materials::{
     DeliveryState, DeliveryStates, Governs, HardnessStrength, MaterialAlias, MaterialGrade,
 };
+use crate::tables::rules::AlloyClassStateFor;
 use crate::units::Decimal;
 
 /// A material grade.
@@ -66,6 +69,13 @@ pub fn delivered(knowledge: &Knowledge, material: &str, state: DeliveryState) ->
     Some(MaterialState { hardness, strength })
 }
 
+/// The MPa per HB between which hardness and strength of one bar lie, and the one by which each follows from the
+/// other; none for a material that is not in the table `hardness-strength`.
+pub(crate) fn hardness_to_strength<'k>(knowledge: &'k Knowledge, material: &str) -> Option<HardnessStrength<'k>> {
+    let grade = knowledge.find(|row: &MaterialGrade<'_>| row.id == material).ok().flatten()?;
+    knowledge.find(|row: &HardnessStrength<'_>| row.material_group == grade.group).ok().flatten()
+}
+
 impl<'k> Material<'k> {
     /// The grade of that id.
     ///
@@ -97,11 +107,11 @@ impl<'k> Material<'k> {
 
     /// The material in a state: the stated hardness or strength, and the other figure by the table
     /// `hardness-strength`, so that feeds, speeds and forces belong to one bar. Materials that are not in the table
-    /// keep the figure that is not stated.
+    /// keep the figure that is not stated; alloys take the class of their state.
     ///
     /// # Errors
     /// The knowledge has no such table.
-    pub fn in_state(self, state: MaterialState, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+    pub fn in_state(self, state: MaterialState, knowledge: &'k Knowledge) -> Result<Self, KnowledgeError> {
         let ratio = knowledge.find(|row: &HardnessStrength<'_>| row.material_group == self.group)?.map(|row| row.ratio);
         let exact = |value: f64| Decimal::from_f64_rounded(value);
         let figure = |value: f64| exact(crate::units::round_to(value, 0));
@@ -113,7 +123,24 @@ impl<'k> Material<'k> {
         let strength =
             state.strength.map(exact).or_else(|| follows(state.hardness, &|hardness, ratio| hardness * ratio));
         let (hardness, strength) = (hardness.unwrap_or(self.hardness), strength.unwrap_or(self.strength));
-        Ok(Self { hardness, strength, ..self })
+        let alloy_class = self.alloy_class_in(state, knowledge)?;
+        Ok(Self { hardness, strength, alloy_class, ..self })
+    }
+
+    /// The class of an alloy in a state, by the rule `alloy-class-state`; the grade's own where the rule has none.
+    fn alloy_class_in(&self, state: MaterialState, knowledge: &'k Knowledge) -> Result<&'k str, KnowledgeError> {
+        let stated = |value: Option<f64>| value.map_or_else(Decimal::default, Decimal::from_f64_rounded);
+        let question = AlloyClassStateFor {
+            alloy_class: self.alloy_class,
+            hardness: Brinell(stated(state.hardness)),
+            strength: Megapascals(stated(state.strength)),
+        };
+        // Steels and irons have no class.
+        let table = knowledge.table(AlloyClassStateFor::TABLE)?;
+        if !table.inputs().any(|(_, column)| column.values.iter().any(|value| value == self.alloy_class)) {
+            return Ok(self.alloy_class);
+        }
+        Ok(knowledge.ask(&question)?.winner()?.map_or(self.alloy_class, |row| row.class))
     }
 
     /// Its name on drawings.

@@ -66,6 +66,17 @@ impl<'k> Shop<'k> {
         Ok(Micrometres::from_mm_rounded(self.share(name)?))
     }
 
+    /// By how much a reamer or core drill of the catalogs may be ground down to that diameter: by a length and by a share of its
+    /// own diameter, whichever is less.
+    ///
+    /// # Errors
+    /// The table `hole-defaults` does not name them.
+    pub fn grind_limit(&self, diameter: Micrometres) -> Result<Micrometres, KnowledgeError> {
+        let (limit, share) =
+            (self.convention(HoleDefault::CutterGrindLimit)?, self.share(HoleDefault::CutterGrindShare)?);
+        Ok(limit.min(Micrometres::from_mm_rounded(diameter.to_mm() * share / (1.0 - share))))
+    }
+
     /// Whether an operation uses coolant where its speed does not say so, by the rule `coolant`.
     ///
     /// # Errors

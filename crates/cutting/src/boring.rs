@@ -65,6 +65,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         doubts: Vec::new(),
         card: None,
         rounds: None,
+        plunge: None,
     })
 }
 

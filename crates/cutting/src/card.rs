@@ -115,6 +115,7 @@ pub(super) fn draft(
         doubts,
         card: Some(card),
         rounds: None,
+        plunge: None,
     })
 }
 

@@ -88,6 +88,7 @@ pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<DraftCo
         doubts,
         card: None,
         rounds: None,
+        plunge: None,
     })
 }
 

@@ -18,6 +18,7 @@ mod milling;
 pub mod practice;
 pub mod reaming;
 mod settle;
+pub mod state;
 pub mod tapping;
 
 // The types of other crates, under one name each in the whole program.
@@ -81,6 +82,8 @@ pub struct Cut {
     pub pitch: Option<Micrometres>,
     /// The mill, for milling.
     pub cutter: Option<CutterShape>,
+    /// Whether the mill cuts on its way down.
+    pub plunges: bool,
 }
 
 /// The figures of a mill for its conditions.
@@ -117,6 +120,23 @@ struct DraftConditions {
     doubts: Vec<CardDoubt>,
     card: Option<crate::plan::CardPoint>,
     rounds: Option<crate::plan::Rounds>,
+    plunge: Option<Plunge>,
+}
+
+/// The way down of a mill that cuts there.
+#[derive(Clone, Copy, Debug)]
+struct Plunge {
+    /// Its feed over that of the circles.
+    share: f64,
+    /// Its length, mm.
+    travel: f64,
+}
+
+impl Plunge {
+    /// Its feed, in whole mm/min as programs have it, so that plan and program take as long.
+    fn feed(self, of_circles: MillimetresPerMinute) -> MillimetresPerMinute {
+        MillimetresPerMinute(libm::floor(of_circles.0 * self.share).max(1.0))
+    }
 }
 
 /// The motion of a tool: the rotating diameter, the depth of cut and the length of the feed path.
@@ -213,6 +233,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
             cooled
         }
     };
+    let down = draft.plunge.map_or(0.0, |plunge| plunge.travel / plunge.feed(feed_rate).0);
     let mut found = Conditions {
         depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
         feed_mm_per_rev: limited.feed.rounded(3),
@@ -223,7 +244,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(limited.feed, speed)).rounded(0)),
         torque_n_m: torque,
         power_kw: power.map(|power| power.rounded(4)),
-        machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
+        machine_time_min: Minutes(draft.motion.path / feed_rate.0 + down).rounded(3),
         limited_by: match limited.limited_by {
             Limit::CuttingSpeed if practice != PracticeComparison::FormulaKept => Limit::PracticeSpeed,
             limit => limit,
@@ -231,7 +252,10 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         tool_life_min: tool_life.rounded(0),
         coolant: Some(coolant),
         computed_speed_m_per_min: lives_at.rounded(2),
-        rounds: draft.rounds,
+        rounds: draft.rounds.map(|rounds| crate::plan::Rounds {
+            plunge_feed_mm_per_min: draft.plunge.map(|plunge| plunge.feed(feed_rate)),
+            ..rounds
+        }),
         card: draft.card,
         because,
     };

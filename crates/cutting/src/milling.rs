@@ -10,11 +10,11 @@ use crate::tables::cutting::{
     Coefficients, EndMillFeedFor, Mill, MillingDepth, MillingFinishFeedFor, MillingForceFor, MillingSpeedFor,
     MillingStep, MillingToolLifeFor, Process,
 };
-use crate::tables::rules::ToolLifeBeyondFor;
+use crate::tables::rules::{PlungeFeedFor, ToolLifeBeyondFor};
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresPerTooth, Minutes, round_to};
 
 use super::figures::{self, missing};
-use super::{Cut, CutMotion, CutterShape, DraftConditions, Loads, PowerLaw, factors};
+use super::{Cut, CutMotion, CutterShape, DraftConditions, Loads, Plunge, PowerLaw, factors};
 
 /// The kind of mill in the milling tables: a solid end mill.
 const MILL: Mill = Mill::End;
@@ -38,8 +38,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     if mill.diameter >= cut.from {
         return Err(Refusal::Not(Uncut::MillDoesNotEnter { diameter: mill.diameter, hole: cut.from }));
     }
-    let (rounds, reason) = rounds(cut, mill, shop)?;
-    let mut because = vec![reason];
+    let (rounds, mut because) = rounds(cut, mill, shop)?;
     let (tabulated, reasons) = feed_per_tooth(cut, mill, shop)?;
     because.extend(reasons);
     // Centre feed per revolution over feed per tooth at the wall.
@@ -101,6 +100,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         doubts: Vec::new(),
         card: None,
         rounds: Some(rounds.planned),
+        plunge: rounds.plunge,
     })
 }
 
@@ -116,6 +116,7 @@ struct Rounds {
     path: f64,
     /// The same, as in the plan.
     planned: plan::Rounds,
+    plunge: Option<Plunge>,
 }
 
 /// Divides the stock into radial passes and axial levels (table `milling-depth`), and measures the path.
@@ -124,7 +125,10 @@ struct Rounds {
 /// 2. at each level and for each pass: out from the axis to the circle, radius (di - D)/2;
 /// 3. once round, π·(di - D);
 /// 4. back to the axis.
-fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Because), KnowledgeError> {
+///
+/// A mill that cuts on its way down is fed there by a share of the feed at the wall (rule `plunge-feed`); its descent is then not
+/// part of the path.
+fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Vec<Because>), KnowledgeError> {
     let step = |step: MillingStep| shop.knowledge.need(step.name(), |row: &MillingDepth<'_>| row.name == step);
     let d = mill.diameter.to_mm();
     let (radial, axial) = (step(MillingStep::Radial)?, step(MillingStep::Axial)?);
@@ -134,19 +138,30 @@ fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Beca
     let levels = parts(cut.depth.to_mm(), deepest);
     let radial_depth = stock / f64::from(passes);
     let circles: f64 = (1..=passes).map(|pass| cut.from.to_mm() + 2.0 * radial_depth * f64::from(pass) - d).sum();
-    let path = f64::from(levels) * circles * (std::f64::consts::PI + 1.0) + cut.travel.to_mm();
     let first = cut.from.to_mm() + 2.0 * radial_depth;
     let axial_depth = cut.depth.to_mm() / f64::from(levels);
     let centre_share = (first - d) / first;
+    let (mut plunge, mut because) = (None, Vec::new());
+    if cut.plunges {
+        let material_group = shop.material.group;
+        let row = shop.knowledge.ask(&PlungeFeedFor { material_group })?.need(material_group)?;
+        plunge = Some(Plunge { share: row.share / centre_share, travel: cut.travel.to_mm() });
+        because.push(Because::row(row.row, Note::new("plunge-feed").with("percent", round_to(row.share * 100.0, 0))));
+    }
+    let across = f64::from(levels) * circles * (std::f64::consts::PI + 1.0);
+    let whole = across + cut.travel.to_mm();
+    let path = if plunge.is_some() { across } else { whole };
     let note = Note::new("milling-rounds")
         .with("passes", passes)
         .with("levels", levels)
         .with("t", round_to(radial_depth, 3))
         .with("b", round_to(axial_depth, 3))
-        .with("path", round_to(path, 1))
+        .with("path", round_to(whole, 1))
         .with("factor", round_to(centre_share, 3));
-    let planned = plan::Rounds { from_diameter_mm: cut.from, mill_diameter_mm: mill.diameter, passes, levels };
-    Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned }, Because::row(radial.row, note)))
+    because.insert(0, Because::row(radial.row, note));
+    let (from_diameter_mm, mill_diameter_mm) = (cut.from, mill.diameter);
+    let planned = plan::Rounds { from_diameter_mm, mill_diameter_mm, passes, levels, plunge_feed_mm_per_min: None };
+    Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned, plunge }, because))
 }
 
 /// The number of equal parts, at least one, of a length, so that none is longer than `longest`.

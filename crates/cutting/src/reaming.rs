@@ -47,6 +47,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         doubts,
         card: None,
         rounds: None,
+        plunge: None,
     })
 }
 

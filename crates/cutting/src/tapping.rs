@@ -98,5 +98,6 @@ pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut>
         doubts: Vec::new(),
         card: None,
         rounds: None,
+        plunge: None,
     })
 }

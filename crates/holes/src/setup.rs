@@ -1,4 +1,8 @@
 //! Clamping: the force that holds the part against torques and side forces, and the screw that gives this force.
+//!
+//! - `hold`: whether the places of the clamps hold it against turning and tipping.
+
+mod hold;
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Finding, Note, Severity};
@@ -17,7 +21,7 @@ use crate::units::{Micrometres, NewtonMetres, Newtons};
 /// `clamping`. The force is divided over the clamps. The screw is the smallest of `clamp-screws` that bears it at 80 MPa and is not thinner than
 /// `least-screw`.
 ///
-/// Clamps of the file that are not enough are returned with the inequality that fails. Where the file has none,
+/// Clamps of the file that are not enough, or that stand where they cannot hold the part (`hold`), are returned with the inequality that fails. Where the file has none,
 /// places are tried until one set holds. Where none holds, no clamps are returned, because a tool would hit them; the
 /// finding says that another fixture is needed, which is no fault of the plan.
 ///
@@ -34,13 +38,13 @@ pub fn clamping(
         let Some((clamping, faults)) = clamped(part, holes, clamps, false, shop)? else {
             return Ok((None, Vec::new()));
         };
-        let faults = faults.into_iter().map(|note| Finding::of_part(Severity::Error, note)).collect();
+        let faults = faults.into_iter().map(|(severity, note)| Finding::of_part(severity, note)).collect();
         return Ok((Some(clamping), faults));
     }
     let mut best = None;
     for clamps in proposals(part, inset) {
         let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { break };
-        let Some(why) = faults.into_iter().next() else { return Ok((Some(clamping), Vec::new())) };
+        let Some((_, why)) = faults.into_iter().next() else { return Ok((Some(clamping), Vec::new())) };
         best.get_or_insert((clamping.torque_n_m, why));
     }
     let finding = best.map(|(torque, why)| {
@@ -77,7 +81,7 @@ fn clamped(
     clamps: Vec<Point>,
     proposed: bool,
     shop: &Shop<'_>,
-) -> Result<Option<(Clamping, Vec<Note>)>, KnowledgeError> {
+) -> Result<Option<(Clamping, Vec<(Severity, Note)>)>, KnowledgeError> {
     let constant = |wanted: ClampingConstant| -> Result<(f64, Because), KnowledgeError> {
         let row = shop.knowledge.need(wanted.name(), |row: &Constant<'_>| row.name.is(wanted))?;
         Ok((row.maximum, Because::row(row.row, Note::new(wanted.name()).with("value", row.maximum))))
@@ -87,6 +91,7 @@ fn clamped(
     let inset = shop.convention(HoleDefault::ClampInset)?;
 
     let mut worst: Option<Need<'_>> = None;
+    let (mut turns, mut pushes) = ((NewtonMetres(0.0), ""), Newtons(0.0));
     for (plan, hole) in holes.iter().zip(&part.holes) {
         // The point nearest to a clamp needs the most against turning; against sliding all need the same.
         let distances = hole.at.iter().filter_map(|point| point.to_nearest(&clamps));
@@ -98,6 +103,10 @@ fn clamped(
             let load = shop.knowledge.ask(&question)?.need(transition.operation.name())?;
             let by_book = k * torque.0 / (f * distance.to_mm() / 1000.0);
             let side = (load.load == PartLoad::Pushes).then(|| side_force(transition, torque)).flatten();
+            if torque.0 > turns.0.0 {
+                turns = (torque, plan.name.as_str());
+            }
+            pushes.0 = pushes.0.max(side.map_or(0.0, |side| side.0));
             // What governs, by the larger force.
             let side = side.filter(|side| k * side.0 / (f + f2) > by_book);
             let force = side.map_or(by_book, |side| k * side.0 / (f + f2));
@@ -125,7 +134,8 @@ fn clamped(
     let strong = screws.iter().filter(thick).find(|screw| screw.force_80.0 >= each.0);
     let mut faults = Vec::new();
     if strong.is_none() {
-        faults.push(Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len()));
+        let note = Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len());
+        faults.push((Severity::Error, note));
     }
     // Where no screw of the table bears the force, the last and strongest is shown.
     let screw = match strong.or(screws.last()) {
@@ -157,7 +167,7 @@ fn clamped(
     if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
         let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed);
         let note = note.with("hole", Figure::called(name));
-        faults.push(note);
+        faults.push((Severity::Error, note));
     }
     if strong.is_some() && most.0 < each.0 {
         let note = Note::new("screw-too-weak")
@@ -165,8 +175,10 @@ fn clamped(
             .with("bears", most.0)
             .with("force", clamping.force_per_clamp_n.0)
             .with("needed", name);
-        faults.push(note);
+        faults.push((Severity::Error, note));
     }
+    let hold = hold::Hold { torque: turns.0, side: pushes, hole: turns.1, bears: most, safety: k, friction: f + f2 };
+    faults.extend(hold::faults(part, &clamping.clamps, hold, shop)?);
     Ok(Some((clamping, faults)))
 }
 

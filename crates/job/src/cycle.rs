@@ -84,7 +84,7 @@ pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Res
     let (withdrawal, convention) = withdrawal(shop)?;
     Ok(Cycle {
         operation: transition.operation,
-        kind: kind(&rule, transition, top, shop.machine.resolution)?,
+        kind: kind(&rule, transition, top, shop)?,
         // Programs count turns in whole numbers; a step between them is rounded down.
         speed_rpm: RevsPerMinute(libm::floor(conditions.spindle_rpm.0)),
         feed_mm_per_min: feed(transition, shop)?,
@@ -100,8 +100,9 @@ fn kind(
     rule: &MachiningCycle<'_>,
     transition: &Feeding<'_>,
     top: Micrometres,
-    resolution: Micrometres,
+    shop: &Shop<'_>,
 ) -> Result<CycleKind, KnowledgeError> {
+    let resolution = shop.machine.resolution;
     let lacks = |what: Note| KnowledgeError::missing(&rule.row.table.id, what);
     let step = || -> Result<Micrometres, KnowledgeError> {
         let share = rule.step.ok_or_else(|| lacks(note!("nc-step-cycle-steps")))?;
@@ -124,7 +125,7 @@ fn kind(
                 MillingDirection::Climb => Sense::Counterclockwise,
                 MillingDirection::Conventional => Sense::Clockwise,
             };
-            circles(transition, rounds, top, sense, resolution)
+            circles(transition, rounds, top, sense, shop)?
         }
     })
 }
@@ -136,8 +137,9 @@ fn circles(
     rounds: Rounds,
     top: Micrometres,
     sense: Sense,
-    resolution: Micrometres,
-) -> CycleKind {
+    shop: &Shop<'_>,
+) -> Result<CycleKind, KnowledgeError> {
+    let resolution = shop.machine.resolution;
     let (levels, passes) = (i64::from(rounds.levels.max(1)), i64::from(rounds.passes.max(1)));
     let depth = transition.depth - transition.start;
     let level = |number: i64| match number == levels {
@@ -146,11 +148,17 @@ fn circles(
     };
     let stock = transition.diameter - rounds.from_diameter_mm;
     let radius = |pass: i64| (rounds.from_diameter_mm + stock.ratio(pass, passes) - rounds.mill_diameter_mm).half();
-    CycleKind::Circles {
+    let round = feed(transition, shop)?;
+    let plunge_mm_per_min = match rounds.plunge_feed_mm_per_min {
+        Some(planned) => Some(in_steps(planned, shop)?).filter(|plunge| *plunge != round),
+        None => None,
+    };
+    Ok(CycleKind::Circles {
+        plunge_mm_per_min,
         levels: (1..=levels).map(|number| level(number).on_grid(resolution)).collect(),
         radii: (1..=passes).map(|pass| radius(pass).on_grid(resolution)).collect(),
         sense,
-    }
+    })
 }
 
 /// The feed in the steps of programs, rounded down; the feed of a tap depends on its pitch and is not rounded.
@@ -159,6 +167,10 @@ fn feed(transition: &Feeding<'_>, shop: &Shop<'_>) -> Result<MillimetresPerMinut
     if transition.operation == Operation::Tap {
         return Ok(planned);
     }
+    in_steps(planned, shop)
+}
+
+fn in_steps(planned: MillimetresPerMinute, shop: &Shop<'_>) -> Result<MillimetresPerMinute, KnowledgeError> {
     let step = convention(Convention::FeedStep, shop.knowledge)?.0;
     Ok(MillimetresPerMinute(libm::floor(planned.0 / step).max(1.0) * step))
 }

@@ -217,6 +217,9 @@ pub enum CycleKind {
     /// Along circles around the point, all at the working feed: at each level out to the first circle, round, out to
     /// the next, and back to the middle.
     Circles {
+        /// The feed down, where it is another than that of the circles.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        plunge_mm_per_min: Option<MillimetresPerMinute>,
         /// Z of the levels, downwards.
         levels: Vec<Micrometres>,
         /// Radii of the mill's centre, outwards.

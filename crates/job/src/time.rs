@@ -107,12 +107,13 @@ impl Cycle {
                     took.rapid = took.rapid + rapid.time(*retreat);
                 }
             }
-            CycleKind::Circles { levels, radii, .. } => {
+            CycleKind::Circles { levels, radii, plunge_mm_per_min, .. } => {
                 let widest = radii.last().copied().unwrap_or_default().to_mm();
                 let round: f64 = radii.iter().map(|radius| 2.0 * std::f64::consts::PI * radius.to_mm()).sum();
                 let lowest = levels.last().copied().unwrap_or(self.end);
-                let path = (self.begin - lowest).to_mm() + levels.len() as f64 * (round + 2.0 * widest);
-                took.feed = at_feed(path);
+                let down_at_feed = (self.begin - lowest).to_mm();
+                took.feed = at_feed(levels.len() as f64 * (round + 2.0 * widest))
+                    + plunge_mm_per_min.map_or_else(|| at_feed(down_at_feed), |feed| Minutes(down_at_feed / feed.0));
                 took.rapid = down + rapid.time(self.out - lowest);
             }
         }

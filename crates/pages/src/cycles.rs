@@ -168,6 +168,9 @@ fn figures(cycle: &Cycle, work: &ToolWork, lang: Lang) -> String {
         CycleKind::Tap { pitch } => parts.push(say!(lang, "cycles-pitch", pitch = *pitch)),
         CycleKind::BoreStop => parts.push(say!(lang, "cycles-out-stopped").to_owned()),
         CycleKind::FeedOut => parts.push(say!(lang, "cycles-out-at-feed").to_owned()),
+        CycleKind::Circles { plunge_mm_per_min: Some(plunge), .. } => {
+            parts.push(say!(lang, "cycles-plunge", feed = rounded(plunge.0, 0)));
+        }
         CycleKind::Drill | CycleKind::Circles { .. } => {}
     }
     if work.coolant {

@@ -66,6 +66,8 @@ pub enum Fault {
     WallToEdge { wall: Micrometres, least: Micrometres },
     /// A cast hole leaves less stock a side than its skin and its place need.
     CastStock { cast: Micrometres, stock: Micrometres, least: Micrometres },
+    /// The first cut in a cast hole is too shallow: where the stock is thinnest, it runs in the skin.
+    UnderSkin { operation: Operation, depth: Micrometres, place: Micrometres, least: Micrometres },
     /// A thin plate springs between its supports by more than the feed.
     PlateSprings { operation: Operation, thrust: Newtons, spring: f64, span: Micrometres, most: f64 },
     /// A boring bar deflects under uneven stock by more than the tolerance of the hole.
@@ -84,6 +86,7 @@ impl Fault {
             | Self::WallBetween { .. }
             | Self::WallToEdge { .. }
             | Self::CastStock { .. }
+            | Self::UnderSkin { .. }
             | Self::PlateSprings { .. } => Severity::Doubtful,
             _ => Severity::Error,
         }
@@ -163,6 +166,11 @@ impl Fault {
             Self::CastStock { cast, stock, least } => {
                 Note::new("proof-cast-stock").with("cast", cast).with("stock", stock).with("least", least)
             }
+            Self::UnderSkin { operation, depth, place, least } => of("proof-under-skin", operation)
+                .with("depth", depth)
+                .with("place", place)
+                .with("thinnest", (*depth - *place).max(Micrometres::ZERO))
+                .with("least", least),
             Self::PlateSprings { operation, thrust, spring, span, most } => of("proof-plate-springs", operation)
                 .with("thrust", round_to(thrust.0, 0))
                 .with("spring", round_to(*spring, 2))

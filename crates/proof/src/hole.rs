@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
-use crate::part::{CentreTolerance, Hole, Part, ThreadKind, tolerance_width};
+use crate::part::{BlankHole, CentreTolerance, Hole, Part, ThreadKind, tolerance_width};
 use crate::plan::{Feature, Operation, Transition};
 use crate::shop::Shop;
 use crate::tables::practice::{ProofLimit, StockBeforeReamingFor};
@@ -23,6 +23,8 @@ struct State {
     largest: Micrometres,
     /// The possible offset of its axis from the programmed position.
     axis: Option<Both<Micrometres>>,
+    /// How far its axis may lie aside of the next tool's; of a cast hole how far its core may be shifted.
+    aside: Option<Micrometres>,
     /// The further drift of the axis, at its end.
     drift: Micrometres,
     /// Whether the spindle guided its tool, as in boring.
@@ -43,12 +45,20 @@ pub fn prove_hole(
 ) -> Result<Vec<Fault>, KnowledgeError> {
     let mut walk = Walk { hole, transitions, part, shop, states: BTreeMap::new(), centred: false, faults: Vec::new() };
     if let Some(diameter) = hole.state.diameter() {
+        let (made_by, aside) = match hole.state {
+            BlankHole::Cast(_) => {
+                let shift = tool::limit(ProofLimit::CoreShift, shop)?;
+                (MadeBy::BlankHole, Some(Micrometres::from_mm_rounded(shift)))
+            }
+            _ => (MadeBy::PreMachined, None),
+        };
         walk.states.insert(
             CylinderId::Main,
             State {
-                made_by: MadeBy::BlankHole,
+                made_by,
                 largest: diameter,
                 axis: None,
+                aside,
                 drift: Micrometres::ZERO,
                 led: false,
                 depth: part.blank.thickness,
@@ -59,6 +69,11 @@ pub fn prove_hole(
         walk.step(at, transition)?;
     }
     Ok(walk.faults)
+}
+
+/// Whether a transition only levels a floor.
+fn levels(transition: &Transition) -> bool {
+    transition.operation == Operation::Mill && transition.from_diameter_mm == transition.diameter_mm
 }
 
 struct Walk<'a, 'k> {
@@ -83,9 +98,11 @@ impl Walk<'_, '_> {
             return Ok(());
         }
         let Some(place) = CylinderId::of(transition) else { return Ok(()) };
-        let Some(required) = CylinderRequirements::of(place, self.hole, self.part, self.position()) else {
+        let Some(mut required) = CylinderRequirements::of(place, self.hole, self.part, self.position()) else {
             return Ok(());
         };
+        // A free floor may be flat: the drill then stops above it, and a mill opens the rest.
+        required.flat |= self.transitions.iter().any(|step| CylinderId::of(step) == Some(place) && levels(step));
         // A step begins with the state of the cylinder that it widens.
         let before = self.states.get(&place).or_else(|| self.states.get(&CylinderId::Main)).copied();
         self.enters(transition, &required);
@@ -94,7 +111,7 @@ impl Walk<'_, '_> {
             return Ok(());
         }
         // An end mill that only levels a floor leaves the cylinder as it is, and opens it down to the floor.
-        if transition.operation == Operation::Mill && transition.from_diameter_mm == transition.diameter_mm {
+        if levels(transition) {
             if let Some(state) = self.states.get_mut(&place) {
                 state.depth = state.depth.max(transition.depth_mm);
             }
@@ -112,10 +129,13 @@ impl Walk<'_, '_> {
             made_by: before.map_or(MadeBy::Solid, |before| before.made_by),
             last,
         };
-        let Some(reach) = Reach::of(method, transition.diameter_mm, self.shop)? else { return Ok(()) };
+        let Some(mut reach) = Reach::of(method, transition.diameter_mm, self.shop)? else { return Ok(()) };
+        // The second drill is as accurate as the first, on its axis.
+        reach.own_axis = reach.own_axis.filter(|_| transition.operation != Operation::DrillOut);
         if let Some(before) = before {
             self.stock(transition, &required, before, reach, last);
             self.check_largest_stock(transition, before)?;
+            self.under_skin(transition, before)?;
         }
         let width = reach.width(transition.diameter_mm, self.shop).unwrap_or_default();
         let state = self.left(transition, before, reach, width)?;
@@ -206,7 +226,7 @@ impl Walk<'_, '_> {
             if operation == Operation::CoreDrill { tool::limit(ProofLimit::CoreDrillLips, self.shop)? } else { 0.0 };
         let enters = Micrometres::from_mm_rounded(lips * transition.diameter_mm.to_mm());
         if let Some(before) = before.filter(|_| follows && !required.through && !self.hole.through)
-            && before.made_by != MadeBy::BlankHole
+            && !matches!(before.made_by, MadeBy::BlankHole | MadeBy::PreMachined)
             && tip > before.depth + enters
             && main
         {
@@ -215,7 +235,8 @@ impl Walk<'_, '_> {
         Ok(())
     }
 
-    /// The stock in the worst case: the widest hole before, with its axis offset to one side.
+    /// The stock in the worst case: the widest hole before, with its axis offset to one side. The first cut of a cast hole is left
+    /// to the check of its blank.
     fn stock(
         &mut self,
         transition: &Transition,
@@ -224,11 +245,12 @@ impl Walk<'_, '_> {
         reach: Reach,
         last: bool,
     ) {
-        let shift = match (reach.own_axis, before.axis) {
+        let shift = match (reach.own_axis, before.aside) {
+            _ if before.made_by == MadeBy::BlankHole => Micrometres::ZERO,
             // The spindle returns to the same point.
             (Some(own), Some(_)) if before.led => own.best + own.best,
-            (Some(own), Some(axis)) => {
-                let aside = own.best + axis.ordinary + before.drift;
+            (Some(own), Some(aside)) => {
+                let aside = own.best + aside + before.drift;
                 aside + aside
             }
             _ => Micrometres::ZERO,
@@ -251,6 +273,27 @@ impl Walk<'_, '_> {
     }
 
     /// The largest stock: what a reamer or a finishing bar removes at once.
+    /// The first cut in a cast hole, of each pass, at the place where radius and axis of the hole leave the least: it
+    /// must get under the skin. Where the drawing leaves too little for any cut, the fault is that of the blank.
+    fn under_skin(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
+        let BlankHole::Cast(cast) = self.hole.state else { return Ok(()) };
+        if before.made_by != MadeBy::BlankHole || transition.elsewhere {
+            return Ok(());
+        }
+        let mm = |name| tool::limit(name, self.shop).map(Micrometres::from_mm_rounded);
+        if (self.hole.diameter.nominal - cast).half() < mm(ProofLimit::CastHoleStock)? {
+            return Ok(());
+        }
+        let (place, least) = (mm(ProofLimit::CastHolePlace)?, mm(ProofLimit::CastSkin)?);
+        let rounds = transition.conditions.rounds.map_or(1, |rounds| rounds.passes);
+        let passes = i64::from(transition.passes.max(1) * rounds.max(1));
+        let depth = (transition.diameter_mm - before.largest).half().ratio(1, passes);
+        if depth < place + least {
+            self.faults.push(Fault::UnderSkin { operation: transition.operation, depth, place, least });
+        }
+        Ok(())
+    }
+
     fn check_largest_stock(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
         let operation = transition.operation;
         let mm = |name| tool::limit(name, self.shop).map(Micrometres::from_mm_rounded);
@@ -262,7 +305,7 @@ impl Walk<'_, '_> {
                     (_, MadeBy::Ream) => ReamingCase::FinishAfterRough,
                     (_, MadeBy::Drill) => ReamingCase::OneAfterDrill,
                     // The hole of the blank is given: it may leave as much as any rough reamer removes.
-                    (_, MadeBy::BlankHole) => ReamingCase::RoughAfterDrill,
+                    (_, MadeBy::BlankHole | MadeBy::PreMachined) => ReamingCase::RoughAfterDrill,
                     _ => ReamingCase::OneAfterCoreDrill,
                 };
                 let question = StockBeforeReamingFor { case, diameter: transition.diameter_mm };
@@ -299,10 +342,15 @@ impl Walk<'_, '_> {
         // The lead of a reamer does not widen the hole: the depth opened before stays available for the next tool.
         let opened = before.filter(|_| transition.operation.is_reaming()).map(|before| before.depth);
         let depth = opened.unwrap_or(transition.depth_mm).max(transition.depth_mm);
+        let aside = match reach.own_axis {
+            Some(own) => Some(own.ordinary),
+            None => before.and_then(|before| before.aside),
+        };
         Ok(State {
             made_by: MadeBy::of(transition.operation).or(before.map(|it| it.made_by)).unwrap_or(MadeBy::Solid),
             largest: transition.diameter_mm + if drilled { width.max(oversize(transition, self.shop)?) } else { width },
             axis,
+            aside,
             drift,
             led,
             depth,
@@ -317,7 +365,7 @@ impl Walk<'_, '_> {
         before: Option<State>,
     ) -> Result<(), KnowledgeError> {
         let Some(before) = before else { return Ok(()) };
-        let aside = before.axis.filter(|_| !before.led).map_or(Micrometres::ZERO, |axis| axis.ordinary + before.drift);
+        let aside = before.aside.filter(|_| !before.led).map_or(Micrometres::ZERO, |aside| aside + before.drift);
         let spread = (before.largest - transition.from_diameter_mm).max(Micrometres::ZERO) + aside + aside;
         let tolerance = required.diameter.largest() - required.diameter.smallest();
         if let Some(spring) = tool::spring(transition, spread, self.shop)?.filter(|spring| *spring > tolerance) {

@@ -45,6 +45,8 @@ vocabulary! {
         Speed = "speed",
         /// The feed per revolution.
         Feed = "feed",
+        /// The depth of cut.
+        Depth = "depth",
     }
 
     /// How a load compares with the formula.

@@ -70,6 +70,8 @@ rows! {
     pub struct HardnessStrength of One("hardness-strength") {
         material_group: &'t str,
         ratio: f64,
+        least: f64,
+        most: f64,
     }
 }
 

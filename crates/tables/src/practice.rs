@@ -199,6 +199,9 @@ vocabulary! {
         LeastWall = "least-wall",
         LeastWallShare = "least-wall-share",
         CastHoleStock = "cast-hole-stock",
+        CoreShift = "core-shift",
+        CastHolePlace = "cast-hole-place",
+        CastSkin = "cast-skin",
         PlateSpringFeeds = "plate-spring-feeds",
     }
 

@@ -1,7 +1,7 @@
 //! Row types: rules.
 
 use technolog_knowledge::rows;
-use technolog_knowledge::units::{Decimal, ItGrade, Micrometres, Minutes, Percent, Roughness};
+use technolog_knowledge::units::{Brinell, Decimal, ItGrade, Megapascals, Micrometres, Minutes, Percent, Roughness};
 use technolog_knowledge::vocabulary::{CuttingMethod, Operation, Shank, ToolMaterial};
 
 use crate::cutting::{Coefficients, FeedMultiple, ReamingCondition, Surface};
@@ -71,6 +71,13 @@ rows! {
         coolant: bool,
     }
 
+    /// The feed of a mill that plunges into metal.
+    pub struct PlungeFeed of One("plunge-feed") asked by PlungeFeedFor<'t> {
+        material_group: &'t str,
+    } {
+        share: f64,
+    }
+
     /// Depth corrections beyond the handbook's table.
     pub struct DepthBeyond of One("depth-beyond") asked by DepthBeyondFor<'t> {
         of_table: &'t str,
@@ -91,6 +98,7 @@ rows! {
         own_cell: bool,
         finer_roughness: bool,
         finer_grade: bool,
+        tighter_centres: bool,
     } {
         take: CellTaken,
     }
@@ -191,6 +199,26 @@ rows! {
         holds: bool,
     }
 
+    /// Class of an alloy by its stated hardness or strength; 0 where not stated.
+    pub struct AlloyClassState of One("alloy-class-state") asked by AlloyClassStateFor<'t> {
+        alloy_class: &'t str,
+        hardness: Brinell,
+        strength: Megapascals,
+    } {
+        class: &'t str,
+    }
+
+    /// Where a tolerance field lies.
+    pub struct FieldPosition of One("field-position") asked by FieldPositionFor<'t> {
+        letters: &'t str,
+        grade: ItGrade,
+        diameter: Micrometres,
+    } {
+        begins: FieldBegins,
+        of: &'t str,
+        delta: bool,
+    }
+
     /// When the torque is that of the specific cutting force.
     pub struct ForceOpinion of One("force-opinion") asked by ForceOpinionFor {
         operation: Operation,
@@ -259,7 +287,7 @@ rows! {
     pub struct StockForElsewhere of One("stock-for-elsewhere") asked by StockForElsewhereFor {
         diameter: Micrometres,
     } {
-        transitions: Vec<Operation>,
+        transitions: Option<Vec<Operation>>,
     }
 
     /// Surface of the blank, for the speed factor.

@@ -46,6 +46,14 @@ rows! {
         tolerance: Micrometres,
     }
 
+    /// Fundamental deviations of shafts.
+    pub struct FundamentalDeviation of One("fundamental-deviations") asked by FundamentalDeviationFor<'t> {
+        letters: &'t str,
+        diameter: Micrometres,
+    } {
+        deviation: Micrometres,
+    }
+
     /// Morse tapers 1 to 5.
     pub struct MorseTaper of One("morse-tapers") {
         morse: i64,

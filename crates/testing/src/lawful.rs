@@ -37,6 +37,10 @@ pub fn chain(hole: &Hole, plan: &HolePlan) -> Result<(), TestCaseError> {
             continue;
         }
         prop_assert_eq!(step.from_diameter_mm, before, "{:?}", step.operation);
+        if step.operation == Operation::Mill && step.diameter_mm == before && !hole.through {
+            // A free floor may be levelled, too.
+            continue;
+        }
         prop_assert!(step.diameter_mm > before, "{:?} does not open the hole", step.operation);
         if before == Micrometres::ZERO {
             prop_assert_eq!(step.operation, Operation::Drill);

@@ -1,14 +1,16 @@
 //! Removes stock motion by motion.
 
+use std::collections::BTreeMap;
+
 use crate::fault::{Fault, Faults};
 use crate::note::Figure;
 use crate::plane::{Convex, Region, Rule, Vector, Window};
-use crate::set_up::{Motion, MotionKind, SetUp};
+use crate::set_up::{Motion, MotionKind, Piece, SetUp};
 use crate::stock::Stock;
 use crate::taps::LEAD;
 use crate::target::Target;
-use crate::tool::{Outline, Tool};
-use crate::units::{At, Mm};
+use crate::tool::{Cutter, Outline, Tool};
+use crate::units::{At, Block, Mm};
 
 /// Thinner overlaps are ignored, mm: ten times the error of a chord.
 pub const TOLERANCE: f64 = 0.005;
@@ -38,6 +40,8 @@ pub struct Carried<'s> {
     pub(crate) full: Vec<Vec<[f64; 2]>>,
     /// Z to which a tap has cut each thread in full.
     pub(crate) tapped: Vec<Option<f64>>,
+    /// The deepest cut of each tool's edge, and its block.
+    pub depths: BTreeMap<usize, (Mm, Block)>,
     pub faults: Faults,
 }
 
@@ -59,6 +63,7 @@ impl<'s> Carried<'s> {
             tapped: vec![None; target.threads.len()],
             target,
             finished: set_up.finished.as_ref().map(Target::of),
+            depths: BTreeMap::new(),
             faults: Faults::default(),
         };
         for (index, motion) in set_up.motions.iter().enumerate() {
@@ -86,6 +91,25 @@ impl<'s> Carried<'s> {
             let cuts = || self.swept(&self.outlines[motion.tool].cuts, motion);
             if nose > roundest && cuts().iter().any(touches) { nose } else { roundest }
         })
+    }
+
+    /// The last motion that cut at a point of the stock's edge.
+    pub(crate) fn cut_at(&self, spot: Vector) -> Option<&'s Motion> {
+        const TOUCH: f64 = 0.002;
+        let window = Window::around([spot]).grown(TOUCH);
+        let touches = |index: usize| {
+            let motion = &self.set_up.motions[index];
+            let cuts = self.swept(&self.outlines[motion.tool].cuts, motion);
+            cuts.iter().any(|piece| piece.window().meets(window) && piece.distance(spot) <= TOUCH)
+        };
+        let mut near = self.cuts.iter().rev().filter(|(cut, _)| cut.meets(window)).map(|(_, index)| *index);
+        near.find(|index| touches(*index)).map(|index| &self.set_up.motions[index])
+    }
+
+    /// The pieces of the contour, and whether they are of the outside.
+    pub(crate) fn drawn(&self) -> impl Iterator<Item = (&'s crate::set_up::ProfilePiece, bool)> {
+        let profile = &self.set_up.profile;
+        profile.outside.iter().map(|piece| (piece, true)).chain(profile.bore.iter().map(|piece| (piece, false)))
     }
 
     pub(crate) fn tool(&self, motion: &Motion) -> &'s Tool {
@@ -122,6 +146,7 @@ impl<'s> Carried<'s> {
                 self.hold_holder(motion, &holds, &cuts);
                 let metal = around(&cuts, self.stock.0.window());
                 if !self.stock.0.within(metal).is_empty() {
+                    self.remember_depth(motion, &cuts);
                     self.cuts.push((around(&cuts, metal), index));
                     cuts.iter().filter(|piece| piece.window().meets(metal)).for_each(|piece| self.waiting.add(piece));
                 }
@@ -208,6 +233,27 @@ impl<'s> Carried<'s> {
         }
     }
 
+    /// The depth of a straight cut of an insert: its area over the length along which it cuts, so that the last turn before a wall
+    /// counts no more than it lasts.
+    fn remember_depth(&mut self, motion: &Motion, cuts: &[Convex]) {
+        let edged = matches!(self.tool(motion).cutter, Cutter::Insert { .. });
+        let (from, to) = (motion.path.from().spot(), motion.path.to().spot());
+        if !edged || !matches!(motion.path, Piece::Line { .. }) {
+            return;
+        }
+        let cut = self.stock.0.within(around(cuts, self.stock.0.window())).made(&Region::pieces(cuts), Rule::Both);
+        let window = cut.window();
+        let waiting = self.waiting.parts.iter().map(|(_, part)| part.within(window));
+        let cut = waiting.fold(cut, |cut, free| cut.made(&free, Rule::Without));
+        let along = to.minus(from).unit();
+        let ends = cut.chains().flatten().map(|spot| spot.minus(from).dot(along));
+        let (least, most) = ends.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), at| (least.min(at), most.max(at)));
+        let depth = cut.area() / (most - least.max(0.0));
+        if depth.is_finite() && self.depths.get(&motion.tool).is_none_or(|known| known.0.0 < depth) {
+            self.depths.insert(motion.tool, (Mm(depth), motion.block));
+        }
+    }
+
     fn remember_pass(&mut self, motion: &Motion) {
         let (from, to) = (motion.path.from().spot(), motion.path.to().spot());
         for ((thread, deepest), full) in self.target.threads.iter().zip(&mut self.passes).zip(&mut self.full) {
@@ -266,7 +312,7 @@ fn gouges(target: &Target, keep: &Region, motion: &Motion, cuts: &[Convex]) -> V
     let pieces = local.made(&Region::pieces(cuts), Rule::Both);
     let gouge = |piece: Region| {
         let spots = samples(&piece, 16);
-        let nearest = target.nearest(&spots);
+        let nearest = target.nearest_cut(&spots);
         let deepest = nearest.iter().zip(&spots).max_by(|a, b| a.0.distance.total_cmp(&b.0.distance));
         let (near, &spot) = deepest.filter(|(near, _)| near.distance > TOLERANCE)?;
         let (surface, depth, at) = (target.surface(near.piece), Mm(near.distance), At::of(spot));

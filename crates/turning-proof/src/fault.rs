@@ -1,7 +1,7 @@
 //! Faults of a program, as types; each makes its own note.
 
 use crate::note::{Figure, Note};
-use crate::set_up::MotionKind;
+use crate::set_up::{MotionKind, Size};
 use crate::units::{At, Block, Mm};
 
 /// A fault, once for each surface, tool or body: its worst place, and how often.
@@ -86,6 +86,25 @@ pub enum Fault {
         from_z: Mm,
         /// Its end at the chuck.
         to_z: Mm,
+    },
+    /// A size is outside of its limits.
+    OffSize {
+        /// The surface; none if its piece has no name.
+        surface: Option<Figure>,
+        /// What was measured.
+        size: Size,
+        /// How large it is.
+        measured: Mm,
+        /// The least that is permitted.
+        least: Mm,
+        /// The most that is permitted.
+        most: Mm,
+        /// Whether metal is missing, so that nothing can mend it.
+        missing: bool,
+        /// Where it was measured, along the axis.
+        z: Mm,
+        /// The block that made it, if it is known.
+        block: Option<Block>,
     },
     /// An inner corner keeps the rounding of the nose that made it.
     Corner {
@@ -194,6 +213,10 @@ impl Fault {
             Self::Struck { .. } => "swept-struck",
             Self::OffAxis { .. } => "swept-off-axis",
             Self::Stands { .. } => "swept-stands",
+            Self::OffSize { size: Size::Diameter, missing: false, .. } => "swept-size-left",
+            Self::OffSize { size: Size::Diameter, missing: true, .. } => "swept-size-lost",
+            Self::OffSize { missing: false, .. } => "swept-length-left",
+            Self::OffSize { missing: true, .. } => "swept-length-lost",
             Self::Corner { .. } => "swept-corner",
             Self::ThreadShallow { .. } => "swept-thread-shallow",
             Self::ThreadPart { .. } => "swept-thread-part",
@@ -217,6 +240,7 @@ impl Fault {
             | Self::TapOutOfStep { block, .. }
             | Self::ThreadLead { block, .. }
             | Self::TapHoleWide { block, .. } => Some(*block),
+            Self::OffSize { block, .. } => *block,
             Self::Stands { .. }
             | Self::Corner { .. }
             | Self::ThreadShallow { .. }
@@ -263,6 +287,10 @@ impl Fault {
             Self::OffAxis { tool, at, count, .. } => placed(at).with("tool", tool).with("count", count),
             Self::Stands { surface, thickness, at, from_z, to_z } => {
                 of_surface(placed(at), surface).with("thickness", thickness).with("from", from_z).with("to", to_z)
+            }
+            Self::OffSize { surface, measured, least, most, z, .. } => {
+                let note = of_surface(Note::new(code).with("z", z), surface).with("measured", measured);
+                note.with("least", least).with("most", most)
             }
             Self::Corner { surface, radius, left, at, count } => {
                 of_surface(placed(at), surface).with("radius", radius).with("left", left).with("count", count)
@@ -350,7 +378,11 @@ impl Fault {
             | Self::TapHoleWide { count, .. }
             | Self::ThreadLead { count, .. }
             | Self::Corner { count, .. } => *count,
-            Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } | Self::ThreadPart { .. } => 1,
+            Self::Stands { .. }
+            | Self::OffSize { .. }
+            | Self::ThreadShallow { .. }
+            | Self::ThreadShort { .. }
+            | Self::ThreadPart { .. } => 1,
         }
     }
 
@@ -366,9 +398,11 @@ impl Fault {
             | Self::TapHoleWide { count, .. }
             | Self::ThreadLead { count, .. }
             | Self::Corner { count, .. } => Some(count),
-            Self::Stands { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } | Self::ThreadPart { .. } => {
-                None
-            }
+            Self::Stands { .. }
+            | Self::OffSize { .. }
+            | Self::ThreadShallow { .. }
+            | Self::ThreadShort { .. }
+            | Self::ThreadPart { .. } => None,
         }
     }
 }
@@ -382,6 +416,11 @@ impl Faults {
         if !self.0.iter_mut().any(|known| known.take(&fault)) {
             self.0.push(fault);
         }
+    }
+
+    /// Leaves out the faults that are told by another one.
+    pub fn without(&mut self, told: impl Fn(&Fault) -> bool) {
+        self.0.retain(|fault| !told(fault));
     }
 
     pub fn all(self) -> Vec<Fault> {

@@ -52,9 +52,9 @@ pub fn hold(carried: &mut Carried<'_>) {
 /// The points that belong to this set-up and are farther from the contour than the tolerance of findings.
 fn left(carried: &Carried<'_>, spots: &[Vector]) -> Vec<Left> {
     let target = &carried.target;
-    let nearest = target.nearest(spots);
+    let nearest = target.nearest_left(spots);
     let all = spots.iter().zip(nearest).map(|(&spot, near)| Left { spot, near, thickness: near.distance });
-    all.filter(|left| left.thickness > TOLERANCE && !target.is_elsewhere(left.spot, left.thickness)).collect()
+    all.filter(|left| left.thickness > TOLERANCE && !target.is_elsewhere(left.spot, left.near.drawn)).collect()
 }
 
 /// The part and the area that no nose circle could reach beside it: grown by the nose and shrunk by it.

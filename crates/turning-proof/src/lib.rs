@@ -8,6 +8,7 @@
 //! - `plane` has the geometry: convex pieces, what they sweep, regions on a grid;
 //! - `target` is the finished part with its allowances; `carry` simulates the motions, `left` examines the remaining
 //!   metal;
+//! - `sizes` measures diameters and lengths with limits;
 //! - `fault` has all faults, as types.
 //!
 //! Approximations, and their direction:
@@ -17,6 +18,7 @@
 //! - A tool beyond the axis cuts on this side of it, because the part turns.
 //! - The cut of a motion counts as removed for the holder from the beginning of that motion.
 //! - A tap removes nothing from the stock: its core must find the hole free, and behind its lead the thread is full.
+//! - A size with limits is measured away from the ends of its surface, where noses leave their roundings.
 //! - Passes of a thread leave the crests: they are compared with its root, and remove nothing from the stock.
 //! - An insert is a triangle of its nose and both edges, a holder the hull of a shank or bar and the ends of the
 //!   edges.
@@ -30,6 +32,7 @@ mod left;
 mod plane;
 mod refused;
 mod set_up;
+mod sizes;
 mod stock;
 mod taps;
 mod target;
@@ -42,7 +45,7 @@ use technolog_note as note;
 
 pub use fault::Fault;
 pub use refused::Refused;
-pub use set_up::{Body, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, TapLimits, Thread};
+pub use set_up::{Body, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size, TapLimits, Thread};
 pub use stock::Stock;
 pub use tool::{Cutter, Hand, Holder, Side, Tool};
 pub use units::{At, Block, CubicMm, Degrees, Mm};
@@ -70,6 +73,8 @@ pub struct Proof {
     pub left: Stock,
     /// The volumes.
     pub volumes: Volumes,
+    /// The deepest straight cut of each insert, by the index of its tool, and its block.
+    pub depths: std::collections::BTreeMap<usize, (Mm, Block)>,
 }
 
 /// Simulates the stock of a set-up through its motions.
@@ -80,6 +85,7 @@ pub fn prove(set_up: &SetUp) -> Result<Proof, Refused> {
     refused::check(set_up)?;
     let mut carried = carry::Carried::through(set_up);
     left::hold(&mut carried);
+    sizes::hold(&mut carried);
     let stretch = carried.target.stretch();
     let volume = |region: &plane::Region| region.within(stretch).turned_volume();
     let (before, left) = (volume(&set_up.stock.0), volume(&carried.stock.0));
@@ -90,5 +96,5 @@ pub fn prove(set_up: &SetUp) -> Result<Proof, Refused> {
         removed: CubicMm(before - left),
         to_remove: CubicMm(before - part),
     };
-    Ok(Proof { faults: carried.faults.all(), left: carried.stock, volumes })
+    Ok(Proof { faults: carried.faults.all(), left: carried.stock, volumes, depths: carried.depths })
 }

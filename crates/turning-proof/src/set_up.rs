@@ -112,6 +112,59 @@ pub struct TapLimits {
     pub run_out: Mm,
 }
 
+/// The limits of a size, between which its cylinder or face is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// What is measured.
+    pub size: Size,
+    /// The least size.
+    pub least: Mm,
+    /// The largest size.
+    pub most: Mm,
+}
+
+/// A size that has limits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Size {
+    /// The diameter of a cylinder.
+    Diameter,
+    /// The distance of a face from a Z, towards the chuck or away from it.
+    Length {
+        /// That Z.
+        from: Mm,
+        /// Whether it is measured towards the chuck.
+        to_chuck: bool,
+    },
+}
+
+impl Limits {
+    /// Where a size lies: a radius, or a Z, mm.
+    pub(crate) fn place(&self, size: f64) -> f64 {
+        match self.size {
+            Size::Diameter => size / 2.0,
+            Size::Length { from, to_chuck: true } => from.0 - size,
+            Size::Length { from, to_chuck: false } => from.0 + size,
+        }
+    }
+
+    /// The size of something that lies there.
+    pub(crate) fn size(&self, place: f64) -> f64 {
+        match self.size {
+            Size::Diameter => 2.0 * place,
+            Size::Length { from, to_chuck: true } => from.0 - place,
+            Size::Length { from, to_chuck: false } => place - from.0,
+        }
+    }
+
+    /// The coordinate that it is of.
+    pub(crate) const fn of(&self, spot: Vector) -> f64 {
+        match self.size {
+            Size::Diameter => spot.r,
+            Size::Length { .. } => spot.z,
+        }
+    }
+}
+
 /// A piece of the finished part's contour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProfilePiece {
@@ -123,12 +176,14 @@ pub struct ProfilePiece {
     pub allowance: Mm,
     /// The thread on it, if it is a cylinder with one.
     pub thread: Option<Thread>,
+    /// The limits of its size, if it is a cylinder or a face with some; without them it is held to what is drawn.
+    pub limits: Option<Limits>,
 }
 
 impl ProfilePiece {
     /// A piece without allowance and thread.
     pub const fn new(path: Piece, surface: Option<Figure>) -> Self {
-        Self { path, surface, allowance: Mm(0.0), thread: None }
+        Self { path, surface, allowance: Mm(0.0), thread: None, limits: None }
     }
 }
 

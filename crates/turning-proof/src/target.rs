@@ -29,8 +29,10 @@ struct OutlineEdge {
 pub struct Nearest {
     /// The index of its piece.
     pub piece: usize,
-    /// The distance, mm.
+    /// The distance, mm; of a piece with limits from the limit that is asked for.
     pub distance: f64,
+    /// The distance from what is drawn, mm.
+    pub drawn: f64,
     /// Whether it is measured along the normal, not around an outer corner.
     pub square: bool,
 }
@@ -61,6 +63,7 @@ pub struct Target {
     pub threads: Vec<Threaded>,
     edges: Vec<OutlineEdge>,
     surfaces: Vec<Option<Figure>>,
+    bands: Vec<Band>,
     /// Lines behind which the metal belongs to another set-up.
     open: Vec<[Vector; 2]>,
     /// The straight extension of the shorter of outside and bore, along which the set-up makes nothing.
@@ -73,6 +76,24 @@ struct Chain {
     /// +1 if the metal is to the left of the chain.
     outwards: f64,
     moved: f64,
+    band: Band,
+}
+
+/// How far from a piece its limits lie, mm: towards less metal and towards more.
+#[derive(Clone, Copy, Debug, Default)]
+struct Band {
+    less: f64,
+    more: f64,
+}
+
+impl Band {
+    fn of(piece: &ProfilePiece, outwards: f64) -> Self {
+        let Some(limits) = piece.limits else { return Self::default() };
+        let (from, to) = (piece.path.from().spot(), piece.path.to().spot());
+        let out = limits.of(normal(from, to, outwards));
+        let [one, other] = [limits.least, limits.most].map(|size| (limits.place(size.0) - limits.of(from)) * out);
+        Self { less: (-one.min(other)).max(0.0), more: one.max(other).max(0.0) }
+    }
 }
 
 impl Chain {
@@ -81,12 +102,24 @@ impl Chain {
         let drawn = spots[0];
         let normal = normal(drawn, spots[1], outwards);
         let sunk = piece.thread.map_or(0.0, |thread| (thread.crest.0 - drawn.r) * normal.r);
-        Self { spots, outwards, moved: piece.allowance.0 + sunk }
+        Self { spots, outwards, moved: piece.allowance.0 + sunk, band: Band::of(piece, outwards) }
     }
 
     fn pairs(&self) -> impl Iterator<Item = (Vector, Vector, Vector)> {
         let by = move |a: Vector, b: Vector| normal(a, b, self.outwards).times(self.moved);
         self.spots.windows(2).map(move |pair| (pair[0], pair[1], by(pair[0], pair[1])))
+    }
+
+    /// The strip between a piece and one of its limits, which lies so far towards more metal. It is longer than the piece, so that a
+    /// slope beside it may go on to the limit.
+    fn strip(&self, by: f64) -> Option<Convex> {
+        /// The cotangent of 15°, and a little more.
+        const SLOPE: f64 = 4.0;
+        let (&from, &to) = (self.spots.first()?, self.spots.last()?);
+        let on = to.minus(from).unit().times(SLOPE * by.abs());
+        let across = normal(from, to, self.outwards).times(by);
+        let (from, to) = (from.minus(on), to.plus(on));
+        (by != 0.0).then(|| Convex::hull([from, to, from.plus(across), to.plus(across)])).flatten()
     }
 
     /// The bands between the chords and their offsets, with the gaps between chords of an arc.
@@ -154,7 +187,12 @@ impl Target {
         let part = between(&outer, &bore).made(&sunk, Rule::Without).made(&stays, Rule::Either);
         let corners = chains.iter().flat_map(|chain| chain.windows(2).filter_map(corner));
         let corners: Vec<Convex> = corners.chain(walls.into_iter().flatten()).collect();
+        let strips = |by: fn(Band) -> f64| -> Vec<Convex> {
+            chains.iter().flatten().filter_map(|chain| chain.strip(by(chain.band))).collect()
+        };
         let may_stay = part.made(&Region::pieces(&corners), Rule::Either);
+        let may_stay = may_stay.made(&Region::pieces(&strips(|band| band.more)), Rule::Either);
+        let part = part.made(&Region::pieces(&strips(|band| -band.less)), Rule::Without);
 
         let threads = threads(profile);
         // Where a chamfer is drawn up to the nominal diameter its crest ends on that of the thread.
@@ -168,15 +206,34 @@ impl Target {
         });
         let edges = edges.collect();
         let surfaces = profile.outside.iter().chain(&profile.bore).map(|piece| piece.surface.clone()).collect();
-        Self { keep, keep_thread, may_stay, threads, edges, surfaces, open, extended }
+        let bands = chains.iter().flatten().map(|chain| chain.band).collect();
+        Self { keep, keep_thread, may_stay, threads, edges, surfaces, bands, open, extended }
     }
 
     pub fn surface(&self, piece: usize) -> Option<Figure> {
         self.surfaces.get(piece).cloned().flatten()
     }
 
+    /// The nearest edge to each of some points that are cut; of a piece with limits, that of the least metal.
+    pub fn nearest_cut(&self, spots: &[Vector]) -> Vec<Nearest> {
+        self.beyond(spots, |band| band.less)
+    }
+
+    /// The nearest edge to each of some points that are left; of a piece with limits, that of the most metal.
+    pub fn nearest_left(&self, spots: &[Vector]) -> Vec<Nearest> {
+        self.beyond(spots, |band| band.more)
+    }
+
+    fn beyond(&self, spots: &[Vector], by: fn(Band) -> f64) -> Vec<Nearest> {
+        let mut nearest = self.nearest(spots);
+        for near in &mut nearest {
+            near.distance = (near.distance - self.bands.get(near.piece).map_or(0.0, |band| by(*band))).max(0.0);
+        }
+        nearest
+    }
+
     /// The nearest edge to each of some points.
-    pub fn nearest(&self, spots: &[Vector]) -> Vec<Nearest> {
+    fn nearest(&self, spots: &[Vector]) -> Vec<Nearest> {
         // An edge is nearly always close by; only if none is, all of them are searched.
         const CLOSE: f64 = 0.1;
         let window = Window::around(spots.iter().copied()).grown(CLOSE);
@@ -215,11 +272,11 @@ impl Nearest {
     fn of(edges: &[OutlineEdge], spot: Vector) -> Self {
         let each = edges.iter().map(|edge| (spot.distance(edge.from, edge.to), edge));
         let Some((distance, edge)) = each.min_by(|a, b| a.0.total_cmp(&b.0)) else {
-            return Self { piece: 0, distance: f64::INFINITY, square: false };
+            return Self { piece: 0, distance: f64::INFINITY, drawn: f64::INFINITY, square: false };
         };
         let along = edge.to.minus(edge.from).unit();
         let across = along.cross(spot.minus(edge.from)).abs();
-        Self { piece: edge.piece, distance, square: across >= 0.99 * distance }
+        Self { piece: edge.piece, distance, drawn: distance, square: across >= 0.99 * distance }
     }
 }
 

@@ -23,6 +23,7 @@ mod plan_figures;
 mod practice;
 mod proof;
 mod published;
+mod red_pencil;
 mod route_laws;
 mod schools;
 mod torque;

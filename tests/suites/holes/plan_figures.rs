@@ -403,3 +403,63 @@ fn figures_that_an_inspector_struck_out() {
     assert!(made("steel-20", "12H7", Operation::RoughReam).speed_m_per_min.0 >= 10.7);
     assert!(made("БрО5Ц5С5", "15H8", Operation::Drill).speed_m_per_min.0 <= 30.5);
 }
+
+/// Statics by hand: hole A turns the part about a clamp with k·M, 2.5 times its torque; friction at the other, 0.25 +
+/// 0.15 of the 4082 N of an M10, holds 1633 N times their distance, nothing under a single clamp, 3.3 N·m at 2 mm.
+#[test]
+fn clamps_that_cannot_hold_a_part_are_told() {
+    let told = |clamps: &str| {
+        let text = format!(
+            "part: P\nmaterial: 40Х\nmachine: gf2171\nblank: {{kind: plate, length: 200, width: 150, thickness: 40}}\n\
+             fixture: {{clamps: {clamps}}}\nholes:\n  - {{name: A, diameter: 10H12, through: true, roughness: Ra 12.5, \
+             centre_tolerance: 0.5, at: [[0, 0]]}}\n"
+        );
+        let plan = planned(&read(&text), CuttingMethod::Formula);
+        let codes = ["clamps-overlap", "one-clamp-turns", "clamps-turn", "clamps-tip", "clamps-one-side"];
+        let found = plan.findings.iter().filter(|finding| codes.contains(&finding.note.code()));
+        let found = found.map(|finding| {
+            let figure = |name| finding.note.figure_text(name).and_then(|text| text.parse::<f64>().ok());
+            if let (Some(moment), Some(holds), Some(clamping)) = (figure("moment"), figure("holds"), &plan.clamping) {
+                assert!((moment - 2.5 * clamping.torque_n_m.0).abs() < 0.1 && holds < moment, "{:?}", finding.note);
+            }
+            (finding.note.code().to_owned(), finding.severity)
+        });
+        found.collect::<Vec<_>>()
+    };
+    let (error, doubt) = (Severity::Error, Severity::Doubtful);
+    let is =
+        |codes: &[(&str, Severity)]| codes.iter().map(|(code, how)| ((*code).to_owned(), *how)).collect::<Vec<_>>();
+    assert_eq!(told("[{at: [-80, 0]}]"), is(&[("one-clamp-turns", error), ("clamps-one-side", doubt)]));
+    let near = "[{at: [-80, 0]}, {at: [-78, 0]}]";
+    assert_eq!(told(near), is(&[("clamps-overlap", error), ("clamps-turn", error), ("clamps-one-side", doubt)]));
+    assert_eq!(told("[{at: [-80, -50]}, {at: [-80, 50]}]"), is(&[("clamps-one-side", doubt)]));
+    assert_eq!(told("[{at: [-80, 0]}, {at: [80, 0]}]"), []);
+    assert_eq!(told("[{at: [-80, 10]}, {at: [80, 10]}]"), []);
+}
+
+/// Kmp of the handbook by hand: bronze above HB 140 has 0.75 and below 1, duralumin of 220 MPa has 1.5 where Д16 has
+/// 2.75; stainless steel has forces of one state only, which the plan says, as doubtful of harder metal.
+#[test]
+fn forces_follow_the_stated_state_or_the_plan_says_not() {
+    let found = |material: &str| {
+        let text = format!(
+            "part: P\nmaterial: {material}\nmachine: gf2171\nblank: {{kind: plate, length: 200, width: 150, thickness: 30}}\n\
+             holes:\n  - {{name: A, diameter: 8H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]]}}\n"
+        );
+        let plan = planned(&read(&text), CuttingMethod::Formula);
+        let drilled = plan.holes[0].transitions.iter().find(|one| one.operation == Operation::Drill).unwrap();
+        let (thrust, feed) = (drilled.conditions.axial_force_n.unwrap().0, drilled.conditions.feed_mm_per_rev.0);
+        let told = plan.findings.iter().find(|finding| finding.note.code().ends_with("-no-force"));
+        (thrust, feed, told.map(|finding| finding.severity))
+    };
+    let ratio = |stated: &str, grade: &str| {
+        let ((thrust, feed, told), (own, own_feed, _)) = (found(stated), found(grade));
+        assert_eq!((feed.to_bits(), told), (own_feed.to_bits(), None), "{stated}");
+        thrust / own
+    };
+    assert!((ratio("{grade: БрАЖ9-4, hardness: 110}", "БрАЖ9-4") - 1.0 / 0.75).abs() < 0.01);
+    assert!((ratio("{grade: Д16, strength: 220}", "Д16") - 1.5 / 2.75).abs() < 0.01);
+    assert_eq!(found("{grade: 12Х18Н10Т, hardness: 240}").2, Some(Severity::Doubtful));
+    assert_eq!(found("{grade: 12Х18Н10Т, hardness: 150}").2, Some(Severity::Note));
+    assert_eq!(found("{grade: Сталь 45, hardness: 240}").2, None);
+}

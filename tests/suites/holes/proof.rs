@@ -326,3 +326,38 @@ fn what_the_blank_does_not_hold_is_doubtful() {
     assert_eq!(found("steel-45", "3", wide), [springs]);
     assert_eq!(found("steel-45", "30", wide), []);
 }
+
+/// Ø20H8 cast to 15 is bored to 16.5 first: 0.75 mm a side, of which a core's radius and place may take 0.19 + 0.76 mm,
+/// so that nothing is left of the 0.13 of the skin. Cast to 12 it is bored deeper, and nothing is said.
+#[test]
+fn the_first_cut_in_a_cast_hole_gets_under_its_skin() {
+    use technolog::note::{Figure, Note};
+    let found = |cast: &str| {
+        let text = format!(
+            "part: P\nmaterial: СЧ20\nmachine: gf2171\nblank: {{kind: plate, length: 200, width: 150, thickness: 40}}\n\
+             holes:\n  - {{name: A, diameter: 20H8, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, state: cast, \
+             state_diameter: {cast}, at: [[0, 0]]}}\n"
+        );
+        let plan = planned(&read(&text), CuttingMethod::Formula);
+        assert!(!plan.has_errors(), "{:?}", plan.findings);
+        let found = plan.findings.into_iter().filter(|finding| finding.note.code() == "proof-under-skin");
+        found.map(|finding| (finding.severity, finding.note)).collect::<Vec<_>>()
+    };
+    let skin = Note::new("proof-under-skin").with("operation", Figure::operation("rough-bore"));
+    let skin = skin.with("depth", mm(0.75)).with("place", mm(0.95)).with("thinnest", mm(0.0)).with("least", mm(0.13));
+    assert_eq!(found("15"), [(Severity::Doubtful, skin)]);
+    assert_eq!(found("12"), []);
+}
+
+/// The position of a reamed Ø10 is ordinarily 0.07 mm and at best 0.04: one shortfall, told once and as doubtful, not a
+/// second time as wrong.
+#[test]
+fn a_shortfall_is_told_once() {
+    let text = "part: P\nmaterial: 40Х\nmachine: gf2171\nblank: {kind: plate, length: 200, width: 150, thickness: 40}\n\
+                holes:\n  - {name: A, diameter: 10H12, through: true, roughness: Ra 2.5, centre_tolerance: 0.05, \
+                at: [[0, 0]]}\n";
+    let plan = planned(&read(text), CuttingMethod::Formula);
+    let told = plan.findings.iter().map(|finding| (finding.note.code(), finding.severity));
+    let told: Vec<_> = told.filter(|(code, _)| ["misses-position", "proof-position-at-best"].contains(code)).collect();
+    assert_eq!(told, [("proof-position-at-best", Severity::Doubtful)]);
+}

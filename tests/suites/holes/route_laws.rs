@@ -121,7 +121,8 @@ fn a_hole_without_a_route_says_what_is_missing() {
         };
         // A route that does not hold what is asked, or ends on another machine, is told of.
         let has_finding = |code: &str| plan.findings.iter().any(|finding| finding.note.code().starts_with(code));
-        assert!(route.meets || has_finding("misses-"), "{keys}: {:?}", plan.findings);
+        let told = has_finding("misses-") || has_finding("proof-grade") || has_finding("proof-surface");
+        assert!(route.meets || told || has_finding("proof-position"), "{keys}: {:?}", plan.findings);
         assert!(!route.finish_elsewhere || has_finding("finish-elsewhere"), "{keys}: {:?}", plan.findings);
         planned += 1;
     }

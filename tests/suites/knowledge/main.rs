@@ -9,6 +9,7 @@
 )]
 
 mod commands;
+mod fields;
 mod index;
 mod readings;
 mod remarks;

@@ -24,10 +24,10 @@ fn wrong(operation: &Operation) -> Vec<&str> {
 
 /// A spool with a neck between two collars, a stud, a flanged bushing, a shaft with a collar in the middle between centres, a flange,
 /// axles with grooves for retaining rings, the first example of the book, a waist before a wall whose other side is turned
-/// in the second set-up, a rounding at the end of the second set-up.
+/// in the second set-up, a rounding at the end of the second set-up, a belt pulley.
 #[test]
 fn everyday_parts_are_made_whole() {
-    for name in ["spool", "bolt", "bushing", "shaft", "flange", "axle", "circlip", "stud", "capfa", "waist", "rounded"]
+    for name in ["spool", "bolt", "bushing", "shaft", "flange", "axle", "circlip", "stud", "capfa", "waist", "rounded", "pulley"]
     {
         let operation = planned(name);
         assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
@@ -98,6 +98,23 @@ fn what_the_blank_has_already_is_not_turned() {
     let cuts = along.flat_map(|job| job.path.pieces().collect::<Vec<_>>());
     let flat = cuts.filter(|(piece, purpose)| *purpose != Purpose::Rapid && piece.is_cylinder());
     assert_eq!(flat.filter(|(piece, _)| piece.from.radius == Half::from(20.0)).count(), 0);
+}
+
+/// Chamfers at both ends of outside and bore, written as `chamfer` or as points; the bore is drilled and bored through in the first
+/// set-up, and the second cuts nothing but its chamfer, without a drill. A taper before a cylinder is bored. Before a hole of Ø16 no
+/// bar enters the taper, which is told as that, and not looked for among countersinks.
+#[test]
+fn both_ends_of_a_bore_are_broken() {
+    for name in ["bore-chamfers", "bore-chamfers-small", "taper-bore"] {
+        let operation = planned(name);
+        assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
+        let second = operation.set_ups[1].jobs.iter().filter(|job| job.side == Side::Inner);
+        let works: Vec<Work> = second.map(|job| job.work).collect();
+        assert!(works.iter().all(|work| matches!(work, Work::Rough | Work::Finish)), "{name}: {works:?}");
+        assert_eq!(works.is_empty(), name == "taper-bore", "{name}");
+    }
+    let narrow = planned("taper-before-ream");
+    assert_eq!(wrong(&narrow), ["no-bar-for-bore", "surface-not-finished"], "{:?}", narrow.findings);
 }
 
 /// The cup has one cylinder and 9 mm of bar behind it: nothing holds it. What can be cut is made whole. Turned over, the plug has

@@ -1,6 +1,7 @@
 //! Parts between centres: the centre and its quill as bodies, and programs that pass them.
 
 use technolog::note::Severity;
+use technolog::turning::length::Half;
 use technolog::turning::operation::Operation;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
@@ -70,4 +71,30 @@ fn programs_between_centres_leave_by_x_and_come_by_z() {
             assert!(first.starts_with("G0 Z") && second.starts_with('X'), "{first} {second}");
         }
     }
+}
+
+/// A shaft 340 mm out of the jaws: by hand Ø40 bends in the chuck by F·L³/(3·E·I), at a centre by 0.00981·F·L³/(E·I), 34 times less:
+/// what the chuck alone refuses is turned. The face at the centre is made before, no tool comes to the axis, both bodies are in the
+/// proof, the bar is not parted off between them, and turned over the part has no centre before the face that is cut.
+#[test]
+fn a_long_shaft_is_held_in_the_chuck_and_at_a_centre() {
+    let path = format!("{}/tests/everyday/long-shaft.yaml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap();
+    let of = |text: &str| planned(&read_turned(&path, text, &KNOWLEDGE).unwrap().into_workpiece());
+    let codes = |operation: &Operation| {
+        let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+        wrong.map(|finding| finding.note.code().to_owned()).collect::<Vec<_>>()
+    };
+    let operation = of(&text);
+    assert_eq!(codes(&operation), [""; 0], "{:?}", operation.findings);
+    let [first, second] = operation.set_ups.as_slice() else { panic!() };
+    assert!(first.tailstock.is_some() && first.jaws.is_some_and(|jaws| jaws.body.is_some()));
+    assert!(second.tailstock.is_none() && second.jaws.is_some() && first.parted_mm.is_none());
+    let nearest = first.jobs.iter().flat_map(|job| &job.path.moves).map(|one| one.to.radius).min().unwrap();
+    assert!(nearest > Half::from(10.0), "{nearest}");
+    let alone = of(&text.replace("chuck-and-centre", "chuck"));
+    assert!(codes(&alone).contains(&"bounds-exceeded".to_owned()), "{:?}", codes(&alone));
+    let bored = text.replace("{from: {d: 0, z: 0}}", "{from: {d: 22, z: 0}}")
+        + "inner:\n  - {from: {d: 22, z: 0}}\n  - {cylinder: -40}\n  - {face: 0}\n";
+    assert!(codes(&of(&bored)).contains(&"bore-behind-centre".to_owned()));
 }

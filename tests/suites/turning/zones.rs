@@ -256,6 +256,7 @@ fn profile(side: Side, start: (f64, f64), items: &[(SurfaceKind, f64, f64)]) -> 
             pieces,
             grade: None,
             field: None,
+            limits: None,
             roughness: None,
             stated_allowance: None,
         });
@@ -486,6 +487,7 @@ proptest! {
                 pieces: vec![*piece],
                 grade: None,
                 field: None,
+            limits: None,
                 roughness: None,
                 stated_allowance: None,
             }).collect(),

@@ -99,9 +99,10 @@ fn need<'a>(
         if context.stated.is_own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
     let plain = row.step.is_none() && hole.steps.is_empty();
     let reach = if required && plain { tips.tip_depth(context, at) } else { None };
+    let enters = length(Q::From).unwrap_or_default();
     let cone = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));
     CutterNeed {
-        enters: length(Q::From).unwrap_or_default(),
+        enters,
         reach: reach.unwrap_or_default(),
         through: hole.through,
         thread: hole.thread_at(row.step).map(|thread| thread.id.as_str()),
@@ -111,7 +112,14 @@ fn need<'a>(
             _ => None,
         },
         clearance: Micrometres::ZERO,
-        grind_limit: context.shop.convention(HoleDefault::CutterGrindLimit).unwrap_or_default(),
+        plunges: (operation == Operation::Mill && !row.opens_main_cylinder()).then(|| over_hole(context, enters)),
+        grind_limit: context.shop.grind_limit(diameter).unwrap_or_default(),
         ..CutterNeed::plain(operation, diameter)
     }
+}
+
+/// The widest mill that may cut its way down over a hole of that diameter: its middle, which has no teeth, must lie over the hole.
+fn over_hole(context: &Context<'_>, hole: Micrometres) -> Micrometres {
+    let core = context.shop.share(HoleDefault::MillCoreShare).unwrap_or(1.0);
+    Micrometres::from_mm_rounded(hole.to_mm() / core)
 }

@@ -1,7 +1,8 @@
 //! The proof of plans, applied to a plan by hand as far as its figures are complete enough.
 //!
 //! A fault by figures of practice is doubtful: the author may know a better drill. What is impossible by geometry,
-//! such as a tool wider than the hole, is wrong. Faults that other checks report with their place are left to those
+//! such as a tool wider than the hole, is wrong. A requirement that the last transition reaches only at best, or not at
+//! all, is judged as in a plan of ours. Faults that other checks report with their place are left to those
 //! checks.
 
 use technolog_proof::Fault;
@@ -31,7 +32,6 @@ pub(super) fn check<'a>(
                 Fault::NoStock { .. }
                 | Fault::TooMuch { .. }
                 | Fault::TooWide { .. }
-                | Fault::Wanting { .. }
                 | Fault::Overload { .. }
                 | Fault::TooFast { .. }
                 | Fault::TooHard { .. }
@@ -41,6 +41,7 @@ pub(super) fn check<'a>(
                 | Fault::ThinFloor { .. }
                 | Fault::MeetsFloor { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,
+                Fault::Wanting { .. } | Fault::UnderSkin { .. } => fault.severity(),
                 Fault::Enters { .. } | Fault::TapHole { .. } => Severity::Wrong,
                 // The blank is the drawing's, not the plan's: `prove_hole` leaves it out.
                 Fault::WallBetween { .. }
@@ -53,8 +54,10 @@ pub(super) fn check<'a>(
                 | Fault::BreaksThrough { .. }
                 | Fault::Floor { .. } => continue,
             };
-            // Whether a limit reached only at best is really reached, the author must know.
-            if fault.severity() == Severity::Doubtful {
+            // What our own plans only doubt, the author may know better.
+            if fault.severity() == Severity::Doubtful
+                && !matches!(fault, Fault::Wanting { .. } | Fault::UnderSkin { .. })
+            {
                 continue;
             }
             let place = context.stated.rows_of_hole(&hole.name).next().map(|(_, row)| row.place.clone());

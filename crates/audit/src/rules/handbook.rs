@@ -148,6 +148,7 @@ fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> 
         it: None,
         pitch: None,
         cutter: None,
+        plunges: false,
     }))
 }
 

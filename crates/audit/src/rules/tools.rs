@@ -3,7 +3,6 @@
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
-use crate::tables::holes::HoleDefault;
 use crate::tables::tools::CutterRow;
 use crate::tooling::named;
 use crate::units::Micrometres;
@@ -105,7 +104,6 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
 
 /// Another size than that of the catalog is right where the tool is ground down to the size of its row.
 fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judge<'a> {
-    let limit = context.shop.convention(HoleDefault::CutterGrindLimit).unwrap_or_default();
     Box::new(move |value, _| {
         let stated = Micrometres::from_mm_rounded(value);
         if stated == catalog {
@@ -113,6 +111,7 @@ fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judg
         }
         let mut rows = context.stated.rows_of_tool(tool);
         let made = rows.any(|(_, row)| row.figures.get(&Q::Diameter).is_some_and(|figure| figure.value == value));
+        let limit = context.shop.grind_limit(stated).unwrap_or_default();
         let grindable = made && stated < catalog && catalog - stated <= limit;
         let note = Note::new("audit-ground").with("own", catalog).with("size", stated);
         Some(if grindable { (Severity::Note, note) } else { (Severity::Wrong, Note::new("audit-figure")) })

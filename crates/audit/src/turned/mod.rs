@@ -73,7 +73,7 @@ pub fn compare_with_part(
     });
     let found: Vec<Fault> = found.collect();
     faults.extend(exchanges(operation, work, text, run, &tools));
-    faults.extend(pace::paced(operation, work, run, &tools, knowledge)?);
+    faults.extend(pace::paced(operation, work, run, &tools, &proof.depths, knowledge)?);
     faults.extend(of_plan(operation, set_up, found.iter().any(is_serious), end));
     faults.extend(found);
     let note = Note::new(HELD).with("number", set_up).with("of", operation.set_ups.len());
@@ -123,7 +123,8 @@ pub fn read_back(
         Ok(compared) => {
             let (work, tools) = (compared.work, &compared.tools);
             let mut faults = exchanges(operation, work, &main.text, &run, tools);
-            faults.extend(pace::paced(operation, work, &run, tools, knowledge)?);
+            let depths = compared.proven.proof.as_ref().map(|proof| proof.depths.clone()).unwrap_or_default();
+            faults.extend(pace::paced(operation, work, &run, tools, &depths, knowledge)?);
             if let Some(id) = &operation.workpiece.machine {
                 faults.extend(against_lathe(&run, &Lathe::find(knowledge, id)?)?);
             }

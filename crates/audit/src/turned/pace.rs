@@ -1,5 +1,6 @@
 //! Whether the tools of a lathe program cut as they are meant to: which way the spindle turns, how fast, at what feed, with what power.
 
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use crate::error::{KnowledgeError, Refusal};
@@ -17,11 +18,13 @@ use crate::turning::contour::Side;
 use crate::turning::jobs::{Body, Job, Work};
 use crate::turning::length::Half;
 use crate::turning::operation::{Operation, SetUpWork};
-use crate::turning::tooling::{Hand, Lathe, ToolKind};
+use crate::turning::cutting::deepest_edge;
+use crate::turning::tooling::{Hand, Lathe, ToolKind, TurningTool};
 use crate::units::{Micrometres, round_to};
 use technolog_core::material::Material;
 use technolog_core::practice_speed::PracticeSpeed;
 use technolog_cutting::figures::{self, Asking};
+use technolog_turning_proof::{Block, Mm};
 
 use super::calls::CalledTool;
 use super::fault;
@@ -37,6 +40,7 @@ pub(super) fn paced(
     work: &SetUpWork,
     run: &LatheRun,
     tools: &[CalledTool],
+    depths: &BTreeMap<usize, (Mm, Block)>,
     knowledge: &Knowledge,
 ) -> Result<Vec<Fault>, KnowledgeError> {
     let part = &operation.workpiece;
@@ -104,6 +108,15 @@ pub(super) fn paced(
         {
             let note = Note::new("turned-feed").with("feed", round_to(used, 3)).with("planned", round_to(planned, 3));
             tell("turned-feed", severity, line, note);
+        }
+        // The tool of the plan, by name: one that a remark does not name may be another.
+        let edge = TurningTool::find(knowledge, &job.tool.designation)?;
+        let edge = edge.map(|tool| deepest_edge(&tool, knowledge)).transpose()?.flatten();
+        if let (Some(most), Some((depth, block))) = (edge, depths.get(&tool.job))
+            && let Some(severity) = judged(PaceFigure::Depth, depth.0 / most.to_mm())?
+        {
+            let note = Note::new("turned-depth").with("depth", round_to(depth.0, 1)).with("most", round_to(most.to_mm(), 1));
+            tell("turned-depth", severity, u32::try_from(block.0).unwrap_or(u32::MAX), note);
         }
         // N ~ V·f^y at the depth of the plan.
         let load = |motion: &LatheMotion| {

@@ -19,6 +19,7 @@ mod read_steps;
 mod standing;
 pub mod stated;
 mod thread;
+mod deviations;
 mod tolerance;
 
 use schemars::JsonSchema;
@@ -31,6 +32,7 @@ pub use crate::tables::rules::Entry;
 pub use file::schema;
 pub use read::{read_part, read_part_node};
 pub use standing::{Outline, Standing};
+pub use deviations::Deviations;
 pub use tolerance::{ToleratedDiameter, tolerance_width};
 
 /// A part with holes, as its drawing gives it.

@@ -4,7 +4,7 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::yaml::{Node, NodeKind, Problems};
 use crate::material::{self, MaterialState};
 use crate::tables::materials::DeliveryState;
-use crate::units::Decimal;
+use crate::units::{Decimal, round_to};
 use technolog_note::note;
 
 use super::file::StatedMaterial;
@@ -59,9 +59,45 @@ pub fn state(
             ),
         };
     }
+    let of_strength = strength;
     let hardness = hardness.and_then(|node| figure(node, STATE_HARDNESS_HB, problems));
     let strength = strength.and_then(|node| figure(node, STATE_STRENGTH_MPA, problems));
+    if let (Some(hardness), Some(strength), Some(node)) = (hardness, strength, of_strength) {
+        one_bar(hardness, strength, grade?, (node, problems), knowledge)?;
+    }
     Some(Some(MaterialState { hardness, strength }))
+}
+
+/// Holds a hardness and a strength, HB and MPa, against each other by the table `hardness-strength`: two figures of
+/// two states would give forces of one bar and feeds of another.
+fn one_bar(
+    hardness: f64,
+    strength: f64,
+    grade: &str,
+    (node, problems): (&Node, &mut Problems),
+    knowledge: &Knowledge,
+) -> Option<()> {
+    let Some(row) = material::hardness_to_strength(knowledge, grade) else { return Some(()) };
+    let ratio = strength / hardness;
+    if (row.least..=row.most).contains(&ratio) {
+        return Some(());
+    }
+    let message = note!(
+        "part-state-contradicts",
+        hardness = hardness,
+        strength = strength,
+        ratio = round_to(ratio, 2),
+        least = row.least,
+        most = row.most
+    );
+    let help = note!(
+        "part-state-follows",
+        hardness = hardness,
+        strength = strength,
+        follows = round_to(hardness * row.ratio, 0),
+        follows_hardness = round_to(strength / row.ratio, 0)
+    );
+    problems.error_help("bad-value", message, &node.place, help)
 }
 
 /// A hardness or a strength within the range of the cutting tables.

@@ -243,7 +243,7 @@ pub struct Conditions {
 }
 
 /// How an end mill goes round in a hole: at every level it takes the stock in equal radial passes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Rounds {
     /// The diameter before the first pass, mm.
     pub from_diameter_mm: Micrometres,
@@ -253,6 +253,9 @@ pub struct Rounds {
     pub passes: u32,
     /// Axial levels.
     pub levels: u32,
+    /// Feed down, mm/min, where the mill cuts on its way down; absent where it goes down through an open hole.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub plunge_feed_mm_per_min: Option<MillimetresPerMinute>,
 }
 
 /// A point of the normative cards, before the corrections for material and tool.

@@ -150,11 +150,12 @@ pub(super) struct Fitting<'p, 'k> {
     lead: Lead,
     clearance: Micrometres,
     floor_clearance: Micrometres,
-    grind_limit: Micrometres,
     /// The lead of a reamer as a multiple of the lead that its stock requires.
     reamer_lead_share: f64,
     /// The widest mill for a floor over the diameter of the hole, if there is one.
     floor_mill_share: f64,
+    /// The middle of an end mill that has no teeth, over its diameter.
+    mill_core_share: f64,
     /// How far above a flat floor a reamer or boring bar stops.
     flat_floor_gap: Micrometres,
     /// Room for chips below a reamer in a blind hole, where the part has it.
@@ -204,9 +205,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
             lead,
             clearance: shop.convention(HoleDefault::MillClearance)?,
             floor_clearance: shop.convention(HoleDefault::FloorClearance)?,
-            grind_limit: shop.convention(HoleDefault::CutterGrindLimit)?,
             reamer_lead_share: shop.share(HoleDefault::ReamerLeadShare)?,
             floor_mill_share: shop.share(HoleDefault::FloorMillShare)?,
+            mill_core_share: shop.share(HoleDefault::MillCoreShare)?,
             flat_floor_gap: shop.convention(HoleDefault::FlatFloorGap)?,
             reamer_chip_room: shop.convention(HoleDefault::ReamerChipRoom)?,
             thickness: part.blank.thickness,
@@ -278,7 +279,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
-        because.extend(self.conventions(&step)?);
+        because.extend(self.conventions(&step, tool.diameter)?);
         let (tool, approach) = (Some(tool), *approach);
         Ok(Fitted { step, tool, travel, approach, conditions, pass_time, doubts, makes_edge: false, because })
     }
@@ -307,7 +308,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// The conventions on which the lengths of a step rest.
-    fn conventions(&self, step: &RouteStep) -> Result<Vec<Because>, KnowledgeError> {
+    fn conventions(&self, step: &RouteStep, tool: Micrometres) -> Result<Vec<Because>, KnowledgeError> {
         let mut because = Vec::new();
         let mut cite = |name, note: Note| -> Result<(), KnowledgeError> {
             because.push(Because::row(self.shop.default_row(name)?.row, note));
@@ -316,6 +317,10 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let main = step.place.feature == Feature::Bore && step.place.step.is_none();
         match step.operation {
             Operation::Tap => cite(HoleDefault::TapLeadPitches, Note::new("tap-lead").with("lead", self.lead(step)))?,
+            Operation::Mill if tool >= step.from => {
+                let note = Note::new("mill-over-hole").with("hole", step.from);
+                cite(HoleDefault::MillCoreShare, note.with("percent", self.mill_core_share * 100.0))?;
+            }
             Operation::Mill => {
                 let floor = step.from == step.diameter;
                 let name = if floor { HoleDefault::FloorClearance } else { HoleDefault::MillClearance };
@@ -323,8 +328,13 @@ impl<'p, 'k> Fitting<'p, 'k> {
                 cite(name, Note::new("mill-clearance").with("clearance", clearance))?;
             }
             Operation::Drill | Operation::DrillOut if main && self.hole.thread.is_some() && !step.place.through => {
-                let note = Note::new("thread-runout").with("runout", step.place.depth - self.hole.depth);
-                cite(HoleDefault::ThreadRunoutPitches, note)?;
+                let run_out = step.place.depth - self.hole.depth;
+                let pitch = self.hole.thread.as_ref().map_or(0.0, |thread| thread.pitch.to_mm());
+                let lead = Micrometres::from_mm_rounded(pitch * self.tap_lead);
+                let short = run_out <= lead;
+                let name = if short { HoleDefault::TapLeadPitches } else { HoleDefault::ThreadRunoutPitches };
+                let code = if short { "thread-runout-short" } else { "thread-runout" };
+                cite(name, Note::new(code).with("runout", run_out))?;
             }
             _ => {}
         }
@@ -359,7 +369,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             entry_cylinder: step.entry_cylinder,
             hole_above: self.step_above(step),
             clearance: if step.from == step.diameter { self.floor_clearance } else { self.clearance },
-            grind_limit: self.grind_limit,
+            plunges: (step.place.feature == Feature::Face).then(|| self.widest_to_plunge(step)),
+            grind_limit: self.shop.grind_limit(step.diameter)?,
         };
         let found = match step.also {
             Some(wide) => {
@@ -378,6 +389,16 @@ impl<'p, 'k> Fitting<'p, 'k> {
                     Err(_) => tooling::find_tool(&need, shop)?,
                 }
             }
+            // A mill that does not enter the hole cuts its way down on the rim of it.
+            None if step.operation == Operation::Mill && step.place.feature != Feature::Bore => {
+                match tooling::find_tool(&need, shop)? {
+                    Ok(found) => Ok(found),
+                    Err(why) => {
+                        let plunges = Some(self.widest_to_plunge(step));
+                        tooling::find_tool(&CutterNeed { plunges, ..need }, shop)?.map_err(|_| why)
+                    }
+                }
+            }
             None => tooling::find_tool(&need, shop)?,
         };
         let (cutter, mut assembly) = found.map_err(|why| Refusal::Not(Reason::no_tool(step.operation, why)))?;
@@ -393,19 +414,25 @@ impl<'p, 'k> Fitting<'p, 'k> {
             cutter: cutter_shape(&cutter),
             ..self.cut(step, follows, cutter.head.material, travel)
         };
-        // On a floor the mill cuts as far as its own radius.
-        let cut = if step.operation == Operation::Mill && step.from == step.diameter {
-            Cut { from: (step.diameter - cutter.diameter).max(cutter.diameter + Micrometres::new(1)), ..cut }
-        } else {
-            cut
+        let own = cutter.diameter + Micrometres::new(1);
+        let cut = match step.operation {
+            // On a floor the mill cuts as far as its own radius.
+            Operation::Mill if step.from == step.diameter => {
+                Cut { from: (step.diameter - cutter.diameter).max(own), plunges: true, ..cut }
+            }
+            Operation::Mill if step.from < own => Cut { from: own, plunges: true, ..cut },
+            _ => cut,
         };
         let (conditions, doubts) = cutting::with_doubts(&cut, shop)?;
         let mut because = vec![cutter.order(), cutter.because()];
         // A reamer or core drill of the catalogs, wider than asked, is ground down.
         let grinds = step.operation.is_reaming() || step.operation == Operation::CoreDrill;
         if grinds && cutter.diameter > step.nominal {
-            let note = Note::new("ground-within").with("limit", self.grind_limit);
-            because.push(Because::row(self.shop.default_row(HoleDefault::CutterGrindLimit)?.row, note));
+            let limit = self.shop.grind_limit(step.diameter)?;
+            let absolute = limit == self.shop.convention(HoleDefault::CutterGrindLimit)?;
+            let name = if absolute { HoleDefault::CutterGrindLimit } else { HoleDefault::CutterGrindShare };
+            let note = Note::new("ground-within").with("limit", limit);
+            because.push(Because::row(self.shop.default_row(name)?.row, note));
         }
         because.append(&mut assembly.because);
         let tool = FittedTool {
@@ -420,6 +447,15 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let pass_time = self.pass_time(step, travel, self.travels(step.place.through).0, &conditions)?;
         Ok(ToolAndConditions { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), pass_time, doubts })
+    }
+
+    /// The widest mill that may cut its way down over a hole: its teeth do not reach its middle, so that must lie over the hole;
+    /// and its circles must not be so small that its centre hardly moves.
+    fn widest_to_plunge(&self, step: &RouteStep) -> Micrometres {
+        let over_hole = step.from.to_mm() / self.mill_core_share;
+        let share = if step.place.feature == Feature::Face { self.floor_mill_share } else { 1.0 };
+        Micrometres::from_mm_rounded(over_hole.min(step.diameter.to_mm() * share))
+            .min(step.diameter - Micrometres::new(1))
     }
 
     /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.
@@ -462,6 +498,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             it: step.required_finish.map(|(grade, _)| grade),
             feed_diameter: step.also.map(|_| step.diameter),
             tool_diameter: step.also.map(|_| step.diameter),
+            plunges: false,
         }
     }
 }

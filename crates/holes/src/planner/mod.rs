@@ -20,11 +20,13 @@ mod whole;
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
+use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
 use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference, Route, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
+use crate::tables::cutting::Process;
 use crate::tables::holes::HoleDefault;
 use crate::units::round_to;
 use crate::{sequence, setup, tooling, zone};
@@ -118,6 +120,10 @@ pub fn plan_by(
     findings.extend(off_table.iter().map(|fault| Finding::of_part(Severity::Error, fault.note())));
     findings.extend(names::lookalike_names(part));
     findings.extend(doubtful_row(shop.material.row));
+    if let Some(state) = part.material_state {
+        let by = (Process::Drilling, ToolMaterial::HighSpeedSteel);
+        findings.extend(technolog_cutting::state::without_force(&shop.material, state, by, knowledge)?);
+    }
     let mut plan = Plan {
         part: part.clone(),
         cutting: method,
@@ -187,7 +193,7 @@ fn draft(
     if options.not_bored {
         report(Severity::Doubtful, Note::new("not-bored"));
     }
-    for missed in &choice.misses {
+    for missed in &choice.untold {
         report(Severity::Wrong, missed.clone().with("scheme", Figure::scheme(&choice.candidate.scheme)));
     }
     if steps.iter().any(|fitted| fitted.step.operation.is_set_by_hand(fitted.step.passes)) {

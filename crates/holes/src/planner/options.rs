@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::job::Hands;
 use crate::note::{Because, Note};
-use crate::part::{Hole, Part};
+use crate::part::{Bottom, Hole, Part};
 use crate::plan::{Alternative, AlternativeStep, Feature, Operation, Preference, RouteSource};
 use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
@@ -15,7 +15,7 @@ use crate::route::diameters::Sizes;
 use crate::route::scheme::{self, SchemeQuestion};
 use crate::route::{Candidate, RouteStep, accuracy, openings};
 use crate::shop::Shop;
-use crate::tables::holes::StagedHole;
+use crate::tables::holes::{HoleDefault, StagedHole};
 use crate::tables::rules::{BoringAsked, BoringForPositionFor, ToolTables};
 use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
@@ -31,6 +31,8 @@ pub(super) struct Choice {
     pub steps: Vec<Fitted>,
     /// The requirements of grade, roughness and position that it misses.
     pub misses: Vec<Note>,
+    /// Those of them that the proof does not tell.
+    pub untold: Vec<Note>,
     /// What the proof says that the route reaches only at best.
     pub at_best: Vec<Note>,
     /// Time of cutting and rapids in all holes of the group, without tool changes.
@@ -101,10 +103,14 @@ pub(super) struct Options {
 
 impl Options {
     /// Keeps either the routes that finish the hole here or those that leave it to another machine: the former if one of them
-    /// holds every requirement, and not only at best. Time does not decide, because that of the other machine is not known.
+    /// holds every requirement, and not only at best; where the other machine is a last resort, also at best. Time does not decide,
+    /// because that of the other machine is not known.
     pub fn finish_here_or_elsewhere(&mut self) {
         let elsewhere = |choice: &Choice| choice.candidate.finish_elsewhere;
-        let sure = |choice: &Choice| !elsewhere(choice) && choice.meets_requirements() && choice.at_best.is_empty();
+        let resort = self.choices.iter().filter(|choice| elsewhere(choice)).all(|choice| choice.candidate.last_resort);
+        let sure = |choice: &Choice| {
+            !elsewhere(choice) && choice.meets_requirements() && (resort || choice.at_best.is_empty())
+        };
         let here = self.choices.iter().any(sure);
         let kept = |choice: &Choice| if here { sure(choice) } else { elsewhere(choice) };
         let (kept, back): (Vec<Choice>, Vec<Choice>) = self.choices.drain(..).partition(kept);
@@ -128,7 +134,9 @@ impl Options {
     }
 }
 
-/// Every route of a group of holes.
+/// Every route of a group of holes. A free floor is made flat where no route leaves the cone of a drill: its point may come
+/// through the part, and what a flat floor permits is permitted by a free one. Under a blind thread without room for the usual
+/// run-out the drill goes as deep as the lead of the tap.
 ///
 /// # Errors
 /// The knowledge base has no answer. What makes the whole group impossible is a refusal, not an error.
@@ -136,10 +144,37 @@ pub(super) fn options(
     hole: &Hole,
     part: &Part,
     preference: Preference,
+    drills: (&[Micrometres], &[DrillSize]),
+    shop: &Shop<'_>,
+) -> Tried<Options> {
+    let meets = |options: &Options| options.choices.iter().any(Choice::meets_requirements);
+    let usual = HoleDefault::ThreadRunoutPitches;
+    let own = options_as_drawn(hole, part, preference, usual, drills, shop)?;
+    if hole.thread.is_some() && !hole.through && own.choices.is_empty() {
+        let short = options_as_drawn(hole, part, preference, HoleDefault::TapLeadPitches, drills, shop)?;
+        return Ok(if short.choices.is_empty() { own } else { short });
+    }
+    if hole.through || hole.thread.is_some() || hole.bottom == Bottom::Flat || meets(&own) {
+        return Ok(own);
+    }
+    let flat = Hole { bottom: Bottom::Flat, ..hole.clone() };
+    let mut flat = options_as_drawn(&flat, part, preference, usual, drills, shop)?;
+    if !meets(&flat) || flat.impossible.len() > own.impossible.len() {
+        return Ok(own);
+    }
+    flat.remarks.push(Note::new("free-floor-flat"));
+    Ok(flat)
+}
+
+fn options_as_drawn(
+    hole: &Hole,
+    part: &Part,
+    preference: Preference,
+    run_out: HoleDefault,
     (in_magazine, all_drills): (&[Micrometres], &[DrillSize]),
     shop: &Shop<'_>,
 ) -> Tried<Options> {
-    let task = bores::task(hole, part, shop)?;
+    let task = bores::task_with_run_out(hole, part, run_out, shop)?;
     let fitting = Fitting::new(hole, &task.edges, part, shop)?;
     let main = &task.main;
     let reached = |size: &&DrillSize| size.reach >= fitting.drill_reach(&main.place, size.diameter);

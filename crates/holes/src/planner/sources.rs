@@ -7,9 +7,10 @@ use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::scheme;
 use crate::route::{Candidate, RouteStep, complex, search};
+use crate::tables::practice::{ProofLimit, ProofLimits};
 use crate::tables::rules::NextTransition;
 use crate::units::{Micrometres, Minutes};
-use technolog_proof::Fault;
+use technolog_proof::{Fault, Shortfall};
 
 use super::fit::Fitted;
 use super::options::{Choice, Options, RefusedRoute};
@@ -30,7 +31,8 @@ impl Finder<'_, '_> {
         }
         self.tables(kind, options)?;
         let elsewhere = options.choices.iter().any(|choice| choice.candidate.finish_elsewhere);
-        if elsewhere && (self.preference == Preference::Tables || self.close()?) {
+        let resort = options.choices.iter().any(|choice| choice.candidate.last_resort);
+        if elsewhere && !resort && (self.preference == Preference::Tables || self.close()?) {
             return Ok(());
         }
         self.other_sources(options)?;
@@ -65,6 +67,7 @@ impl Finder<'_, '_> {
             scheme: Operation::Tap.name().to_owned(),
             transitions: vec![Operation::Tap],
             finish_elsewhere: false,
+            last_resort: false,
             promise: None,
             because: vec![Because::table(rule, note)],
         }))
@@ -190,7 +193,12 @@ impl Finder<'_, '_> {
             return Ok(None);
         }
         let at_best = at_best.into_iter().map(|fault| fault.note()).collect();
-        Ok(Some(Choice { at_best, ..self.choice(candidate, steps) }))
+        let misses = self.misses(candidate, &steps)?;
+        // A shortfall that the proof finds too is told by the proof alone, with its severity.
+        let untold = misses.iter().filter(|miss| !faults.iter().any(|fault| miss.is_told_by(fault)));
+        let untold = untold.map(|miss| miss.note.clone()).collect();
+        let misses = misses.into_iter().map(|miss| miss.note).collect();
+        Ok(Some(Choice { at_best, misses, untold, ..self.choice(candidate, steps)? }))
     }
 
     /// Files a route as feasible, unless the same route is there already.
@@ -209,32 +217,34 @@ impl Finder<'_, '_> {
         }
     }
 
-    fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Choice {
+    fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Result<Choice, KnowledgeError> {
         let own = steps.iter().map(|fitted| self.time(fitted) + self.rapids_between.0).sum::<f64>();
         let borrowed = steps.iter().find(|fitted| fitted.step.borrowed).map(|fitted| fitted.step.diameter);
-        let misses = self.misses(candidate, &steps);
-        Choice {
+        Ok(Choice {
             candidate: candidate.clone(),
             steps,
-            misses,
+            misses: Vec::new(),
+            untold: Vec::new(),
             at_best: Vec::new(),
             own_time: Minutes(own),
             borrowed,
             instead_of: None,
-        }
+        })
     }
 
     /// The requirements of the drawing that a route does not hold. Grade, roughness and position must be promised by
     /// the table of the route or reached by its chain; what is finished on another machine is held there.
-    fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Vec<Note> {
+    fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Result<Vec<Miss>, KnowledgeError> {
         let main = &self.task.main;
         if candidate.finish_elsewhere || candidate.transitions == [Operation::Tap] {
-            return Vec::new();
+            return Ok(Vec::new());
         }
         let cuts =
             |step: &&RouteStep| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some();
         let last = steps.iter().rev().map(|fitted| &fitted.step).find(cuts);
-        let Some(reached) = last.and_then(|step| step.achieved) else { return vec![Note::new("misses-unknown")] };
+        let Some(reached) = last.and_then(|step| step.achieved) else {
+            return Ok(vec![Miss { of: None, note: Note::new("misses-unknown") }]);
+        };
         let mut misses = Vec::new();
         if main.thread.is_none() {
             // The proof judges the promise of a table; here the promise is enough.
@@ -243,26 +253,63 @@ impl Finder<'_, '_> {
                 && reached.it.is_none_or(|grade| grade > main.diameter.it)
             {
                 let it = reached.it.map_or_else(|| "-".to_owned(), |it| it.to_string());
-                misses.push(Note::new("misses-grade").with("it", it).with("asked", main.diameter.it));
+                let note = Note::new("misses-grade").with("it", it).with("asked", main.diameter.it);
+                misses.push(Miss { of: Some(Requirement::Grade), note });
             }
             let promised = candidate.promise.and_then(|promise| promise.roughness);
             if promised.is_none_or(|roughness| roughness > main.roughness)
                 && reached.roughness.is_none_or(|own| own > main.roughness)
             {
                 let note = Note::new("misses-roughness").with("asked", main.roughness);
-                misses.push(match reached.roughness {
+                let note = match reached.roughness {
                     Some(own) => note.with("roughness", own),
                     None => note.with("roughness", "-"),
-                });
+                };
+                misses.push(Miss { of: Some(Requirement::Surface), note });
             }
         }
-        if main.before.is_cast() && reached.position_mm.is_none() {
-            misses.push(Note::new("misses-axis").with("asked", self.question.position));
-        }
         let required = self.question.position;
+        if main.before.is_cast() && reached.position_mm.is_none() {
+            let named = |row: &ProofLimits<'_>| row.name.is(ProofLimit::CoreShift);
+            let shift = self.shop.knowledge.need(ProofLimit::CoreShift.name(), named)?.value;
+            let shift = Micrometres::from_mm_rounded(shift);
+            if shift > required {
+                let note = Note::new("misses-axis").with("shift", shift).with("asked", required);
+                misses.push(Miss { of: None, note });
+            }
+        }
         let beyond = reached.position_mm.filter(|own| *own > required);
-        misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", required)));
-        misses
+        misses.extend(beyond.map(|own| Miss {
+            of: Some(Requirement::Position),
+            note: Note::new("misses-position").with("position", own).with("asked", required),
+        }));
+        Ok(misses)
+    }
+}
+
+/// A requirement that the proof judges too.
+#[derive(Clone, Copy, PartialEq)]
+enum Requirement {
+    Grade,
+    Surface,
+    Position,
+}
+
+/// A requirement that a route misses by its tables; `of` is none for what the proof does not judge.
+struct Miss {
+    of: Option<Requirement>,
+    note: Note,
+}
+
+impl Miss {
+    fn is_told_by(&self, fault: &Fault) -> bool {
+        let Fault::Wanting { shortfall, .. } = fault else { return false };
+        self.of
+            == Some(match shortfall {
+                Shortfall::Grade(..) => Requirement::Grade,
+                Shortfall::Surface(..) => Requirement::Surface,
+                Shortfall::Position(..) => Requirement::Position,
+            })
     }
 }
 

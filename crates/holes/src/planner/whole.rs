@@ -250,7 +250,7 @@ impl Finder<'_, '_> {
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: &[RouteStep]| self.cost(steps);
         let boring = self.boring_required()?;
-        let mut best: Option<((bool, bool, Minutes), Vec<RouteStep>)> = None;
+        let mut best: Option<((bool, bool, bool, Minutes), Vec<RouteStep>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
             for bore_large in [false, true] {
@@ -289,13 +289,15 @@ impl Finder<'_, '_> {
                         let bores = !boring && steps.iter().any(|step| step.operation.is_boring());
                         // Here too, what the tables finish on another machine is left for that machine.
                         let here = !candidate.finish_elsewhere;
-                        let better =
-                            |least: (bool, bool, Minutes)| (here, bores, minutes.0) < (least.0, least.1, least.2.0);
+                        let last = candidate.last_resort;
+                        let better = |least: (bool, bool, bool, Minutes)| {
+                            (last, here, bores, minutes.0) < (least.0, least.1, least.2, least.3.0)
+                        };
                         if best.as_ref().is_none_or(|(least, _)| better(*least)) {
                             if let Some(first) = steps.first_mut() {
                                 first.because.extend(candidate.because.clone());
                             }
-                            best = Some(((here, bores, minutes), steps));
+                            best = Some(((last, here, bores, minutes), steps));
                         }
                         break;
                     }

@@ -108,6 +108,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, kind: AuxiliaryKind, shop: &Sho
             scheme: scheme.to_owned(),
             transitions: Vec::new(),
             finish_elsewhere: false,
+            last_resort: false,
             // A.10 promises nothing for the hole under a thread.
             promise: (kind != AuxiliaryKind::Thread).then_some(super::Promise {
                 it: question.bore.diameter.it,

@@ -76,6 +76,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop
             scheme,
             transitions,
             finish_elsewhere: false,
+            last_resort: false,
             // A.4 promises the grades of its groups: 7 to 9 for the precise holes. The roughness is that of the
             // chain.
             promise: (kind != ComplexGroup::Threaded).then_some(super::Promise {

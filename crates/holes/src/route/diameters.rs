@@ -145,8 +145,9 @@ fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finis
     let (mut after, mut slack, mut elsewhere) = (target, Micrometres::ZERO, Vec::new());
     // What is bored here already is not bored so there once more; the last transition is always that machine's.
     let done = |operation: &Operation| candidate.transitions.contains(operation);
-    let begin = rule.transitions.iter().position(|operation| !done(operation)).unwrap_or(rule.transitions.len());
-    let there = &rule.transitions[begin.min(rule.transitions.len().saturating_sub(1))..];
+    let transitions = rule.transitions.unwrap_or_default();
+    let begin = transitions.iter().position(|operation| !done(operation)).unwrap_or(transitions.len());
+    let there = &transitions[begin.min(transitions.len().saturating_sub(1))..];
     for (index, operation) in there.iter().enumerate().rev() {
         elsewhere.push((*operation, after));
         let own = candidate.transitions.last().copied().filter(|operation| operation.is_boring());

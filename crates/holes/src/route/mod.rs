@@ -36,6 +36,8 @@ pub struct Candidate {
     pub transitions: Vec<Operation>,
     /// Whether the tables finish the hole on another machine.
     pub finish_elsewhere: bool,
+    /// Whether it stands in where the tables have no cell of their own: any other route goes before it.
+    pub last_resort: bool,
     /// The accuracy that its table promises; absent if only the chain of transitions says it.
     pub promise: Option<Promise>,
     /// The rows it rests on.

@@ -14,7 +14,7 @@ use crate::tables::holes::{
 };
 use crate::tables::rules::{
     BlankState, CellTaken, CentreColumn, CentreFirstFor, CentredTwin, EmptyCellFor, GradeAsked, SchemeTaken,
-    TableForHole, TableForHoleFor, WhichOfTwoSchemesFor,
+    StockForElsewhereFor, TableForHole, TableForHoleFor, WhichOfTwoSchemesFor,
 };
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness, round_to};
 
@@ -77,7 +77,7 @@ impl Cell<'_> {
 }
 
 /// All schemes that the tables A.8 and A.9 permit, best first: those of its own cell, then of finer roughness in the
-/// same grade, then of finer grades (rule `empty-cell`).
+/// same grade, then of finer grades; where there is none, those of the tightest centre distances (rule `empty-cell`).
 ///
 /// # Errors
 /// The knowledge base has no answer, or the tables give no scheme.
@@ -98,10 +98,17 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
             }
         }
     }
+    let mut tighter = Vec::new();
+    if own.filled.is_empty() && finer.is_empty() {
+        // The upper limit of the column stands for it.
+        let centre_tolerance = question.centre_tolerance.min(Micrometres::new(50));
+        tighter = cells(bore.diameter.it, &SchemeQuestion { centre_tolerance, ..*question }, knowledge)?.filled;
+    }
     let answer = knowledge.ask(&EmptyCellFor {
         own_cell: own.own_is_filled,
         finer_roughness: !own.own_is_filled && !own.filled.is_empty(),
         finer_grade: !finer.is_empty(),
+        tighter_centres: !tighter.is_empty(),
     })?;
     let take = answer.need("this cell")?.take;
     if take == CellTaken::Nothing {
@@ -113,9 +120,12 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
         }));
     }
     let taken = Because::answer(&answer.answer, Note::new("cell").with("take", Figure::word(take.name())));
+    // Where no work of another machine mends the position, the hole is finished here.
+    let diameter = bore.diameter.target();
+    let left = knowledge.ask(&StockForElsewhereFor { diameter })?.need("this diameter")?.transitions.is_some();
 
     let mut schemes = Vec::new();
-    for cell in own.filled.into_iter().chain(finer) {
+    for cell in own.filled.into_iter().chain(finer).chain(tighter) {
         let because = [cell.table_asked.because(), taken.clone()];
         for (scheme, reason) in in_order(&cell, question, knowledge)? {
             let mut because = because.to_vec();
@@ -130,11 +140,12 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
                 table: cell.row.row.table.id.clone(),
                 scheme,
                 transitions: Vec::new(),
-                finish_elsewhere: cell.finish_elsewhere,
+                finish_elsewhere: cell.finish_elsewhere && left,
+                last_resort: take == CellTaken::TighterCentres,
                 promise: Some(Promise {
                     it: cell.grade,
                     roughness: Some(cell.roughness),
-                    position: Some(question.drawn_tolerance),
+                    position: (left || !cell.finish_elsewhere).then_some(question.drawn_tolerance),
                 }),
                 because,
             };

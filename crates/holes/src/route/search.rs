@@ -153,6 +153,7 @@ fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tr
         scheme,
         transitions,
         finish_elsewhere: false,
+        last_resort: false,
         promise: None,
         because,
     })

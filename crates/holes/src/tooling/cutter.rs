@@ -128,6 +128,8 @@ pub struct CutterNeed<'a> {
     pub hole_above: Option<(Micrometres, Micrometres)>,
     /// Clearance between an end mill and the hole in which it moves round.
     pub clearance: Micrometres,
+    /// The widest mill that may cut its way down, where it need not enter the hole.
+    pub plunges: Option<Micrometres>,
     /// By how much a reamer or core drill of the catalog may be ground down.
     pub grind_limit: Micrometres,
 }
@@ -148,6 +150,7 @@ impl CutterNeed<'_> {
             entry_cylinder: None,
             hole_above: None,
             clearance: Micrometres::ZERO,
+            plunges: None,
             grind_limit: Micrometres::ZERO,
         }
     }

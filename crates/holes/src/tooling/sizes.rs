@@ -45,7 +45,10 @@ fn is_of_size(row: &CutterRow<'_>, need: &CutterNeed<'_>, ground: bool) -> bool 
                 && row.diameter_max.is_some_and(|high| need.diameter <= high)
         }
         Operation::CentreDrill => own >= need.diameter,
-        Operation::Mill => own + need.clearance <= need.enters && own > Micrometres::ZERO,
+        Operation::Mill => {
+            let enters = own + need.clearance <= need.enters;
+            own > Micrometres::ZERO && (enters || need.plunges.is_some_and(|widest| own <= widest))
+        }
         Operation::Countersink | Operation::Chamfer => {
             let angle = f64::from(need.angle_millideg.unwrap_or_default());
             own >= need.diameter

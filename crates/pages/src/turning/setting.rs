@@ -4,11 +4,12 @@
 use crate::document::{Block, Column, Document, Inlines, Item, Keep};
 use crate::note::IntoFigure;
 use technolog_turning::jobs::{Body, JobTool, Work};
-use technolog_turning::operation::setting::{DiameterLimits, SetThread, SetTool, Setting, Stand};
+use technolog_turning::operation::setting::{DiameterLimits, SetSize, SetThread, SetTool, Setting, Stand};
+use technolog_turning::operation::{SizeOf, Sized};
 use technolog_words::say;
 
 use super::Lang;
-use super::cells::{Cell, span, table};
+use super::cells::{Cell, figure, span, table};
 use super::phrases::note_line;
 
 /// The tool list and setting sheet of an operation.
@@ -18,6 +19,12 @@ pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
     page.push(Block::List(setting.set_ups.iter().map(|stand| stand_item(stand, lang)).collect()));
     page.heading(2, say!(lang, "turn-setting-tools"));
     page.push(table(columns(lang), setting.tools.iter().map(|tool| row(tool, lang)).collect(), lang));
+    if !setting.sizes.is_empty() {
+        page.heading(2, say!(lang, "turn-setting-sizes"));
+        let rows = setting.sizes.iter().map(|size| size_row(size, lang)).collect();
+        page.push(table(size_columns(lang), rows, lang));
+        page.paragraph(say!(lang, "turn-setting-size-corrected"));
+    }
     if !setting.threads.is_empty() {
         page.heading(2, say!(lang, "turn-setting-threads"));
         let rows = setting.threads.iter().map(|thread| thread_row(thread, lang)).collect();
@@ -51,6 +58,34 @@ fn stand_item(stand: &Stand, lang: Lang) -> Item {
         say!(lang, "turn-setting-stand", number = stand.set_up, held = holding, stock = stand.face_stock_mm).into();
     item.items = stand.notes.iter().map(|note| Item::from(note_line(note, lang))).collect();
     item
+}
+
+fn size_columns(lang: Lang) -> [Column; 5] {
+    let mm = lang.word("unit-mm");
+    [
+        Column::text(say!(lang, "turn-set-up-column")),
+        Column::text(say!(lang, "turn-setting-surface")),
+        Column::text(say!(lang, "turn-setting-drawn")),
+        span(say!(lang, "turn-setting-limits"), mm),
+        Column::number(say!(lang, "turn-setting-programmed"), mm),
+    ]
+}
+
+fn size_row(size: &SetSize, lang: Lang) -> Vec<Cell> {
+    let sized = &size.sized;
+    vec![
+        size.set_up.to_string().into(),
+        lang.figure(&(&sized.surface).into_figure()).into(),
+        fitted(sized, lang).into(),
+        Cell::Range(sized.least_mm.to_mm(), sized.most_mm.to_mm(), 3),
+        Cell::Figure(sized.made_mm.to_mm(), 3),
+    ]
+}
+
+/// A size as the drawing has it.
+pub(super) fn fitted(sized: &Sized, lang: Lang) -> String {
+    let sign = if sized.of == SizeOf::Diameter { "Ø" } else { "" };
+    format!("{sign}{} {}", figure(sized.nominal_mm, lang), sized.fit)
 }
 
 fn thread_columns(lang: Lang) -> [Column; 7] {

@@ -38,6 +38,12 @@ vocabulary! {
         Common = "common",
     }
 
+    /// Along what the lead of a thread is measured on a line along both axes.
+    pub enum LeadAlong {
+        Path = "path",
+        Axis = "axis",
+    }
+
     /// How a length across the axis is measured.
     pub enum Measure {
         Radius = "radius",
@@ -106,6 +112,7 @@ rows! {
         point: Option<bool>,
         comment: Option<&'t str>,
         tip_numbering: Option<TipNumbering>,
+        lead_along: Option<LeadAlong>,
         read_as: Option<LatheReader>,
         known_words: Option<Vec<&'t str>>,
     } shown { version }

@@ -39,6 +39,7 @@ vocabulary! {
         Own = "own-cell",
         FinerRoughness = "finer-roughness",
         FinerGrade = "finer-grade",
+        TighterCentres = "tighter-centres",
         Nothing = "nothing",
     }
 
@@ -184,8 +185,10 @@ vocabulary! {
     pub enum MadeBy {
         /// There is no hole.
         Solid = "solid",
-        /// The blank has it.
+        /// The blank has it; to the proof only a cast one.
         BlankHole = "blank-hole",
+        /// A tool made it before this work.
+        PreMachined = "pre-machined",
         Drill = "drill",
         CoreDrill = "core-drill",
         Bore = "bore",
@@ -230,5 +233,13 @@ vocabulary! {
         PracticeLow = "practice-low",
         PracticeUsual = "practice-usual",
         PracticeHigh = "practice-high",
+    }
+
+    /// The limit of a tolerance field that its fundamental deviation gives.
+    pub enum FieldBegins {
+        Upper = "upper",
+        Lower = "lower",
+        /// Evenly about the nominal size.
+        About = "about",
     }
 }

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use technolog_knowledge::units::{Degrees, ItGrade, Megapascals, Micrometres, Microns, Roughness};
+use technolog_knowledge::vocabulary::Severity as Judged;
 pub use technolog_knowledge::vocabulary::{Place, StockKind};
 use technolog_knowledge::{rows, vocabulary};
 
@@ -159,6 +160,8 @@ vocabulary! {
         Chuck = "chuck",
         /// Between centres.
         Centres = "centres",
+        /// In the chuck, the free end of the first set-up at the tailstock centre.
+        ChuckAndCentre = "chuck-and-centre",
     }
 
     /// Whether and when the blank is heat-treated.
@@ -343,6 +346,15 @@ rows! {
         roughness_held: bool,
     } {
         operation: LaterOperation,
+    }
+
+    /// Whether a surface of the blank can be what the drawing asks of it.
+    pub struct TurningBlankSurface of One("turning-blank-surface") asked by TurningBlankSurfaceFor {
+        stock: StockKind,
+        it: Option<ItGrade>,
+        roughness: Option<Roughness>,
+    } {
+        severity: Judged,
     }
 
     /// Least length of a cylinder for the jaws of a chuck.

@@ -5,6 +5,7 @@
 
 pub mod field;
 pub mod piece;
+pub mod resized;
 pub mod stretches;
 pub mod surface;
 
@@ -16,6 +17,7 @@ pub use crate::tables::turning::part::Side;
 pub use field::Field;
 use piece::both;
 pub use piece::{Curve, Piece, Turn};
+pub use resized::{Resized, resized};
 pub use stretches::Stretches;
 pub use surface::{Profile, Surface, SurfaceKind, SurfaceName};
 

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use serde::{Serialize, Serializer};
+use technolog_core::part::Deviations;
 
 use crate::note::{Figure, IntoFigure, Word};
 use crate::turning::length::Half;
@@ -66,9 +67,12 @@ pub struct Surface {
     /// The IT grade of its size, if the drawing gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grade: Option<ItGrade>,
-    /// The field of a fit that the drawing gives with the grade: what is turned is the nominal size.
+    /// The field of a fit that the drawing gives with the grade.
     #[serde(skip)]
     pub field: Option<Field>,
+    /// The deviations of its size that the drawing gives.
+    #[serde(skip)]
+    pub limits: Option<Deviations>,
     /// Its roughness, if the drawing gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<Roughness>,

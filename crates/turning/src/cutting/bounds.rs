@@ -546,6 +546,19 @@ fn shank_stiffness(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     Ok(main_force(Bound::ShankStiffness, Newtons(force), because))
 }
 
+/// The largest depth that the edge of a tool takes along or across, by the table `insert-edge-share`; none where the catalogs lack its
+/// edge or shape.
+///
+/// # Errors
+/// The knowledge base lacks the table.
+pub fn deepest_edge(tool: &TurningTool<'_>, knowledge: &Knowledge) -> Result<Option<Micrometres>, KnowledgeError> {
+    let Some((edge, shape)) = tool.edge.zip(tool.insert_shape()) else { return Ok(None) };
+    let row = knowledge.find(|row: &InsertEdgeShare<'_>| row.shape == shape)?;
+    let sine = |degrees: f64| libm::sin(degrees.to_radians());
+    let steepest = sine(tool.lead_angle.to_f64()).max(sine(90.0 + tool.trail_angle.to_f64()));
+    Ok(row.map(|row| Micrometres::from_mm_rounded(row.share * edge.to_mm() * steepest)))
+}
+
 /// The share of the edge that may cut: t ≤ share · l · sin of the angle between edge and feed.
 fn insert_edge(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let lacks = |quantity: &str| Refusal::Not(cut.tool_lacks(quantity));

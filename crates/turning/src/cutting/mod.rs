@@ -29,7 +29,7 @@ use crate::turning::tooling::{Lathe, Place, TurningTool};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
 
-pub use bounds::{Bound, GripLimit, Load, UnknownBound, pull};
+pub use bounds::{Bound, GripLimit, Load, UnknownBound, deepest_edge, pull};
 pub use bounds::{
     bar_clearance, bar_overhang, bar_reaches, jaw_clearance, largest_overhang, least_sensible_depth, wall_share,
 };

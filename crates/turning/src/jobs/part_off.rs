@@ -174,9 +174,11 @@ mod tests {
             lathe: Some(&lathe),
             material,
             elsewhere: &[],
+            sizes: &crate::turning::operation::Sizes::default(),
             held: None,
             grip: None,
             through: None,
+            opened: Micrometres::ZERO,
             barred: Vec::new(),
             knowledge: &knowledge,
         };

@@ -1,4 +1,5 @@
-//! A part between centres: its ends are faced and centred before, because the centres stand where a tool would face them.
+//! A part at a centre: its end is faced and centred before, because the centre stands where a tool would face it; between centres
+//! both ends are.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -13,7 +14,7 @@ use crate::turning::workpiece::Workpiece;
 use super::clip;
 
 /// The part as it comes between the centres: its blank without the stock on both faces, which are made; and the finding that says
-/// so. None in a chuck, and where nothing stands on the faces.
+/// so. None in a chuck alone, and where nothing stands on the faces.
 ///
 /// # Errors
 /// The knowledge base lacks the table of centre holes.
@@ -22,24 +23,34 @@ pub(super) fn centred(
     knowledge: &Knowledge,
 ) -> Result<Option<(Workpiece, Finding)>, KnowledgeError> {
     let (blank, length) = (&workpiece.blank, workpiece.length());
-    let (near, far) = (blank.face(), blank.end() - length);
+    let between = workpiece.holding == Holding::Centres;
+    // In a chuck and at a centre the far end is in the jaws.
+    let (near, far) = (blank.face(), if between { blank.end() - length } else { Half::ZERO });
     let solid = workpiece.inner.is_none() && blank.inner.is_none();
-    if workpiece.holding != Holding::Centres || !solid || (near <= Half::ZERO && far <= Half::ZERO) {
+    if workpiece.holding == Holding::Chuck || !solid || (near <= Half::ZERO && far <= Half::ZERO) {
         return Ok(None);
     }
     let mut made = workpiece.clone();
-    made.blank.outer = faced(&blank.outer, length);
+    let end = if between { length } else { blank.end() };
+    made.blank.outer = faced(&blank.outer, end);
     let ends = made.outer.surfaces.iter_mut().filter(|surface| {
-        let at_end = |z: Half| z <= Half::ZERO || z >= length;
+        let at_end = |z: Half| z <= Half::ZERO || between && z >= length;
         surface.pieces.iter().all(|piece| piece.is_face() && at_end(piece.from.z))
     });
     ends.for_each(|surface| surface.stated_allowance = Some(Half::ZERO));
-    let thinnest = [made.blank.outer.pieces.iter().find(|piece| !piece.is_face()), made.blank.outer.pieces.last()];
+    let far_end = made.blank.outer.pieces.last().filter(|_| between);
+    let thinnest = [made.blank.outer.pieces.iter().find(|piece| !piece.is_face()), far_end];
     let thinnest = thinnest.into_iter().flatten().map(|piece| piece.from.radius.min(piece.to.radius)).min();
     let diameter = thinnest.unwrap_or_default().diameter();
     let hole = centre_hole_for(diameter, knowledge)?;
-    let note = Note::new(if hole.is_some() { "ends-centred-before" } else { "ends-faced-before" });
-    let note = note.with("near", near.max(Half::ZERO)).with("far", far.max(Half::ZERO));
+    let note = Note::new(match (between, &hole) {
+        (true, Some(_)) => "ends-centred-before",
+        (true, None) => "ends-faced-before",
+        (false, Some(_)) => "end-centred-before",
+        (false, None) => "end-faced-before",
+    });
+    let note = note.with("near", near.max(Half::ZERO));
+    let note = if between { note.with("far", far.max(Half::ZERO)) } else { note };
     let note = match hole {
         Some(hole) => note.with("pilot", hole.pilot),
         None => note,

@@ -31,6 +31,8 @@ pub(super) fn features(
     let Some(stretch) = stretch(set_up, side.side) else { return Ok(jobs) };
     let site = site(stretch, side, bench)?;
     let with_made = with_made_before(set_up, &stretch.profile, bench);
+    let sized = bench.sizes.profile(&stretch.profile, set_up.turned_over);
+    let of_grooves = Site { profile: &sized, ..site };
     let of_threads = Site { profile: &with_made, ..site };
     let face = side.layers.rough.start().map_or(Half::ZERO, |start| start.z);
     let surfaces = stretch.profile.surfaces.iter().enumerate();
@@ -38,10 +40,11 @@ pub(super) fn features(
         if surface.kind == SurfaceKind::Thread {
             jobs.extend(thread_job(of_threads, index, face, bench, findings)?);
         } else if surface.kind.is_additional() {
-            grooves.extend(made(groove(site, surface, bench), findings)?.map(|job| (surface, job)));
+            let Some(surface) = sized.surfaces.get(index) else { continue };
+            grooves.extend(made(groove(of_grooves, surface, bench), findings)?.map(|job| (surface, job)));
         }
     }
-    jobs.extend(with_fewer_blades(site, grooves, bench)?);
+    jobs.extend(with_fewer_blades(of_grooves, grooves, bench)?);
     Ok(jobs)
 }
 

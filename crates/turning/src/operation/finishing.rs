@@ -7,19 +7,21 @@ use crate::turning::allowances::finishing::Allowance;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceName};
 use crate::turning::cutting::{Bound, Direction, Flexibility, TurningConditions, unsaid_roughness, wall_share};
 use crate::turning::elements::steepness;
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::jobs::along::Clearance;
+use crate::turning::jobs::limits::Limits;
 use crate::turning::jobs::{Body, Job, JobTool, Pace, UNKNOWN_EDGE, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::nose::{tightest, up_to};
 use crate::turning::point::Point;
-use crate::turning::tooling::TurningTool;
+use crate::turning::tooling::{Spindle, TurningTool};
 use crate::turning::toolpath::Toolpath;
 use crate::turning::zones::Needs;
 use crate::turning::zones::fit::reaches;
 use crate::units::{Degrees, Micrometres, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 use technolog_core::part::tolerance_width;
 
-use super::Stage;
+use super::{Sized, Stage};
 use super::depth::{self, ZoneCut};
 use super::feeds::{OwnFeed, with_feeds};
 use super::jobs::{constant_speed, pace_of};
@@ -265,6 +267,7 @@ impl<'a> Finishing<'a> {
         if let Some(usual) = cut.instead_of {
             notes.push(Note::new("finish-tool-presses-less").with("tool", tool.designation).with("instead", usual));
         }
+        notes.extend(self.one_speed(paced.conditions.as_ref(), bench)?);
         if let Some(tight) = tightest(self.contour).filter(|tight| nose.radius > *tight) {
             notes.push(Note::new("nose-fills-hollow").with("nose", nose.radius).with("hollow", tight));
         }
@@ -312,6 +315,33 @@ impl<'a> Finishing<'a> {
         }))
     }
 
+    /// That a spindle of steps keeps the speed of the largest diameter of the pass: a step that is changed in the cut marks the
+    /// surface. Told where its smallest cylinder would be cut faster by the share that other passes hold the cutting speed for.
+    fn one_speed(
+        &self,
+        conditions: Option<&TurningConditions>,
+        bench: &Bench<'_, '_>,
+    ) -> Result<Option<Note>, KnowledgeError> {
+        let stepped = bench.lathe.map(|lathe| &lathe.spindle).filter(|spindle| matches!(spindle, Spindle::Steps(_)));
+        let (Some(spindle), Some(conditions)) = (stepped, conditions) else { return Ok(None) };
+        let pieces = self.surfaces.iter().flat_map(|surface| &surface.pieces).filter(|piece| piece.is_cylinder());
+        let Some(least) = pieces.map(|piece| piece.from.radius.diameter()).min() else { return Ok(None) };
+        let (most, rpm) = (largest(self.contour), conditions.spindle_rpm);
+        let ratio = most.to_mm() / least.to_mm();
+        let own = spindle.at_most(RevsPerMinute(rpm.0 * ratio));
+        let told = ratio >= Limits::of(bench.knowledge).ratio(JobLimit::ConstantSpeedRatio)? && own.0 > rpm.0;
+        let note = || {
+            let speed = technolog_cutting::speed_at(rpm, least);
+            Note::new("finish-one-speed")
+                .with("diameter", most)
+                .with("rpm", rpm.0)
+                .with("least", least)
+                .with("own", own.0)
+                .with("speed", round_to(speed.0, 1))
+        };
+        Ok(told.then(note))
+    }
+
     /// The conditions of a stretch, at the largest diameter of the whole pass.
     fn conditions(
         &self,
@@ -345,8 +375,10 @@ impl<'a> Finishing<'a> {
             };
             let is_face = surface.pieces.iter().all(|piece| piece.is_face());
             let radius = surface.pieces.iter().map(|piece| piece.from.radius.max(piece.to.radius)).max();
+            let limits = bench.sizes.of_surface(&surface.name).map(Sized::tolerance);
             let tolerance = radius.filter(|_| made && !is_face).and_then(|radius| {
-                surface.grade.and_then(|grade| tolerance_width(grade, radius.diameter(), bench.knowledge).ok())
+                let by_grade = || surface.grade.and_then(|grade| tolerance_width(grade, radius.diameter(), bench.knowledge).ok());
+                limits.or_else(by_grade)
             });
             let own = self.allowances.iter().find(|one| one.surface == surface.name).and_then(|one| one.allowance_mm);
             let z = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);

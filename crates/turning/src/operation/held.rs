@@ -14,7 +14,7 @@ use crate::units::Micrometres;
 
 use super::jaws::Jaws;
 
-/// A part in its jaws, or between its centres.
+/// A part in its jaws, at a centre, or both.
 #[derive(Clone, Debug)]
 pub struct Held {
     part: HeldPart,
@@ -47,6 +47,7 @@ impl Held {
         let Some(end) = far(&blank) else { return Ok(None) };
         let (support, jaws_at) = match (&set_up.holds_at, jaws) {
             (Some(Hold::Centres), _) => (PartSupport::Centres, end),
+            (_, Some(jaws)) if set_up.centre => (PartSupport::ChuckAndCentre, jaws.front_mm),
             (_, Some(jaws)) => (PartSupport::Chuck, jaws.front_mm),
             _ => return Ok(None),
         };

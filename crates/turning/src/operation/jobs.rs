@@ -1,7 +1,7 @@
 //! The jobs of a set-up, in the order of work: faces, holes on the axis, rough zones, the finished contours, and the
 //! grooves and threads in them.
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal};
 use crate::note::Finding;
 use crate::tables::turning::jobs::JobLimit;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind};
@@ -13,7 +13,6 @@ use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
-use crate::turning::shaft::Holding;
 use crate::turning::tooling::{Spindle, TurningTool};
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::zones::{Feed, SetUp, TurnedSide};
@@ -127,7 +126,20 @@ fn drilled(
     let (diameter, from) = (drilled.diameter_mm, there.max(bench.raw_bore()));
     let mut jobs = Vec::new();
     let task = Hole { diameter, from, face, end, surfaces: Vec::new(), exact: false, tapped: false };
-    let mut drills = features::made(hole::drilling(&task, bench), findings)?.unwrap_or_default();
+    // A bore that widens again towards the far face is drilled through in one go, where a drill reaches.
+    let whole = bench.workpiece.inner.as_ref().and_then(|inner| inner.contour().end()).map(|end| end.z);
+    let whole = whole.filter(|end| *end == bench.workpiece.length() && !set_up.turned_over && *end > drilled.depth_mm);
+    let at_once = match (end, whole) {
+        (HoleEnd::Through(_), Some(whole)) => {
+            let task = Hole { end: HoleEnd::Through(bench.through(whole)), ..task.clone() };
+            Refusal::split(hole::drilling(&task, bench))?.ok()
+        }
+        _ => None,
+    };
+    let mut drills = match at_once {
+        Some(drills) => drills,
+        None => features::made(hole::drilling(&task, bench), findings)?.unwrap_or_default(),
+    };
     let first = drills.first().and_then(|drill| drill.tool.diameter()).unwrap_or(diameter);
     if from == Micrometres::ZERO {
         jobs.extend(features::made(hole::spot(first, face, drilled.depth_mm, bench), findings)?);
@@ -296,8 +308,8 @@ fn finish(
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
     let standing = &side.layers.rough;
-    // Between centres the face is finished before: the tailstock centre is in front of it.
-    let contour = if bench.workpiece.holding == Holding::Centres && side.side == Side::Outer {
+    // At a centre the face is finished before: the tailstock is in front of it.
+    let contour = if set_up.centre && side.side == Side::Outer {
         without_face(&side.layers.left)
     } else {
         side.layers.left.clone()
@@ -306,8 +318,8 @@ fn finish(
     if contour.pieces.is_empty() || contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
         return Ok(Vec::new());
     }
-    let stretch = stretch(set_up, side.side);
-    let surfaces: Vec<&Surface> = stretch.map(main_surfaces).unwrap_or_default();
+    let made = stretch(set_up, side.side).map(|stretch| main_surfaces(stretch, set_up, bench));
+    let surfaces: Vec<&Surface> = made.iter().flatten().collect();
     let face = |surface: &&Surface| {
         surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO)
     };
@@ -373,7 +385,9 @@ fn finish_hollow(
     if !hollow.zones.iter().all(ZoneWork::is_cleared) {
         return Ok(jobs);
     }
-    let profile = stretch(set_up, side.side).map(|stretch| &stretch.profile);
+    let profile = stretch(set_up, side.side);
+    let profile = profile.map(|stretch| bench.sizes.profile(&stretch.profile, set_up.turned_over));
+    let profile = profile.as_ref();
     let surfaces: Vec<&Surface> =
         hollow.surfaces.iter().filter_map(|index| profile.and_then(|profile| profile.surfaces.get(*index))).collect();
     let contour = &as_turned(hollow.layers.left.clone(), set_up, bench);
@@ -406,10 +420,11 @@ fn finish_hollow(
     Ok(jobs)
 }
 
-/// A contour with the cylinders of threads as turned.
+/// A contour with the cylinders of threads and of fits as turned.
 fn as_turned(contour: Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Contour {
     let Some(stretch) = stretch(set_up, contour.side) else { return contour };
-    crests::turned(contour, &features::with_made_before(set_up, &stretch.profile, bench), bench.workpiece)
+    let crests = crests::turned(contour, &features::with_made_before(set_up, &stretch.profile, bench), bench.workpiece);
+    bench.sizes.contour(crests, set_up)
 }
 
 /// The contour of a side in a set-up.
@@ -432,8 +447,9 @@ fn split_at_face(contour: &Contour) -> (Contour, Contour) {
     (of(face), of(rest))
 }
 
-/// The main elements of a turned side.
-fn main_surfaces(stretch: &TurnedSide) -> Vec<&Surface> {
-    let both = stretch.profile.surfaces.iter().zip(&stretch.classes);
+/// The main elements of a turned side, as they are made.
+fn main_surfaces(stretch: &TurnedSide, set_up: &SetUp, bench: &Bench<'_, '_>) -> Vec<Surface> {
+    let made = bench.sizes.profile(&stretch.profile, set_up.turned_over);
+    let both = made.surfaces.into_iter().zip(&stretch.classes);
     both.filter(|(_, class)| class.element == Element::Main).map(|(surface, _)| surface).collect()
 }

@@ -23,6 +23,7 @@ use crate::units::Micrometres;
 use super::Stage;
 use super::drill::{self, Drilled};
 use super::intermediate::left;
+use super::opened;
 use super::thin;
 use super::tools::{self, Bench};
 
@@ -155,8 +156,7 @@ pub fn layers(
     for (surface, allowance) in stretch.profile.surfaces.iter().zip(&mut allowances) {
         if drilled_first.is_none() && thin::is_of_blank(surface, &blank) {
             allowance.allowance_mm = Some(Half::ZERO);
-            let asked = surface.grade.is_some() || surface.roughness.is_some();
-            let severity = if asked { Severity::Doubtful } else { Severity::Note };
+            let severity = thin::judged(surface, workpiece.blank.kind, knowledge)?;
             findings.push(Finding::of_part(severity, Note::new("surface-of-blank").with("surface", &surface.name)));
         }
     }
@@ -168,7 +168,10 @@ pub fn layers(
     let by = run_out(&left, bench)?;
     let threaded = stretch.profile.surfaces.last().is_some_and(|last| last.kind == SurfaceKind::Thread);
     let (blank, rough, left) = if set_up.turned_over {
-        let on = led_on(&left, threaded, by, bench);
+        let on = match main.side {
+            Side::Outer => led_on(&left, threaded, by, bench),
+            Side::Inner => into_hole(&left, bench)?,
+        };
         (blank, rough, on.unwrap_or(left))
     } else {
         (longer(blank, by), longer(rough, by), longer(left, by))
@@ -253,6 +256,13 @@ fn led_on(left: &Contour, threaded: bool, by: Half, bench: &Bench<'_, '_>) -> Op
         let pieces = left.pieces.iter().chain(&beyond.pieces).copied().collect();
         Contour { side: left.side, pieces }
     })
+}
+
+/// A bore that narrows towards the hole that the set-up before has opened, led on into its air for the roundest nose of a bar.
+fn into_hole(left: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Contour>, KnowledgeError> {
+    let bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
+    let roundest = bars.iter().map(tools::nose).max_by_key(|nose| nose.radius);
+    Ok(roundest.and_then(|nose| opened::into_hole(left, bench.opened, nose)))
 }
 
 /// A contour that rises more steeply at its end, nearly as a wall, is not led on.
@@ -380,12 +390,17 @@ fn standing(
     }
     let (raw, there) = (workpiece.blank.inner.as_ref(), bench.raw_bore());
     let least_bar = least_bar(end.z, bench)?;
+    let enters = |hole: Micrometres| least_bar.is_none_or(|least| least <= hole);
+    if axial.is_none() && bench.opened > there && enters(bench.opened) {
+        let blank = opened::wall(bench.opened, start.z, end.z);
+        return Ok(Some(SideStock { blank, rough: rough.clone(), drilled_first: None }));
+    }
     if let Some(inner) = raw.filter(|_| axial.is_none_or(|axial| axial <= there))
-        && least_bar.is_none_or(|least| least <= there)
+        && enters(there)
     {
         return Ok(Some(SideStock { blank: reach(&seen(inner)), rough: rough.clone(), drilled_first: None }));
     }
-    let there = axial.unwrap_or_default().max(there);
+    let there = axial.unwrap_or_default().max(there).max(bench.opened);
     let drilled = drill::before_boring(rough, there, least_bar, bench.knowledge, findings)?;
     Ok(drilled.map(|(drilled, rough)| SideStock {
         blank: drilled.contour(&rough),

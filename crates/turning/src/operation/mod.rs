@@ -33,13 +33,14 @@ mod jaws;
 mod jobs;
 pub mod layers;
 mod level;
-mod off_size;
+mod opened;
 mod parted;
 mod pocket;
 pub mod prepare;
 pub mod programs;
 pub mod proof;
 pub mod setting;
+pub mod sizes;
 mod tailstock;
 pub(crate) mod tapped;
 mod thin;
@@ -54,8 +55,10 @@ use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
+use crate::knowledge::vocabulary::ToolMaterial;
 use crate::material::Material;
 use crate::note::{Figure, Finding, Note, Severity};
+use crate::tables::cutting::Process;
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
@@ -64,6 +67,7 @@ use crate::turning::length::Half;
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::{Advice, Blank, Workpiece, advice};
 use crate::turning::zones::{self, Hold, SetUp};
+use crate::units::Micrometres;
 use layers::Layers;
 use parted::{NotParted, Parted};
 use tools::Bench;
@@ -73,6 +77,7 @@ pub use axial::{Axial, AxialHole};
 pub use barred::{Barred, Stage};
 pub use grip::Grip;
 pub use jaws::{ChuckBody, Jaws};
+pub use sizes::{SizeOf, Sized, Sizes};
 pub use tailstock::Tailstock;
 
 /// A turning operation.
@@ -88,6 +93,9 @@ pub struct Operation {
     pub blank_advice: Vec<Advice>,
     /// The surfaces finished on another machine.
     pub elsewhere: Vec<Elsewhere>,
+    /// The diameters that are turned between limits.
+    #[serde(serialize_with = "sized", skip_serializing_if = "no_size")]
+    pub sizes: Sizes,
     /// The set-ups.
     pub set_ups: Vec<SetUpWork>,
     /// How many tools the turret of its lathe holds.
@@ -98,6 +106,15 @@ pub struct Operation {
     pub proven: Vec<proof::Proven>,
     /// Findings for the reader.
     pub findings: Vec<Finding>,
+}
+
+/// The sizes as a list.
+fn sized<S: serde::Serializer>(sizes: &Sizes, serializer: S) -> Result<S::Ok, S::Error> {
+    sizes.surfaces.serialize(serializer)
+}
+
+fn no_size(sizes: &Sizes) -> bool {
+    sizes.surfaces.is_empty()
 }
 
 /// A set-up with its work.
@@ -253,14 +270,22 @@ fn plan_without(
     findings.extend(
         blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()),
     );
+    let material = stated(workpiece, knowledge)?;
+    if let Some(state) = workpiece.material_state {
+        let by = (Process::Turning, ToolMaterial::Carbide);
+        findings.extend(technolog_cutting::state::without_force(&material, state, by, knowledge)?);
+    }
+    let none = Sizes::default();
     let bench = Bench {
         workpiece,
         lathe: lathe.as_ref(),
-        material: stated(workpiece, knowledge)?,
+        material,
         held: None,
         grip: None,
         through: None,
+        opened: Micrometres::ZERO,
         elsewhere: &[],
+        sizes: &none,
         barred: Vec::new(),
         knowledge,
     };
@@ -291,8 +316,9 @@ fn plan_without(
     let mut elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     // What tools on the axis make to size does not hang on what the lathe holds with a bar.
     elsewhere.retain(|one| axials.iter().flatten().flat_map(Axial::surfaces).all(|name| *name != one.surface));
-    findings.extend(off_size::off_size(workpiece, &elsewhere, knowledge)?);
-    let bench = Bench { elsewhere: &elsewhere, ..bench };
+    let (sizes, off_size) = Sizes::of(workpiece, &elsewhere, &axials, knowledge)?;
+    findings.extend(off_size);
+    let bench = Bench { elsewhere: &elsewhere, sizes: &sizes, ..bench };
     let cut_off = parted.map(|parted| parted.workpiece(workpiece));
     let mut done = Vec::new();
     for (mut set_up, axial) in set_ups.into_iter().zip(axials) {
@@ -314,7 +340,8 @@ fn plan_without(
         let grip = Grip::limit(jaws.as_ref(), knowledge)?;
         let parts = parted.filter(|_| !set_up.turned_over);
         let through = parts.and_then(Parted::drilled_to);
-        let bench = Bench { workpiece, held, grip, through, barred: own, ..bench.clone() };
+        let opened = if set_up.turned_over { opened::opened(&done, workpiece.length()) } else { Micrometres::ZERO };
+        let bench = Bench { workpiece, held, grip, through, opened, barred: own, ..bench.clone() };
         // The set-up as turning tools see it: its bore ends where the hole that is made to size begins.
         let turned = match &axial {
             Some(axial) => &SetUp { inner: axial.bored.clone(), ..set_up.clone() },
@@ -322,6 +349,11 @@ fn plan_without(
         };
         let sides = sides(turned, axial.as_ref(), &bench, &mut findings)?;
         let mut jobs = jobs::jobs(turned, &sides, axial.as_ref(), &bench, &mut findings)?;
+        if set_up.centre && jobs.iter().any(|job| job.side == Side::Inner) {
+            jobs.retain(|job| job.side != Side::Inner);
+            let note = Note::new("bore-behind-centre").with("number", set_up.number);
+            findings.push(Finding::of_part(Severity::Wrong, note));
+        }
         if let Some(parted) = parts {
             set_up.notes.push(Note::new("setup-parts-off").with("z", Half::ZERO - parted.face()));
             match parted.job(jaws.as_ref(), &jobs, &bench, &mut findings)? {
@@ -343,7 +375,8 @@ fn plan_without(
         workpiece: workpiece.clone(),
         blank_before: None,
         blank_advice,
-        elsewhere,
+        elsewhere: elsewhere.clone(),
+        sizes: sizes.clone(),
         set_ups: done,
         turret_places: lathe.as_ref().and_then(|lathe| lathe.turret_places),
         proven: Vec::new(),

@@ -34,6 +34,8 @@ pub(super) struct Parted {
 pub(super) enum NotParted {
     /// The blank is no bar or tube in a chuck.
     NoBar,
+    /// A centre stands in its free end: the part would jam the blade between centre and chuck as it comes off.
+    Centre,
     /// No blade of the catalog reaches the axis.
     NoBlade,
     /// Too little of the blank is left for the jaws.
@@ -47,6 +49,7 @@ impl NotParted {
     pub const fn name(self) -> &'static str {
         match self {
             Self::NoBar => "no-bar",
+            Self::Centre => "centre",
             Self::NoBlade => "no-blade",
             Self::Short => "short",
             Self::Hole => "hole",
@@ -63,7 +66,8 @@ impl Parted {
     pub fn of(workpiece: &Workpiece, bench: &Bench<'_, '_>) -> Tried<Self, NotParted> {
         let bar = matches!(workpiece.blank.kind, StockKind::Bar | StockKind::Tube);
         if workpiece.holding != Holding::Chuck || !bar || bench.lathe.is_none() {
-            return Err(Refusal::Not(NotParted::NoBar));
+            let centre = workpiece.holding == Holding::ChuckAndCentre && bar;
+            return Err(Refusal::Not(if centre { NotParted::Centre } else { NotParted::NoBar }));
         }
         let (stock, gap) = (Half::of(face_stock(bench)?), Half::of(jaw_gap(bench)?));
         let mut parted =

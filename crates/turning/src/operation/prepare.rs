@@ -9,6 +9,8 @@ use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::Workpiece;
 use crate::units::Micrometres;
 
+use super::thin;
+
 /// The lathe in the file; none, with a finding, if it names none.
 ///
 /// # Errors
@@ -54,10 +56,27 @@ pub fn finished_elsewhere(
     }
     let length = Micrometres::new(workpiece.length().halves() / 2);
     let mut all = Vec::new();
-    for profile in std::iter::once(&workpiece.outer).chain(&workpiece.inner) {
+    let outer = (&workpiece.outer, Some(&workpiece.blank.outer));
+    let inner = workpiece.inner.as_ref().map(|inner| (inner, workpiece.blank.inner.as_ref()));
+    for (profile, blank) in std::iter::once(outer).chain(inner) {
         let (later, doubts) = elsewhere(profile, holds.as_ref(), length, knowledge)?;
-        all.extend(later);
         findings.extend(doubts);
+        for one in later {
+            let surface = profile.surfaces.iter().find(|surface| surface.name == one.surface);
+            let (Some(surface), Some(blank)) = (surface, blank) else {
+                all.push(one);
+                continue;
+            };
+            // The blank has nothing to leave there, which is told where the surface stays as it is.
+            if thin::is_of_blank(surface, blank) {
+                continue;
+            }
+            if thin::keeps_skin(surface, one.allowance_mm, blank) {
+                let note = Note::new("blank-thin-for-elsewhere").with("surface", &one.surface);
+                findings.push(Finding::of_part(Severity::Wrong, note.with("allowance", one.allowance_mm)));
+            }
+            all.push(one);
+        }
     }
     Ok(all)
 }

@@ -11,7 +11,6 @@ use crate::turning::program::{
     self, Allowance, Control, CycleOf, Direction, FreeEnd, NotCycled, NotWritten, ProgramFile, Roughing, Seat,
     SectionCycle, SectionLoad, Speed, ToolSection, WholeProgram,
 };
-use crate::turning::shaft::Holding;
 use crate::turning::toolpath::Toolpath;
 use crate::turning::zones::Feed;
 use crate::units::RevsPerMinute;
@@ -87,14 +86,14 @@ pub fn programs_named(
     let control = Control::read(control, knowledge)?;
     let stations = stations(operation);
     let loads = loads(operation, &stations);
-    let between_centres = operation.workpiece.holding == Holding::Centres;
-    let end_of_part = if between_centres { FreeEnd::Tailstock } else { FreeEnd::Open };
     let written = operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty()).map(|set_up| {
         let mut seats: Vec<Seat> =
             set_up.jobs.iter().filter_map(|job| station(&stations, job)).map(|one| one.seat).collect();
         seats.dedup();
         let number = set_up.set_up.number;
-        let files = if between_centres && set_up.jobs.iter().any(hits_centre) {
+        let at_centre = set_up.set_up.centre;
+        let end_of_part = if at_centre { FreeEnd::Tailstock } else { FreeEnd::Open };
+        let files = if at_centre && set_up.jobs.iter().any(hits_centre) {
             Err(NotWritten::ThroughCentre)
         } else if let Some(why) = proof::rejects(operation, number) {
             Err(NotWritten::Unsafe { why })

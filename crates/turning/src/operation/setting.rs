@@ -21,7 +21,7 @@ use crate::turning::zones::Hold;
 use crate::units::{Degrees, Micrometres};
 
 use super::turret::{Load, Station, loads, station, stations};
-use super::{Grip, Jaws, Operation, SetUpWork, Tailstock};
+use super::{Grip, Jaws, Operation, SetUpWork, Sized, Sizes, Tailstock};
 
 /// The setting of an operation for a control.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -34,9 +34,22 @@ pub struct Setting {
     pub set_ups: Vec<Stand>,
     /// The tools by their places in the turret.
     pub tools: Vec<SetTool>,
+    /// The sizes with limits that are turned, with what the operator measures.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub sizes: Vec<SetSize>,
     /// The threads that are cut, with what the operator measures.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub threads: Vec<SetThread>,
+}
+
+/// What is measured of a size.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SetSize {
+    /// The set-up that finishes it.
+    pub set_up: u8,
+    /// The size.
+    #[serde(flatten)]
+    pub sized: Sized,
 }
 
 /// What is measured of a thread.
@@ -184,8 +197,19 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
         control: control.to_owned(),
         set_ups: set_ups.collect(),
         tools: tools.collect::<Result<_, KnowledgeError>>()?,
+        sizes: operation.set_ups.iter().flat_map(|set_up| sizes(set_up, &operation.sizes)).collect(),
         threads: operation.set_ups.iter().flat_map(|set_up| threads(set_up, &part.threads, &language)).collect(),
     })
+}
+
+/// The sizes with limits that a set-up finishes.
+fn sizes<'a>(set_up: &'a SetUpWork, all: &'a Sizes) -> impl Iterator<Item = SetSize> + 'a {
+    let made = |sized: &&Sized| {
+        let mut jobs = set_up.jobs.iter().filter(|job| matches!(job.work, Work::Finish | Work::Groove | Work::Face));
+        jobs.any(|job| job.surfaces.contains(&sized.surface))
+    };
+    let number = set_up.set_up.number;
+    all.surfaces.iter().filter(made).map(move |sized| SetSize { set_up: number, sized: sized.clone() })
 }
 
 /// The threads that a set-up cuts.

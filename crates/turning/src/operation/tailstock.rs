@@ -1,4 +1,4 @@
-//! The tailstock centre and its quill before the free end of a part between centres.
+//! The tailstock centre and its quill before the free end of a part.
 
 use serde::Serialize;
 
@@ -9,7 +9,7 @@ use crate::turning::jobs::hole::centre_hole_for;
 use crate::turning::length::Half;
 use crate::turning::tooling::{Lathe, Workholding};
 use crate::turning::workpiece::Workpiece;
-use crate::turning::zones::{Hold, SetUp};
+use crate::turning::zones::SetUp;
 use crate::units::Micrometres;
 
 /// A centre in the centre hole of the free end: a cone from the face outwards, its body, then the quill.
@@ -37,7 +37,7 @@ pub struct Tailstock {
 }
 
 impl Tailstock {
-    /// The tailstock of a set-up; none in a chuck, and if the size of the lathe is not known.
+    /// The tailstock of a set-up; none where no centre stands, and if the size of the lathe is not known.
     ///
     /// # Errors
     /// The knowledge base lacks a table or a row.
@@ -47,7 +47,7 @@ impl Tailstock {
         lathe: Option<&Lathe<'_>>,
         knowledge: &Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
-        let (Some(Hold::Centres), Some(lathe)) = (&set_up.holds_at, lathe) else { return Ok(None) };
+        let (true, Some(lathe)) = (set_up.centre, lathe) else { return Ok(None) };
         let Some(Workholding {
             centre_slope: slope, centre_body, centre_clearance, centre_out, quill_diameter, ..
         }) = lathe.workholding(knowledge)?

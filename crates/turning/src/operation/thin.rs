@@ -1,5 +1,10 @@
 //! Where the blank has less stock than the finishing allowance, or none at all.
 
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::knowledge::vocabulary::Severity as Judged;
+use crate::note::Severity;
+use crate::tables::turning::part::{StockKind, TurningBlankSurfaceFor};
 use crate::turning::contour::{Contour, Piece, Side, Surface};
 use crate::turning::length::Half;
 use crate::turning::transitions::in_process_stock::InProcessStock;
@@ -48,6 +53,37 @@ fn with_faces(own: &Contour, mut pieces: Vec<Piece>) -> Vec<Piece> {
 /// Whether a surface is a cylinder of the blank itself, which is left as it is.
 pub(super) fn is_of_blank(surface: &Surface, blank: &Contour) -> bool {
     !surface.kind.is_additional() && surface.pieces.iter().all(|piece| lies_on(piece, blank))
+}
+
+/// How grave it is that a surface stays as the blank has it: a note where the drawing asks nothing of it, else by the rule
+/// `turning-blank-surface`.
+///
+/// # Errors
+/// The knowledge base lacks the rule, or a row of it.
+pub(super) fn judged(surface: &Surface, stock: StockKind, knowledge: &Knowledge) -> Result<Severity, KnowledgeError> {
+    if surface.grade.is_none() && surface.roughness.is_none() {
+        return Ok(Severity::Note);
+    }
+    let question = TurningBlankSurfaceFor { stock, it: surface.grade, roughness: surface.roughness };
+    Ok(match knowledge.ask(&question)?.need(stock.name())?.severity {
+        Judged::Note => Severity::Note,
+        Judged::Doubtful => Severity::Doubtful,
+        _ => Severity::Wrong,
+    })
+}
+
+/// Whether the skin of the blank stays on a cylinder that keeps so much more on a side for another machine.
+pub(super) fn keeps_skin(surface: &Surface, more: Half, blank: &Contour) -> bool {
+    let covers = |piece: &Piece| {
+        let middle = Half::new((piece.from.z.halves() + piece.to.z.halves()) / 2);
+        let radii = blank.radii_at(middle);
+        let covered = radii.is_some_and(|(least, most)| match blank.side {
+            Side::Outer => piece.from.radius + more >= most,
+            Side::Inner => piece.from.radius - more <= least,
+        });
+        piece.is_cylinder() && covered
+    };
+    !surface.kind.is_additional() && surface.pieces.iter().all(covers)
 }
 
 fn lies_on(piece: &Piece, blank: &Contour) -> bool {

@@ -21,7 +21,7 @@ use crate::turning::zones::{ToolAngles, Zone, fit};
 use crate::units::{Degrees, Micrometres};
 
 use super::held::Held;
-use super::{Barred, Stage};
+use super::{Barred, Sizes, Stage};
 use crate::turning::cutting::{GripLimit, bar_clearance, largest_overhang};
 
 /// The context of planning an operation.
@@ -39,8 +39,12 @@ pub struct Bench<'a, 'k> {
     pub grip: Option<GripLimit>,
     /// The surfaces finished on another machine.
     pub elsewhere: &'a [Elsewhere],
+    /// The sizes that are made.
+    pub sizes: &'a Sizes,
     /// How deep a through hole is drilled, where the part is parted off behind its end: past the blade.
     pub through: Option<Half>,
+    /// The diameter of the hole that the set-up before has opened at the far face; zero where there is none.
+    pub opened: Micrometres,
     /// The tools that the proof rejected in this set-up.
     pub barred: Vec<Barred>,
     /// Every table.

@@ -15,21 +15,21 @@ use super::{Operation, SetUpWork, SideWork};
 pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
     let mut findings = Vec::new();
     findings.extend(operation.set_ups.iter().flat_map(undone).map(|undone| undone.finding()));
-    let holding = operation.workpiece.holding;
-    let not_proven = if holding == Holding::Centres { "centre-not-proven" } else { "jaws-not-proven" };
-    let has_body =
-        |set_up: &SetUpWork| set_up.jaws.is_some_and(|jaws| jaws.body.is_some()) || set_up.tailstock.is_some();
-    if operation.set_ups.iter().any(|set_up| !set_up.jobs.is_empty() && !has_body(set_up)) {
-        findings.push(Finding::of_part(Severity::Doubtful, Note::new(not_proven)));
+    let between_centres = operation.workpiece.holding == Holding::Centres;
+    let working = || operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty());
+    let no_jaws = |set_up: &SetUpWork| !between_centres && set_up.jaws.is_none_or(|jaws| jaws.body.is_none());
+    let no_centre = |set_up: &SetUpWork| set_up.set_up.centre && set_up.tailstock.is_none();
+    let not_known = [("jaws-not-proven", working().any(no_jaws)), ("centre-not-proven", working().any(no_centre))];
+    let not_known = not_known.into_iter().filter(|(_, any)| *any);
+    findings.extend(not_known.map(|(code, _)| Finding::of_part(Severity::Doubtful, Note::new(code))));
+    let faced = |set_up: &SetUpWork, side: &SideWork, zone: &ZoneWork| set_up.set_up.centre && runs_into_centre(side, zone);
+    for (set_up, _, zone) in operation.zones().filter(|(set_up, side, zone)| faced(set_up, side, zone)) {
+        let number = format!("{}.{}", set_up.set_up.number, zone.zone.number);
+        findings.push(Finding::of_part(Severity::Wrong, Note::new("faced-through-centre").with("zone", number)));
     }
-    if holding == Holding::Centres {
-        for (set_up, _, zone) in operation.zones().filter(|(_, side, zone)| runs_into_centre(side, zone)) {
-            let number = format!("{}.{}", set_up.set_up.number, zone.zone.number);
-            let note = Note::new("faced-through-centre").with("zone", number);
-            findings.push(Finding::of_part(Severity::Wrong, note));
-        }
-        findings
-            .extend(operation.set_ups.iter().filter_map(|set_up| over_driver(set_up, operation.workpiece.length())));
+    if between_centres {
+        let length = operation.workpiece.length();
+        findings.extend(operation.set_ups.iter().filter_map(|set_up| over_driver(set_up, length)));
     }
     findings
 }

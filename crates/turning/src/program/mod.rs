@@ -87,7 +87,7 @@ impl Control {
         let control = LatheControl::from_word(name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
         let row = knowledge.need(name, |row: &LatheControls<'_>| row.control == control)?;
         let words = match (row.plain, row.comment) {
-            (true, Some(comment)) => Some(ControlWords::read(control, comment, row.point.unwrap_or(false), knowledge)?),
+            (true, Some(comment)) => Some(ControlWords::read(&row, comment, knowledge)?),
             (true, None) => {
                 return Err(KnowledgeError::missing(&table.id, note!("turned-comment-control-written-for")));
             }

@@ -108,7 +108,8 @@ impl<'c> ProgramWriter<'c> {
         }
         if let Pace::Thread(lead) = pace {
             // On some controls the lead uses the word of the feed, so the feed is not known afterwards.
-            words.push(format!("{}{}", self.words.get(Use::ThreadLead), self.words.figure(number(lead.0, 4))));
+            let lead = number(self.words.lead(piece, lead), 4);
+            words.push(format!("{}{}", self.words.get(Use::ThreadLead), self.words.figure(lead)));
             self.feed = None;
         }
         if let Pace::Feed(feed) = pace {

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::tables::controls::lathe::{LatheControl, LatheWords};
+use crate::tables::controls::lathe::{LatheControls, LatheWords, LeadAlong};
+use crate::turning::contour::Piece;
+use crate::units::MillimetresPerRev;
 
 use super::whole::Seat;
 
@@ -18,6 +20,8 @@ pub(super) struct ControlWords {
     comment: String,
     /// Whether a whole number needs a point: without one it is in least increments.
     pointed: bool,
+    /// Whether the lead of a thread is the way of the tool in a turn, not that along the longer axis.
+    lead_of_path: bool,
 }
 
 impl ControlWords {
@@ -26,11 +30,11 @@ impl ControlWords {
     /// # Errors
     /// The table lacks a word that every control must have.
     pub fn read(
-        control: LatheControl,
+        of: &LatheControls<'_>,
         comment: &str,
-        pointed: bool,
         knowledge: &Knowledge,
     ) -> Result<Self, KnowledgeError> {
+        let control = of.control;
         let rows = knowledge.rows::<LatheWords<'_>>()?.into_iter().filter(|row| row.control == control);
         let words: BTreeMap<Use, String> = rows.map(|row| (row.use_, row.word.to_owned())).collect();
         let lacking = |(_, wanted): &&(&str, Use)| wanted.is_required() && !words.contains_key(wanted);
@@ -38,7 +42,8 @@ impl ControlWords {
             let wanted = format!("control {}, use {name}", control.name());
             return Err(KnowledgeError::no_row(knowledge.table_of::<LatheWords<'_>>()?, &wanted));
         }
-        Ok(Self { words, comment: comment.to_owned(), pointed })
+        let (pointed, lead_of_path) = (of.point.unwrap_or(false), of.lead_along == Some(LeadAlong::Path));
+        Ok(Self { words, comment: comment.to_owned(), pointed, lead_of_path })
     }
 
     /// A word; empty if the control has none.
@@ -75,6 +80,14 @@ impl ControlWords {
     /// A length or a feed as the control takes it.
     pub fn figure(&self, number: String) -> String {
         if self.pointed && !number.contains('.') { format!("{number}.") } else { number }
+    }
+
+    /// The lead that the control must be told for a thread of this lead along the longer axis of a line: where it is the
+    /// way of the tool in a turn, K = P·√(Δz² + Δr²)/max(Δz, Δr).
+    pub fn lead(&self, piece: Piece, lead: MillimetresPerRev) -> f64 {
+        let along = piece.from.to(piece.to);
+        let longer = along.z.abs().max(along.radius.abs());
+        if self.lead_of_path && longer > 0.0 { lead.0 * along.length() / longer } else { lead.0 }
     }
 
     /// A comment.

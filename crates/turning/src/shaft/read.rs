@@ -53,7 +53,7 @@ impl Reader<'_> {
             None => Some(None),
         };
         let holding = match fields.take(ShaftFile::holding) {
-            Some(node) => self.choice(node, &[("chuck", Holding::Chuck), ("centres", Holding::Centres)]),
+            Some(node) => self.choice(node, Holding::NAMES),
             None => Some(Holding::default()),
         };
         let steps_node = fields.need(ShaftFile::steps, &mut self.problems);

@@ -53,6 +53,20 @@ forms! {
     }
 }
 
+forms! {
+    /// The limits of a size, from its nominal value.
+    pub struct LimitsFile {
+        /// To the largest size.
+        pub upper: Deviation,
+        /// To the smallest size.
+        pub lower: Deviation,
+    }
+}
+
+/// A deviation, mm.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+pub struct Deviation(#[schemars(range(min = -10.0, max = 10.0))] pub f64);
+
 /// Where a cylinder ends.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
@@ -107,11 +121,15 @@ items! {
     FaceItem {
         /// To this diameter.
         face: Width,
+        /// The limits of its distance from the free end; the program makes the middle.
+        limits: Option<LimitsFile>,
     }
     /// Along the axis.
     CylinderItem {
         /// To this Z, or so long.
         cylinder: AlongFile,
+        /// The limits of its diameter, in place of a field; the program makes the middle.
+        limits: Option<LimitsFile>,
     }
     /// Straight to a point.
     ConeItem {

@@ -7,18 +7,22 @@ use crate::turning::contour::{Field, Side};
 use crate::turning::length::Half;
 use crate::turning::reading::{LARGEST, Placed, Reader, mistake};
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
+use technolog_core::part::Deviations;
 
 use super::grade;
 use super::groove::GrooveForm;
 use super::item_file::{
-    ArcItem, ChamferItem, ConeItem, CylinderItem, FaceItem, FromItem, GrooveItem, PointFile, Stretch, Surface,
-    ThreadItem,
+    ArcItem, ChamferItem, ConeItem, CylinderItem, FaceItem, FromItem, GrooveItem, LimitsFile, PointFile, Stretch,
+    Surface, ThreadItem,
 };
 use super::thread::{self, ThreadSize};
 
 /// The most items of a contour. Each closed part is planned with the levels of the whole contour, so time, memory and
 /// the answer grow with the square of their number. At this bound that is seconds and some hundred megabytes.
 pub const MOST_ITEMS: usize = 2000;
+
+/// The largest deviation from a nominal size.
+const MOST_DEVIATION: Micrometres = Micrometres::from_mm(10);
 
 /// The owner of the contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,10 +91,10 @@ pub(super) struct ContourItem {
 pub(super) enum ItemShape {
     /// Where the contour begins.
     From(EndPoint),
-    /// Across the axis to a diameter.
-    Face(Measure),
-    /// Along the axis.
-    Cylinder(Along),
+    /// Across the axis to a diameter; the limits of its Z.
+    Face(Measure, Option<Placed<Deviations>>),
+    /// Along the axis; the limits of its diameter.
+    Cylinder(Along, Option<Placed<Deviations>>),
     /// Straight to a point.
     Cone { to: EndPoint, chamfer: bool },
     /// At 45° over so much of each direction.
@@ -190,11 +194,13 @@ impl Reader<'_> {
                 fields.finish(&mut self.problems);
                 Some(ContourItem { place: node.place.clone(), shape, attributes: Attributes::default() })
             }
-            ItemKind::Face => self.surface(at, FaceItem::face, |reader, value, _| {
-                ItemShape::Face(reader.diameter(value, FaceItem::face.name()))
+            ItemKind::Face => self.surface(at, FaceItem::face, |reader, value, fields| {
+                let limits = fields.take(FaceItem::limits).and_then(|node| reader.limits(node, owner));
+                ItemShape::Face(reader.diameter(value, FaceItem::face.name()), limits)
             }),
-            ItemKind::Cylinder => self.surface(at, CylinderItem::cylinder, |reader, value, _| {
-                ItemShape::Cylinder(reader.along(value, owner))
+            ItemKind::Cylinder => self.surface(at, CylinderItem::cylinder, |reader, value, fields| {
+                let limits = fields.take(CylinderItem::limits).and_then(|node| reader.limits(node, owner));
+                ItemShape::Cylinder(reader.along(value, owner), limits)
             }),
             ItemKind::Cone => self.surface(at, ConeItem::cone, |reader, value, fields| ItemShape::Cone {
                 to: reader.to(value, owner),
@@ -259,6 +265,26 @@ impl Reader<'_> {
         let roughness = fields.take(roughness).and_then(|node| self.problems.scalar(node));
         let allowance = fields.take(allowance).and_then(|node| self.not_below_zero(node, allowance.name()));
         Attributes { name, grade, field, roughness, allowance: allowance.map(Half::of) }
+    }
+
+    /// The limits of a size: the upper one lies above the lower one.
+    fn limits(&mut self, node: &Node, owner: Owner) -> Option<Placed<Deviations>> {
+        if owner == Owner::Blank {
+            return self.fault(mistake!("item-of-a-part", key = CylinderItem::limits.name()), &node.place);
+        }
+        let mut fields = self.problems.map(node)?;
+        let upper = fields.need(LimitsFile::upper, &mut self.problems);
+        let lower = fields.need(LimitsFile::lower, &mut self.problems);
+        fields.finish(&mut self.problems);
+        let upper = upper.and_then(|node| self.problems.scalar::<Micrometres>(node))?;
+        let lower = lower.and_then(|node| self.problems.scalar::<Micrometres>(node))?;
+        if upper <= lower {
+            return self.fault(mistake!("limits-crossed", upper = upper, lower = lower), &node.place);
+        }
+        if upper.abs().max(lower.abs()) > MOST_DEVIATION {
+            return self.fault(mistake!("limits-too-far", upper = upper, lower = lower), &node.place);
+        }
+        Some((Deviations { upper, lower }, node.place.clone()))
     }
 
     /// A length that may be zero.

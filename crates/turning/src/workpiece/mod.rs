@@ -14,6 +14,7 @@ mod grade;
 mod groove;
 pub mod item_file;
 mod items;
+mod lengths;
 mod preparation;
 mod read;
 mod read_blank;

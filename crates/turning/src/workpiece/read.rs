@@ -14,6 +14,7 @@ use super::check;
 use super::file::WorkpieceFile;
 use super::items::Owner;
 use super::walk::{Walked, walk};
+use super::lengths;
 use super::{Allowances, HeatTreatment, Roughing, Turned, Workpiece};
 
 /// Reads the file of a turned part: with `steps` it is a stepped shaft, with `outer` a contour.
@@ -89,7 +90,7 @@ impl Reader<'_> {
             None => Some(None),
         };
         let holding = match fields.take(WorkpieceFile::holding) {
-            Some(node) => self.choice(node, &[("chuck", Holding::Chuck), ("centres", Holding::Centres)]),
+            Some(node) => self.choice(node, Holding::NAMES),
             None => Some(Holding::default()),
         };
         let heat_treatment = match fields.take(WorkpieceFile::heat_treatment) {
@@ -134,6 +135,7 @@ impl Reader<'_> {
             None => None,
         };
         let walked = || std::iter::once(&outer).chain(&inner);
+        let (outer_profile, inner_profile) = lengths::in_the_middle(outer.profile()?, inner_profile);
         let (material, material_state) = material?;
         Some(Workpiece {
             name: name?,
@@ -143,7 +145,7 @@ impl Reader<'_> {
             machine: machine?,
             holding: holding?,
             heat_treatment: heat_treatment?,
-            outer: outer.profile()?,
+            outer: outer_profile,
             inner: inner_profile,
             threads: walked().flat_map(|walked| walked.threads.clone()).collect(),
             roughing: roughing?,

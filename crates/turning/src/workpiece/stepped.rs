@@ -83,6 +83,7 @@ fn outer(steps: &[Step]) -> Profile {
             pieces,
             grade: None,
             field: None,
+            limits: None,
             roughness: None,
             stated_allowance: None,
         });

@@ -8,6 +8,10 @@ use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::reading::{Placed, Reader, mistake};
 
+use technolog_core::part::Deviations;
+
+use crate::units::Micrometres;
+
 use super::Thread;
 use super::groove::GrooveForm;
 use super::items::{Along, ContourItem, GrooveValues, ItemShape, Measure};
@@ -108,8 +112,8 @@ impl Walk<'_, '_, '_> {
             }
             ItemShape::From(_) => self.fault(mistake!("from-not-first"), &item.place),
             _ if index == 0 => self.fault(mistake!("first-item-not-from"), &item.place),
-            ItemShape::Face(d) => self.straight(item, SurfaceKind::Face, (radius_of(d), self.z)),
-            ItemShape::Cylinder(along) => {
+            ItemShape::Face(d, _) => self.straight(item, SurfaceKind::Face, (radius_of(d), self.z)),
+            ItemShape::Cylinder(along, _) => {
                 let z = self.z_after(along);
                 self.straight(item, SurfaceKind::Cylinder, (self.radius, z));
             }
@@ -172,9 +176,28 @@ impl Walk<'_, '_, '_> {
             Some((name, _)) => SurfaceName::Given(name.clone()),
             None => SurfaceName::Place(self.walked.side, self.walked.surfaces.len() + 1),
         };
-        let (grade, roughness, stated_allowance) = (attributes.grade, attributes.roughness, attributes.allowance);
+        let (roughness, stated_allowance) = (attributes.roughness, attributes.allowance);
         let field = attributes.field.clone();
-        let surface = Surface { name, kind, pieces, grade, field, roughness, stated_allowance };
+        let limits = match &item.shape {
+            ItemShape::Face(_, limits) | ItemShape::Cylinder(_, limits) => limits.clone(),
+            _ => None,
+        };
+        if let Some((_, place)) = limits.as_ref().filter(|_| field.is_some()) {
+            self.fault(mistake!("limits-beside-field"), place);
+        }
+        let size = pieces.first().map(|first| match kind {
+            SurfaceKind::Face => Micrometres::new(first.from.z.halves() / 2),
+            _ => first.from.radius.diameter(),
+        });
+        if let Some((Deviations { upper, lower }, place)) = &limits
+            && size.is_some_and(|size| size <= upper.abs().max(lower.abs()))
+        {
+            self.fault(mistake!("limits-beyond-size", upper = upper, lower = lower), place);
+        }
+        let limits = limits.map(|(limits, _)| limits);
+        let of_limits = || limits.zip(size).and_then(|(limits, size)| limits.grade(size, self.reader.knowledge).ok()?);
+        let grade = attributes.grade.or_else(of_limits);
+        let surface = Surface { name, kind, pieces, grade, field, limits, roughness, stated_allowance };
         self.walked.surfaces.push((surface, item.place.clone()));
     }
 
@@ -215,7 +238,7 @@ impl Walk<'_, '_, '_> {
         false
     }
 
-    /// The direction of the radius: that of the face before, or of the face after.
+    /// The direction of the radius: that of the face before, or of the face after, or of the edge at an end of the part.
     pub fn radial_way(&self, index: usize) -> Option<i64> {
         let before = self.last().filter(|last| last.kind == SurfaceKind::Face).and_then(|face| face.pieces.first());
         if let Some(face) = before {
@@ -224,8 +247,12 @@ impl Walk<'_, '_, '_> {
         if self.last().is_none() {
             return Some(if self.walked.side == Side::Outer { 1 } else { -1 });
         }
-        match self.items.get(index + 1)?.as_ref()?.shape {
-            ItemShape::Face(ref d) => {
+        // At the far end of the part it breaks the edge of the far face.
+        let Some(next) = self.items.get(index + 1) else {
+            return Some(if self.walked.side == Side::Outer { -1 } else { 1 });
+        };
+        match next.as_ref()?.shape {
+            ItemShape::Face(ref d, _) => {
                 Some((radius_of(d)? - self.radius?).halves().signum()).filter(|direction| *direction != 0)
             }
             _ => None,
@@ -244,7 +271,7 @@ impl Walk<'_, '_, '_> {
             return self.straight(item, SurfaceKind::Chamfer, (None, None));
         };
         let face = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.shape) {
-            Some(ItemShape::Face(d)) if !after_face => radius_of(d).zip(self.radius).map(|(to, from)| to - from),
+            Some(ItemShape::Face(d, _)) if !after_face => radius_of(d).zip(self.radius).map(|(to, from)| to - from),
             _ => None,
         };
         if let Some(face) = face.map(|face| Half::new(face.halves().abs())).filter(|face| *face < side) {

@@ -59,6 +59,9 @@ pub struct SetUp {
     pub turned_over: bool,
     /// Whether it faces stock off at its free end.
     pub faces: bool,
+    /// Whether the tailstock centre stands in its free end.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub centre: bool,
     /// Its work outside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outer: Option<TurnedSide>,
@@ -94,7 +97,7 @@ pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Resu
     let lent = division
         .near
         .as_ref()
-        .filter(|_| part.holding == Holding::Chuck && part.lends)
+        .filter(|_| part.holding != Holding::Centres && part.lends)
         .and_then(|near| lent(near, division.far.as_ref()));
     let made = set_ups_of(part, division, tool, knowledge)?;
     let unheld = |set_ups: &[SetUp]| set_ups.iter().filter(|one| one.holds_at.is_none()).count();
@@ -157,7 +160,8 @@ fn set_ups_of(
         let outer = from(near)?;
         let (holds_at, because) = hold_blank(part, outer.as_ref(), knowledge)?;
         let inner = from(bored)?;
-        SetUp { number: 1, turned_over: false, faces: near_face, outer, inner, holds_at, because, notes }
+        let centre = part.holding != Holding::Chuck;
+        SetUp { number: 1, turned_over: false, faces: near_face, centre, outer, inner, holds_at, because, notes }
     };
     if !second {
         return Ok(vec![first]);
@@ -179,7 +183,9 @@ fn set_ups_of(
     }
     let (holds_at, because) = hold_part(part, first.outer.as_ref(), knowledge)?;
     let (outer, inner) = (from(over(far))?, from(over(bored_far))?);
-    let second = SetUp { number: 2, turned_over: true, faces: far_face, outer, inner, holds_at, because, notes };
+    // Turned over in a chuck the part is faced at its free end, where a centre would stand.
+    let centre = part.holding == Holding::Centres;
+    let second = SetUp { number: 2, turned_over: true, faces: far_face, centre, outer, inner, holds_at, because, notes };
     Ok(vec![first, second])
 }
 

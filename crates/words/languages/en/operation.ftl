@@ -6,6 +6,7 @@ set-up-not-held = set-up { $number }: no part of it is long enough for the jaws;
 far-face-as-parted = nothing of the part is long enough to hold it turned over, so its far face stays as the blade leaves it: rough, hollow by some tenths, perhaps with a pip
 far-face-cut-away = set-up { $number }: { $length } mm of the blank are left behind the part; they are faced away: it is cheaper to saw them off before this set-up down to a facing allowance; they are not parted off: { $why ->
         [no-bar] the blank is no bar or tube in a chuck
+        [centre] a part that comes off between chuck and centre jams the blade
         [no-blade] no blade of the catalog reaches the axis
         [short] too little of the blank is left for the jaws behind the blade
        *[hole] the hole through the part comes out too narrow for the blade
@@ -19,6 +20,8 @@ no-depth-allowed = { $tool }: no depth is allowed by { $bound }; take a lower fe
 one-feed-for-all = these feeds are not given: { $feeds }; the main one is taken, so times are approximate
 no-bar-for-bore = zone { $zone }: the bore of Ø{ $bore } is too narrow for the bars of the catalog, the slimmest of which enters Ø{ $least }
 surface-of-blank = { $surface }: it is the surface of the blank and stays as it is; a blank with stock is needed where the drawing asks for more
+    .help = give the blank stock there; where the bar is bought so (drawn, ground), leave grade and roughness of this surface out
+blank-thin-for-elsewhere = { $surface }: the blank has no more than the { $allowance } mm a side that are left for the later operation, so its skin stays on: take a thicker blank
 no-tool-for-zone = zone { $zone } ({ $side }): no tool of the catalog fits: φ ≥ { $main }° and φ1 ≥ { $secondary }° are needed
 scheme-not-possible = zone { $zone }: the scheme { $scheme } is not possible, for the reason in the next line; the quickest of those that leave an even allowance is taken, if there is one
 face-stock-thin = the blank's stock on the face is { $lack } mm less than the finishing allowance: take a longer blank
@@ -40,6 +43,9 @@ thread-not-cut = set-up { $number }: { $surface } (from Z { $z }): the thread is
 groove-not-cut = set-up { $number }: { $surface } (from Z { $z }): the groove is not cut
 ends-centred-before = between centres no tool reaches the faces: before, { $near } mm are faced off the free end and { $far } mm off the far one, and both are centred, A{ $pilot } by ГОСТ 14034-74
 ends-faced-before = between centres no tool reaches the faces: before, { $near } mm are faced off the free end and { $far } mm off the far one; no centre hole of the table fits so thin an end
+end-centred-before = at a centre no tool reaches the face of the free end: before, { $near } mm are faced off it and it is centred, A{ $pilot } by ГОСТ 14034-74
+end-faced-before = at a centre no tool reaches the face of the free end: before, { $near } mm are faced off it; no centre hole of the table fits so thin an end
+bore-behind-centre = set-up { $number }: the tailstock centre stands in the free end, where the bore is: no tool goes in; bore it before, or hold the part in the chuck alone
 faced-through-centre = zone { $zone }: the face is turned to the axis, where the tailstock centre stands
     .help = face the blank and drill its centre holes first (`blank: {"{"}face: 0, …{"}"}`), or hold it in a chuck
 jaws-not-proven = the chuck is not part of the proof: its size is not known (the record of a lathe has it: name one, `machine:`), or no surface is long enough for its jaws; watch the first run near it
@@ -51,6 +57,7 @@ no-tool-to-finish = { $side }: no tool finishes this contour: it needs φ of at 
     .help = give the steep surfaces a groove or a second set-up, or add a tool to the catalog
 finish-feed-of = finishing feed { $feed } mm/rev ({ $roughness }): { $surfaces }
 finish-feed-of-others = finishing feed { $feed } mm/rev ({ $roughness }): the other surfaces
+finish-one-speed = one step of the spindle for the whole pass, { $rpm } rpm, that of Ø{ $diameter }: a step that is changed in the cut marks the surface; Ø{ $least } is cut at { $speed } m/min only, its own step would be { $own } rpm
 finish-tool-presses-less = { $tool } is taken instead of { $instead }, which presses harder and, because the part bends, would have to be fed slower
 nose-fills-hollow = the nose of radius { $nose } mm fills the hollow of radius { $hollow } mm; no tool has a smaller one
     .help = draw the bore with the cone of a drill at its bottom, make it a through hole, or finish the bottom with a flat drill

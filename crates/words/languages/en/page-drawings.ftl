@@ -25,6 +25,7 @@ cycles-turn-over = Turn the part { $part } over about Y
 cycles-set-bar = Set the boring bar to Ø{ $diameter }
 cycles-speed = S { $speed } rpm
 cycles-feed = F { $feed } mm/min
+cycles-plunge = F { $feed } mm/min down
 cycles-dwell = dwell { $seconds } s
 cycles-step = step V { $step } mm
 cycles-clearance = clearance W { $clearance } mm

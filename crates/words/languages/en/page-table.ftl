@@ -49,6 +49,7 @@ table-value-load-thrust = thrust
 table-value-load-torque = torque
 table-value-load-power = power
 table-value-after-blank-hole = hole of the blank
+table-value-after-pre-machined = made by a tool before
 table-value-after-drill = drilling
 table-value-after-core-drill = core drilling
 table-value-after-bore = boring

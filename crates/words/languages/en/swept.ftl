@@ -24,6 +24,10 @@ swept-off-axis = { $tool } cuts beside the axis at Z{ $z } Ø{ $diameter }: a dr
        *[other] motions
     } in all
 swept-stands = { $surface }: up to { $thickness } mm of metal is left between Z{ $from } and Z{ $to }, most at Z{ $z } Ø{ $diameter }
+swept-size-left = { $surface }: Ø{ $measured } at Z{ $z } is outside of its limits with metal left on it: { $least } ≤ Ø ≤ { $most } mm
+swept-size-lost = { $surface }: Ø{ $measured } at Z{ $z } is outside of its limits, and the metal is gone: { $least } ≤ Ø ≤ { $most } mm
+swept-length-left = { $surface }: its face lies at { $measured } mm with metal left on it, outside of its limits: { $least } ≤ L ≤ { $most } mm
+swept-length-lost = { $surface }: its face lies at { $measured } mm, outside of its limits, and the metal is gone: { $least } ≤ L ≤ { $most } mm
 swept-corner = { $surface }: an inner corner keeps the round of the nose, r = { $radius } mm, { $left } mm from its sides at Z{ $z } Ø{ $diameter }; { $count } { $count ->
         [one] corner
        *[other] corners

@@ -55,6 +55,7 @@ word-first-parallel-finish-sequential = first transitions in parallel, finishing
 word-own-cell = the cell itself
 word-finer-roughness = a finer roughness of the same grade
 word-finer-grade = a finer grade
+word-tighter-centres = a tighter tolerance of centre distances
 word-first = the first
 word-second = the second
 word-practice-speed = shop practice

@@ -31,6 +31,7 @@ job-no-centre-hole = for Ø{ $diameter } there is no centre drill: the smallest 
 part-off-near-jaws = the blade would cut { $gap } mm before the jaws, and must stay { $least } mm away
 part-off-too-deep = the wall is { $depth } mm thick, and no blade reaches further than { $reach } mm
 # What is done.
+groove-layers = { $surface }: beside the plunges both walls are turned sideways in layers: { $layers }, each out of the slot to the wall; then one pass along each wall takes their steps
 groove-plunges-face = { $surface }: plunges of the blade: { $count }, its leading corner at Ø { $places }; then both sides and the floor ({ $tool })
 groove-plunges = { $surface }: plunges of the blade: { $count }, its leading corner at Z { $places }; then both sides and the floor ({ $tool })
 groove-one-plunge = { $surface }: one plunge, because the blade is as wide as the floor; the tool does not wait at the floor, because the toolpath has no dwell ({ $tool })

@@ -34,6 +34,7 @@ tool-wider-than-groove = the tool is { $width } mm wide, the floor { $floor } mm
 tool-only-for-grooves = a grooving tool is for closed zones, and this one is { $kind }
 jaws-close = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm; turning they sweep at most Ø{ $sweep }
 jaws-close-alone = the jaws close on Ø{ $grips } from Z { $z }, over { $length } mm
+jaws-grip-too-little = set-up { $number }: to stay off the tool the jaws grip only { $length } mm, less than the { $least } mm below which nothing is held: leave a longer surface for them, or hold the part in another way
 jaws-grip-little = set-up { $number }: to stay off the tool the jaws grip { $length } mm, and { $least } mm are wanted: bore the jaws deeper, or take a smaller depth of cut
 jaws-bored = the surface is finished: soft jaws, bored to Ø{ $grips } over { $length } mm
 jaws-on-bushing = a split bushing with this thread, { $length } mm long, goes between the jaws and Ø{ $grips }: make it before

@@ -19,6 +19,7 @@ cycles-turn-over = Перевернути деталь { $part } навколо 
 cycles-set-bar = Налагодити різець борштанги на Ø{ $diameter }
 cycles-speed = S { $speed } об/хв
 cycles-feed = F { $feed } мм/хв
+cycles-plunge = F { $feed } мм/хв униз
 cycles-dwell = витримка { $seconds } с
 cycles-step = крок V { $step } мм
 cycles-clearance = запас W { $clearance } мм

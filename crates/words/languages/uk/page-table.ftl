@@ -49,6 +49,7 @@ table-value-load-thrust = осьова сила
 table-value-load-torque = крутний момент
 table-value-load-power = потужність
 table-value-after-blank-hole = отвір заготовки
+table-value-after-pre-machined = оброблений раніше отвір
 table-value-after-drill = свердління
 table-value-after-core-drill = зенкерування
 table-value-after-bore = розточування

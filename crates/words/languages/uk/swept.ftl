@@ -30,6 +30,10 @@ swept-off-axis = { $tool } ріже збоку від осі у точці Z{ $z
        *[many] переміщень
     }
 swept-stands = { $surface }: лишається до { $thickness } мм металу від Z{ $from } до Z{ $to }, найбільше в точці Z{ $z } Ø{ $diameter }
+swept-size-left = { $surface }: Ø{ $measured } у точці Z{ $z } виходить за межі розміру, і металу забагато: { $least } ≤ Ø ≤ { $most } мм
+swept-size-lost = { $surface }: Ø{ $measured } у точці Z{ $z } виходить за межі розміру, і металу вже бракує: { $least } ≤ Ø ≤ { $most } мм
+swept-length-left = { $surface }: торець стоїть на { $measured } мм, поза межами розміру, і металу забагато: { $least } ≤ L ≤ { $most } мм
+swept-length-lost = { $surface }: торець стоїть на { $measured } мм, поза межами розміру, і металу вже бракує: { $least } ≤ L ≤ { $most } мм
 swept-corner = { $surface }: у внутрішньому куті лишається заокруглення вершини різця r = { $radius } мм, { $left } мм від його сторін у точці Z{ $z } Ø{ $diameter }; усього { $count } { $count ->
         [one] кут
         [few] кути

@@ -55,6 +55,7 @@ word-first-parallel-finish-sequential = перші переходи парале
 word-own-cell = власна клітинка
 word-finer-roughness = тонша шорсткість того ж квалітету
 word-finer-grade = точніший квалітет
+word-tighter-centres = тісніший допуск міжосьових відстаней
 word-first = перша
 word-second = друга
 word-practice-speed = практика цеху

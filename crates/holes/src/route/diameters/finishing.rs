@@ -1,6 +1,6 @@
 //! The diameter before a transition that removes an allowance of section 1.2.1.
 
-use crate::error::{Refusal, Tried};
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Note};
 use crate::part::tolerance_width;
 use crate::plan::Operation;
@@ -9,6 +9,7 @@ use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::super::{RouteStep, accuracy, handbook, openings};
+use super::allowance::Allowance;
 use super::{BackwardStep, allowance};
 
 impl BackwardStep<'_, '_> {
@@ -20,7 +21,8 @@ impl BackwardStep<'_, '_> {
         let (smallest, largest) = (after - allowance.high, after - allowance.low);
         let handbook_row = handbook::row(bore, shop)?;
         let advised = handbook_row.as_ref().and_then(|row| handbook::diameter_before(row, operation, previous));
-        let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
+        let exact = self.shared_by_two_reamers(&allowance)?.or(advised);
+        let aim = exact.unwrap_or(after - allowance.aim).max(smallest).min(largest);
         // At the coarse limit, the rough transition must still leave a narrower hole than this transition.
         let drilled = accuracy::drilled(shop)?;
         let leaves_stock =
@@ -54,7 +56,7 @@ impl BackwardStep<'_, '_> {
                 let (low, high) = (smallest, largest);
                 Refusal::Not(Reason::NoCounterboreInAllowance { operation, low, high, diameter: after })
             })?
-        } else if advised == Some(aim) {
+        } else if exact == Some(aim) {
             aim
         } else {
             // Rounded to the setting step, but within the range; a rough cylinder is so much narrower that it leaves
@@ -88,5 +90,13 @@ impl BackwardStep<'_, '_> {
             because.push(Because::row(allowance.row, note));
         }
         Ok(RouteStep { nominal, because, ..self.step(before) })
+    }
+    /// What the rough reamer leaves where the hole of the blank has little stock for both: the finish one then takes less.
+    fn shared_by_two_reamers(self, finish: &Allowance<'_>) -> Result<Option<Micrometres>, KnowledgeError> {
+        let Self { leaves: after, previous, bore, sizes, shop, .. } = self;
+        let (Some(start), Some(Operation::RoughReam)) = (sizes.start, previous) else { return Ok(None) };
+        let rough = allowance(Operation::RoughReam, after, bore.diameter.nominal, None, shop)?;
+        let before = start + rough.low;
+        Ok((start < after - finish.low && before > after - finish.aim).then_some(before))
     }
 }

@@ -433,12 +433,17 @@ impl Maker<'_> {
         self.thread_to(from, end, lead, span);
     }
 
-    /// A line synchronised with the spindle; LinuxCNC measures the lead along the line, the others along its longer
-    /// axis.
-    pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, lead: f64, span: TextSpan) {
+    /// A thread needs the same spindle speed in every pass.
+    pub fn thread_at(&mut self, span: TextSpan) {
         if self.state.is(LatheGroup::SpeedMode, WordEffect::CuttingSpeed) {
             self.report("lathe-thread-at-cutting-speed", span);
         }
+    }
+
+    /// A line synchronised with the spindle; LinuxCNC measures the lead along the line, the others along its longer
+    /// axis.
+    pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, lead: f64, span: TextSpan) {
+        self.thread_at(span);
         let (dx, dz) = ((to.radius_mm - from.radius_mm).abs(), (to.z_mm - from.z_mm).abs());
         let along = match self.language.kind {
             LatheReader::LinuxCnc => lead,

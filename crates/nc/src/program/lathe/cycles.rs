@@ -49,11 +49,10 @@ impl Maker<'_> {
         if !self.is(LatheReader::Fanuc) {
             return;
         }
-        let lengths = ["X", "Z", "U", "W", "I", "K", "R"];
         let thread =
             words.function_for(WordEffect::ThreadCycle).is_some() || words.function_for(WordEffect::Dwell).is_some();
         let pointless =
-            words.all().iter().find(|it| lengths.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
+            words.all().iter().find(|it| super::text::LENGTHS.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
         if let Some(value) = pointless.filter(|_| !thread) {
             self.report_with("number-without-point", value.span, "address", value.name.clone());
         }
@@ -272,7 +271,13 @@ impl Maker<'_> {
         } else {
             self.stroke(Stroke::Rapid(start), frame, span);
             let between = Between { down_at_rapid: first.rapid, along_contour: false };
-            let made = levels(start, framed.get(1..).unwrap_or_default(), lowest, passes, between);
+            // The start is the diameter of the blank: above a contour that ends lower, passes go to the Z of its end.
+            let wall = framed.last().filter(|last| last.to.x < start.x - SAME).map(|last| {
+                let to = PassPoint { x: start.x, ..last.to };
+                Leg { from: last.to, to, round: None, ..*last }
+            });
+            let walled: Vec<Leg> = framed.iter().skip(1).copied().chain(wall).collect();
+            let made = levels(start, &walled, lowest, passes, between);
             self.strokes(made, frame, span);
         }
         // One pass along the rough contour, then back to the start of the cycle.

@@ -13,6 +13,7 @@ pub(super) const RULES: &[Rule] = &[
     ("unknown-word", Error, "words"),
     ("number-missing", Error, "text"),
     ("number-without-point", Note, "text"),
+    ("point-missing", Error, "text"),
     ("lathe-decimal-comma", Error, "text"),
     ("lathe-expression", Error, "text"),
     ("lathe-parameter-unknown", Error, "text"),

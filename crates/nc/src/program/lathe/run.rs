@@ -74,6 +74,14 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
         run.main();
     }
     faults.append(&mut run.faults);
+    // A program that writes points has forgotten one, and the axis goes a thousandth of the way.
+    if blocks.iter().flat_map(|block| &block.words).any(text::Word::is_pointed_length) {
+        for one in faults.iter_mut().filter(|one| one.code == "number-without-point") {
+            let missing = fault("point-missing", one.span, one.block);
+            let address = one.note.figures().next().map(|(_, address)| address.clone());
+            *one = address.into_iter().fold(missing, |missing, address| missing.with("address", address));
+        }
+    }
     faults.sort_by_key(|fault| fault.span);
     LatheRun { motions: run.motions, faults }
 }

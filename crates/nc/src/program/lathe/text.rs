@@ -18,6 +18,16 @@ pub(super) struct Word {
     pub span: TextSpan,
 }
 
+/// The addresses of lengths.
+pub(super) const LENGTHS: [&str; 7] = ["X", "Z", "U", "W", "I", "K", "R"];
+
+impl Word {
+    /// Whether it is a length whose number has a point.
+    pub fn is_pointed_length(&self) -> bool {
+        self.point && matches!(self.value, Expression::Number(_)) && LENGTHS.contains(&self.name.as_str())
+    }
+}
+
 /// An argument of a call.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Argument {

@@ -38,6 +38,7 @@ impl Maker<'_> {
     /// rs274.
     fn linuxcnc_thread(&mut self, words: &BlockWords, span: TextSpan) {
         self.before_moving(span, true);
+        self.thread_at(span);
         if !self.fields(words, "G76", Form::One, span) {
             return;
         }

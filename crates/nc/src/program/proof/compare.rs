@@ -55,7 +55,7 @@ pub(super) fn all(
         levels(&say, input, findings);
         conditions(&say, input, findings);
         match &task.cycle.kind {
-            CycleKind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, findings),
+            CycleKind::Circles { levels, radii, sense, .. } => milled::circles(&say, levels, radii, *sense, findings),
             _ => {
                 milled::check_no_circles(&say, findings);
                 steps(&say, input, findings);
@@ -249,15 +249,28 @@ fn conditions(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Ve
         let severity = load(made.speed, cycle.speed_rpm.0);
         findings.push(say.figure(Code::OtherSpeed, severity, made.speed, cycle.speed_rpm.0));
     }
+    // A mill that cuts on its way down has a feed of its own there.
+    let plunge = match cycle.kind {
+        CycleKind::Circles { plunge_mm_per_min, .. } => plunge_mm_per_min,
+        _ => None,
+    };
     // The feed per tooth grows when the spindle is slower, even if each figure alone is acceptable; and where the
     // spindle is proportionally faster, a faster feed does not load the tooth more.
     let per_turn = |feed: f64, speed: f64| feed / speed.max(f64::MIN_POSITIVE);
-    let planned = per_turn(cycle.feed_mm_per_min.0, cycle.speed_rpm.0);
+    let most_planned = plunge.map_or(cycle.feed_mm_per_min.0, |plunge| plunge.0.max(cycle.feed_mm_per_min.0));
+    let planned = per_turn(most_planned, cycle.speed_rpm.0);
     let turned = cut.cutting().filter(|made| made.speed > 0.0);
     let made = turned.filter_map(|made| Some(per_turn(made.feed()?, made.speed))).fold(0.0, f64::max);
     let spots = cycle.operation == Operation::CentreDrill;
     let most = if spots { input.tolerated.spot_overload } else { input.tolerated.overload };
-    let mut feeds = cut.cutting().filter_map(TipMove::feed);
+    let plunges = |made: &TipMove| plunge.is_some() && !made.across() && made.to[2] < made.from[2];
+    if let Some(plunge) = plunge {
+        let mut downs = cut.cutting().filter(|made| plunges(made)).filter_map(TipMove::feed);
+        if let Some(feed) = downs.find(|feed| other(*feed, plunge.0)) {
+            findings.push(say.figure(Code::OtherFeed, Severity::Doubtful, feed, plunge.0));
+        }
+    }
+    let mut feeds = cut.cutting().filter(|made| !plunges(made)).filter_map(TipMove::feed);
     if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
         let beyond = feed > cycle.feed_mm_per_min.0 * most && (made > planned * most || made == 0.0);
         let severity = if beyond { Severity::Wrong } else { Severity::Doubtful };

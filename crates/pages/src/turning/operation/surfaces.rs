@@ -10,6 +10,7 @@ use technolog_words::say;
 
 use super::super::Lang;
 use super::super::cells::{Cell, arrow, figure, span, table};
+use super::super::setting::fitted;
 use super::super::phrases::{note_line, reasoned, word, z};
 
 pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetUpWork, lang: Lang) {
@@ -58,6 +59,12 @@ fn elements(page: &mut Document, operation: &Operation, stretch: &TurnedSide, wo
                 say!(lang, "turn-later", surface = &surface.name, operation = operation, allowance = allowance).into(),
             );
         }
+        let sized = operation.sizes.of_surface(&surface.name);
+        under.extend(sized.map(|sized| {
+            let (drawn, made) = (fitted(sized, lang), sized.made_mm);
+            let (least, most) = (sized.least_mm, sized.most_mm);
+            say!(lang, "turn-sized", surface = &surface.name, drawn = drawn, least = least, most = most, made = made).into()
+        }));
         rows.push(vec![
             lang.figure(&(&surface.name).into_figure()).into(),
             lang.term("word", surface.kind.name()).into(),

@@ -133,6 +133,10 @@ fn by_blade<'k>(
     enters(site, surface, valley, &tool, bench)?;
     let mut division = division(Half::from(edge.corner), limits, bench.knowledge)?;
     division.approach = division.approach.min(play(site, valley, &tool));
+    // The deepest layer that may still be fed sideways as fast as the width of the blade allows.
+    let (load, share) = (limits.ratio(JobLimit::SideLoad)?, limits.ratio(JobLimit::SideFeed)?);
+    let layer = load * edge.width / share;
+    division.layer = Some(layer);
     let Some(ways) = ways::blade(valley, edge, division) else {
         let room = valley.centres(edge.corner).map_or(0.0, |way| edge.room(&way));
         return not(NoJob::TooNarrow { surface: name(), room: Half::from((edge.width + room).max(0.0)), width });
@@ -152,7 +156,9 @@ fn by_blade<'k>(
     let Pace { rpm, plunge, mut because } = pace(&cut, width, valley.lie, limits)?;
     let along = along_walls(&cut, surface, width, plunge, limits)?;
     because.insert(0, taken(&tool));
-    let feeds = Feeds { finish: along, ..Feeds::all(plunge) };
+    // A layer loads the blade no more than a plunge does.
+    let sideways = MillimetresPerRev(round_to((share * edge.width).min(plunge.0 * edge.width / layer), 4));
+    let feeds = Feeds { finish: along, cut: sideways, semi_finish: along, ..Feeds::all(plunge) };
     Ok(Chosen { ways, speed: Speed::Spindle(rpm), feeds, because, by_nose: false, tool })
 }
 

@@ -109,6 +109,9 @@ fn groove_by(site: Site<'_>, surface: &Surface, only: Option<&str>, bench: &Benc
     let name = &surface.name;
     let mut notes =
         vec![division_note(&ways, valley.lie, by_nose).with("surface", name).with("tool", tool.designation)];
+    if ways.layers > 0 {
+        notes.push(Note::new("groove-layers").with("surface", name).with("layers", ways.layers));
+    }
     if ways.steps > 1 {
         notes.push(Note::new("groove-pecked").with("surface", name).with("steps", ways.steps));
     }
@@ -167,6 +170,7 @@ fn division(corner: Half, limits: &mut Limits<'_>, knowledge: &Knowledge) -> Tri
             limits.length(JobLimit::PeckRetract)?.to_mm(),
         ),
         approach: Half::of(rates.approach),
+        layer: None,
     })
 }
 

@@ -27,9 +27,11 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
         lathe: Some(&lathe),
         material,
         elsewhere: &[],
+        sizes: &crate::turning::operation::Sizes::default(),
         held: None,
         grip: None,
         through: None,
+        opened: crate::units::Micrometres::ZERO,
         barred: Vec::new(),
         knowledge: &knowledge,
     };
@@ -255,7 +257,7 @@ fn a_blade_of_three_plunges_three_times_in_a_groove_of_eight() {
     let (_, surface) = job(&own, Side::Outer);
     let valley = Valley::of(&surface, Side::Outer).map_err(|_| ()).unwrap();
     let division =
-        Division { step: 0.75, allowance: 0.4, finish: 1.0, peck: (9.0, 1.0, 0.5), approach: Half::from(2.0) };
+        Division { step: 0.75, allowance: 0.4, finish: 1.0, peck: (9.0, 1.0, 0.5), approach: Half::from(2.0), layer: None };
     let ways = ways::blade(&valley, ways::CuttingEdge { width: 3.0, corner: 0.4 }, division).unwrap();
     let places: Vec<String> = ways.plunges.iter().map(Half::to_string).collect();
     assert_eq!(places, ["25.5", "23.4", "27.6"]);
@@ -275,6 +277,7 @@ fn grooves_are_cut_to_their_profile_and_not_below() {
         "trapezoid, width: 20, depth: 5, angle: 120",
         "pulley, width: 13, depth: 10.8, angle: 34, radius: 1",
         "pulley, width: 22, depth: 14, angle: 38, radius: 0.3",
+        "pulley, width: 31, depth: 20, angle: 34, radius: 2",
     ];
     for kind in outer {
         let own = part(&outside(kind), "", "steel-45");
@@ -395,4 +398,21 @@ fn a_deep_groove_is_cut_in_steps() {
     let made = made.unwrap();
     let pecked = made.notes.iter().find(|note| note.code() == "groove-pecked");
     assert!(pecked.is_some(), "{:?} {:?}", made.tool.designation, made.notes);
+}
+
+/// The groove of a V-belt, 31 at its mouth and 20 deep, was once cut by 63 plunges 0.2 mm apart. By hand: floor 31 − 40·tan 17° = 18.8,
+/// five plunges of 5 mm, and the blade may take layers of 0.04·W²/(0.075·W) = 2.67 mm at 0.075·W, so 20 mm take eight.
+#[test]
+fn wide_walls_are_turned_in_layers() {
+    let own = part(&outside("pulley, width: 31, depth: 20, angle: 34, radius: 2"), "", "steel-45");
+    let made = job(&own, Side::Outer).0.unwrap();
+    assert_eq!(plunges(&made).len(), 5, "{:?}", made.notes);
+    let layers = made.notes.iter().find(|note| note.code() == "groove-layers").and_then(|note| note.figure_text("layers"));
+    assert_eq!(layers.as_deref(), Some("8"), "{:?}", made.notes);
+    let feeds = made.pace.feeds().unwrap();
+    assert!(feeds.cut.0 <= 0.075 * 5.0 + 1e-9 && feeds.cut.0 * 8.0 / 3.0 <= feeds.plunge.0 * 5.0 + 0.001, "{feeds:?}");
+    // Between upright walls plunges leave nothing to the sides.
+    let own = part(&outside("rectangular, width: 20, depth: 4"), "", "steel-45");
+    let made = job(&own, Side::Outer).0.unwrap();
+    assert!(made.notes.iter().all(|note| note.code() != "groove-layers"), "{:?}", made.notes);
 }

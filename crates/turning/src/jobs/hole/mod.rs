@@ -320,6 +320,7 @@ fn cut(
         surface: Surface::None,
         it: None,
         pitch: None,
+        plunges: false,
         cutter: None,
     }
 }

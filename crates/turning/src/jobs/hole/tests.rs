@@ -20,9 +20,11 @@ fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
         lathe: Some(&lathe),
         material,
         elsewhere: &[],
+        sizes: &crate::turning::operation::Sizes::default(),
         held: None,
         grip: None,
         through: None,
+        opened: Micrometres::ZERO,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

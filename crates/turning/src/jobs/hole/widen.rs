@@ -180,7 +180,9 @@ fn rows<'k>(
 /// The cutters of that size, or wider by no more than may be ground off, the nearest first; of one diameter in the order of the
 /// rule `tool-tables`.
 fn cutters<'k>(task: &Widening, blind: bool, lead: Lead, bench: &Bench<'_, 'k>) -> Tried<Vec<Chosen<'k>>, NoJob> {
-    let most = task.diameter + Micrometres::from_mm_rounded(convention(HoleDefault::CutterGrindLimit, bench)?);
+    let share = convention(HoleDefault::CutterGrindShare, bench)?;
+    let limit = convention(HoleDefault::CutterGrindLimit, bench)?.min(task.diameter.to_mm() * share / (1.0 - share));
+    let most = task.diameter + Micrometres::from_mm_rounded(limit);
     let of = |(row, material): (CutterRow<'k>, ToolMaterial)| {
         let (diameter, reach) =
             (row.diameter?, row.reach.or(row.flute_length).or(row.projection).or(row.cutting_length)?);

@@ -24,9 +24,11 @@ fn job(workpiece: &Workpiece, side: Side, passes: Passes) -> Result<Job, NoJob> 
         lathe: Some(&lathe),
         material,
         elsewhere: &[],
+        sizes: &crate::turning::operation::Sizes::default(),
         held: None,
         grip: None,
         through: None,
+        opened: Micrometres::ZERO,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

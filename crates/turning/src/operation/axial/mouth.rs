@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::tables::turning::part::{AxialHoleFor, AxialWay};
-use crate::turning::contour::{Surface, SurfaceName};
+use crate::turning::contour::{Surface, SurfaceKind, SurfaceName};
 use crate::turning::jobs::hole::{self, Mouth};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
@@ -48,7 +48,9 @@ pub(super) fn mouth(
     }
     let (wide, face) = (piece.from.radius.diameter(), piece.from.z);
     let mouth = MouthOf { surface: surface.name.clone(), wide, hole, angle, face, within };
-    let fits = before.is_empty() || hole::has_countersink(&mouth.task(Half::ZERO), bench)?;
+    // A chamfer at the face that no countersink makes is told as that; a cone is left to a bar.
+    let told = before.is_empty() && surface.kind == SurfaceKind::Chamfer;
+    let fits = told || hole::has_countersink(&mouth.task(Half::ZERO), bench)?;
     Ok(fits.then_some(mouth))
 }
 

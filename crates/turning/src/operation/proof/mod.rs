@@ -80,11 +80,13 @@ pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork
     Proven { set_up: number, proof: proof::prove(&task) }
 }
 
-/// The bodies that hold the part in a set-up: the jaws with the chuck behind them, or the tailstock.
+/// The bodies that hold the part in a set-up: the jaws with the chuck behind them, and the tailstock.
 fn bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
-    if let Some(tailstock) = &set_up.tailstock {
-        return tailstock_bodies(tailstock);
-    }
+    let tailstock = set_up.tailstock.iter().flat_map(tailstock_bodies);
+    chuck_bodies(set_up).into_iter().chain(tailstock).collect()
+}
+
+fn chuck_bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
     let Some((jaws, body)) = set_up.jaws.and_then(|jaws| Some((jaws, jaws.body?))) else { return Vec::new() };
     let (front, grips) = (-jaws.front_mm.to_mm(), jaws.grips_mm.to_mm() / 2.0);
     let face = front - body.out_mm.to_mm();
@@ -204,6 +206,7 @@ fn told_but<'a>(
             false
         }
         Fault::Stands { surface, .. }
+        | Fault::OffSize { surface, missing: false, .. }
         | Fault::Corner { surface, .. }
         | Fault::ThreadShallow { surface, .. }
         | Fault::ThreadPart { surface, .. }
@@ -221,6 +224,7 @@ fn told_but<'a>(
 fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
     match fault {
         Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } => false,
+        Fault::OffSize { missing, .. } => *missing,
         Fault::ThreadPart { .. } | Fault::ThreadShort { .. } => false,
         Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
         Fault::Struck { .. } | Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,

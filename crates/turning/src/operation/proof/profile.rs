@@ -11,7 +11,7 @@ use crate::turning::point::Point;
 use crate::units::Micrometres;
 use proof::{At, Mm};
 
-use super::super::{Operation, SetUpWork};
+use super::super::{Operation, SetUpWork, SizeOf};
 use super::{ROUNDING, proof_piece};
 
 /// The required profile after a set-up. After the last one it is the whole part, seen from its free end; before that
@@ -19,21 +19,21 @@ use super::{ROUNDING, proof_piece};
 pub(super) fn profiles(operation: &Operation, set_up: &SetUpWork) -> (proof::Profile, Option<proof::Profile>) {
     let workpiece = &operation.workpiece;
     let last = operation.set_ups.last().is_some_and(|last| last.set_up.number == set_up.set_up.number);
-    let seen = |profile: &Profile| {
-        if set_up.set_up.turned_over { profile.turned_over(workpiece.length()) } else { profile.clone() }
-    };
-    let whole = profile(Some(&seen(&workpiece.outer)), workpiece.inner.as_ref().map(seen).as_ref(), operation);
+    let over = set_up.set_up.turned_over;
+    let made = |profile: &Profile| operation.sizes.profile(profile, over);
+    let seen = |profile: &Profile| made(&if over { profile.turned_over(workpiece.length()) } else { profile.clone() });
+    let whole = profile(Some(&seen(&workpiece.outer)), workpiece.inner.as_ref().map(seen).as_ref(), over, operation);
     if last {
         return (whole, None);
     }
-    let own = |side: &'_ Option<crate::turning::zones::TurnedSide>| side.as_ref().map(|side| side.profile.clone());
+    let own = |side: &'_ Option<crate::turning::zones::TurnedSide>| side.as_ref().map(|side| made(&side.profile));
     let (outer, inner) = (own(&set_up.set_up.outer), own(&set_up.set_up.inner));
-    (profile(outer.as_ref(), inner.as_ref(), operation), Some(whole))
+    (profile(outer.as_ref(), inner.as_ref(), over, operation), Some(whole))
 }
 
-fn profile(outer: Option<&Profile>, inner: Option<&Profile>, operation: &Operation) -> proof::Profile {
+fn profile(outer: Option<&Profile>, inner: Option<&Profile>, over: bool, operation: &Operation) -> proof::Profile {
     let pieces =
-        |profile: &Profile| (0..profile.surfaces.len()).flat_map(|at| surface_pieces(profile, at, operation)).collect();
+        |profile: &Profile| (0..profile.surfaces.len()).flat_map(|at| surface_pieces(profile, at, over, operation)).collect();
     let bore: Vec<proof::ProfilePiece> = inner.map(pieces).unwrap_or_default();
     let mut outside: Vec<proof::ProfilePiece> = outer.map(pieces).unwrap_or_default();
     // The file may leave out the face of the end.
@@ -45,15 +45,29 @@ fn profile(outer: Option<&Profile>, inner: Option<&Profile>, operation: &Operati
     proof::Profile { outside, bore }
 }
 
-fn surface_pieces(profile: &Profile, at: usize, operation: &Operation) -> Vec<proof::ProfilePiece> {
+fn surface_pieces(profile: &Profile, at: usize, over: bool, operation: &Operation) -> Vec<proof::ProfilePiece> {
     let surface = &profile.surfaces[at];
     let later = operation.elsewhere.iter().find(|one| one.surface == surface.name);
+    let sized = operation.sizes.of_surface(&surface.name);
+    let limits = |piece: &Piece| {
+        let sized = sized.filter(|sized| match sized.of {
+            SizeOf::Diameter => piece.is_cylinder() && piece.from.radius == sized.made_radius(),
+            SizeOf::Length => piece.is_face(),
+        })?;
+        let size = match sized.of {
+            SizeOf::Diameter => proof::Size::Diameter,
+            SizeOf::Length if over => proof::Size::Length { from: Mm(-operation.workpiece.length().to_mm()), to_chuck: false },
+            SizeOf::Length => proof::Size::Length { from: Mm(0.0), to_chuck: true },
+        };
+        Some(proof::Limits { size, least: Mm(sized.least_mm.to_mm()), most: Mm(sized.most_mm.to_mm()) })
+    };
     let thread = (surface.kind == SurfaceKind::Thread).then(|| thread(profile, at, operation)).flatten();
     let piece = |piece: &Piece| proof::ProfilePiece {
         path: proof_piece(piece),
         surface: Some((&surface.name).into_figure()),
         allowance: Mm(later.map_or(0.0, |one| one.allowance_mm.to_mm())),
         thread,
+        limits: limits(piece),
     };
     // A drawn cone at the bottom of a drilled hole stands for the point of the drill, whatever its angle.
     let axial = operation.set_ups.iter().filter_map(|set_up| set_up.axial.as_ref());

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::job::{Cycle, CycleKind};
 use crate::motion::Sense;
-use crate::units::{Micrometres, Seconds};
+use crate::units::{Micrometres, MillimetresPerMinute, Seconds};
 
 use super::program_writer::{BlockGroup, BlockPurpose, ProgramWriter};
 use crate::program::block::Block;
@@ -47,20 +47,24 @@ fn tenths(dwell: Seconds) -> u64 {
 /// with several levels the circles are a subprogram.
 pub(super) fn contour(
     cycle: &Cycle,
-    levels: &[Micrometres],
-    radii: &[Micrometres],
-    sense: Sense,
+    (levels, radii, sense): (&[Micrometres], &[Micrometres], Sense),
+    plunge: Option<MillimetresPerMinute>,
     sheet: &mut ProgramWriter,
     place: BlockPurpose,
 ) -> BlockGroup {
     let form = sheet.form;
     let feed = cycle.feed_mm_per_min.0;
     let mut blocks = vec![Block::new().g(90).g(0).axis('Z', form.grid(cycle.begin))];
-    let round = circles(radii, sense, form);
+    let round = circles(radii, sense, form, plunge.map(|_| feed));
     let rounds = (levels.len() > 1).then(|| sheet.subprogram(round.clone(), place));
     for (index, level) in levels.iter().enumerate() {
         let down = Block::new().g(90).g(1).axis('Z', form.grid(*level));
-        let down = if index == 0 { down.word('F', feed) } else { down };
+        // The circles set their own feed after the descent.
+        let down = match plunge {
+            Some(plunge) => down.word('F', plunge.0),
+            None if index == 0 => down.word('F', feed),
+            None => down,
+        };
         match rounds.as_ref().and_then(BlockGroup::number) {
             Some(number) => blocks.push(down.calls(number, 1)),
             None => {
@@ -73,8 +77,8 @@ pub(super) fn contour(
     sheet.subprogram(blocks, place)
 }
 
-/// The circles of one level, in increments from the middle and back to it.
-fn circles(radii: &[Micrometres], sense: Sense, form: Form) -> Vec<Block> {
+/// The circles of one level, in increments from the middle and back to it; the feed, where the descent had another.
+fn circles(radii: &[Micrometres], sense: Sense, form: Form, mut feed: Option<f64>) -> Vec<Block> {
     let code = match sense {
         Sense::Clockwise => 2,
         Sense::Counterclockwise => 3,
@@ -82,7 +86,11 @@ fn circles(radii: &[Micrometres], sense: Sense, form: Form) -> Vec<Block> {
     let mut blocks = Vec::new();
     let mut at = Micrometres::ZERO;
     for radius in radii.iter().map(|radius| form.grid(*radius)) {
-        blocks.push(Block::new().g(91).g(1).axis('X', radius - at));
+        let out = Block::new().g(91).g(1).axis('X', radius - at);
+        blocks.push(match feed.take() {
+            Some(feed) => out.word('F', feed),
+            None => out,
+        });
         blocks.push(Block::new().g(code).axis('I', -radius).axis('J', Micrometres::ZERO));
         at = radius;
     }

@@ -142,8 +142,8 @@ fn put_run(
 ) {
     let Some(cycle) = work.cycles.get(run.cycle) else { return };
     let form = sheet.form;
-    if let CycleKind::Circles { levels, radii, sense } = &cycle.kind {
-        let contour = cycle::contour(cycle, levels, radii, *sense, sheet, place);
+    if let CycleKind::Circles { plunge_mm_per_min, levels, radii, sense } = &cycle.kind {
+        let contour = cycle::contour(cycle, (levels, radii, *sense), *plunge_mm_per_min, sheet, place);
         sheet.call(&contour, None, place);
         for block in &run.blocks {
             sheet.call(&contour, Some(block.clone()), BlockPurpose { role: LineRole::Point, ..place });

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::job::{self, Cycle};
 use crate::program::block::Block;
 use crate::program::iso::control::{Characteristic as Q, Control};
-use crate::units::{Micrometres, RevsPerMinute, Seconds};
+use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
 /// A block with its number.
 pub(super) struct Numbered(pub usize, pub String);
@@ -28,8 +28,8 @@ impl Dialect<'_> {
     }
 
     /// A feed, mm/min.
-    pub(super) fn feed(self, cycle: &Cycle) -> String {
-        let text = cycle.feed_mm_per_min.0.to_string();
+    pub(super) fn feed(self, feed: MillimetresPerMinute) -> String {
+        let text = feed.0.to_string();
         if self.0.is(Q::PointsWritten) && !text.contains('.') { text + "." } else { text }
     }
 
@@ -160,7 +160,7 @@ impl Dialect<'_> {
         if let Some(dwell) = dwell.or(needed) {
             words += &format!(" P{dwell}");
         }
-        words += &format!(" F{}", self.feed(cycle));
+        words += &format!(" F{}", self.feed(cycle.feed_mm_per_min));
         Block::new().g(98).g(code).word('Z', self.length(lengths(cycle.end))).cycle(words)
     }
 }

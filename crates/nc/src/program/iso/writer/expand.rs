@@ -20,7 +20,7 @@ use super::dialect::Dialect;
 pub(super) fn expand(cycle: &Cycle, form: Form, dialect: Dialect<'_>) -> Vec<Block> {
     let level = |z: Micrometres| dialect.length(form.grid(z));
     let rapid = |z: Micrometres| Block::new().g(0).word('Z', level(z));
-    let feed = |z: Micrometres| Block::new().g(1).word('Z', level(z)).word('F', dialect.feed(cycle));
+    let feed = |z: Micrometres| Block::new().g(1).word('Z', level(z)).word('F', dialect.feed(cycle.feed_mm_per_min));
     let mut blocks = vec![rapid(cycle.begin)];
     // Back to where the next step begins, behind each step.
     let steps = match &cycle.kind {

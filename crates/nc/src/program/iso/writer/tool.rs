@@ -5,7 +5,7 @@ use crate::motion::Sense;
 use crate::part::Point;
 use crate::program::block::Block;
 use crate::program::written::{Form, LineRole, WorkRef};
-use crate::units::Micrometres;
+use crate::units::{Micrometres, MillimetresPerMinute};
 
 use super::dialect::Dialect;
 use super::expand::expand;
@@ -76,8 +76,8 @@ impl ProgramWriter<'_> {
             }
             (speed, height) = (Some(cycle.speed_rpm), Some(cycle.out));
             match &cycle.kind {
-                job::CycleKind::Circles { levels, radii, sense } => {
-                    let contour = contour(cycle, levels, radii, *sense, dialect, form);
+                job::CycleKind::Circles { plunge_mm_per_min, levels, radii, sense } => {
+                    let contour = contour(cycle, (levels, radii, *sense), *plunge_mm_per_min, dialect, form);
                     let contour = self.subprogram(contour, place);
                     self.call(contour, LineRole::Cycle, place, number);
                     for block in further(stops, form, dialect) {
@@ -135,9 +135,8 @@ impl ProgramWriter<'_> {
 /// The contour of a mill around its point.
 fn contour(
     cycle: &Cycle,
-    levels: &[Micrometres],
-    radii: &[Micrometres],
-    sense: Sense,
+    (levels, radii, sense): (&[Micrometres], &[Micrometres], Sense),
+    plunge: Option<MillimetresPerMinute>,
     dialect: Dialect<'_>,
     form: Form,
 ) -> Vec<Block> {
@@ -148,11 +147,18 @@ fn contour(
     };
     let mut blocks = vec![Block::new().g(90).g(0).word('Z', length(cycle.begin))];
     for level in levels {
-        let feed = dialect.feed(cycle);
-        blocks.push(Block::new().g(90).g(1).word('Z', length(*level)).word('F', feed));
+        let feed = dialect.feed(cycle.feed_mm_per_min);
+        let down = plunge.map_or_else(|| feed.clone(), |plunge| dialect.feed(plunge));
+        blocks.push(Block::new().g(90).g(1).word('Z', length(*level)).word('F', down));
+        // The circles set their own feed after the descent.
+        let mut again = plunge.map(|_| feed);
         let mut at = Micrometres::ZERO;
         for radius in radii.iter().map(|radius| form.grid(*radius)) {
-            blocks.push(Block::new().g(91).g(1).word('X', dialect.length(radius - at)));
+            let out = Block::new().g(91).g(1).word('X', dialect.length(radius - at));
+            blocks.push(match again.take() {
+                Some(feed) => out.word('F', feed),
+                None => out,
+            });
             blocks.push(dialect.circle(code, radius));
             at = radius;
         }

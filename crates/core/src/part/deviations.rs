@@ -1,0 +1,93 @@
+//! The limits of a tolerance field, `f7` or `P7`, from the nominal size (ISO 286-1).
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Knowledge, QueryError};
+use crate::tables::rules::{FieldBegins, FieldPositionFor};
+use crate::tables::standards::{FundamentalDeviationFor, ItGradesFor};
+use crate::units::{ItGrade, Micrometres};
+
+/// How far the limits of a size lie from its nominal value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Deviations {
+    /// To the largest size.
+    pub upper: Micrometres,
+    /// To the smallest size.
+    pub lower: Micrometres,
+}
+
+impl Deviations {
+    /// The width between the limits.
+    pub fn width(self) -> Micrometres {
+        self.upper - self.lower
+    }
+
+    /// The middle between the limits, doubled.
+    pub fn twice_middle(self) -> Micrometres {
+        self.upper + self.lower
+    }
+
+    /// The coarsest grade that is no wider, at a size; the finest of the tables if all are.
+    ///
+    /// # Errors
+    /// The knowledge base is broken.
+    pub fn grade(self, size: Micrometres, knowledge: &Knowledge) -> Result<Option<ItGrade>, KnowledgeError> {
+        if size <= Micrometres::ZERO || size > LARGEST {
+            return Ok(None);
+        }
+        for it in (FINEST..=COARSEST).rev().filter_map(ItGrade::new) {
+            let asked = knowledge.ask(&ItGradesFor { it, diameter: size })?;
+            if asked.need("it")?.tolerance <= self.width() {
+                return Ok(Some(it));
+            }
+        }
+        Ok(ItGrade::new(FINEST))
+    }
+
+    /// The deviations of a field by its letters and grade; none where the tables do not tell them. The half of an odd
+    /// tolerance of js and JS is rounded down to a whole micrometre, as ISO 286-1 allows.
+    ///
+    /// Shafts: es, ei = es - IT or ei, es = ei + IT; holes are their mirror image, K, M, N up to IT8 and P to S up to IT7
+    /// with Δ = IT(n) - IT(n-1) added.
+    ///
+    /// # Errors
+    /// The knowledge base is broken.
+    pub fn of_field(
+        letters: &str,
+        grade: ItGrade,
+        size: Micrometres,
+        knowledge: &Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        if !(FINEST..=COARSEST).contains(&grade.number()) || size <= Micrometres::ZERO || size > LARGEST {
+            return Ok(None);
+        }
+        let position = match knowledge.ask(&FieldPositionFor { letters, grade, diameter: size }) {
+            // Letters that no field has.
+            Err(KnowledgeError::Query(QueryError::IllTyped { .. })) => return Ok(None),
+            answer => answer?.winner()?,
+        };
+        let Some(position) = position else { return Ok(None) };
+        let width = |it| Ok::<_, KnowledgeError>(knowledge.ask(&ItGradesFor { it, diameter: size })?.need("it")?.tolerance);
+        let tolerance = width(grade)?;
+        if position.begins == FieldBegins::About {
+            return Ok(Some(Self { upper: tolerance.half(), lower: -tolerance.half() }));
+        }
+        let shaft = FundamentalDeviationFor { letters: position.of, diameter: size };
+        let shaft = knowledge.ask(&shaft)?.need(position.of)?.deviation;
+        let delta = match ItGrade::new(grade.number() - 1).filter(|_| position.delta) {
+            Some(finer) if finer.number() >= FINEST => tolerance - width(finer)?,
+            Some(_) => return Ok(None),
+            None => Micrometres::ZERO,
+        };
+        let is_hole = letters.starts_with(|first: char| first.is_ascii_uppercase());
+        let nearest = if is_hole { -shaft + delta } else { shaft };
+        Ok(Some(match position.begins {
+            FieldBegins::Lower => Self { upper: nearest + tolerance, lower: nearest },
+            FieldBegins::Upper | FieldBegins::About => Self { upper: nearest, lower: nearest - tolerance },
+        }))
+    }
+}
+
+/// The range of the table of tolerances.
+const FINEST: u8 = 5;
+const COARSEST: u8 = 14;
+const LARGEST: Micrometres = Micrometres::from_mm(500);

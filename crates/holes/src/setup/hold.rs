@@ -1,0 +1,122 @@
+//! Whether clamps at those places hold the part against turning and tipping, whatever force the screws give.
+
+use crate::error::KnowledgeError;
+use crate::note::{Figure, Note, Severity};
+use crate::part::{Part, Point};
+use crate::shop::Shop;
+use crate::tables::holes::HoleDefault;
+use crate::units::{Micrometres, NewtonMetres, Newtons, round_to};
+
+/// What the transitions ask of the clamps together, and what one of them gives.
+#[derive(Clone, Copy)]
+pub(super) struct Hold<'p> {
+    /// The largest torque of a transition.
+    pub torque: NewtonMetres,
+    /// The largest side force of a transition, where one pushes the part.
+    pub side: Newtons,
+    /// The hole of the largest torque.
+    pub hole: &'p str,
+    /// The force of one screw.
+    pub bears: Newtons,
+    /// Safety factor k of the table `clamping`.
+    pub safety: f64,
+    /// Friction of a clamp and of the support under it, f + f2.
+    pub friction: f64,
+}
+
+/// What does not hold with clamps at those places.
+///
+/// - Turning: the part turns about one clamp, and friction at the others holds it: k·M ≤ (f + f2)·W·Σl, N·m, l the
+///   distances from that clamp to the others; under a single clamp nothing does.
+/// - Tipping: a side force P at the top face turns the part over an edge, against W times the distances of the clamps
+///   from it: k·P·h ≤ W·Σa, N·m, h the thickness of the blank.
+///
+/// Feet that overlap are no two clamps; that all stand by one side is a doubt. Both balances are statics of a plate on a
+/// flat support, with the constants of the table `clamping`.
+///
+/// # Errors
+/// The knowledge base lacks a convention.
+pub(super) fn faults(
+    part: &Part,
+    clamps: &[Point],
+    hold: Hold<'_>,
+    shop: &Shop<'_>,
+) -> Result<Vec<(Severity, Note)>, KnowledgeError> {
+    let mut faults = Vec::new();
+    let metres = |length: Micrometres| length.to_mm() / 1000.0;
+    if let Some((distance, least)) = overlap(part, shop.convention(HoleDefault::ClampInset)?) {
+        let note = Note::new("clamps-overlap").with("distance", distance).with("least", least);
+        faults.push((Severity::Error, note));
+    }
+    let moment = hold.safety * hold.torque.0;
+    let to_others = clamps.iter().map(|one| clamps.iter().map(|other| metres(one.distance(*other))).sum::<f64>());
+    let lever = to_others.fold(f64::INFINITY, f64::min);
+    let holds = hold.friction * hold.bears.0 * lever;
+    if moment > holds {
+        let code = if clamps.len() == 1 { "one-clamp-turns" } else { "clamps-turn" };
+        let least = moment / (hold.friction * hold.bears.0) * 1000.0;
+        let note = Note::new(code)
+            .with("hole", Figure::called(hold.hole))
+            .with("moment", round_to(moment, 1))
+            .with("holds", round_to(holds, 1))
+            .with("least", Micrometres::from_mm_rounded(least.ceil()));
+        faults.push((Severity::Error, note));
+    }
+    let tips = hold.safety * hold.side.0 * metres(part.blank.thickness);
+    let holds = hold.bears.0 * edges(part, clamps).map(metres).fold(f64::INFINITY, f64::min);
+    if tips > holds {
+        let note = Note::new("clamps-tip")
+            .with("side", hold.side.rounded(0).0)
+            .with("moment", round_to(tips, 1))
+            .with("holds", round_to(holds, 1));
+        faults.push((Severity::Error, note));
+    }
+    if let Some((beyond, width)) = one_side(part, clamps, shop.share(HoleDefault::ClampSideShare)?) {
+        faults.push((Severity::Doubtful, Note::new("clamps-one-side").with("beyond", beyond).with("width", width)));
+    }
+    Ok(faults)
+}
+
+/// The two nearest clamps of the file whose outlines overlap, as their distance and the width of a foot that they
+/// would need; a clamp without an outline is `inset` to all sides of its point.
+fn overlap(part: &Part, inset: Micrometres) -> Option<(Micrometres, Micrometres)> {
+    let outline = |clamp: &crate::part::Clamp| {
+        clamp.outline.unwrap_or([
+            Point { x: clamp.at.x - inset, y: clamp.at.y - inset },
+            Point { x: clamp.at.x + inset, y: clamp.at.y + inset },
+        ])
+    };
+    let clamps = &part.fixture.clamps;
+    let pairs = clamps.iter().enumerate().flat_map(|(at, one)| clamps[at + 1..].iter().map(move |two| (one, two)));
+    let overlapping = pairs.filter(|(one, two)| {
+        let ([low, high], [other_low, other_high]) = (outline(one), outline(two));
+        low.x < other_high.x && other_low.x < high.x && low.y < other_high.y && other_low.y < high.y
+    });
+    overlapping.map(|(one, two)| (one.at.distance(two.at), inset + inset)).min()
+}
+
+/// The sums of the distances of the clamps from each of the four edges.
+fn edges<'p>(part: &'p Part, clamps: &'p [Point]) -> impl Iterator<Item = Micrometres> + 'p {
+    let (blank, datum) = (&part.blank, &part.datum);
+    let sum = |of: &dyn Fn(&Point) -> Micrometres| clamps.iter().map(of).fold(Micrometres::ZERO, |sum, one| sum + one);
+    let (left, front) = (sum(&|at| at.x - datum.left), sum(&|at| at.y - datum.front));
+    let all = |size: Micrometres| size.ratio(clamps.len() as i64, 1);
+    [left, front, all(blank.length) - left, all(blank.width) - front].into_iter()
+}
+
+/// How far from a clamp the part goes on, and its width that way, where all clamps stand within `share` of its width
+/// from one side.
+fn one_side(part: &Part, clamps: &[Point], share: f64) -> Option<(Micrometres, Micrometres)> {
+    let (blank, datum) = (&part.blank, &part.datum);
+    let ways: [(Micrometres, &dyn Fn(&Point) -> Micrometres); 4] = [
+        (blank.length, &|at| at.x - datum.left),
+        (blank.length, &|at| datum.left + blank.length - at.x),
+        (blank.width, &|at| at.y - datum.front),
+        (blank.width, &|at| datum.front + blank.width - at.y),
+    ];
+    let found = ways.into_iter().filter_map(|(width, from)| {
+        let farthest = clamps.iter().map(from).max()?;
+        (farthest.to_mm() < share * width.to_mm()).then_some((width - farthest, width))
+    });
+    found.max()
+}

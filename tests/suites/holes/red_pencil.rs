@@ -1,0 +1,250 @@
+//! What a process engineer struck out of plans with a red pencil: each case was a fault once.
+
+use std::collections::BTreeMap;
+
+use technolog::job::{self, CycleKind};
+use technolog::part::CentreTolerance;
+use technolog::plan::{Operation, Plan, Transition};
+use technolog::proof::{Fault, prove_hole};
+use technolog::shop::Shop;
+use technolog::units::Micrometres;
+use technolog_testing::{KNOWLEDGE, plan_of_hole};
+
+fn mm(length: f64) -> Micrometres {
+    Micrometres::from_mm_rounded(length)
+}
+
+fn plan(material: &str, thickness: &str, keys: &str) -> Plan {
+    plan_of_hole(material, "gf2171", thickness, &format!("{keys}, at: [[-60, 0], [60, 0]]"))
+}
+
+/// A plan of an ordinary hole: it has no errors.
+#[track_caller]
+fn honest(material: &str, thickness: &str, keys: &str) -> Plan {
+    let plan = plan(material, thickness, keys);
+    assert!(!plan.has_errors(), "{keys}: {:?}", plan.findings);
+    plan
+}
+
+fn steps(plan: &Plan) -> &[Transition] {
+    &plan.holes[0].transitions
+}
+
+fn operations(plan: &Plan) -> Vec<Operation> {
+    steps(plan).iter().map(|step| step.operation).collect()
+}
+
+fn codes(plan: &Plan) -> Vec<&str> {
+    plan.findings.iter().map(|finding| finding.note.code()).collect()
+}
+
+/// Two foundries print a core shift of 0.030 in = 0.76 mm: what is drilled out keeps it, and the first bar must cut round it.
+#[test]
+fn the_first_bar_takes_the_shift_of_the_core_away() {
+    for (diameter, cast) in [("18H12", 12.0), ("18H9", 12.0), ("20H12", 13.0), ("25H12", 14.0)] {
+        let keys = format!(
+            "diameter: {diameter}, through: true, roughness: Ra 6.3, centre_tolerance: 0.05, state: cast, \
+             state_diameter: {cast}"
+        );
+        let plan = plan("cast-iron-sch20", "30", &keys);
+        let own_axis = |step: &&Transition| step.operation.is_boring() || step.operation == Operation::Mill;
+        let first = steps(&plan).iter().find(own_axis).unwrap_or_else(|| panic!("{diameter}"));
+        assert!(first.diameter_mm - first.from_diameter_mm > mm(2.0 * 0.76), "{diameter}: {first:?}");
+    }
+    // The plan that was given: 0.375 mm a side round an axis that may lie 0.76 mm aside.
+    let mut plan = honest(
+        "cast-iron-sch20",
+        "30",
+        "diameter: 18H12, through: true, roughness: Ra 6.3, centre_tolerance: 0.05, state: cast, state_diameter: 12",
+    );
+    let spoilt = &mut plan.holes[0].transitions;
+    spoilt.retain(|step| step.operation != Operation::RoughBore);
+    let drilled = spoilt.iter_mut().find(|step| step.operation == Operation::DrillOut).unwrap();
+    drilled.diameter_mm = mm(17.25);
+    let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+    let found = prove_hole(&plan.part.holes[0], &plan.holes[0].transitions, &plan.part, &shop).unwrap();
+    assert!(found.iter().any(|fault| matches!(fault, Fault::NoStock { .. })), "{found:?}");
+}
+
+/// A reamer goes the way of the hole: nothing that is left for another machine mends the position of Ø6.
+#[test]
+fn no_reamer_elsewhere_is_promised_to_mend_a_position() {
+    for diameter in ["4H12", "6H12", "10H11", "14H12"] {
+        let keys = |tolerance| {
+            format!("diameter: {diameter}, through: true, roughness: Ra 6.3, centre_tolerance: {tolerance}")
+        };
+        let close = plan("steel-45", "20", &keys("0.05"));
+        assert!(steps(&close).iter().all(|step| !step.elsewhere), "{diameter}");
+        assert!(codes(&close).contains(&"not-bored") && codes(&close).contains(&"misses-position"), "{diameter}");
+        assert!(close.has_errors(), "{diameter}");
+        honest("steel-45", "20", &keys("0.1"));
+    }
+    // A bar takes its own axis: it is left what it needs.
+    let bored = honest("steel-45", "20", "diameter: 20H12, through: true, roughness: Ra 6.3, centre_tolerance: 0.05");
+    assert!(steps(&bored).last().unwrap().operation.is_boring());
+}
+
+/// The point of Ø30 is 9 mm high: 2 mm under the hole hold a flat floor, and so they hold a free one.
+#[test]
+fn a_free_floor_may_be_flat() {
+    let keys = |bottom: &str| format!("diameter: 32H14, depth: 32, roughness: Ra 12.5, centre_tolerance: 0.2{bottom}");
+    let [free, said, flat] =
+        ["", ", bottom: free", ", bottom: flat"].map(|bottom| honest("steel-45", "34", &keys(bottom)));
+    assert_eq!((operations(&free), operations(&said)), (operations(&flat), operations(&flat)));
+    assert!(codes(&free).contains(&"free-floor-flat") && !codes(&flat).contains(&"free-floor-flat"));
+    // Where the cone has room it stays.
+    let deep = honest("steel-45", "60", &keys(""));
+    let levels = |step: &Transition| step.operation == Operation::Mill && step.from_diameter_mm == step.diameter_mm;
+    assert!(!steps(&deep).iter().any(levels), "{:?}", operations(&deep));
+}
+
+/// Seats of bearings, the screw head of M6, a hole bored 0.1 mm a side too small: every shop makes them.
+#[test]
+fn what_every_shop_makes_is_planned() {
+    for (seat, main) in [("52H7", "45H12"), ("62H7", "55H12"), ("52H7", "40H12")] {
+        for roughness in ["1.25", "1.6", "2.5"] {
+            let keys = format!(
+                "diameter: {main}, through: true, roughness: Ra 12.5, centre_tolerance: 0.2, steps: [{{diameter: {seat}, depth: \
+                 15, bottom: flat, roughness: Ra {roughness}}}]"
+            );
+            let plan = honest("cast-iron-sch20", "40", &keys);
+            let last = steps(&plan).iter().rfind(|step| step.step == Some(1)).unwrap();
+            assert_eq!(last.diameter_mm, mm(seat.trim_end_matches("H7").parse().unwrap()), "{keys}");
+        }
+        let through = format!(
+            "diameter: {seat}, through: true, roughness: Ra 1.25, centre_tolerance: 0.2, state: cast, state_diameter: 45"
+        );
+        honest("cast-iron-sch20", "40", &through);
+    }
+    let screw = "diameter: 6.6H14, through: true, roughness: Ra 12.5, centre_tolerance: 0.2, counterbore: {diameter: 11, depth: 6.5}";
+    let screw = honest("steel-45", "20", screw);
+    assert!(steps(&screw).iter().any(|step| step.diameter_mm == mm(11.0)));
+    let little = "diameter: 30H7, through: true, roughness: Ra 1.6, centre_tolerance: 0.2, state: pre-machined, state_diameter: 29.8";
+    let little = honest("steel-45", "30", little);
+    assert_eq!(operations(&little), [Operation::RoughReam, Operation::FinishReam]);
+    // IT9 of 30 is 0.052: what the rough reamer leaves must stay that much below 30.
+    assert!(steps(&little)[0].diameter_mm + mm(0.052) < mm(30.0), "{:?}", steps(&little)[0].diameter_mm);
+}
+
+/// A tenth may be ground off a core drill, not a fifth: its flutes would be 0.19 of what is left.
+#[test]
+fn a_cutter_is_ground_by_a_tenth_at_most() {
+    for diameter in [5.0, 6.0, 7.0, 7.5, 8.0, 8.5, 9.0, 9.5, 11.0, 23.0, 27.0, 33.5, 51.0] {
+        for (grade, roughness) in [("H9", "2.5"), ("H11", "6.3"), ("H12", "6.3")] {
+            let keys =
+                format!("diameter: {diameter}{grade}, through: true, roughness: Ra {roughness}, centre_tolerance: 0.3");
+            for step in steps(&plan("steel-45", "20", &keys)) {
+                let fixed = step.operation.is_reaming() || step.operation == Operation::CoreDrill;
+                let least = step.tool.diameter_mm.to_mm() * 0.9 - 0.001;
+                assert!(!fixed || step.diameter_mm.to_mm() >= least, "{keys}: {step:?}");
+            }
+        }
+    }
+    let own = |diameter: &str| {
+        let keys = format!("diameter: {diameter}, through: true, roughness: Ra 6.3, centre_tolerance: 0.3");
+        operations(&honest("steel-45", "20", &keys)).contains(&Operation::CoreDrill)
+    };
+    assert!(!own("8H11") && own("10H11"));
+}
+
+/// Grade 12 takes one pass: a core drill that a machined hole leads holds grades 10 to 11.
+#[test]
+fn grade_12_from_a_machined_hole_takes_one_pass() {
+    for (diameter, before) in [("20H12", 19.5), ("10H12", 9.5), ("40H12", 38.0), ("20H12", 18.0)] {
+        let keys = format!(
+            "diameter: {diameter}, through: true, roughness: Ra 6.3, centre_tolerance: 0.2, state: pre-machined, \
+             state_diameter: {before}"
+        );
+        assert_eq!(steps(&honest("steel-45", "30", &keys)).len(), 1, "{keys}");
+    }
+    // The skin of a casting leads nothing.
+    let cast =
+        "diameter: 20H12, through: true, roughness: Ra 6.3, centre_tolerance: 0.2, state: cast, state_diameter: 15";
+    assert!(steps(&honest("cast-iron-sch20", "30", cast)).len() > 1);
+}
+
+/// Pages give a plunging mill 25 % of the feed along the wall in steel and up to 50 % in aluminium. The centre of the mill moves by
+/// (d - D)/d of that feed on its first circle.
+#[test]
+fn a_mill_goes_down_by_a_feed_of_its_own() {
+    let floor = "diameter: 32H14, depth: 32, roughness: Ra 12.5, centre_tolerance: 0.2, bottom: flat";
+    let face = "diameter: 12H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2, face: {diameter: 60}";
+    let screw = "diameter: 6.6H14, through: true, roughness: Ra 12.5, centre_tolerance: 0.2, counterbore: {diameter: 11, depth: 6.5}";
+    for (material, share) in [("steel-45", 0.25), ("aluminium-d16", 0.5)] {
+        for (thickness, keys) in [("50", floor), ("20", face), ("20", screw)] {
+            let plan = honest(material, thickness, keys);
+            let mill = steps(&plan).iter().find(|step| step.operation == Operation::Mill).unwrap();
+            let rounds = mill.conditions.rounds.unwrap();
+            let stock = (mill.diameter_mm - rounds.from_diameter_mm).to_mm() / f64::from(rounds.passes);
+            let first = rounds.from_diameter_mm.to_mm() + stock;
+            let wall = mill.conditions.feed_mm_per_min.0 * first / (first - rounds.mill_diameter_mm.to_mm());
+            let down = rounds.plunge_feed_mm_per_min.unwrap().0;
+            // Feeds are printed to a tenth and written in whole mm/min.
+            assert!(down <= share * wall * 1.01 + 0.1 && down > share * wall * 0.99 - 1.1, "{keys}: {down} of {wall}");
+            assert!(
+                rounds.mill_diameter_mm <= mill.from_diameter_mm + mill.from_diameter_mm,
+                "{keys}: its middle has no teeth"
+            );
+
+            let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+            let job = job::make(&plan, &shop).unwrap();
+            let cycles = job.setups.iter().flat_map(|setup| &setup.works).flat_map(|work| &work.cycles);
+            let kinds = cycles.filter_map(|cycle| match &cycle.kind {
+                CycleKind::Circles { plunge_mm_per_min, .. } => Some((cycle.feed_mm_per_min.0, *plunge_mm_per_min)),
+                _ => None,
+            });
+            let planned: BTreeMap<u64, u64> = kinds
+                .map(|(round, plunge)| (round.to_bits(), plunge.map_or(round, |plunge| plunge.0).to_bits()))
+                .collect();
+            assert_eq!(planned.values().collect::<Vec<_>>(), [&down.to_bits()], "{keys}");
+        }
+    }
+    // Through an open hole it goes down without cutting.
+    let open = honest("steel-45", "40", "diameter: 45H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2");
+    let mill = steps(&open).iter().find(|step| step.operation == Operation::Mill).unwrap();
+    assert_eq!(mill.conditions.rounds.unwrap().plunge_feed_mm_per_min, None);
+}
+
+/// A mill that only faces need not enter the hole: Ø20 over Ø12 takes 5 minutes where Ø10 took 10.
+#[test]
+fn a_face_is_milled_by_what_need_not_enter_the_hole() {
+    for hole in [10, 12] {
+        let keys = format!(
+            "diameter: {hole}H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2, face: {{diameter: 60}}"
+        );
+        let plan = honest("steel-45", "20", &keys);
+        let mill = steps(&plan).iter().find(|step| step.operation == Operation::Mill).unwrap();
+        assert_eq!(mill.tool.diameter_mm, mm(20.0), "Ø{hole}");
+        assert!(mill.conditions.machine_time_min.0 < 6.0, "{:?}", mill.conditions.machine_time_min);
+    }
+}
+
+/// The second drill follows the first, with its drift: only a bar or a mill makes an axis of its own.
+#[test]
+fn a_second_drill_keeps_the_axis_of_the_first() {
+    let mut plan =
+        honest("steel-45", "90", "diameter: 20H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2");
+    let first = steps(&plan).iter().position(|step| step.operation == Operation::Drill).unwrap();
+    let mut second = steps(&plan)[first].clone();
+    second.operation = Operation::DrillOut;
+    second.from_diameter_mm = mm(10.0);
+    plan.holes[0].transitions[first].diameter_mm = mm(10.0);
+    plan.holes[0].transitions.insert(first + 1, second);
+    plan.holes[0].transitions.retain(|step| step.operation != Operation::CentreDrill);
+    // Without a spot the first drill lies 0.12 to 0.2 mm aside.
+    plan.part.holes[0].centre_tolerance = CentreTolerance::Width(mm(0.1));
+    let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+    let found = prove_hole(&plan.part.holes[0], &plan.holes[0].transitions, &plan.part, &shop).unwrap();
+    assert!(found.iter().any(|fault| matches!(fault, Fault::Wanting { .. })), "{found:?}");
+}
+
+/// M12 × 20 in a plate of 30: four pitches of run-out and the point of Ø10.2 are 20 + 7 + 3.06 > 30, but the lead of the tap is three
+/// pitches: 20 + 5.25 + 3.06 = 28.3. In a plate of 28 there is no room.
+#[test]
+fn a_short_run_out_is_taken_where_the_usual_one_has_no_room() {
+    let keys = "thread: M12, depth: 20, roughness: Ra 6.3, centre_tolerance: 0.3";
+    let drilled = |plan: &Plan| steps(plan).iter().find(|step| step.operation == Operation::Drill).unwrap().depth_mm;
+    assert_eq!(drilled(&honest("aluminium-d16", "30", keys)), mm(25.25));
+    assert_eq!(drilled(&honest("aluminium-d16", "40", keys)), mm(27.0));
+    assert!(plan("aluminium-d16", "28", keys).holes[0].route.is_none());
+}
