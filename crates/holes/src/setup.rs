@@ -38,13 +38,14 @@ pub fn clamping(
         let Some((clamping, faults)) = clamped(part, holes, clamps, false, shop)? else {
             return Ok((None, Vec::new()));
         };
-        let faults = faults.into_iter().map(|(severity, note)| Finding::of_part(severity, note)).collect();
         return Ok((Some(clamping), faults));
     }
     let mut best = None;
     for clamps in proposals(part, inset) {
         let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { break };
-        let Some((_, why)) = faults.into_iter().next() else { return Ok((Some(clamping), Vec::new())) };
+        let Some(Finding { note: why, .. }) = faults.into_iter().next() else {
+            return Ok((Some(clamping), Vec::new()));
+        };
         best.get_or_insert((clamping.torque_n_m, why));
     }
     let finding = best.map(|(torque, why)| {
@@ -81,7 +82,7 @@ fn clamped(
     clamps: Vec<Point>,
     proposed: bool,
     shop: &Shop<'_>,
-) -> Result<Option<(Clamping, Vec<(Severity, Note)>)>, KnowledgeError> {
+) -> Result<Option<(Clamping, Vec<Finding>)>, KnowledgeError> {
     let constant = |wanted: ClampingConstant| -> Result<(f64, Because), KnowledgeError> {
         let row = shop.knowledge.need(wanted.name(), |row: &Constant<'_>| row.name.is(wanted))?;
         Ok((row.maximum, Because::row(row.row, Note::new(wanted.name()).with("value", row.maximum))))
@@ -135,7 +136,7 @@ fn clamped(
     let mut faults = Vec::new();
     if strong.is_none() {
         let note = Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len());
-        faults.push((Severity::Error, note));
+        faults.push(Finding::of_part(Severity::Error, note));
     }
     // Where no screw of the table bears the force, the last and strongest is shown.
     let screw = match strong.or(screws.last()) {
@@ -167,7 +168,7 @@ fn clamped(
     if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
         let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed);
         let note = note.with("hole", Figure::called(name));
-        faults.push((Severity::Error, note));
+        faults.push(Finding::of_part(Severity::Error, note));
     }
     if strong.is_some() && most.0 < each.0 {
         let note = Note::new("screw-too-weak")
@@ -175,7 +176,7 @@ fn clamped(
             .with("bears", most.0)
             .with("force", clamping.force_per_clamp_n.0)
             .with("needed", name);
-        faults.push((Severity::Error, note));
+        faults.push(Finding::of_part(Severity::Error, note));
     }
     let hold = hold::Hold { torque: turns.0, side: pushes, hole: turns.1, bears: most, safety: k, friction: f + f2 };
     faults.extend(hold::faults(part, &clamping.clamps, hold, shop)?);

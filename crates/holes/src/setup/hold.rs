@@ -1,7 +1,7 @@
 //! Whether clamps at those places hold the part against turning and tipping, whatever force the screws give.
 
 use crate::error::KnowledgeError;
-use crate::note::{Figure, Note, Severity};
+use crate::note::{Figure, Finding, Note, Severity};
 use crate::part::{Part, Point};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
@@ -41,12 +41,12 @@ pub(super) fn faults(
     clamps: &[Point],
     hold: Hold<'_>,
     shop: &Shop<'_>,
-) -> Result<Vec<(Severity, Note)>, KnowledgeError> {
+) -> Result<Vec<Finding>, KnowledgeError> {
     let mut faults = Vec::new();
     let metres = |length: Micrometres| length.to_mm() / 1000.0;
     if let Some((distance, least)) = overlap(part, shop.convention(HoleDefault::ClampInset)?) {
         let note = Note::new("clamps-overlap").with("distance", distance).with("least", least);
-        faults.push((Severity::Error, note));
+        faults.push(Finding::of_part(Severity::Error, note));
     }
     let moment = hold.safety * hold.torque.0;
     let to_others = clamps.iter().map(|one| clamps.iter().map(|other| metres(one.distance(*other))).sum::<f64>());
@@ -60,7 +60,7 @@ pub(super) fn faults(
             .with("moment", round_to(moment, 1))
             .with("holds", round_to(holds, 1))
             .with("least", Micrometres::from_mm_rounded(least.ceil()));
-        faults.push((Severity::Error, note));
+        faults.push(Finding::of_part(Severity::Error, note));
     }
     let tips = hold.safety * hold.side.0 * metres(part.blank.thickness);
     let holds = hold.bears.0 * edges(part, clamps).map(metres).fold(f64::INFINITY, f64::min);
@@ -69,10 +69,11 @@ pub(super) fn faults(
             .with("side", hold.side.rounded(0).0)
             .with("moment", round_to(tips, 1))
             .with("holds", round_to(holds, 1));
-        faults.push((Severity::Error, note));
+        faults.push(Finding::of_part(Severity::Error, note));
     }
     if let Some((beyond, width)) = one_side(part, clamps, shop.share(HoleDefault::ClampSideShare)?) {
-        faults.push((Severity::Doubtful, Note::new("clamps-one-side").with("beyond", beyond).with("width", width)));
+        let note = Note::new("clamps-one-side").with("beyond", beyond).with("width", width);
+        faults.push(Finding::of_part(Severity::Doubtful, note));
     }
     Ok(faults)
 }
@@ -108,15 +109,14 @@ fn edges<'p>(part: &'p Part, clamps: &'p [Point]) -> impl Iterator<Item = Microm
 /// from one side.
 fn one_side(part: &Part, clamps: &[Point], share: f64) -> Option<(Micrometres, Micrometres)> {
     let (blank, datum) = (&part.blank, &part.datum);
-    let ways: [(Micrometres, &dyn Fn(&Point) -> Micrometres); 4] = [
-        (blank.length, &|at| at.x - datum.left),
-        (blank.length, &|at| datum.left + blank.length - at.x),
-        (blank.width, &|at| at.y - datum.front),
-        (blank.width, &|at| datum.front + blank.width - at.y),
-    ];
-    let found = ways.into_iter().filter_map(|(width, from)| {
-        let farthest = clamps.iter().map(from).max()?;
-        (farthest.to_mm() < share * width.to_mm()).then_some((width - farthest, width))
+    // From the left, the right, the front and the back.
+    let from = clamps.iter().map(|at| {
+        let (left, front) = (at.x - datum.left, at.y - datum.front);
+        [left, blank.length - left, front, blank.width - front]
     });
-    found.max()
+    let farthest = from.reduce(|one, two| std::array::from_fn(|side| one[side].max(two[side])))?;
+    let widths = [blank.length, blank.length, blank.width, blank.width];
+    let sides = farthest.into_iter().zip(widths);
+    let found = sides.filter(|(farthest, width)| farthest.to_mm() < share * width.to_mm());
+    found.map(|(farthest, width)| (width - farthest, width)).max()
 }
