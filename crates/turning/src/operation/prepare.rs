@@ -2,6 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::material::Material;
 use crate::note::{Finding, Note, Severity, doubtful_row};
 use crate::tables::lathes::LatheQuantity as Q;
 use crate::turning::allowances::capability::{Elsewhere, LatheAccuracy, elsewhere};
@@ -53,9 +54,10 @@ pub fn finished_elsewhere(
         findings.extend(rows.filter_map(doubtful_row));
     }
     let length = Micrometres::new(workpiece.length().halves() / 2);
+    let group = Material::find(knowledge, &workpiece.material)?.group;
     let mut all = Vec::new();
     for profile in std::iter::once(&workpiece.outer).chain(&workpiece.inner) {
-        let (later, doubts) = elsewhere(profile, holds.as_ref(), length, knowledge)?;
+        let (later, doubts) = elsewhere(profile, holds.as_ref(), group, length, knowledge)?;
         all.extend(later);
         findings.extend(doubts);
     }
