@@ -1,6 +1,6 @@
 //! Row types: audit, with the rules by which it judges.
 
-use technolog_knowledge::units::Percent;
+use technolog_knowledge::units::{Micrometres, Percent};
 use technolog_knowledge::vocabulary::Severity;
 use technolog_knowledge::{rows, vocabulary};
 
@@ -133,6 +133,13 @@ rows! {
     pub struct AuditLathePace of One("audit-lathe-pace") asked by AuditLathePaceFor {
         figure: PaceFigure,
         share: f64,
+    } {
+        severity: Severity,
+    }
+
+    /// How near the part a turret may turn.
+    pub struct AuditTurretClear of One("audit-turret-clear") asked by AuditTurretClearFor {
+        distance: Micrometres,
     } {
         severity: Severity,
     }

@@ -42,6 +42,8 @@ pub struct Carried<'s> {
     pub(crate) tapped: Vec<Option<f64>>,
     /// The deepest cut of each tool's edge, and its block.
     pub depths: BTreeMap<usize, (Mm, Block)>,
+    /// How far from the stock the turret turns.
+    pub indexed: Vec<(Block, Mm)>,
     pub faults: Faults,
 }
 
@@ -64,15 +66,18 @@ impl<'s> Carried<'s> {
             target,
             finished: set_up.finished.as_ref().map(Target::of),
             depths: BTreeMap::new(),
+            indexed: Vec::new(),
             faults: Faults::default(),
         };
         for (index, motion) in set_up.motions.iter().enumerate() {
             if index > 0 && set_up.motions[index - 1].tool != motion.tool {
                 carried.threaded.clear();
             }
+            carried.turn_turret(index);
             carried.carry(index, motion);
         }
         carried.take_off();
+        carried.turn_turret(set_up.motions.len());
         carried.hold_threads();
         carried
     }
@@ -233,6 +238,20 @@ impl<'s> Carried<'s> {
         }
     }
 
+    /// The distance of the tool from the stock at the changes before a motion.
+    fn turn_turret(&mut self, before: usize) {
+        for one in self.set_up.indexed.iter().filter(|one| one.after == before) {
+            self.take_off();
+            let edges: Vec<Convex> = self.outlines[one.tool].cuts.clone();
+            let spots = edges.iter().flat_map(|piece| piece.corners().to_vec()).map(|spot| spot.plus(one.at.spot()));
+            let nearest = |spot: Vector| self.stock.0.edges().map(move |(from, to)| spot.distance(from, to));
+            let distance = spots.flat_map(nearest).fold(f64::INFINITY, f64::min);
+            if distance.is_finite() {
+                self.indexed.push((one.block, Mm(distance)));
+            }
+        }
+    }
+
     /// The depth of a straight cut of an insert: its area over the length along which it cuts, so that the last turn before a wall
     /// counts no more than it lasts.
     fn remember_depth(&mut self, motion: &Motion, cuts: &[Convex]) {
@@ -247,7 +266,8 @@ impl<'s> Carried<'s> {
         let cut = waiting.fold(cut, |cut, free| cut.made(&free, Rule::Without));
         let along = to.minus(from).unit();
         let ends = cut.chains().flatten().map(|spot| spot.minus(from).dot(along));
-        let (least, most) = ends.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), at| (least.min(at), most.max(at)));
+        let (least, most) =
+            ends.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), at| (least.min(at), most.max(at)));
         let depth = cut.area() / (most - least.max(0.0));
         if depth.is_finite() && self.depths.get(&motion.tool).is_none_or(|known| known.0.0 < depth) {
             self.depths.insert(motion.tool, (Mm(depth), motion.block));

@@ -45,7 +45,9 @@ use technolog_note as note;
 
 pub use fault::Fault;
 pub use refused::Refused;
-pub use set_up::{Body, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size, TapLimits, Thread};
+pub use set_up::{
+    Body, Indexed, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size, TapLimits, Thread,
+};
 pub use stock::Stock;
 pub use tool::{Cutter, Hand, Holder, Side, Tool};
 pub use units::{At, Block, CubicMm, Degrees, Mm};
@@ -75,6 +77,8 @@ pub struct Proof {
     pub volumes: Volumes,
     /// The deepest straight cut of each insert, by the index of its tool, and its block.
     pub depths: std::collections::BTreeMap<usize, (Mm, Block)>,
+    /// How far from the stock each tool stands as the turret turns, with the block.
+    pub indexed: Vec<(Block, Mm)>,
 }
 
 /// Simulates the stock of a set-up through its motions.
@@ -96,5 +100,11 @@ pub fn prove(set_up: &SetUp) -> Result<Proof, Refused> {
         removed: CubicMm(before - left),
         to_remove: CubicMm(before - part),
     };
-    Ok(Proof { faults: carried.faults.all(), left: carried.stock, volumes, depths: carried.depths })
+    Ok(Proof {
+        faults: carried.faults.all(),
+        left: carried.stock,
+        volumes,
+        depths: carried.depths,
+        indexed: carried.indexed,
+    })
 }

@@ -235,6 +235,19 @@ pub struct Motion {
     pub block: Block,
 }
 
+/// A change of tools by turning the turret.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Indexed {
+    /// How many motions are made before it.
+    pub after: usize,
+    /// The index of the tool that worked until then.
+    pub tool: usize,
+    /// Where that stands.
+    pub at: At,
+    /// The block.
+    pub block: Block,
+}
+
 /// The complete input of a proof.
 #[derive(Clone, Debug, Default)]
 pub struct SetUp {
@@ -250,4 +263,6 @@ pub struct SetUp {
     pub tools: Vec<Tool>,
     /// Their motions, in the order of the program.
     pub motions: Vec<Motion>,
+    /// The changes between them whose distance from the stock is measured.
+    pub indexed: Vec<Indexed>,
 }

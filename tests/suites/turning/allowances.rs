@@ -22,7 +22,16 @@ fn mm(length: i64) -> Micrometres {
 /// A surface of one line.
 fn surface(name: &str, kind: SurfaceKind, from: Point, to: Point) -> Surface {
     let pieces = vec![Piece::line(from, to)];
-    Surface { name: name.into(), kind, pieces, grade: None, field: None, limits: None, roughness: None, stated_allowance: None }
+    Surface {
+        name: name.into(),
+        kind,
+        pieces,
+        grade: None,
+        field: None,
+        limits: None,
+        roughness: None,
+        stated_allowance: None,
+    }
 }
 
 /// Ø36 × 30 to grade 6 and Ra 1.25 with a relief behind it, a shoulder, Ø50 × 30 to grade 12.
@@ -53,7 +62,7 @@ fn holds() -> LatheAccuracy {
 #[test]
 fn what_the_lathe_cannot_finish_is_found() {
     let found = |holds: &LatheAccuracy| {
-        let (found, _) = elsewhere(&shaft(), Some(holds), mm(63), &KNOWLEDGE).unwrap();
+        let (found, _) = elsewhere(&shaft(), Some(holds), "steel", mm(63), &KNOWLEDGE).unwrap();
         found.iter().map(|one| (one.surface.clone(), one.operation.name())).collect::<Vec<_>>()
     };
     let ground = [("A".into(), "outer-grinding")];
@@ -63,7 +72,7 @@ fn what_the_lathe_cannot_finish_is_found() {
     // The grade is held, the roughness is not.
     assert_eq!(found(&LatheAccuracy { outer: better, finest: "Ra 2.5".parse().unwrap(), ..holds() }), ground);
     // Without a lathe nothing is decided, and that is said.
-    let (nothing, findings) = elsewhere(&shaft(), None, mm(63), &KNOWLEDGE).unwrap();
+    let (nothing, findings) = elsewhere(&shaft(), None, "steel", mm(63), &KNOWLEDGE).unwrap();
     assert_eq!(nothing, []);
     assert_eq!(findings[0].note.code(), "no-lathe-to-compare");
 }
@@ -71,7 +80,7 @@ fn what_the_lathe_cannot_finish_is_found() {
 /// 12.2-2: an intermediate allowance for what is finished elsewhere.
 #[test]
 fn what_is_finished_elsewhere_gets_an_intermediate_allowance() {
-    let (found, findings) = elsewhere(&shaft(), Some(&holds()), mm(63), &KNOWLEDGE).unwrap();
+    let (found, findings) = elsewhere(&shaft(), Some(&holds()), "steel", mm(63), &KNOWLEDGE).unwrap();
     // ОСТ 1.41512-86, above 30 up to 50 mm: 0.4 on the diameter.
     assert_eq!(found[0].allowance_mm, Half::from(0.2));
     let codes: Vec<&str> = findings.iter().map(|finding| finding.note.code()).collect();

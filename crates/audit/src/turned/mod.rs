@@ -9,7 +9,7 @@ mod calls;
 mod lathe;
 mod pace;
 
-use technolog_turning_proof::{At, Block, Mm, Motion, MotionKind, Piece, Sense};
+use technolog_turning_proof::{At, Block, Indexed, Mm, Motion, MotionKind, Piece, Sense};
 
 use calls::{CalledTool, exchanges, tools};
 pub use lathe::against_lathe;
@@ -17,18 +17,22 @@ pub use lathe::against_lathe;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::knowledge::contract::Word;
+use crate::knowledge::vocabulary::Severity as Judged;
 use crate::motion;
 use crate::note::{Note, Severity};
 use crate::program::lathe::{
-    LatheAct, LatheFeed, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, Subprogram, is_serious, read,
+    LatheAct, LatheFeed, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, LatheTool, Subprogram,
+    is_serious, read,
 };
 use crate::program::{Fault, TextSpan};
+use crate::tables::audit::AuditTurretClearFor;
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
 use crate::turning::operation::beside::beside;
 use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told_of_program};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::turning::program::ProgramFile;
 use crate::turning::tooling::Lathe;
+use crate::units::{Micrometres, round_to};
 
 /// The assumed position of a tool that is not known, mm from the axis and from the face.
 const FAR: f64 = 1000.0;
@@ -74,10 +78,34 @@ pub fn compare_with_part(
     let found: Vec<Fault> = found.collect();
     faults.extend(exchanges(operation, work, text, run, &tools));
     faults.extend(pace::paced(operation, work, run, &tools, &proof.depths, knowledge)?);
+    faults.extend(turned_near(operation, &proof.indexed, knowledge)?);
     faults.extend(of_plan(operation, set_up, found.iter().any(is_serious), end));
     faults.extend(found);
     let note = Note::new(HELD).with("number", set_up).with("of", operation.set_ups.len());
     faults.push(fault(HELD, Severity::Note, note, end));
+    Ok(faults)
+}
+
+/// Changes of tools beside the stock: as the turret turns, what stands in its other places sweeps through there. Of a lathe whose
+/// turret is not known it is doubtful at most.
+fn turned_near(
+    operation: &Operation,
+    indexed: &[(Block, Mm)],
+    knowledge: &Knowledge,
+) -> Result<Vec<Fault>, KnowledgeError> {
+    let least = if operation.turret_places.is_some() { Severity::Error } else { Severity::Doubtful };
+    let mut faults = Vec::new();
+    for (block, distance) in indexed {
+        let judged = knowledge.ask(&AuditTurretClearFor { distance: Micrometres::from_mm_rounded(distance.0) })?;
+        let severity = match judged.need("distance")?.severity {
+            Judged::Note => continue,
+            Judged::Doubtful => Severity::Doubtful,
+            _ => Severity::Wrong,
+        };
+        let note = Note::new("turned-index-near").with("distance", round_to(distance.0, 1));
+        let line = u32::try_from(block.0).unwrap_or(u32::MAX);
+        faults.push(fault("turned-index-near", severity.max(least), note, line));
+    }
     Ok(faults)
 }
 
@@ -168,9 +196,9 @@ fn compared<'o>(operation: &'o Operation, set_up: u8, text: &str, run: &LatheRun
         Box::new(fault("turned-no-set-up", Severity::Error, note, 1))
     })?;
     let tools = tools(operation, work, text, run);
-    let motions = motions(&run.motions, &tools)
+    let (motions, indexed) = motions(&run.motions, &tools)
         .map_err(|why| Box::new(fault(why.code(), Severity::Doubtful, why.note(), why.line())))?;
-    Ok(Compared { work, proven: prove_set_up(operation, &operation.proven, work, motions), tools })
+    Ok(Compared { work, proven: prove_set_up(operation, &operation.proven, work, motions, indexed), tools })
 }
 
 /// The id of these findings in the list of rules: docs/lathe-programs-read.md.
@@ -219,13 +247,22 @@ impl NotHeld {
     }
 }
 
-/// The motions of a program as the proof has them; a block of the proof is a line of the program.
+/// The motions of a program as the proof has them, and the changes of tools at known places between them; a block of the proof is a
+/// line of the program.
 ///
 /// # Errors
 /// Something in the program is not known well enough.
-fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<Vec<Motion>, NotHeld> {
-    let mut motions = Vec::new();
-    for one in all.iter().filter(|motion| motion.act.moves()) {
+fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<(Vec<Motion>, Vec<Indexed>), NotHeld> {
+    let mut motions: Vec<Motion> = Vec::new();
+    let (mut indexed, mut before) = (Vec::new(), None);
+    for one in all {
+        if one.act == LatheAct::ToolChange {
+            indexed.extend(change(one, before, motions.len(), tools));
+        }
+        before = one.modes.tool.or(before);
+        if !one.act.moves() {
+            continue;
+        }
         let line = one.line;
         let cuts = one.act.cuts();
         let known = one.from.point().zip(one.to.point());
@@ -268,7 +305,15 @@ fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<Vec<Motion>, Not
         };
         motions.push(Motion { kind, path, tool, lead, block: Block(usize::try_from(line).unwrap_or(usize::MAX)) });
     }
-    Ok(motions)
+    Ok((motions, indexed))
+}
+
+/// A change of tools, if the one before is known and stands at a known place. Calling a tool once more turns nothing.
+fn change(one: &LatheMotion, before: Option<LatheTool>, after: usize, tools: &[CalledTool]) -> Option<Indexed> {
+    let before = before.filter(|before| one.modes.tool.is_some_and(|tool| tool.number != before.number))?;
+    let tool = tools.iter().find(|tool| tool.called == before)?.job;
+    let block = Block(usize::try_from(one.line).unwrap_or(usize::MAX));
+    Some(Indexed { after, tool, at: at(one.from.point()?), block })
 }
 
 fn far(place: LathePlace) -> LathePoint {

@@ -340,8 +340,9 @@ rows! {
     }
 
     /// Surfaces that are finished on another machine.
-    pub struct TurningFinishElsewhere of One("turning-finish-elsewhere") asked by TurningFinishElsewhereFor {
+    pub struct TurningFinishElsewhere of One("turning-finish-elsewhere") asked by TurningFinishElsewhereFor<'t> {
         surface: FinishedSurface,
+        material_group: &'t str,
         grade_held: bool,
         roughness_held: bool,
     } {

@@ -74,6 +74,7 @@ pub fn bar_work(outside: Vec<ProfilePiece>, radius: f64, ends: (f64, f64), tool:
         bodies: Vec::new(),
         tools: vec![tool],
         motions,
+        indexed: Vec::new(),
     }
 }
 

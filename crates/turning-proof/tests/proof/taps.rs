@@ -62,6 +62,7 @@ fn made(made: &Made) -> SetUp {
         bodies: Vec::new(),
         tools: vec![bare(cutter)],
         motions,
+        indexed: Vec::new(),
     }
 }
 
@@ -143,6 +144,7 @@ fn the_bar_behind_a_thread_is_of_the_next_set_up() {
         bodies: Vec::new(),
         tools: Vec::new(),
         motions: Vec::new(),
+        indexed: Vec::new(),
     };
     assert_eq!(wrong(&work), []);
 }

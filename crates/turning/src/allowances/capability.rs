@@ -61,6 +61,7 @@ pub struct Elsewhere {
 pub fn elsewhere(
     profile: &Profile,
     holds: Option<&LatheAccuracy>,
+    material_group: &str,
     length: Micrometres,
     knowledge: &Knowledge,
 ) -> Result<(Vec<Elsewhere>, Vec<Finding>), KnowledgeError> {
@@ -71,7 +72,7 @@ pub fn elsewhere(
     };
     for surface in &profile.surfaces {
         let place = place(surface, profile.side);
-        later.extend(compare(surface, place, holds, length, knowledge, &mut findings)?);
+        later.extend(compare(surface, place, (holds, material_group), length, knowledge, &mut findings)?);
     }
     Ok((later, findings))
 }
@@ -80,7 +81,7 @@ pub fn elsewhere(
 fn compare(
     surface: &Surface,
     place: Place,
-    holds: &LatheAccuracy,
+    (holds, material_group): (&LatheAccuracy, &str),
     length: Micrometres,
     knowledge: &Knowledge,
     findings: &mut Vec<Finding>,
@@ -98,6 +99,7 @@ fn compare(
     let kind = if surface.kind.is_additional() { FinishedSurface::Additional } else { place.into() };
     let rule = knowledge.ask(&TurningFinishElsewhereFor {
         surface: kind,
+        material_group,
         grade_held: surface.grade.is_none_or(|grade| grade >= holds.grade(place)),
         roughness_held: surface.roughness.is_none_or(|roughness| roughness >= holds.finest),
     })?;

@@ -11,7 +11,7 @@ const RISE: f64 = 1.732_050_807_569;
 /// The cotangent of 4°, which an edge with φ1 = 5° follows downwards.
 const FALL: f64 = 14.300_666_256_712;
 
-/// The longest way along a slope to the other radius, mm; farther a step is made.
+/// The longest way along a slope of the drawing to the other radius, mm; farther a slope of our own is put in.
 const FAR: f64 = 0.5;
 
 /// A cylinder that is made at another radius.
@@ -64,17 +64,26 @@ pub fn resized<T: Copy>(pieces: Vec<(Piece, T)>, side: Side, all: &[Resized]) ->
     made
 }
 
+/// Whether a step towards the chuck goes away from what is turned off before it.
+fn rises(step: Half, side: Side) -> bool {
+    (step > Half::ZERO) == (side == Side::Outer)
+}
+
+/// How far along a slope takes to another radius.
+fn way(step: Half, side: Side) -> Half {
+    Half::from(step.to_mm().abs() * if rises(step, side) { RISE } else { FALL })
+}
+
 /// A cylinder as its parts are made, with a slope from each to the next.
 fn stepped(piece: Piece, side: Side, own: &[&Resized]) -> Vec<Piece> {
     let mut made = Vec::new();
     let Some(first) = own.first() else { return vec![piece] };
     let mut from = Point { radius: first.made, z: piece.from.z };
     for (one, next) in own.iter().zip(own.iter().skip(1)) {
-        let step = (next.made - one.made).to_mm();
-        let outwards = if side == Side::Outer { step } else { -step };
-        let length = Half::from(step.abs() * if outwards > 0.0 { RISE } else { FALL });
+        let length = way(next.made - one.made, side);
         // In what lies between them, if anything does.
-        let begins = if outwards > 0.0 { next.from - length } else { (next.from - length).max(one.to) };
+        let begins =
+            if rises(next.made - one.made, side) { next.from - length } else { (next.from - length).max(one.to) };
         let foot = Point { radius: one.made, z: begins.max(from.z).min(piece.to.z) };
         let head = Point { radius: next.made, z: (foot.z + length).min(piece.to.z) };
         made.extend([Piece::line(from, foot), Piece::line(foot, head)]);
@@ -104,7 +113,14 @@ fn meet_before<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, first: usize) {
             }
             made[first].0.from = meets;
         }
-        None => made.insert(first, (Piece::line(before.to, cylinder.from), mark)),
+        None => {
+            let head = Point {
+                z: (before.to.z + way(cylinder.from.radius - before.to.radius, side)).min(cylinder.to.z),
+                ..cylinder.from
+            };
+            made[first].0.from = head;
+            made.insert(first, (Piece::line(before.to, head), mark));
+        }
     }
 }
 
@@ -127,7 +143,14 @@ fn meet_behind<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, end: usize) {
             }
             made[last].0.to = meets;
         }
-        None => made.insert(end, (Piece::line(cylinder.to, behind.from), mark)),
+        None => {
+            let foot = Point {
+                z: (behind.from.z - way(behind.from.radius - cylinder.to.radius, side)).max(cylinder.from.z),
+                ..cylinder.to
+            };
+            made[last].0.to = foot;
+            made.insert(end, (Piece::line(foot, behind.from), mark));
+        }
     }
 }
 
@@ -157,7 +180,7 @@ struct Met {
 }
 
 /// A piece that begins where a cylinder of the drawing ended begins on the cylinder as made: a face is longer or shorter, a slope
-/// goes on or ends sooner, a rounding moves along its face. None if it does not meet it so.
+/// goes on or ends sooner, a rounding moves along its face. None if it does not meet it so: then a slope is put in.
 fn met(beside: Piece, around: Option<Piece>, cylinder: Piece) -> Option<Met> {
     let radius = cylinder.to.radius;
     let shift = radius - beside.from.radius;
@@ -179,8 +202,11 @@ fn met(beside: Piece, around: Option<Piece>, cylinder: Piece) -> Option<Met> {
     let meets = Point { radius, z: beside.from.z + along };
     let ahead = |from: Point, to: Point| (to.z - from.z).to_mm() * chord.z > 0.0;
     let near = chord.radius.abs() > 1e-9 && along.to_mm().abs() <= FAR;
-    (near && ahead(meets, beside.to) && ahead(cylinder.from, meets))
-        .then_some(Met { beside: Piece { from: meets, ..beside }, around: None, meets })
+    (near && ahead(meets, beside.to) && ahead(cylinder.from, meets)).then_some(Met {
+        beside: Piece { from: meets, ..beside },
+        around: None,
+        meets,
+    })
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::material::Material;
 use crate::note::{Finding, Note, Severity, doubtful_row};
 use crate::tables::lathes::LatheQuantity as Q;
 use crate::turning::allowances::capability::{Elsewhere, LatheAccuracy, elsewhere};
@@ -55,11 +56,12 @@ pub fn finished_elsewhere(
         findings.extend(rows.filter_map(doubtful_row));
     }
     let length = Micrometres::new(workpiece.length().halves() / 2);
+    let group = Material::find(knowledge, &workpiece.material)?.group;
     let mut all = Vec::new();
     let outer = (&workpiece.outer, Some(&workpiece.blank.outer));
     let inner = workpiece.inner.as_ref().map(|inner| (inner, workpiece.blank.inner.as_ref()));
     for (profile, blank) in std::iter::once(outer).chain(inner) {
-        let (later, doubts) = elsewhere(profile, holds.as_ref(), length, knowledge)?;
+        let (later, doubts) = elsewhere(profile, holds.as_ref(), group, length, knowledge)?;
         findings.extend(doubts);
         for one in later {
             let surface = profile.surfaces.iter().find(|surface| surface.name == one.surface);

@@ -81,6 +81,7 @@ lathe-feed-slow = { $rate } mm/min: the drive of { $lathe } feeds at least at { 
 turned-rotation = { $tool } cuts while the spindle turns with M4: a right-hand tool cuts with M3 only
 turned-speed = { $tool } cuts at { $speed } m/min, where shops drive up to { $high } m/min
 turned-depth = { $tool } cuts { $depth } mm deep, and its edge takes { $most } mm
+turned-index-near = the turret turns { $distance } mm beside the stock: go to a clear place before the tool is changed
 turned-feed = { $tool } is fed at { $feed } mm/rev, by our plan at { $planned } mm/rev at most
 turned-power = { $tool } takes { $power } kW if it cuts as deep as our plan; { $lathe } has { $limit } kW
 turned-no-stop = T{ $number } is { $tool } here, and { $before } before: the program does not stop for anybody to put it in

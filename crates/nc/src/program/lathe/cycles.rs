@@ -271,13 +271,12 @@ impl Maker<'_> {
         } else {
             self.stroke(Stroke::Rapid(start), frame, span);
             let between = Between { down_at_rapid: first.rapid, along_contour: false };
-            // The start is the diameter of the blank: above a contour that ends lower, passes go to the Z of its end.
-            let wall = framed.last().filter(|last| last.to.x < start.x - SAME).map(|last| {
-                let to = PassPoint { x: start.x, ..last.to };
-                Leg { from: last.to, to, round: None, ..*last }
-            });
-            let walled: Vec<Leg> = framed.iter().skip(1).copied().chain(wall).collect();
-            let made = levels(start, &walled, lowest, passes, between);
+            // A contour that ends below the start ends every pass above it at its last Z, as a wall would.
+            let mut legs = framed.get(1..).unwrap_or_default().to_vec();
+            if let Some(last) = legs.last().copied().filter(|last| last.to.x < start.x - SAME) {
+                legs.push(Leg { from: last.to, to: PassPoint { x: start.x, ..last.to }, round: None, ..last });
+            }
+            let made = levels(start, &legs, lowest, passes, between);
             self.strokes(made, frame, span);
         }
         // One pass along the rough contour, then back to the start of the cycle.

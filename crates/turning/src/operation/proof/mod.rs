@@ -37,7 +37,7 @@ pub fn prove(operation: &Operation) -> Vec<Proven> {
         for (number, motion) in (1..).zip(&mut motions) {
             motion.block = Block(number);
         }
-        proven.push(prove_set_up(operation, &proven, set_up, motions));
+        proven.push(prove_set_up(operation, &proven, set_up, motions, Vec::new()));
     }
     proven
 }
@@ -49,8 +49,15 @@ fn of_job(job: &Job, tool: usize) -> Vec<Motion> {
     motions(&job.path, tool).into_iter().map(in_step).collect()
 }
 
-/// Simulates given motions of a set-up on the stock after the earlier set-ups, with the tools of its jobs by index.
-pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork, motions: Vec<Motion>) -> Proven {
+/// Simulates given motions of a set-up on the stock after the earlier set-ups, with the tools of its jobs by index, and the changes
+/// between them.
+pub fn prove_set_up(
+    operation: &Operation,
+    before: &[Proven],
+    set_up: &SetUpWork,
+    motions: Vec<Motion>,
+    indexed: Vec<proof::Indexed>,
+) -> Proven {
     let workpiece = &operation.workpiece;
     let number = set_up.set_up.number;
     let earlier = operation.set_ups.iter().zip(before).take_while(|(work, _)| work.set_up.number != number);
@@ -76,6 +83,7 @@ pub fn prove_set_up(operation: &Operation, before: &[Proven], set_up: &SetUpWork
         bodies: bodies(set_up),
         tools: set_up.jobs.iter().map(|job| tool(&job.tool)).collect(),
         motions,
+        indexed,
     };
     Proven { set_up: number, proof: proof::prove(&task) }
 }
