@@ -18,11 +18,12 @@ use technolog::turning::passes;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::shaft::{Mistake, Moves, Shaft};
 use technolog::turning::ways;
-use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
+use technolog::turning::workpiece::{Drawings, Turned, Workpiece, files_named, read_turned_with};
 use technolog::units::{Micrometres, RevsPerMinute};
 use technolog::words::say;
 
 use super::diagnostics::Texts;
+use super::input::FileRoots;
 use super::turn_operation::{self, Control, Wanted};
 use super::usage::whole_number;
 use super::{CliError, Context, Format, Outcome, format, help, kind, knowledge};
@@ -293,12 +294,24 @@ pub fn refused(code: &'static str, context: &Context) -> CliError {
 pub fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Turned, CliError> {
     let shown = path.display().to_string();
     let text = context.text(path)?;
-    read_turned(&shown, &text, knowledge).map_err(|mistakes| CliError::Unusable {
+    // Tables of points and drawings that its contours name.
+    let (mut drawings, mut texts) = (Drawings::default(), Texts::default());
+    for name in files_named(&shown, &text) {
+        // This command has no option that lets a file name others anywhere.
+        let outside = context.word("file-outside");
+        let read = FileRoots { folder: None, anywhere: false }.text(path, &name, context);
+        let read = read.map_err(|why| if why == outside { context.word("file-not-beside").to_owned() } else { why });
+        if let Ok(text) = &read {
+            texts = texts.with(&name, name.clone(), Cow::Owned(text.clone()));
+        }
+        drawings.add(&name, read);
+    }
+    read_turned_with(&shown, &text, &drawings, knowledge).map_err(|mistakes| CliError::Unusable {
         problems: {
             let problems = mistakes.into_iter().map(|mistake| problem(mistake, context)).collect();
             kind::or_other(&shown, &text, FileKind::Turned, problems, context)
         },
-        texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
+        texts: texts.with(&shown, shown.clone(), Cow::Owned(text)),
     })
 }
 

@@ -7,6 +7,7 @@ use crate::knowledge::yaml::{Fields, Node, Problems, parse};
 use crate::material::{self, MaterialState};
 use crate::note::Note;
 use crate::turning::tooling::Lathe;
+use crate::turning::workpiece::Drawings;
 use crate::units::Micrometres;
 use technolog_core::machine;
 use technolog_core::part::stated;
@@ -61,6 +62,8 @@ pub(super) type Placed<T> = (T, Place);
 /// Reads a file and collects every mistake of it.
 pub(super) struct Reader<'a> {
     pub(super) knowledge: &'a Knowledge,
+    /// The files that contours of the file name.
+    pub(super) drawings: &'a Drawings,
     pub(super) problems: Problems,
     pub(super) meant: Vec<Mistake>,
 }
@@ -74,7 +77,8 @@ impl<'a> Reader<'a> {
 
     /// A reader for a tree, with the problems of its text.
     pub(super) fn over(problems: Vec<Diagnostic>, knowledge: &'a Knowledge) -> Self {
-        Self { knowledge, problems: Problems(problems), meant: Vec::new() }
+        const NONE: &Drawings = &Drawings::NONE;
+        Self { knowledge, drawings: NONE, problems: Problems(problems), meant: Vec::new() }
     }
 
     /// The result, or every mistake in the order of the file.

@@ -4,12 +4,14 @@ use technolog::note::Severity;
 use technolog::turning::contour::Side;
 use technolog::turning::jobs::{Body, Job, Pace, Work};
 use technolog::turning::length::Half;
+use technolog::turning::operation::proof::prove_set_up;
 use technolog::turning::operation::{Operation, SetUpWork, plan};
 use technolog::turning::program::Speed;
 use technolog::turning::toolpath::Purpose;
 use technolog::turning::workpiece::read_turned;
 use technolog::turning::zones::Hold;
 use technolog_testing::KNOWLEDGE;
+use technolog_turning_proof::{At, Block, Mm, Motion, MotionKind, Piece};
 
 fn planned(name: &str) -> Operation {
     let path = format!("{}/tests/everyday/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
@@ -27,8 +29,9 @@ fn wrong(operation: &Operation) -> Vec<&str> {
 /// in the second set-up, a rounding at the end of the second set-up, a belt pulley.
 #[test]
 fn everyday_parts_are_made_whole() {
-    for name in ["spool", "bolt", "bushing", "shaft", "flange", "axle", "circlip", "stud", "capfa", "waist", "rounded", "pulley"]
-    {
+    for name in [
+        "spool", "bolt", "bushing", "shaft", "flange", "axle", "circlip", "stud", "capfa", "waist", "rounded", "pulley",
+    ] {
         let operation = planned(name);
         assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
         assert!(operation.set_ups.iter().all(|set_up| set_up.set_up.holds_at.is_some()), "{name}");
@@ -115,6 +118,37 @@ fn both_ends_of_a_bore_are_broken() {
     }
     let narrow = planned("taper-before-ream");
     assert_eq!(wrong(&narrow), ["no-bar-for-bore", "surface-not-finished"], "{:?}", narrow.findings);
+}
+
+/// 150 mm beside a steady rest and 350 mm of bar behind it: without the rest the bar bends too far. No tool of the first set-up comes to
+/// the rest, whose front is at Z -170; what is behind is turned from the other end; the rest is a body that a motion past it strikes.
+#[test]
+fn a_steady_rest_holds_the_free_end() {
+    let operation = planned("rest");
+    assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
+    let [first, second] = operation.set_ups.as_slice() else { panic!() };
+    let deepest = |set_up: &SetUpWork, side: Side| {
+        let jobs = set_up.jobs.iter().filter(|job| job.side == side);
+        jobs.flat_map(|job| &job.path.moves).map(|one| one.to.z).max().unwrap()
+    };
+    assert!(deepest(first, Side::Outer) < Half::from(170.0) && first.jaws.unwrap().front_mm > Half::from(210.0));
+    assert!(second.set_up.rest.is_none() && deepest(second, Side::Outer) >= Half::from(350.0));
+    let past = Motion {
+        kind: MotionKind::Rapid,
+        path: Piece::Line { from: At::new(Mm(5.0), Mm(45.0)), to: At::new(Mm(-250.0), Mm(45.0)) },
+        tool: first.jobs.iter().position(|job| job.work == Work::Finish && job.side == Side::Outer).unwrap(),
+        lead: None,
+        block: Block(1),
+    };
+    let proof = prove_set_up(&operation, &[], first, vec![past]).proof.unwrap();
+    let struck: Vec<_> = proof.faults.iter().filter(|fault| fault.code() == "swept-struck").collect();
+    assert!(format!("{struck:?}").contains("body-rest"), "{struck:?}");
+    let path = format!("{}/tests/everyday/rest.yaml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap();
+    let without: String =
+        text.lines().filter(|line| !line.starts_with("steady_rest")).map(|line| format!("{line}\n")).collect();
+    let alone = plan(&read_turned(&path, &without, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap();
+    assert!(wrong(&alone).contains(&"bounds-exceeded"), "{:?}", wrong(&alone));
 }
 
 /// The cup has one cylinder and 9 mm of bar behind it: nothing holds it. What can be cut is made whole. Turned over, the plug has

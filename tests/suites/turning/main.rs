@@ -11,6 +11,7 @@
 mod agree;
 mod allowances;
 mod bores;
+mod drawn;
 mod elements;
 mod equidistant;
 mod everyday;

@@ -431,6 +431,15 @@ fn survey() {
                     Err(_) => note("PANIC".to_owned(), &text),
                     Ok((faults, silent, grave)) => {
                         note("read".to_owned(), &text);
+                        // A part that nothing holds, or that no lathe is named for, is told; what else is told of it counts for little.
+                        let told = ["set-up-not-held", "job-needs-lathe"];
+                        if faults.is_empty() && grave.iter().any(|one| told.contains(&one.as_str())) {
+                            note("read, not held or without a lathe".to_owned(), &text);
+                            continue;
+                        }
+                        if grave.is_empty() {
+                            note("read, whole".to_owned(), &text);
+                        }
                         for fault in &faults {
                             let kind = fault.split([':', '{', '(']).nth(1).unwrap_or_default().trim().to_owned();
                             note(format!("FAULT {kind}"), &format!("# {fault}\n{text}"));

@@ -280,8 +280,16 @@ fn flange() -> Profile {
 }
 
 fn made(outer: &Profile, inner: Option<&Profile>, blank: &Contour, length: f64) -> Vec<SetUp> {
-    let part =
-        Workpiece { outer, inner, length: mm(length), blank, holding: Holding::Chuck, lends: true, parted: None };
+    let part = Workpiece {
+        outer,
+        inner,
+        length: mm(length),
+        blank,
+        holding: Holding::Chuck,
+        lends: true,
+        parted: None,
+        rest: None,
+    };
     set_ups(part, Angles::CONTOURING, &KNOWLEDGE).unwrap()
 }
 
@@ -372,6 +380,7 @@ fn one_set_up_makes_what_it_reaches() {
         holding: Holding::Chuck,
         lends: false,
         parted: None,
+        rest: None,
     };
     let found = set_ups(whole, Angles::CONTOURING, &KNOWLEDGE).unwrap();
     assert_eq!(found.len(), 1);
@@ -389,6 +398,7 @@ fn one_set_up_makes_what_it_reaches() {
         holding: Holding::Centres,
         lends: true,
         parted: None,
+        rest: None,
     };
     assert_eq!(set_ups(part, Angles::CONTOURING, &KNOWLEDGE).unwrap()[0].holds_at, Some(Hold::Centres));
 }
@@ -493,7 +503,7 @@ proptest! {
             }).collect(),
         };
         let blank = outer(&[(120.0, 0.0), (120.0, length.to_mm())]);
-        let work = Workpiece { outer: &part, inner: None, length, blank: &blank, holding: Holding::Chuck, lends: true, parted: None };
+        let work = Workpiece { outer: &part, inner: None, length, blank: &blank, holding: Holding::Chuck, lends: true, parted: None, rest: None };
         let found = set_ups(work, Angles::CONTOURING, &KNOWLEDGE).unwrap();
         let mut pieces: Vec<Piece> = Vec::new();
         for set_up in &found {

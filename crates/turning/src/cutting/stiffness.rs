@@ -30,6 +30,8 @@ pub struct PartSection {
 #[derive(Clone, Debug)]
 pub struct HeldPart {
     support: PartSupport,
+    /// The distance of a steady rest from the jaws, mm.
+    rest: Option<f64>,
     sections: Vec<PartSection>,
     /// E, MPa.
     modulus: f64,
@@ -103,7 +105,13 @@ impl HeldPart {
         let modulus = row.modulus.0.to_f64();
         let because = vec![Because::row(row.row, Note::new("elastic-modulus").with("modulus", row.modulus.0))];
         let strength = material.strength.to_f64();
-        Ok(Some(Self { support, sections, modulus, strength, because }))
+        Ok(Some(Self { support, rest: None, sections, modulus, strength, because }))
+    }
+
+    /// With a steady rest at a distance from the jaws, which holds the axis there.
+    #[must_use]
+    pub fn with_rest(self, at: Half) -> Self {
+        Self { rest: Some(at.to_mm()).filter(|at| *at > 0.0 && *at < self.length_mm()), ..self }
     }
 
     /// How it is held.
@@ -166,7 +174,11 @@ impl HeldPart {
     /// Castigliano: compliance = ∫ M²/(E·I) dx with the moment M of a force of 1 N. M is linear between the borders of
     /// sections and the force, so Simpson's rule is exact.
     fn answers(&self, place: f64) -> (f64, f64) {
-        let moment = self.moment(place);
+        let reactions = self.reactions(place);
+        let moment = |x: f64| {
+            let held = reactions.iter().map(|(at, force)| force * self.base_moment(*at, x));
+            self.base_moment(place, x) - held.sum::<f64>()
+        };
         let (mut compliance, mut stress) = (0.0, 0.0_f64);
         for (from, to, section) in self.stretches(place) {
             let (inertia, modulus) = section_figures(section);
@@ -181,49 +193,68 @@ impl HeldPart {
         (compliance, stress)
     }
 
-    /// The sections, divided at a place.
+    /// The sections, divided at a place and at the rest.
     fn stretches(&self, place: f64) -> Vec<(f64, f64, &PartSection)> {
         let mut stretches = Vec::new();
         for section in &self.sections {
             let (from, to) = (section.from.to_mm(), section.to.to_mm());
-            if from < place && place < to {
-                stretches.extend([(from, place, section), (place, to, section)]);
-            } else {
-                stretches.push((from, to, section));
+            let mut ends: Vec<f64> =
+                [Some(place), self.rest].into_iter().flatten().filter(|at| from < *at && *at < to).collect();
+            ends.sort_by(f64::total_cmp);
+            ends.push(to);
+            let mut begin = from;
+            for end in ends {
+                stretches.push((begin, end, section));
+                begin = end;
             }
         }
         stretches
     }
 
-    /// The bending moment along the part of 1 N perpendicular to it at a place, N·mm.
+    /// The bending moment at x of 1 N perpendicular to the part at a place, N·mm, without centre beside the chuck and without rest:
     ///
-    /// - In the chuck: a − x up to the force, nothing beyond.
-    /// - Between centres: b·x/L up to it and a·(L − x)/L beyond, with b = L − a.
-    /// - In the chuck and at the centre: that of the chuck less R·(L − x), with the force R of the centre, which
-    ///   holds that end in place: R = δ(a, L)/δ(L, L) of the part in the chuck alone.
-    fn moment(&self, place: f64) -> impl Fn(f64) -> f64 + use<> {
-        let (length, support) = (self.length_mm(), self.support);
-        let centre = if support == PartSupport::ChuckAndCentre { self.force_of_centre(place) } else { 0.0 };
-        move |x: f64| match support {
+    /// - in the chuck a − x up to the force, nothing beyond;
+    /// - between centres b·x/L up to it and a·(L − x)/L beyond, with b = L − a.
+    fn base_moment(&self, place: f64, x: f64) -> f64 {
+        let length = self.length_mm();
+        match self.support {
             PartSupport::Centres if x <= place => (length - place) * x / length,
             PartSupport::Centres => place * (length - x) / length,
-            PartSupport::Chuck | PartSupport::ChuckAndCentre => (place - x).max(0.0) - centre * (length - x),
+            PartSupport::Chuck | PartSupport::ChuckAndCentre => (place - x).max(0.0),
         }
     }
 
-    /// The reaction of the centre to 1 N at a place.
-    fn force_of_centre(&self, place: f64) -> f64 {
-        let length = self.length_mm();
-        let (mut across, mut own) = (0.0, 0.0);
-        for (from, to, section) in self.stretches(place) {
-            let (inertia, _) = section_figures(section);
-            let of = |moment: &dyn Fn(f64) -> f64| {
-                (moment(from) + 4.0 * moment((from + to) / 2.0) + moment(to)) * (to - from) / (6.0 * inertia)
-            };
-            across += of(&|x| (place - x).max(0.0) * (length - x));
-            own += of(&|x| (length - x) * (length - x));
+    /// Where the centre beside a chuck and a rest hold the axis, and their forces under 1 N at a place. Each holds its place still:
+    /// the forces R solve Σ δ(i, j)·R(j) = δ(i, place), with δ(a, b) = ∫ M(a)·M(b)/I dx of the part without them.
+    fn reactions(&self, place: f64) -> Vec<(f64, f64)> {
+        let centre = (self.support == PartSupport::ChuckAndCentre).then(|| self.length_mm());
+        let places: Vec<f64> = centre.into_iter().chain(self.rest).collect();
+        let across = |one: f64, other: f64| self.across(one, other);
+        match *places.as_slice() {
+            [one] => vec![(one, across(one, place) / across(one, one))],
+            [one, two] => {
+                let (a, b, c) = (across(one, one), across(one, two), across(two, two));
+                let (p, q) = (across(one, place), across(two, place));
+                let share = a * c - b * b;
+                vec![(one, (p * c - q * b) / share), (two, (q * a - p * b) / share)]
+            }
+            _ => Vec::new(),
         }
-        across / own
+    }
+
+    /// ∫ M(a)·M(b)/I dx of the part without centre beside the chuck and without rest.
+    fn across(&self, one: f64, other: f64) -> f64 {
+        let stretches = self.stretches(one).into_iter().flat_map(|(from, to, section)| {
+            let cut = [(from, other, section), (other, to, section)];
+            let within = from < other && other < to;
+            if within { cut.to_vec() } else { vec![(from, to, section)] }
+        });
+        let of = |(from, to, section): (f64, f64, &PartSection)| {
+            let (inertia, _) = section_figures(section);
+            let product = |x: f64| self.base_moment(one, x) * self.base_moment(other, x);
+            (product(from) + 4.0 * product((from + to) / 2.0) + product(to)) * (to - from) / (6.0 * inertia)
+        };
+        stretches.map(of).sum()
     }
 }
 
@@ -255,7 +286,7 @@ mod tests {
         });
         let sections = sections.collect();
         assert!((from - length).abs() < 1e-9 || from > 0.0);
-        HeldPart { support, sections, modulus: 210_000.0, strength: 600.0, because: Vec::new() }
+        HeldPart { support, rest: None, sections, modulus: 210_000.0, strength: 600.0, because: Vec::new() }
     }
 
     fn near(is: f64, must: f64) {
@@ -310,5 +341,21 @@ mod tests {
         let solid = hollow.over(Half::ZERO, Half::from(160.0), None).bend_mm(Newtons(1.0));
         hollow.sections.iter_mut().for_each(|section| section.bore = Half::from(15.0));
         near(solid / hollow.over(Half::ZERO, Half::from(160.0), None).bend_mm(Newtons(1.0)), 0.683_59);
+    }
+
+    /// Ø40, 400 mm between centres with a rest in the middle is two spans: a force at 100 mm bends a beam on three supports
+    /// (textbook: 23·F·l³/(1536·E·I) with the span l under a force in the middle of one of two equal spans):
+    /// 23·1000·200³/(1536·210000·125664) = 4.5394e-3 mm, and nothing at the rest. In the chuck with a rest at its free end it is as
+    /// with a centre there.
+    #[test]
+    fn a_rest_halves_the_free_length() {
+        let rested = bar(PartSupport::Centres, 400.0, &[(400.0, 40.0)]).with_rest(Half::from(200.0));
+        let at = |part: &HeldPart, z: f64| part.over(Half::from(z), Half::from(z), None).bend_mm(Newtons(1000.0));
+        near(at(&rested, 100.0), 4.5394e-3);
+        assert!(at(&rested, 200.0).abs() < 1e-9, "{}", at(&rested, 200.0));
+        let long = bar(PartSupport::Chuck, 400.0, &[(400.0, 40.0)]);
+        let by_rest = long.clone().with_rest(Half::from(399.999));
+        let by_centre = HeldPart { support: PartSupport::ChuckAndCentre, ..long };
+        near(at(&by_rest, 150.0), at(&by_centre, 150.0));
     }
 }

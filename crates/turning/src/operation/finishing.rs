@@ -3,11 +3,11 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::finishing::Allowance;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceName};
 use crate::turning::cutting::{Bound, Direction, Flexibility, TurningConditions, unsaid_roughness, wall_share};
 use crate::turning::elements::steepness;
-use crate::tables::turning::jobs::JobLimit;
 use crate::turning::jobs::along::Clearance;
 use crate::turning::jobs::limits::Limits;
 use crate::turning::jobs::{Body, Job, JobTool, Pace, UNKNOWN_EDGE, Work as JobWork};

@@ -72,7 +72,11 @@ impl Held {
             bore: bore(from, to),
         });
         let held = HeldPart::of(support, sections.collect(), material, knowledge)?;
-        Ok(held.map(|part| Self { part, jaws_at }))
+        let rested = |part: HeldPart| match set_up.rest {
+            Some(rest) => part.with_rest(jaws_at - rest.z_mm),
+            None => part,
+        };
+        Ok(held.map(|part| Self { part: rested(part), jaws_at }))
     }
 
     /// The compliance between two places, Z of the set-up; `tolerance` is that of the finished diameter.

@@ -114,6 +114,8 @@ impl Jaws {
         };
         let JawLengths { least, shortest } = JawLengths::of(grips_mm, knowledge)?;
         let [near, clear] = jaw_clearance(knowledge)?.map(|clearance| turned + Half::of(clearance));
+        // Behind a steady rest the jaws stand as far from it as they can.
+        let clear = if set_up.rest.is_some() { to } else { clear };
         let front_mm = clear.min(to - least).max(near).max(from).min(to);
         let body = match lathe {
             Some(lathe) => lathe.workholding(knowledge)?.map(|held| ChuckBody {

@@ -9,7 +9,7 @@ use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
-use crate::turning::contour::{Contour, Piece, Side, SurfaceKind};
+use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind};
 use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
@@ -174,7 +174,9 @@ pub fn layers(
         };
         (blank, rough, on.unwrap_or(left))
     } else {
-        (longer(blank, by), longer(rough, by), longer(left, by))
+        // What is ground later begins there, and keeps its allowance.
+        let ground = ground_behind(&left, bench);
+        (longer(blank, by), longer(off_the_part(rough, ground), by), longer(off_the_part(left, ground), by))
     };
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
 }
@@ -276,6 +278,33 @@ pub(super) fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour 
     }
     let radius = end.radius + Half::from(by.to_mm() * slope);
     contour.pieces.push(Piece::line(end, Point { radius, z: end.z + by }));
+    contour
+}
+
+/// The allowance that another machine finishes on the surface behind the end of a contour of the first set-up; zero without one.
+fn ground_behind(left: &Contour, bench: &Bench<'_, '_>) -> Half {
+    let part = match left.side {
+        Side::Outer => Some(&bench.workpiece.outer),
+        Side::Inner => bench.workpiece.inner.as_ref(),
+    };
+    let end = left.end();
+    let begins =
+        |surface: &&Surface| surface.pieces.first().is_some_and(|first| Some(first.from) == end && !first.is_face());
+    let behind = part.and_then(|part| part.surfaces.iter().find(begins)).map(|surface| &surface.name);
+    let elsewhere = bench.elsewhere.iter().find(|one| Some(&one.surface) == behind);
+    elsewhere.map_or(Half::ZERO, |one| one.allowance_mm)
+}
+
+/// A contour that steps away from the part by so much at its end.
+fn off_the_part(mut contour: Contour, by: Half) -> Contour {
+    if let Some(end) = contour.end().filter(|_| by > Half::ZERO) {
+        let radius = if contour.side == Side::Outer { end.radius + by } else { end.radius - by };
+        let to = Point { radius, z: end.z };
+        match contour.pieces.last_mut().filter(|last| last.is_face()) {
+            Some(last) => last.to = to,
+            None => contour.pieces.push(Piece::line(end, to)),
+        }
+    }
     contour
 }
 

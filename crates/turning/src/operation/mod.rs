@@ -299,6 +299,7 @@ fn plan_without(
             blank: &workpiece.blank.outer,
             holding: workpiece.holding,
             lends: !workpiece.is_only_roughed(),
+            rest: workpiece.steady_rest,
             parted: parted.map(Parted::jaws_from),
         },
         Angles::CONTOURING,

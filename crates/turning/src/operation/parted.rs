@@ -36,6 +36,8 @@ pub(super) enum NotParted {
     NoBar,
     /// A centre stands in its free end: the part would jam the blade between centre and chuck as it comes off.
     Centre,
+    /// A steady rest stands before the place.
+    Rest,
     /// No blade of the catalog reaches the axis.
     NoBlade,
     /// Too little of the blank is left for the jaws.
@@ -50,6 +52,7 @@ impl NotParted {
         match self {
             Self::NoBar => "no-bar",
             Self::Centre => "centre",
+            Self::Rest => "rest",
             Self::NoBlade => "no-blade",
             Self::Short => "short",
             Self::Hole => "hole",
@@ -68,6 +71,9 @@ impl Parted {
         if workpiece.holding != Holding::Chuck || !bar || bench.lathe.is_none() {
             let centre = workpiece.holding == Holding::ChuckAndCentre && bar;
             return Err(Refusal::Not(if centre { NotParted::Centre } else { NotParted::NoBar }));
+        }
+        if workpiece.steady_rest.is_some() {
+            return Err(Refusal::Not(NotParted::Rest));
         }
         let (stock, gap) = (Half::of(face_stock(bench)?), Half::of(jaw_gap(bench)?));
         let mut parted =

@@ -43,7 +43,46 @@ pub struct Z(#[schemars(range(min = -100_000.0, max = 100_000.0))] pub f64);
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 pub struct Micron(#[schemars(range(min = 0.0))] pub f64);
 
+/// A contour: item by item, or by its points.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ContourFile {
+    /// Item by item.
+    Items(#[schemars(length(min = 2, max = 2000))] Vec<ItemFile>),
+    /// By points.
+    Points(PointsFile),
+    /// By a polyline of a drawing.
+    Drawn(DrawnFile),
+}
+
+/// Points, joined by straight lines.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum PointsOf {
+    /// Diameter and Z of each.
+    List(#[schemars(length(min = 2, max = 2000))] Vec<(Width, Z)>),
+    /// The name of a table (CSV), relative to this file, with the columns `d` (or `x`, a diameter; or `r`, a radius) and `z`, and if
+    /// wanted `radius` and `bulge` of the arc that leads to the point, `name`, `grade`, `roughness`, `allowance` of the surface.
+    Table(String),
+}
+
 forms! {
+    /// A contour by its points.
+    pub struct PointsFile {
+        /// The points from the free end towards the chuck.
+        pub points: PointsOf,
+    }
+
+    /// A contour by a polyline: the half-section over the axis, the free end at the right.
+    pub struct DrawnFile {
+        /// The name of a drawing (ASCII DXF, mm), relative to this file.
+        pub dxf: String,
+        /// The layer of the polyline; without it the drawing has only one.
+        pub layer: Option<String>,
+        /// X and Y of the point of the drawing where the axis meets the finished face of the free end; [0, 0] unless said.
+        pub zero: Option<(f64, f64)>,
+    }
+
     /// A turned part by its contour. All lengths are in mm; diameters across, Z along the axis.
     pub struct WorkpieceFile {
         /// Name of the part.
@@ -57,20 +96,28 @@ forms! {
         pub machine: Option<String>,
         /// How it is held; in the chuck unless said.
         pub holding: Option<Holding>,
+        /// A steady rest of the first set-up; none unless said.
+        pub steady_rest: Option<SteadyRestFile>,
         /// Whether and when it is heat-treated; not unless said.
         pub heat_treatment: Option<HeatTreatment>,
         /// Its outside from the axis, or from the bore, at the free end towards the chuck.
-        #[schemars(length(min = 2, max = 2000))]
-        pub outer: Vec<ItemFile>,
+        pub outer: ContourFile,
         /// Its bore from the free end.
-        #[schemars(length(min = 2, max = 2000))]
-        pub inner: Option<Vec<ItemFile>>,
+        pub inner: Option<ContourFile>,
         /// How roughing is bounded.
         pub roughing: Option<ContourRoughing>,
         /// Where finishing allowances come from; from tables unless said.
         pub allowances: Option<AllowancesFile>,
         /// How fast the tool moves.
         pub rates: Option<ContourRates>,
+    }
+
+    /// A steady rest, which holds the part on a cylinder of the blank.
+    pub struct SteadyRestFile {
+        /// Z of its middle.
+        pub z: Z,
+        /// How long it is along the axis, its frame counted.
+        pub width: Size,
     }
 
     /// The blank of a contour form. A forging or casting has `outer` (and `inner`), or `diameter`, `length` and `steps`.
@@ -91,11 +138,9 @@ forms! {
         #[schemars(length(min = 1))]
         pub steps: Option<Vec<Step>>,
         /// Of a forging or casting: its outside; it may begin before the finished face, at Z above 0.
-        #[schemars(length(min = 2, max = 2000))]
-        pub outer: Option<Vec<ItemFile>>,
+        pub outer: Option<ContourFile>,
         /// Of a forging or casting: its bore.
-        #[schemars(length(min = 2, max = 2000))]
-        pub inner: Option<Vec<ItemFile>>,
+        pub inner: Option<ContourFile>,
     }
 
     /// How roughing is bounded.
@@ -188,7 +233,7 @@ mod tests {
     #[test]
     fn schema_and_reader_have_the_same_bound() {
         let most = |path: &str| schema().as_value().pointer(path).and_then(|most| most.as_u64());
-        for name in ["WorkpieceFile/properties/outer", "WorkpieceFile/properties/inner", "BlankFile/properties/outer"] {
+        for name in ["ContourFile/anyOf/0", "PointsOf/anyOf/0"] {
             assert_eq!(most(&format!("/$defs/{name}/maxItems")), Some(MOST_ITEMS as u64), "{name}");
         }
     }

@@ -146,6 +146,7 @@ pub(super) struct Attributes {
 impl Reader<'_> {
     /// The items of a contour; none for one without a key of a surface.
     pub(super) fn items(&mut self, node: &Node, side: Side, owner: Owner) -> Vec<Option<ContourItem>> {
+        let Some(node) = &self.drawn(node, side) else { return Vec::new() };
         let Some(nodes) = self.problems.list(node) else { return Vec::new() };
         if nodes.len() < 2 {
             self.fault::<()>(mistake!("no-items"), &node.place);

@@ -3,12 +3,13 @@
 //! [`read_turned`] reads either form of the file: with `steps` a [`Shaft`], with `outer` a [`Workpiece`]; it reports
 //! every mistake at once. A [`Shaft`] becomes a [`Workpiece`] by `Workpiece::from`.
 //!
-//! From the file to the contour: `items` reads the items, `walk` makes surfaces of them, `groove` the shape of grooves,
+//! From the file to the contour: `drawn` makes items of points, `items` reads the items, `walk` makes surfaces of them, `groove` the shape of grooves,
 //! and `check` compares the contours with themselves and with the blank.
 
 pub mod blank;
 mod check;
 mod cross;
+mod drawn;
 pub mod file;
 mod grade;
 mod groove;
@@ -38,9 +39,10 @@ use super::shaft::{self, Holding, Shaft};
 pub use crate::tables::turning::part::HeatTreatment;
 pub use crate::tables::turning::passes::Scheme;
 pub use blank::{Blank, StockKind};
+pub use drawn::{Drawings, files_named};
 pub use file::schema;
 pub use preparation::{Advice, advice};
-pub use read::{read_turned, read_turned_node, read_workpiece};
+pub use read::{read_turned, read_turned_node, read_turned_with, read_workpiece};
 pub use thread_limits::{ThreadLimits, ToleranceRow, longest_run_out, tolerance_rows};
 
 /// The contents of a turned part's file.
@@ -81,6 +83,9 @@ pub struct Workpiece {
     pub machine: Option<String>,
     /// The way of clamping.
     pub holding: Holding,
+    /// The steady rest of its first set-up.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steady_rest: Option<SteadyRest>,
     /// Whether and when it is heat-treated.
     pub heat_treatment: HeatTreatment,
     /// Its outside, from the axis or the bore at the free end towards the chuck.
@@ -118,6 +123,25 @@ impl Workpiece {
     /// Its largest diameter.
     pub fn largest_diameter(&self) -> Micrometres {
         self.outer.contour().radii().map_or(Micrometres::ZERO, |(_, most)| most.diameter())
+    }
+}
+
+/// A steady rest on a cylinder of the blank.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct SteadyRest {
+    /// Z of its middle, mm.
+    pub z_mm: Half,
+    /// Its length along the axis, mm.
+    pub width_mm: Micrometres,
+    /// The diameter on which it runs, mm.
+    pub seat_mm: Micrometres,
+}
+
+impl SteadyRest {
+    /// Z of its sides, the one towards the free end first.
+    pub fn sides(&self) -> [Half; 2] {
+        let half = Half::new(self.width_mm.micrometres());
+        [self.z_mm - half, self.z_mm + half]
     }
 }
 

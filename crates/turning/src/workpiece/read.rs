@@ -15,15 +15,28 @@ use super::file::WorkpieceFile;
 use super::items::Owner;
 use super::lengths;
 use super::walk::{Walked, walk};
-use super::{Allowances, HeatTreatment, Roughing, Turned, Workpiece};
+use super::{Allowances, Drawings, HeatTreatment, Roughing, Turned, Workpiece};
 
 /// Reads the file of a turned part: with `steps` it is a stepped shaft, with `outer` a contour.
 ///
 /// # Errors
 /// Every mistake of the file, each with its place, in the order of the file; a file with both or neither is one.
 pub fn read_turned(file: &str, text: &str, knowledge: &Knowledge) -> Result<Turned, Vec<Mistake>> {
+    read_turned_with(file, text, &Drawings::NONE, knowledge)
+}
+
+/// The same for a file whose contours name other files ([`super::files_named`]).
+///
+/// # Errors
+/// As for [`read_turned`]; or a table of points or a drawing is not there or cannot be used, with its own place.
+pub fn read_turned_with(
+    file: &str,
+    text: &str,
+    drawings: &Drawings,
+    knowledge: &Knowledge,
+) -> Result<Turned, Vec<Mistake>> {
     let (root, problems) = parse(file, text);
-    turned(root, problems, knowledge)
+    turned(root, problems, drawings, knowledge)
 }
 
 /// The same for a turned part inside another file.
@@ -31,10 +44,15 @@ pub fn read_turned(file: &str, text: &str, knowledge: &Knowledge) -> Result<Turn
 /// # Errors
 /// As for [`read_turned`].
 pub fn read_turned_node(node: &Node, knowledge: &Knowledge) -> Result<Turned, Vec<Mistake>> {
-    turned(Some(node.clone()), Vec::new(), knowledge)
+    turned(Some(node.clone()), Vec::new(), &Drawings::NONE, knowledge)
 }
 
-fn turned(root: Option<Node>, problems: Vec<Diagnostic>, knowledge: &Knowledge) -> Result<Turned, Vec<Mistake>> {
+fn turned(
+    root: Option<Node>,
+    problems: Vec<Diagnostic>,
+    drawings: &Drawings,
+    knowledge: &Knowledge,
+) -> Result<Turned, Vec<Mistake>> {
     let keys: Vec<&str> = match root.as_ref().map(|root| &root.kind) {
         Some(NodeKind::Map(entries)) => entries.iter().map(|(key, _)| key.text.as_str()).collect(),
         _ => Vec::new(),
@@ -46,7 +64,7 @@ fn turned(root: Option<Node>, problems: Vec<Diagnostic>, knowledge: &Knowledge) 
     let shafts: Vec<&str> = ShaftFile::KEYS.iter().map(|key| key.name()).collect();
     let mut only = WorkpieceFile::KEYS.iter().map(|key| key.name()).filter(|key| !shafts.contains(key));
     let contour = has(outer) || !has(steps) && !nearly(steps) && only.any(nearly);
-    let mut reader = Reader::over(problems, knowledge);
+    let mut reader = Reader { drawings, ..Reader::over(problems, knowledge) };
     if contour {
         let workpiece = root.and_then(|root| reader.workpiece(&root));
         return reader.close(workpiece).map(|workpiece| Turned::Contoured(Box::new(workpiece)));
@@ -93,6 +111,7 @@ impl Reader<'_> {
             Some(node) => self.choice(node, Holding::NAMES),
             None => Some(Holding::default()),
         };
+        let rest_node = fields.take(WorkpieceFile::steady_rest);
         let heat_treatment = match fields.take(WorkpieceFile::heat_treatment) {
             Some(node) => self.choice(node, HeatTreatment::NAMES),
             None => Some(HeatTreatment::default()),
@@ -134,6 +153,10 @@ impl Reader<'_> {
             Some(inner) => Some(inner.profile()?),
             None => None,
         };
+        let steady_rest = match rest_node {
+            Some(node) => Some(self.steady_rest(node, blank.as_ref()?)?),
+            None => None,
+        };
         let walked = || std::iter::once(&outer).chain(&inner);
         let (outer_profile, inner_profile) = lengths::in_the_middle(outer.profile()?, inner_profile);
         let (material, material_state) = material?;
@@ -144,6 +167,7 @@ impl Reader<'_> {
             blank: blank?,
             machine: machine?,
             holding: holding?,
+            steady_rest,
             heat_treatment: heat_treatment?,
             outer: outer_profile,
             inner: inner_profile,

@@ -2,11 +2,13 @@
 
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::Node;
+use crate::turning::contour::Piece;
+use crate::turning::length::Half;
 use crate::turning::reading::{Reader, mistake};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
-use super::file::{AllowancesFile, ContourRates, ContourRoughing, ErrorsFile};
-use super::{Allowances, Errors, Microns, Rates, Roughing, Scheme};
+use super::file::{AllowancesFile, ContourRates, ContourRoughing, ErrorsFile, SteadyRestFile};
+use super::{Allowances, Blank, Errors, Microns, Rates, Roughing, Scheme, SteadyRest};
 
 /// How allowances are found, as files name it.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -17,6 +19,28 @@ enum Method {
 }
 
 impl Reader<'_> {
+    /// A steady rest, which must stand on one cylinder of the blank.
+    pub(super) fn steady_rest(&mut self, node: &Node, blank: &Blank) -> Option<SteadyRest> {
+        let mut fields = self.problems.map(node)?;
+        let z = fields.need(SteadyRestFile::z, &mut self.problems);
+        let width = self.need(&mut fields, SteadyRestFile::width);
+        fields.finish(&mut self.problems);
+        let z_node = z?;
+        let z = self.problems.scalar::<Micrometres>(z_node)?;
+        let (width_mm, _) = width?;
+        let mut rest = SteadyRest { z_mm: Half::ZERO - Half::of(z), width_mm, seat_mm: Micrometres::ZERO };
+        let [front, back] = rest.sides();
+        let stands = |piece: &&Piece| piece.is_cylinder() && piece.from.z <= front && piece.to.z >= back;
+        match blank.outer.pieces.iter().find(stands) {
+            Some(piece) => rest.seat_mm = piece.from.radius.diameter(),
+            None => {
+                let note = mistake!("rest-on-no-cylinder", from = Half::ZERO - front, to = Half::ZERO - back);
+                return self.fault(note, &z_node.place);
+            }
+        }
+        Some(rest)
+    }
+
     pub(super) fn roughing(&mut self, node: &Node) -> Option<Roughing> {
         let mut fields = self.problems.map(node)?;
         let depth = fields.take(ContourRoughing::limiting_depth);

@@ -33,6 +33,7 @@ impl From<&Shaft> for Workpiece {
             blank,
             machine: shaft.machine.clone(),
             holding: shaft.holding,
+            steady_rest: None,
             heat_treatment: HeatTreatment::default(),
             outer: outer(&shaft.steps),
             inner: None,

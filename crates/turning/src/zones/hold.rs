@@ -98,7 +98,8 @@ pub(super) fn hold_blank(
     }
     let end = part.blank.end().unwrap_or_default();
     let turned = outer.and_then(|outer| outer.main.contour.end()).map_or(Half::ZERO, |end| end.z);
-    let from = part.parted.unwrap_or(turned);
+    let behind_rest = part.rest.map_or(Half::ZERO, |rest| rest.sides()[1]);
+    let from = part.parted.unwrap_or(turned).max(behind_rest);
     let length = end.z - from;
     // The blank may end with its far face, down to the axis or a bore.
     let radius = part.blank.radii_at(end.z).map_or(end.radius, |(_, most)| most);

@@ -16,9 +16,11 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
 use crate::turning::contour::{Contour, Profile, Surface};
+use crate::turning::cutting::jaw_clearance;
 use crate::turning::elements::{Angles, Class, Main, classify, main_contour, split};
 use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
+use crate::turning::workpiece::SteadyRest;
 
 /// The part to be turned.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +37,8 @@ pub struct Workpiece<'a> {
     pub holding: Holding,
     /// Whether the last cylinder may be left to a second set-up for want of room for the jaws.
     pub lends: bool,
+    /// The steady rest of the first set-up.
+    pub rest: Option<SteadyRest>,
     /// Z from which the jaws may stand in the first set-up, where the part is parted off there.
     pub parted: Option<Half>,
 }
@@ -62,6 +66,9 @@ pub struct SetUp {
     /// Whether the tailstock centre stands in its free end.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub centre: bool,
+    /// The steady rest in it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rest: Option<SteadyRest>,
     /// Its work outside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outer: Option<TurnedSide>,
@@ -94,6 +101,10 @@ struct Division {
 /// The knowledge base lacks the rule `turning-element` or `turning-hold`, or a row of one.
 pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Result<Vec<SetUp>, KnowledgeError> {
     let division = divided(part.outer, tool, knowledge)?;
+    let division = match part.rest {
+        Some(rest) => before_rest(division, rest, knowledge)?,
+        None => division,
+    };
     let lent = division
         .near
         .as_ref()
@@ -123,6 +134,18 @@ fn lent(near: &Profile, far: Option<&Profile>) -> Option<Division> {
     let run = near.surfaces.get(near.surfaces.len() - behind..)?;
     let first = near.surfaces.len() - behind + run.iter().position(upright)?;
     largest.then(|| divided_at(near, far, first, "setup-lends")).flatten()
+}
+
+/// The division with what does not end clear of a steady rest left to the far side: the tool does not come past it.
+fn before_rest(division: Division, rest: SteadyRest, knowledge: &Knowledge) -> Result<Division, KnowledgeError> {
+    let [clearance, _] = jaw_clearance(knowledge)?.map(Half::of);
+    let [front, _] = rest.sides();
+    let ends = |surface: &Surface| surface.pieces.iter().map(|piece| piece.to.z).max().unwrap_or_default();
+    let earlier = division.near.as_ref().and_then(|near| {
+        let first = near.surfaces.iter().position(|surface| ends(surface) > front - clearance)?;
+        divided_at(near, division.far.as_ref(), first, "setup-behind-rest")
+    });
+    Ok(earlier.unwrap_or(division))
 }
 
 /// The division with the surfaces of the near side from one on left to the far side, and the code of the reason.
@@ -161,7 +184,18 @@ fn set_ups_of(
         let (holds_at, because) = hold_blank(part, outer.as_ref(), knowledge)?;
         let inner = from(bored)?;
         let centre = part.holding != Holding::Chuck;
-        SetUp { number: 1, turned_over: false, faces: near_face, centre, outer, inner, holds_at, because, notes }
+        SetUp {
+            number: 1,
+            turned_over: false,
+            faces: near_face,
+            centre,
+            rest: part.rest,
+            outer,
+            inner,
+            holds_at,
+            because,
+            notes,
+        }
     };
     if !second {
         return Ok(vec![first]);
@@ -185,7 +219,18 @@ fn set_ups_of(
     let (outer, inner) = (from(over(far))?, from(over(bored_far))?);
     // Turned over in a chuck the part is faced at its free end, where a centre would stand.
     let centre = part.holding == Holding::Centres;
-    let second = SetUp { number: 2, turned_over: true, faces: far_face, centre, outer, inner, holds_at, because, notes };
+    let second = SetUp {
+        number: 2,
+        turned_over: true,
+        faces: far_face,
+        centre,
+        rest: None,
+        outer,
+        inner,
+        holds_at,
+        because,
+        notes,
+    };
     Ok(vec![first, second])
 }
 

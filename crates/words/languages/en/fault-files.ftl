@@ -79,6 +79,7 @@ input-not-regular = this is not a file but a pipe or a device
 unit-no-whole-number = a whole number is expected here
 file-not-there = there is no such file
 file-is-a-folder = it is a folder, not a file
+file-not-beside = it lies outside the folder of the file that names it
 file-outside = it lies outside the folder of the file that names it, which is allowed with --allow-outside
 file-in-no-folder = a part of its path is no folder
 file-no-such-folder = there is no such folder

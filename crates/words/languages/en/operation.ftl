@@ -7,6 +7,7 @@ far-face-as-parted = nothing of the part is long enough to hold it turned over, 
 far-face-cut-away = set-up { $number }: { $length } mm of the blank are left behind the part; they are faced away: it is cheaper to saw them off before this set-up down to a facing allowance; they are not parted off: { $why ->
         [no-bar] the blank is no bar or tube in a chuck
         [centre] a part that comes off between chuck and centre jams the blade
+        [rest] the steady rest stands before the place
         [no-blade] no blade of the catalog reaches the axis
         [short] too little of the blank is left for the jaws behind the blade
        *[hole] the hole through the part comes out too narrow for the blade
@@ -52,6 +53,7 @@ jaws-not-proven = the chuck is not part of the proof: its size is not known (the
 tool-barred = set-up { $number }: { $tool } is not taken, the proof rejected it: { $why }
 tailstock-stands = the proof has a centre that grows from Ø{ $mouth } at the face to Ø{ $body }, with a quill of Ø{ $quill } { $off } mm before the face; where yours is thinner (a centre with a turned-down body) or the quill stands farther off, the tool may clear it: try it at reduced rapid
 centre-not-proven = the proof knows the stock and the tools, not the tailstock centre and its quill: watch the approach past them
+rest-seat = set-up { $number }: a steady rest of { $width } mm stands at Z { $z } on Ø{ $diameter } of the blank, which has to be round and run true there: turn a seat first, by hand or in an operation of its own
 over-driver = set-up { $number }: between centres the tool goes { $past } mm past the far face, where the part is driven, and the driver is not known here: only a face driver of less than Ø{ $diameter } stays clear, a dog on the shaft would be struck
 no-tool-to-finish = { $side }: no tool finishes this contour: it needs φ of at least { $main }° and φ1 of at least { $secondary }°
     .help = give the steep surfaces a groove or a second set-up, or add a tool to the catalog

@@ -59,4 +59,5 @@ swept-tool = { $tool }: no tool has such lengths or angles
 word-body-jaws = a jaw of the chuck
 word-body-chuck = the chuck
 word-body-centre = the tailstock centre
+word-body-rest = the steady rest
 word-body-quill = the quill of the tailstock

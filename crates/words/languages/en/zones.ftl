@@ -15,6 +15,7 @@ setup-only = one set-up makes all of it
 setup-falls-away = from Z { $z }, Ø{ $diameter } the contour falls towards the chuck more steeply than φ1 = { $secondary }° and never rises again
 setup-lends = Ø{ $diameter } from Z { $z } is turned in this set-up and not in the first one, which would leave the jaws too little
 setup-thread-from-far = the thread Ø{ $diameter } from Z { $z } is cut from this end: in the first set-up it would have no room to begin or to end
+setup-behind-rest = the tool of the first set-up does not come past the steady rest: from Z { $z }, Ø{ $diameter } the part is turned from this end
 setup-parts-off = in the end the part is parted off behind Z { $z }
 setup-bore-widens = the bore widens towards the far face
 setup-far-face = there is stock on the far face

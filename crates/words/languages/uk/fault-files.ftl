@@ -79,6 +79,7 @@ input-not-regular = це не файл, а канал або пристрій
 unit-no-whole-number = тут очікується ціле число
 file-not-there = такого файлу немає
 file-is-a-folder = це тека, а не файл
+file-not-beside = він лежить поза текою файлу, який його називає
 file-outside = він лежить поза текою файлу, який його називає; це дозволяє --allow-outside
 file-in-no-folder = частина шляху до нього не є текою
 file-no-such-folder = такої теки немає

@@ -70,4 +70,5 @@ swept-tool = { $tool }: інструмента з такими довжинам�
 word-body-jaws = кулачок патрона
 word-body-chuck = патрон
 word-body-centre = задній центр
+word-body-rest = люнет
 word-body-quill = піноль задньої бабки

@@ -9,6 +9,7 @@ use crate::turning::jobs::Job;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::toolpath::{Purpose, Toolpath};
+use crate::turning::workpiece::SteadyRest;
 use proof::{At, Block, Fault, Mm, Motion, MotionKind, Sense, SetUp, Stock};
 
 mod profile;
@@ -91,7 +92,17 @@ pub fn prove_set_up(
 /// The bodies that hold the part in a set-up: the jaws with the chuck behind them, and the tailstock.
 fn bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
     let tailstock = set_up.tailstock.iter().flat_map(tailstock_bodies);
-    chuck_bodies(set_up).into_iter().chain(tailstock).collect()
+    chuck_bodies(set_up).into_iter().chain(tailstock).chain(set_up.set_up.rest.map(rest_body)).collect()
+}
+
+/// A steady rest, from its seat outwards: its frame is round the part, and no tool passes it.
+fn rest_body(rest: SteadyRest) -> proof::Body {
+    let ([front, back], seat) = (rest.sides().map(|z| -z.to_mm()), rest.seat_mm.to_mm() / 2.0);
+    let outline = [(front, seat), (front, FAR), (back, FAR), (back, seat)];
+    proof::Body {
+        name: Figure::word("body-rest"),
+        outline: outline.map(|(z, radius)| At::new(Mm(z), Mm(radius))).to_vec(),
+    }
 }
 
 fn chuck_bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
