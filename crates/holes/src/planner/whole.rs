@@ -15,7 +15,7 @@ use crate::route::diameters::{self, Sizes};
 use crate::route::scheme::SchemeQuestion;
 use crate::route::{Candidate, Remark, RouteStep, accuracy, openings, order, search};
 use crate::shop::Shop;
-use crate::tables::holes::SchemesOfMainHole;
+use crate::tables::holes::{HoleDefault, SchemesOfMainHole};
 use crate::tables::rules::TransitionOrder;
 use crate::units::{ItGrade, Micrometres, Minutes};
 
@@ -250,7 +250,8 @@ impl Finder<'_, '_> {
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: &[RouteStep]| self.cost(steps);
         let boring = self.boring_required()?;
-        let mut best: Option<((bool, bool, bool, Minutes), Vec<RouteStep>)> = None;
+        let unfinished = self.shop.share(HoleDefault::UnfinishedShare)?;
+        let mut best: Option<((bool, bool, bool, bool, Minutes), Vec<RouteStep>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
             for bore_large in [false, true] {
@@ -270,7 +271,7 @@ impl Finder<'_, '_> {
                         let table = self.shop.knowledge.tables_of::<SchemesOfMainHole<'_>>().next();
                         last.because.extend(table.map(|table| Because::table(table, note)));
                     }
-                    cone_above_shoulder(&mut steps, bore, start, self.fitting);
+                    cone_above_shoulder(&mut steps, bore, start, self.fitting)?;
                     // What cuts the shoulder goes down to it, the rest stops above.
                     if bore.flat
                         && let Some(cut) = steps.iter().position(|step| search::leaves_flat(step.operation))
@@ -290,14 +291,16 @@ impl Finder<'_, '_> {
                         // Here too, what the tables finish on another machine is left for that machine.
                         let here = !candidate.finish_elsewhere;
                         let last = candidate.last_resort;
-                        let better = |least: (bool, bool, bool, Minutes)| {
-                            (last, here, bores, minutes.0) < (least.0, least.1, least.2, least.3.0)
+                        // A seat of which reamers leave a good part stands back behind any that is finished.
+                        let short = steps.iter().any(|step| step.leaves_unfinished(unfinished));
+                        let better = |least: (bool, bool, bool, bool, Minutes)| {
+                            (short, last, here, bores, minutes.0) < (least.0, least.1, least.2, least.3, least.4.0)
                         };
                         if best.as_ref().is_none_or(|(least, _)| better(*least)) {
                             if let Some(first) = steps.first_mut() {
                                 first.because.extend(candidate.because.clone());
                             }
-                            best = Some(((last, here, bores, minutes), steps));
+                            best = Some(((short, last, here, bores, minutes), steps));
                         }
                         break;
                     }
@@ -337,14 +340,23 @@ pub(super) fn edges(
 
 /// Over a flat shoulder a drill stops where the rim of its point touches the shoulder; the rest is cut flat by the
 /// next step.
-fn cone_above_shoulder(steps: &mut [RouteStep], bore: &Bore, start: Micrometres, fitting: &Fitting<'_, '_>) {
+fn cone_above_shoulder(
+    steps: &mut [RouteStep],
+    bore: &Bore,
+    start: Micrometres,
+    fitting: &Fitting<'_, '_>,
+) -> Tried<()> {
     if !bore.flat {
-        return;
+        return Ok(());
     }
     for step in steps.iter_mut().filter(|step| step.operation == Operation::DrillOut) {
-        let point = fitting.point(step.diameter) - fitting.point(start);
-        step.place.depth = (step.place.depth - point).max(Micrometres::new(1));
+        let (depth, diameter) = (step.place.depth, step.diameter);
+        step.place.depth = depth - (fitting.point(diameter) - fitting.point(start));
+        if step.place.depth <= Micrometres::ZERO {
+            return Err(Refusal::Not(Reason::TooShallowForFlat { depth, diameter }));
+        }
     }
+    Ok(())
 }
 
 /// Whether a transition only improves the surface of its cylinder, so that it need not go beyond the cylinder.
