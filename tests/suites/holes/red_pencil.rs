@@ -237,3 +237,14 @@ fn a_second_drill_keeps_the_axis_of_the_first() {
     let found = prove_hole(&plan.part.holes[0], &plan.holes[0].transitions, &plan.part, &shop).unwrap();
     assert!(found.iter().any(|fault| matches!(fault, Fault::Wanting { .. })), "{found:?}");
 }
+
+/// M12 × 20 in a plate of 30: four pitches of run-out and the point of Ø10.2 are 20 + 7 + 3.06 > 30, but the lead of the tap is three
+/// pitches: 20 + 5.25 + 3.06 = 28.3. In a plate of 28 there is no room.
+#[test]
+fn a_short_run_out_is_taken_where_the_usual_one_has_no_room() {
+    let keys = "thread: M12, depth: 20, roughness: Ra 6.3, centre_tolerance: 0.3";
+    let drilled = |plan: &Plan| steps(plan).iter().find(|step| step.operation == Operation::Drill).unwrap().depth_mm;
+    assert_eq!(drilled(&honest("aluminium-d16", "30", keys)), mm(25.25));
+    assert_eq!(drilled(&honest("aluminium-d16", "40", keys)), mm(27.0));
+    assert!(plan("aluminium-d16", "28", keys).holes[0].route.is_none());
+}

@@ -280,7 +280,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
-        because.extend(self.conventions(&step)?);
+        because.extend(self.conventions(&step, tool.diameter)?);
         let (tool, approach) = (Some(tool), *approach);
         Ok(Fitted { step, tool, travel, approach, conditions, pass_time, doubts, makes_edge: false, because })
     }
@@ -309,7 +309,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// The conventions on which the lengths of a step rest.
-    fn conventions(&self, step: &RouteStep) -> Result<Vec<Because>, KnowledgeError> {
+    fn conventions(&self, step: &RouteStep, tool: Micrometres) -> Result<Vec<Because>, KnowledgeError> {
         let mut because = Vec::new();
         let mut cite = |name, note: Note| -> Result<(), KnowledgeError> {
             because.push(Because::row(self.shop.default_row(name)?.row, note));
@@ -318,6 +318,10 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let main = step.place.feature == Feature::Bore && step.place.step.is_none();
         match step.operation {
             Operation::Tap => cite(HoleDefault::TapLeadPitches, Note::new("tap-lead").with("lead", self.lead(step)))?,
+            Operation::Mill if tool >= step.from => {
+                let note = Note::new("mill-over-hole").with("hole", step.from);
+                cite(HoleDefault::MillCoreShare, note.with("percent", self.mill_core_share * 100.0))?;
+            }
             Operation::Mill => {
                 let floor = step.from == step.diameter;
                 let name = if floor { HoleDefault::FloorClearance } else { HoleDefault::MillClearance };
@@ -325,8 +329,13 @@ impl<'p, 'k> Fitting<'p, 'k> {
                 cite(name, Note::new("mill-clearance").with("clearance", clearance))?;
             }
             Operation::Drill | Operation::DrillOut if main && self.hole.thread.is_some() && !step.place.through => {
-                let note = Note::new("thread-runout").with("runout", step.place.depth - self.hole.depth);
-                cite(HoleDefault::ThreadRunoutPitches, note)?;
+                let run_out = step.place.depth - self.hole.depth;
+                let pitch = self.hole.thread.as_ref().map_or(0.0, |thread| thread.pitch.to_mm());
+                let lead = Micrometres::from_mm_rounded(pitch * self.tap_lead);
+                let short = run_out <= lead;
+                let name = if short { HoleDefault::TapLeadPitches } else { HoleDefault::ThreadRunoutPitches };
+                let code = if short { "thread-runout-short" } else { "thread-runout" };
+                cite(name, Note::new(code).with("runout", run_out))?;
             }
             _ => {}
         }

@@ -15,7 +15,7 @@ use crate::route::diameters::Sizes;
 use crate::route::scheme::{self, SchemeQuestion};
 use crate::route::{Candidate, RouteStep, accuracy, openings};
 use crate::shop::Shop;
-use crate::tables::holes::StagedHole;
+use crate::tables::holes::{HoleDefault, StagedHole};
 use crate::tables::rules::{BoringAsked, BoringForPositionFor, ToolTables};
 use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
@@ -133,7 +133,8 @@ impl Options {
 }
 
 /// Every route of a group of holes. A free floor is made flat where no route leaves the cone of a drill: its point may come
-/// through the part, and what a flat floor permits is permitted by a free one.
+/// through the part, and what a flat floor permits is permitted by a free one. Under a blind thread without room for the usual
+/// run-out the drill goes as deep as the lead of the tap.
 ///
 /// # Errors
 /// The knowledge base has no answer. What makes the whole group impossible is a refusal, not an error.
@@ -145,12 +146,17 @@ pub(super) fn options(
     shop: &Shop<'_>,
 ) -> Tried<Options> {
     let meets = |options: &Options| options.choices.iter().any(Choice::meets_requirements);
-    let own = options_as_drawn(hole, part, preference, drills, shop)?;
+    let usual = HoleDefault::ThreadRunoutPitches;
+    let own = options_as_drawn(hole, part, preference, usual, drills, shop)?;
+    if hole.thread.is_some() && !hole.through && own.choices.is_empty() {
+        let short = options_as_drawn(hole, part, preference, HoleDefault::TapLeadPitches, drills, shop)?;
+        return Ok(if short.choices.is_empty() { own } else { short });
+    }
     if hole.through || hole.thread.is_some() || hole.bottom == Bottom::Flat || meets(&own) {
         return Ok(own);
     }
     let flat = Hole { bottom: Bottom::Flat, ..hole.clone() };
-    let mut flat = options_as_drawn(&flat, part, preference, drills, shop)?;
+    let mut flat = options_as_drawn(&flat, part, preference, usual, drills, shop)?;
     if !meets(&flat) || flat.impossible.len() > own.impossible.len() {
         return Ok(own);
     }
@@ -162,10 +168,11 @@ fn options_as_drawn(
     hole: &Hole,
     part: &Part,
     preference: Preference,
+    run_out: HoleDefault,
     (in_magazine, all_drills): (&[Micrometres], &[DrillSize]),
     shop: &Shop<'_>,
 ) -> Tried<Options> {
-    let task = bores::task(hole, part, shop)?;
+    let task = bores::task_with_run_out(hole, part, run_out, shop)?;
     let fitting = Fitting::new(hole, &task.edges, part, shop)?;
     let main = &task.main;
     let reached = |size: &&DrillSize| size.reach >= fitting.drill_reach(&main.place, size.diameter);

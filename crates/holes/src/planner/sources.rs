@@ -7,6 +7,7 @@ use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::scheme;
 use crate::route::{Candidate, RouteStep, complex, search};
+use crate::tables::practice::{ProofLimit, ProofLimits};
 use crate::tables::rules::NextTransition;
 use crate::units::{Micrometres, Minutes};
 use technolog_proof::Fault;
@@ -192,7 +193,7 @@ impl Finder<'_, '_> {
             return Ok(None);
         }
         let at_best = at_best.into_iter().map(|fault| fault.note()).collect();
-        Ok(Some(Choice { at_best, ..self.choice(candidate, steps) }))
+        Ok(Some(Choice { at_best, ..self.choice(candidate, steps)? }))
     }
 
     /// Files a route as feasible, unless the same route is there already.
@@ -211,11 +212,11 @@ impl Finder<'_, '_> {
         }
     }
 
-    fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Choice {
+    fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Result<Choice, KnowledgeError> {
         let own = steps.iter().map(|fitted| self.time(fitted) + self.rapids_between.0).sum::<f64>();
         let borrowed = steps.iter().find(|fitted| fitted.step.borrowed).map(|fitted| fitted.step.diameter);
-        let misses = self.misses(candidate, &steps);
-        Choice {
+        let misses = self.misses(candidate, &steps)?;
+        Ok(Choice {
             candidate: candidate.clone(),
             steps,
             misses,
@@ -223,20 +224,22 @@ impl Finder<'_, '_> {
             own_time: Minutes(own),
             borrowed,
             instead_of: None,
-        }
+        })
     }
 
     /// The requirements of the drawing that a route does not hold. Grade, roughness and position must be promised by
     /// the table of the route or reached by its chain; what is finished on another machine is held there.
-    fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Vec<Note> {
+    fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Result<Vec<Note>, KnowledgeError> {
         let main = &self.task.main;
         if candidate.finish_elsewhere || candidate.transitions == [Operation::Tap] {
-            return Vec::new();
+            return Ok(Vec::new());
         }
         let cuts =
             |step: &&RouteStep| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some();
         let last = steps.iter().rev().map(|fitted| &fitted.step).find(cuts);
-        let Some(reached) = last.and_then(|step| step.achieved) else { return vec![Note::new("misses-unknown")] };
+        let Some(reached) = last.and_then(|step| step.achieved) else {
+            return Ok(vec![Note::new("misses-unknown")]);
+        };
         let mut misses = Vec::new();
         if main.thread.is_none() {
             // The proof judges the promise of a table; here the promise is enough.
@@ -258,13 +261,18 @@ impl Finder<'_, '_> {
                 });
             }
         }
-        if main.before.is_cast() && reached.position_mm.is_none() {
-            misses.push(Note::new("misses-axis").with("asked", self.question.position));
-        }
         let required = self.question.position;
+        if main.before.is_cast() && reached.position_mm.is_none() {
+            let named = |row: &ProofLimits<'_>| row.name.is(ProofLimit::CoreShift);
+            let shift = self.shop.knowledge.need(ProofLimit::CoreShift.name(), named)?.value;
+            let shift = Micrometres::from_mm_rounded(shift);
+            if shift > required {
+                misses.push(Note::new("misses-axis").with("shift", shift).with("asked", required));
+            }
+        }
         let beyond = reached.position_mm.filter(|own| *own > required);
         misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", required)));
-        misses
+        Ok(misses)
     }
 }
 

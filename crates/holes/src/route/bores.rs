@@ -113,17 +113,28 @@ impl EdgeCut {
 /// A right angle: chamfers are 45° to the axis.
 const RIGHT: u32 = 90_000;
 
-/// Divides a hole into cylinders and edges.
+/// Divides a hole into cylinders and edges; under a blind thread it goes deeper by the usual run-out.
 ///
 /// # Errors
 /// The knowledge lacks a convention.
 pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, KnowledgeError> {
+    task_with_run_out(hole, part, HoleDefault::ThreadRunoutPitches, shop)
+}
+
+/// As [`task`], with the convention that says how many pitches the run-out of a blind thread has.
+///
+/// # Errors
+/// As for [`task`].
+pub fn task_with_run_out(
+    hole: &Hole,
+    part: &Part,
+    run_out: HoleDefault,
+    shop: &Shop<'_>,
+) -> Result<Task, KnowledgeError> {
     let thickness = part.blank.thickness;
     // The first teeth of a tap cut no full thread: a blind hole is drilled deeper by their length.
     let runout = match hole.thread.as_ref().filter(|_| !hole.through) {
-        Some(thread) => {
-            Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share(HoleDefault::ThreadRunoutPitches)?)
-        }
+        Some(thread) => Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share(run_out)?),
         None => Micrometres::ZERO,
     };
     let main = Bore {
