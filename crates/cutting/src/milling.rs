@@ -10,7 +10,7 @@ use crate::tables::cutting::{
     Coefficients, EndMillFeedFor, Mill, MillingDepth, MillingFinishFeedFor, MillingForceFor, MillingSpeedFor,
     MillingStep, MillingToolLifeFor, Process,
 };
-use crate::tables::rules::{PlungeFeedFor, ToolLifeBeyondFor};
+use crate::tables::rules::{MillingFinishRoundFor, PlungeFeedFor, ToolLifeBeyondFor};
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresPerTooth, Minutes, round_to};
 
 use super::figures::{self, missing};
@@ -121,6 +121,8 @@ struct Rounds {
 
 /// Divides the stock into radial passes and axial levels (table `milling-depth`), and measures the path.
 ///
+/// A cylinder of a fine grade has one pass more, of the little stock that the rule `milling-finish-round` leaves.
+///
 /// 1. approach and descent along the hole's axis, `travel` in all;
 /// 2. at each level and for each pass: out from the axis to the circle, radius (di - D)/2;
 /// 3. once round, π·(di - D);
@@ -133,11 +135,20 @@ fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Vec<
     let d = mill.diameter.to_mm();
     let (radial, axial) = (step(MillingStep::Radial)?, step(MillingStep::Axial)?);
     let stock = (cut.diameter - cut.from).to_mm() / 2.0;
-    let passes = parts(stock, radial.share * d).max(cut.passes);
+    // What finishes the cylinder to a fine grade takes little: the spring of the mill goes with its stock.
+    let finish = match cut.it.filter(|_| cut.roughness.is_some()) {
+        Some(it) => Some(shop.knowledge.ask(&MillingFinishRoundFor { it })?.need(&format!("IT {it}"))?),
+        None => None,
+    };
+    let last = finish.as_ref().map_or(0.0, |row| row.stock.to_mm());
+    let last = if last < stock { last } else { 0.0 };
+    let roughing = parts(stock - last, radial.share * d).max(cut.passes);
+    let passes = roughing + u32::from(last > 0.0);
     let deepest = mill.cutting_length.to_mm().min(axial.share * d);
     let levels = parts(cut.depth.to_mm(), deepest);
-    let radial_depth = stock / f64::from(passes);
-    let circles: f64 = (1..=passes).map(|pass| cut.from.to_mm() + 2.0 * radial_depth * f64::from(pass) - d).sum();
+    let radial_depth = (stock - last) / f64::from(roughing);
+    let rough: f64 = (1..=roughing).map(|pass| cut.from.to_mm() + 2.0 * radial_depth * f64::from(pass) - d).sum();
+    let circles = rough + if last > 0.0 { cut.diameter.to_mm() - d } else { 0.0 };
     let first = cut.from.to_mm() + 2.0 * radial_depth;
     let axial_depth = cut.depth.to_mm() / f64::from(levels);
     let centre_share = (first - d) / first;
@@ -159,8 +170,17 @@ fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Vec<
         .with("path", round_to(whole, 1))
         .with("factor", round_to(centre_share, 3));
     because.insert(0, Because::row(radial.row, note));
-    let (from_diameter_mm, mill_diameter_mm) = (cut.from, mill.diameter);
-    let planned = plan::Rounds { from_diameter_mm, mill_diameter_mm, passes, levels, plunge_feed_mm_per_min: None };
+    if let Some(row) = finish.filter(|_| last > 0.0) {
+        because.push(Because::row(row.row, Note::new("milling-finish-round").with("stock", row.stock)));
+    }
+    let planned = plan::Rounds {
+        from_diameter_mm: cut.from,
+        mill_diameter_mm: mill.diameter,
+        passes,
+        levels,
+        finish_mm: (last > 0.0).then(|| Micrometres::from_mm_rounded(last)),
+        plunge_feed_mm_per_min: None,
+    };
     Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned, plunge }, because))
 }
 

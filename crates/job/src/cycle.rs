@@ -130,7 +130,7 @@ fn kind(
     })
 }
 
-/// The levels and circles of a mill: the stock in equal passes, the depth in equal levels, the overrun added to the
+/// The levels and circles of a mill: the stock in equal passes and a thin last one, the depth in equal levels, the overrun added to the
 /// last level.
 fn circles(
     transition: &Feeding<'_>,
@@ -146,8 +146,15 @@ fn circles(
         true => top - transition.end,
         false => top - transition.start - depth.ratio(number, levels),
     };
-    let stock = transition.diameter - rounds.from_diameter_mm;
-    let radius = |pass: i64| (rounds.from_diameter_mm + stock.ratio(pass, passes) - rounds.mill_diameter_mm).half();
+    // A thin last pass is not one of the equal ones.
+    let finish = rounds.finish_mm.filter(|_| passes > 1);
+    let (equal, thin) = finish.map_or((passes, Micrometres::ZERO), |finish| (passes - 1, finish + finish));
+    let stock = transition.diameter - thin - rounds.from_diameter_mm;
+    let after = |pass: i64| match pass > equal {
+        true => transition.diameter,
+        false => rounds.from_diameter_mm + stock.ratio(pass, equal),
+    };
+    let radius = |pass: i64| (after(pass) - rounds.mill_diameter_mm).half();
     let round = feed(transition, shop)?;
     let plunge_mm_per_min = match rounds.plunge_feed_mm_per_min {
         Some(planned) => Some(in_steps(planned, shop)?).filter(|plunge| *plunge != round),

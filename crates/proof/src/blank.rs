@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::note::Finding;
-use crate::part::{BlankHole, Face, Hole, Part, Point};
+use crate::part::{BlankHole, CentreTolerance, Face, Hole, Part, Point, tolerance_width};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
 use crate::tables::practice::ProofLimit;
 use crate::tables::turning::part::ElasticModulus;
 use crate::units::Micrometres;
 
-use super::Fault;
+use super::{Beside, Fault};
 use super::tool::limit;
 
 /// What the blank does not hold, as findings of the holes concerned.
@@ -97,14 +97,29 @@ fn walls<'p>(part: &'p Part, shop: &Shop<'_>) -> Result<Vec<(&'p String, Fault)>
         }
     }
     let name = |index: usize| &part.holes[index].name;
-    let fault = |((own, beside), (wall, least)): (_, _)| {
-        let fault = match beside {
-            None => Fault::WallToEdge { wall, least },
-            Some(other) => Fault::WallBetween { other: String::clone(name(other)), wall, least },
+    let mut faults = Vec::with_capacity(thinnest.len());
+    for ((own, other), (wall, least)) in thinnest {
+        let beside = match other {
+            None => Beside::Edge,
+            Some(other) if other == own => Beside::Twin,
+            Some(other) => Beside::Other(name(other).clone()),
         };
-        (name(own), fault)
+        let shift = shift(&part.holes[own], shop).max(shift(&part.holes[other.unwrap_or(own)], shop));
+        let gone = wall <= shift;
+        faults.push((name(own), if gone { Fault::NoWall { beside, wall, shift } } else { Fault::Wall { beside, wall, least } }));
+    }
+    Ok(faults)
+}
+
+/// How far a hole may lie aside: half of the width that the drawing permits; nothing where it has no width.
+fn shift(hole: &Hole, shop: &Shop<'_>) -> Micrometres {
+    let width = match hole.centre_tolerance {
+        CentreTolerance::Width(width) => Some(width),
+        CentreTolerance::Grade { it } => {
+            hole.smallest_centre_distance().and_then(|distance| tolerance_width(it, distance, shop.knowledge).ok())
+        }
     };
-    Ok(thinnest.into_iter().map(fault).collect())
+    width.unwrap_or_default().half()
 }
 
 /// A plate that springs under the largest thrust by more than the feed: as the point breaks through, it snatches.

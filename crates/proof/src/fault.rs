@@ -18,6 +18,28 @@ pub enum Shortfall {
     Position(Micrometres, Micrometres, Micrometres),
 }
 
+/// What a wall of a hole stands against.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Beside {
+    /// The edge of the blank.
+    Edge,
+    /// Another hole of its own group.
+    Twin,
+    /// A hole of the group of that name.
+    Other(String),
+}
+
+impl Beside {
+    /// The sentence of those for the edge, for a hole of the group, and for one of another group.
+    fn note(&self, [edge, twin, other]: [&'static str; 3]) -> Note {
+        match self {
+            Self::Edge => Note::new(edge),
+            Self::Twin => Note::new(twin),
+            Self::Other(name) => Note::new(other).with("other", Figure::called(name)),
+        }
+    }
+}
+
 /// A condition that does not hold.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
@@ -34,6 +56,8 @@ pub enum Fault {
     NotFinished { left: Micrometres, smallest: Micrometres, largest: Micrometres },
     /// A tool wider than the finished hole goes into it.
     Enters { operation: Operation, tool: Micrometres, limit: Micrometres },
+    /// The point of a drill cuts a crater into a flat shoulder, wider than the hole below it.
+    Gouges { operation: Operation, crater: Micrometres, shoulder: Micrometres, below: Micrometres },
     /// A centring spot remains visible around the finished hole.
     SpotStays { spot: Micrometres, limit: Micrometres },
     /// The full diameter ends before the drawing's depth.
@@ -60,10 +84,10 @@ pub enum Fault {
     Buckles { operation: Operation, drill: Micrometres, flutes: Micrometres, value: Newtons, limit: Newtons },
     /// The overhang of a boring bar is more than so many of its diameters.
     BarSlender { operation: Operation, reach: Micrometres, bar: Micrometres, ratio: f64 },
-    /// A wall between two holes is thinner than such a wall may be.
-    WallBetween { other: String, wall: Micrometres, least: Micrometres },
-    /// So is a wall to the edge of the blank.
-    WallToEdge { wall: Micrometres, least: Micrometres },
+    /// A wall is thinner than such a wall may be.
+    Wall { beside: Beside, wall: Micrometres, least: Micrometres },
+    /// Nothing is left of a wall where the drawing permits its holes to lie.
+    NoWall { beside: Beside, wall: Micrometres, shift: Micrometres },
     /// A cast hole leaves less stock a side than its skin and its place need.
     CastStock { cast: Micrometres, stock: Micrometres, least: Micrometres },
     /// The first cut in a cast hole is too shallow: where the stock is thinnest, it runs in the skin.
@@ -83,8 +107,7 @@ impl Fault {
             Self::ThinFloor { floor, least, .. } if *floor + *floor < *least => Severity::Error,
             Self::ThinFloor { .. }
             | Self::MeetsFloor { .. }
-            | Self::WallBetween { .. }
-            | Self::WallToEdge { .. }
+            | Self::Wall { .. }
             | Self::CastStock { .. }
             | Self::UnderSkin { .. }
             | Self::PlateSprings { .. } => Severity::Doubtful,
@@ -116,6 +139,10 @@ impl Fault {
             Self::Enters { operation, tool, limit } => {
                 of("proof-enters", operation).with("tool", tool).with("limit", limit)
             }
+            Self::Gouges { operation, crater, shoulder, below } => of("proof-gouges", operation)
+                .with("crater", crater)
+                .with("shoulder", shoulder)
+                .with("below", below),
             Self::SpotStays { spot, limit } => Note::new("proof-spot-stays").with("spot", spot).with("limit", limit),
             Self::TooShallow { operation, depth, required } => {
                 of("proof-too-shallow", operation).with("depth", depth).with("asked", required)
@@ -158,11 +185,14 @@ impl Fault {
                 .with("reach", reach)
                 .with("bar", bar)
                 .with("ratio", round_to(*ratio, 1)),
-            Self::WallBetween { other, wall, least } => Note::new("proof-wall-between")
-                .with("other", Figure::called(other))
+            Self::Wall { beside, wall, least } => beside
+                .note(["proof-wall-to-edge", "proof-wall-among", "proof-wall-between"])
                 .with("wall", wall)
                 .with("least", least),
-            Self::WallToEdge { wall, least } => Note::new("proof-wall-to-edge").with("wall", wall).with("least", least),
+            Self::NoWall { beside, wall, shift } => beside
+                .note(["proof-no-wall-to-edge", "proof-no-wall-among", "proof-no-wall-between"])
+                .with("wall", wall)
+                .with("shift", shift),
             Self::CastStock { cast, stock, least } => {
                 Note::new("proof-cast-stock").with("cast", cast).with("stock", stock).with("least", least)
             }

@@ -13,7 +13,7 @@ use crate::units::Micrometres;
 
 use super::cylinder::{CylinderId, CylinderRequirements};
 use super::reach::{Both, MethodKey, Reach, drift, oversize};
-use super::{Fault, Shortfall, loads, tool};
+use super::{Fault, Shortfall, loads, shoulder, tool};
 
 /// The current state of a cylinder.
 #[derive(Clone, Copy, Debug)]
@@ -91,6 +91,7 @@ impl Walk<'_, '_> {
         if !transition.elsewhere {
             self.faults.extend(loads::faults(transition, self.shop)?);
             self.faults.extend(tool::faults(transition, self.shop)?);
+            self.faults.extend(shoulder::gouged(transition, self.hole, self.shop)?);
         }
         if transition.operation == Operation::CentreDrill {
             self.centred = true;

@@ -7,6 +7,7 @@
 //!
 //! - `blank` the blank: walls beside holes, stock of cast holes, the spring of a thin plate;
 //! - `hole` simulates the transitions of a hole: worst-case sizes, positions and depths;
+//! - `shoulder` points of drills over flat shoulders;
 //! - `cylinder` the requirements of the drawing for a surface; `reach` the practice tables of a transition;
 //! - `loads` forces and power with their margin; `tool` the strength of the tool; `fault` all faults, as types.
 //!
@@ -18,6 +19,7 @@ mod fault;
 mod hole;
 mod loads;
 mod reach;
+mod shoulder;
 mod tool;
 
 // The types of other crates, under one name each in the whole program.
@@ -25,7 +27,7 @@ use technolog_core::{error, note, part, plan, practice_speed, shop, tapping};
 use technolog_knowledge::units;
 use technolog_tables as tables;
 
-pub use fault::{Fault, Load, Shortfall};
+pub use fault::{Beside, Fault, Load, Shortfall};
 pub use hole::prove_hole;
 
 use crate::error::KnowledgeError;

@@ -78,6 +78,13 @@ rows! {
         share: f64,
     }
 
+    /// The stock of the round with which an end mill finishes a cylinder.
+    pub struct MillingFinishRound of One("milling-finish-round") asked by MillingFinishRoundFor {
+        it: ItGrade,
+    } {
+        stock: Micrometres,
+    }
+
     /// Depth corrections beyond the handbook's table.
     pub struct DepthBeyond of One("depth-beyond") asked by DepthBeyondFor<'t> {
         of_table: &'t str,

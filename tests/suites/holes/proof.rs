@@ -288,7 +288,7 @@ fn what_the_blank_does_not_hold_is_doubtful() {
         );
         let plan = planned(&read(&text), technolog::plan::CuttingMethod::Formula);
         assert!(!plan.has_errors(), "{keys}: {:?}", plan.findings);
-        let codes = ["proof-wall-between", "proof-wall-to-edge", "proof-cast-stock", "proof-plate-springs"];
+        let codes = ["proof-wall-among", "proof-wall-to-edge", "proof-cast-stock", "proof-plate-springs"];
         let found = plan.findings.into_iter().filter(|finding| codes.contains(&finding.note.code()));
         found
             .map(|finding| {
@@ -298,7 +298,7 @@ fn what_the_blank_does_not_hold_is_doubtful() {
             .collect::<Vec<_>>()
     };
     let fine = "diameter: 20H7, roughness: Ra 1.6";
-    let between = Note::new("proof-wall-between").with("other", Figure::called("A"));
+    let between = Note::new("proof-wall-among");
     assert_eq!(
         found("steel-45", "30", &format!("{fine}, at: [[0, 0], [20.5, 0]]")),
         [between.with("wall", mm(0.479)).with("least", mm(0.938))]

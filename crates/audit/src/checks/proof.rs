@@ -42,10 +42,10 @@ pub(super) fn check<'a>(
                 | Fault::MeetsFloor { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Wanting { .. } | Fault::UnderSkin { .. } => fault.severity(),
-                Fault::Enters { .. } | Fault::TapHole { .. } => Severity::Wrong,
+                Fault::Enters { .. } | Fault::Gouges { .. } | Fault::TapHole { .. } => Severity::Wrong,
                 // The blank is the drawing's, not the plan's: `prove_hole` leaves it out.
-                Fault::WallBetween { .. }
-                | Fault::WallToEdge { .. }
+                Fault::Wall { .. }
+                | Fault::NoWall { .. }
                 | Fault::CastStock { .. }
                 | Fault::PlateSprings { .. }
                 | Fault::NotFinished { .. }

@@ -242,7 +242,8 @@ pub struct Conditions {
     pub because: Vec<Because>,
 }
 
-/// How an end mill goes round in a hole: at every level it takes the stock in equal radial passes.
+/// How an end mill goes round in a hole: at every level it takes the stock in equal radial passes, and a last thin one where it
+/// finishes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Rounds {
     /// The diameter before the first pass, mm.
@@ -253,6 +254,9 @@ pub struct Rounds {
     pub passes: u32,
     /// Axial levels.
     pub levels: u32,
+    /// The radial stock of the last of the passes, mm, where it is a finishing one; absent where all are equal.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub finish_mm: Option<Micrometres>,
     /// Feed down, mm/min, where the mill cuts on its way down; absent where it goes down through an open hole.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub plunge_feed_mm_per_min: Option<MillimetresPerMinute>,

@@ -37,6 +37,8 @@ pub enum NoSize {
     NoMillEnters { hole: Micrometres, clearance: Micrometres },
     /// No tap of the thread.
     NoTap { thread: String, tables: String },
+    /// The countersinks of that angle (thousandths of a degree) that are wide enough have a front wider than the hole.
+    NoConeSoPointed { angle: u32, diameter: Micrometres, tip: Micrometres, hole: Micrometres, tables: String },
     /// No cone of that angle (thousandths of a degree) is wide enough.
     NoConeSoWide { angle: u32, diameter: Micrometres, widest: Micrometres, hole: Micrometres, tables: String },
     /// No cone of that angle (thousandths of a degree); the existing angles.
@@ -154,6 +156,12 @@ impl NoSize {
                 new("no-mill-enters").with("hole", hole).with("clearance", clearance)
             }
             Self::NoTap { thread, tables } => new("no-tap").with("thread", thread).with("tables", tables),
+            Self::NoConeSoPointed { angle, diameter, tip, hole, tables } => new("no-cone-so-pointed")
+                .with("angle", degrees(*angle))
+                .with("diameter", diameter)
+                .with("tip", tip)
+                .with("hole", hole)
+                .with("tables", tables),
             Self::NoConeSoWide { angle, diameter, widest, hole, tables } => new("no-cone-so-wide")
                 .with("angle", degrees(*angle))
                 .with("diameter", diameter)

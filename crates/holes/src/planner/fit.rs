@@ -17,6 +17,7 @@ use crate::part::{Hole, Part};
 use crate::plan::{Conditions, Feature, HolderRef, Operation, ToolRef, Transition};
 use crate::reason::Reason;
 use crate::route::bores::EdgeCut;
+use crate::route::point::point_angle;
 use crate::route::{RouteStep, StepLocation};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
@@ -26,7 +27,7 @@ use crate::units::{ItGrade, Micrometres, Roughness};
 
 pub(super) use centring::widest_spot;
 use one_drill::{SingleDrill, SingleKey};
-use reach::{beyond_cone, point_angle};
+use reach::beyond_cone;
 
 /// A step with its tool and cutting conditions.
 #[derive(Clone, Debug)]
@@ -418,7 +419,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let cut = match step.operation {
             // On a floor the mill cuts as far as its own radius.
             Operation::Mill if step.from == step.diameter => {
-                Cut { from: (step.diameter - cutter.diameter).max(own), plunges: true, ..cut }
+                Cut { from: (step.diameter - cutter.diameter).max(own), plunges: true, it: None, ..cut }
             }
             Operation::Mill if step.from < own => Cut { from: own, plunges: true, ..cut },
             _ => cut,

@@ -208,7 +208,7 @@ fn draft(
             }
             Remark::EndsAboveFloor(left) => {
                 let depth = step.place.depth + *left - step.place.start;
-                let much = left.to_mm() > unfinished * depth.to_mm();
+                let much = step.leaves_unfinished(unfinished);
                 let severity = if much { Severity::Wrong } else { Severity::Doubtful };
                 let note = Note::new("ends-above-floor").with("left", left).with("diameter", step.diameter);
                 report(severity, note.with("depth", depth));
@@ -273,7 +273,7 @@ fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Option<Find
     let nearest = start.to_nearest(&clamping.clamps)?;
     (nearest < clamping.safe_distance_mm).then(|| {
         let note = Note::new("start-near-clamp")
-            .with("distance", round_to(nearest.to_mm(), 0))
+            .with("distance", round_to(nearest.to_mm(), 2))
             .with("needed", clamping.safe_distance_mm);
         Finding::of_part(Severity::Note, note)
     })

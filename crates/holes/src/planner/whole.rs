@@ -15,7 +15,7 @@ use crate::route::diameters::{self, Sizes};
 use crate::route::scheme::SchemeQuestion;
 use crate::route::{Candidate, Remark, RouteStep, accuracy, openings, order, search};
 use crate::shop::Shop;
-use crate::tables::holes::SchemesOfMainHole;
+use crate::tables::holes::{HoleDefault, SchemesOfMainHole};
 use crate::tables::rules::TransitionOrder;
 use crate::units::{ItGrade, Micrometres, Minutes};
 
@@ -23,7 +23,7 @@ use super::fit::{Fitted, Fitting};
 
 /// What makes one way to open a cylinder worse than another, in this order: a last resort, finished here where the tables leave it to
 /// another machine, bored without need, its time.
-type Worse = (bool, bool, bool, Minutes);
+type Worse = (bool, bool, bool, bool, Minutes);
 
 /// The steps that open a wider cylinder, or why there are none.
 type OpeningSteps = Result<Vec<RouteStep>, Reason>;
@@ -254,6 +254,7 @@ impl Finder<'_, '_> {
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: &[RouteStep]| self.cost(steps);
         let boring = self.boring_required()?;
+        let unfinished = self.shop.share(HoleDefault::UnfinishedShare)?;
         let mut best: Option<(Worse, Vec<RouteStep>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
@@ -274,7 +275,7 @@ impl Finder<'_, '_> {
                         let table = self.shop.knowledge.tables_of::<SchemesOfMainHole<'_>>().next();
                         last.because.extend(table.map(|table| Because::table(table, note)));
                     }
-                    cone_above_shoulder(&mut steps, bore, start, self.fitting);
+                    cone_above_shoulder(&mut steps, bore, start, self.fitting)?;
                     // What cuts the shoulder goes down to it, the rest stops above.
                     if bore.flat
                         && let Some(cut) = steps.iter().position(|step| search::leaves_flat(step.operation))
@@ -294,13 +295,16 @@ impl Finder<'_, '_> {
                         // Here too, what the tables finish on another machine is left for that machine.
                         let here = !candidate.finish_elsewhere;
                         let last = candidate.last_resort;
-                        let better =
-                            |least: Worse| (last, here, bores, minutes.0) < (least.0, least.1, least.2, least.3.0);
+                        // A seat of which reamers leave a good part stands back behind any that is finished.
+                        let short = steps.iter().any(|step| step.leaves_unfinished(unfinished));
+                        let better = |least: Worse| {
+                            (short, last, here, bores, minutes.0) < (least.0, least.1, least.2, least.3, least.4.0)
+                        };
                         if best.as_ref().is_none_or(|(least, _)| better(*least)) {
                             if let Some(first) = steps.first_mut() {
                                 first.because.extend(candidate.because.clone());
                             }
-                            best = Some(((last, here, bores, minutes), steps));
+                            best = Some(((short, last, here, bores, minutes), steps));
                         }
                         break;
                     }
@@ -340,14 +344,23 @@ pub(super) fn edges(
 
 /// Over a flat shoulder a drill stops where the rim of its point touches the shoulder; the rest is cut flat by the
 /// next step.
-fn cone_above_shoulder(steps: &mut [RouteStep], bore: &Bore, start: Micrometres, fitting: &Fitting<'_, '_>) {
+fn cone_above_shoulder(
+    steps: &mut [RouteStep],
+    bore: &Bore,
+    start: Micrometres,
+    fitting: &Fitting<'_, '_>,
+) -> Tried<()> {
     if !bore.flat {
-        return;
+        return Ok(());
     }
     for step in steps.iter_mut().filter(|step| step.operation == Operation::DrillOut) {
-        let point = fitting.point(step.diameter) - fitting.point(start);
-        step.place.depth = (step.place.depth - point).max(Micrometres::new(1));
+        let (depth, diameter) = (step.place.depth, step.diameter);
+        step.place.depth = depth - (fitting.point(diameter) - fitting.point(start));
+        if step.place.depth <= Micrometres::ZERO {
+            return Err(Refusal::Not(Reason::TooShallowForFlat { depth, diameter }));
+        }
     }
+    Ok(())
 }
 
 /// Whether a transition only improves the surface of its cylinder, so that it need not go beyond the cylinder.

@@ -148,7 +148,10 @@ pub fn write(
         }
         if let (Some(promise), true) = (promise, Some(index) == last) {
             if let Some(own) = it.filter(|own| *own > promise.it) {
-                step.remarks.push(Remark::Promised { it: promise.it, own });
+                // Where the chain itself holds what is asked, nobody needs the promise.
+                if own > bore.diameter.it {
+                    step.remarks.push(Remark::Promised { it: promise.it, own });
+                }
                 let note = Note::new("promised").with("it", promise.it).with("own", own);
                 step.because.push(Because::table(shop.knowledge.table_of::<HoleAccuracy<'_>>()?, note));
             }

@@ -93,7 +93,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, kind: AuxiliaryKind, shop: &Sho
         return Err(Refusal::Not(Reason::NoAuxiliaryScheme { kind: name.name(), diameter, centre }));
     };
     let starred = row.if_drill_differs.unwrap_or_default();
-    let drill = super::diameters::final_drill(&question.bore.diameter, question.drills).is_some();
+    let drill = super::diameters::final_drill(&question.bore.diameter, question.drills, shop)?.is_some();
     let mut found = Vec::new();
     for scheme in row.schemes {
         if starred.contains(&scheme) && drill {

@@ -4,7 +4,7 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Note};
-use crate::part::{ThreadKind, ToleratedDiameter};
+use crate::part::{ThreadKind, ToleratedDiameter, tolerance_width};
 use crate::plan::Operation;
 use crate::reason::Reason;
 use crate::shop::Shop;
@@ -14,7 +14,8 @@ use crate::tables::standards::ConicalThread;
 use crate::units::Micrometres;
 
 use super::bores::Bore;
-use super::{Candidate, RouteStep};
+use super::point::{cone, point_angle};
+use super::{Candidate, RouteStep, accuracy};
 
 mod allowance;
 mod boring;
@@ -236,11 +237,16 @@ impl BackwardStep<'_, '_> {
         matches!(self.previous, Some(Operation::Drill | Operation::DrillOut))
     }
 
-    /// The largest drill that leaves some stock for a mill or counterbore.
+    /// The largest drill that leaves some stock for a mill or counterbore. Over a flat shoulder the part of its point that cuts
+    /// must fit above the shoulder: lower, it leaves a crater round the hole below.
     fn drill_to_open(self) -> Tried<Micrometres> {
         let largest = self.leaves - self.shop.convention(HoleDefault::MillClearance)?;
         let start = self.sizes.start.unwrap_or_default();
-        let drill = self.sizes.drills.iter().rev().copied().find(|drill| *drill <= largest && *drill > start);
+        let angle = point_angle(self.shop.knowledge, Operation::Drill);
+        let shoulder = self.bore.flat && self.sizes.start.is_some();
+        let above = |drill: Micrometres| cone(drill, angle) - cone(start, angle) < self.bore.place.depth;
+        let fits = |drill: &Micrometres| *drill <= largest && *drill > start && (!shoulder || above(*drill));
+        let drill = self.sizes.drills.iter().rev().copied().find(fits);
         let (operation, diameter) = (self.operation, self.leaves);
         drill.ok_or(Refusal::Not(Reason::NoDrillBefore { operation, diameter, largest }))
     }
@@ -280,7 +286,7 @@ impl BackwardStep<'_, '_> {
                 let inside = drills.iter().copied().find(|drill| window.contains(drill));
                 inside.or_else(|| drills.iter().rev().copied().find(|drill| *drill <= self.leaves))
             }
-            None => final_drill(&self.bore.diameter, drills),
+            None => final_drill(&self.bore.diameter, drills, self.shop)?,
         };
         let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
         Ok(RouteStep::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
@@ -290,7 +296,7 @@ impl BackwardStep<'_, '_> {
     fn drill(self) -> Tried<RouteStep> {
         let mut found = self.sizes.drills.iter().copied().find(|drill| *drill == self.leaves);
         if found.is_none() && self.bore.thread.is_some() && self.leaves == self.bore.diameter.target() {
-            found = final_drill(&self.bore.diameter, self.sizes.drills);
+            found = final_drill(&self.bore.diameter, self.sizes.drills, self.shop)?;
         }
         let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
         Ok(RouteStep::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
@@ -326,9 +332,24 @@ impl BackwardStep<'_, '_> {
     }
 }
 
-/// The drill that can make a cylinder alone: of its nominal diameter, or within its tolerance.
-pub fn final_drill(diameter: &ToleratedDiameter, drills: &[Micrometres]) -> Option<Micrometres> {
-    let target = diameter.target();
+/// The drill that can make a cylinder alone. Holes are wider than their drills, by the coarse limit of drilling: of the drills
+/// whose holes then stay within the limits, the one of the size aimed at, or the first; where there is none, the one of the size
+/// aimed at, or the first within the tolerance.
+///
+/// # Errors
+/// The knowledge lacks the accuracy of drilling.
+pub fn final_drill(
+    diameter: &ToleratedDiameter,
+    drills: &[Micrometres],
+    shop: &Shop<'_>,
+) -> Result<Option<Micrometres>, KnowledgeError> {
+    let (target, drilled) = (diameter.target(), accuracy::drilled(shop)?);
     let permitted = |drill: &Micrometres| (diameter.smallest()..=diameter.largest()).contains(drill);
-    drills.iter().copied().find(|drill| *drill == target).or_else(|| drills.iter().copied().find(permitted))
+    let stays = |drill: &Micrometres| {
+        let wider = tolerance_width(drilled, *drill, shop.knowledge).unwrap_or_default();
+        permitted(drill) && *drill + wider <= diameter.largest()
+    };
+    let aimed = drills.iter().copied().find(|drill| *drill == target);
+    let sure = aimed.filter(stays).or_else(|| drills.iter().copied().find(stays));
+    Ok(sure.or(aimed).or_else(|| drills.iter().copied().find(permitted)))
 }

@@ -13,6 +13,7 @@ pub mod diameters;
 mod handbook;
 pub mod openings;
 pub mod order;
+pub mod point;
 pub mod scheme;
 pub mod search;
 pub mod table_answer;
@@ -126,6 +127,17 @@ pub enum Remark {
 }
 
 impl RouteStep {
+    /// Whether it ends above a floor by more than a share of its cylinder.
+    pub fn leaves_unfinished(&self, share: f64) -> bool {
+        self.remarks.iter().any(|remark| match remark {
+            Remark::EndsAboveFloor(left) => {
+                let whole = self.place.depth + *left - self.place.start;
+                left.to_mm() > share * whole.to_mm()
+            }
+            _ => false,
+        })
+    }
+
     /// A step with only its operation and diameters.
     pub fn plain(operation: Operation, place: StepLocation, diameter: Micrometres, from: Micrometres) -> Self {
         Self {

@@ -127,7 +127,7 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
     let mut schemes = Vec::new();
     for cell in own.filled.into_iter().chain(finer).chain(tighter) {
         let because = [cell.table_asked.because(), taken.clone()];
-        for (scheme, reason) in in_order(&cell, question, knowledge)? {
+        for (scheme, reason) in in_order(&cell, question, shop)? {
             let mut because = because.to_vec();
             let note = Note::new("scheme")
                 .with("scheme", Figure::scheme(&scheme))
@@ -250,15 +250,16 @@ fn cells<'k>(
 fn in_order(
     cell: &Cell<'_>,
     question: &SchemeQuestion<'_>,
-    knowledge: &Knowledge,
+    shop: &Shop<'_>,
 ) -> Result<Vec<(String, Option<Because>)>, KnowledgeError> {
     let mut schemes: Vec<String> = cell.row.schemes.iter().map(|scheme| (*scheme).to_owned()).collect();
     if schemes.len() < 2 {
         return Ok(schemes.into_iter().map(|scheme| (scheme, None)).collect());
     }
-    let answer = knowledge.ask(&WhichOfTwoSchemesFor {
+    let answer = shop.knowledge.ask(&WhichOfTwoSchemesFor {
         for_other_drill: cell.row.if_drill_differs.is_some(),
-        drill_of_that_diameter: super::diameters::final_drill(&question.bore.diameter, question.drills).is_some(),
+        drill_of_that_diameter: super::diameters::final_drill(&question.bore.diameter, question.drills, shop)?
+            .is_some(),
         position: question.position,
     })?;
     let take = answer.need("this cell")?.take;

@@ -93,14 +93,19 @@ fn no_cone<'s, 'k: 's>(
     rows: impl Iterator<Item = &'s CutterRow<'k>>,
     tables: String,
 ) -> NoSize {
-    let cutters: Vec<(u32, Micrometres)> =
-        rows.filter_map(|row| Some(((row.cone_angle?.0 * 1000.0) as u32, row.diameter?))).collect();
-    let widest = cutters.iter().filter(|(own, _)| *own == angle).map(|(_, diameter)| *diameter).max();
+    let cutters: Vec<(u32, Micrometres, Micrometres)> =
+        rows.filter_map(|row| Some(((row.cone_angle?.0 * 1000.0) as u32, row.diameter?, row.tip_diameter?))).collect();
+    let of_angle = || cutters.iter().filter(|(own, ..)| *own == angle);
+    let widest = of_angle().map(|(_, diameter, _)| *diameter).max();
     let diameter = need.diameter;
+    // Those wide enough have a front that does not enter the hole.
+    if let Some(tip) = of_angle().filter(|(_, own, _)| *own >= diameter).map(|(.., tip)| *tip).min() {
+        return NoSize::NoConeSoPointed { angle, diameter, tip, hole: need.enters, tables };
+    }
     if let Some(widest) = widest {
         return NoSize::NoConeSoWide { angle, diameter, widest, hole: need.enters, tables };
     }
-    let mut angles: Vec<u32> = cutters.into_iter().map(|(own, _)| own).collect();
+    let mut angles: Vec<u32> = cutters.into_iter().map(|(own, ..)| own).collect();
     angles.sort_unstable();
     angles.dedup();
     NoSize::NoConeOfAngle { angle, diameter, angles, tables }

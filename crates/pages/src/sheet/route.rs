@@ -143,7 +143,10 @@ fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lan
     if transition.passes > 1 {
         clauses.push(say!(lang, "plan-step-passes", count = transition.passes));
     }
-    if transition.feature != Feature::Bore && transition.operation != Operation::Tap {
+    if transition.feature == Feature::Face && transition.depth_mm == Micrometres::ZERO {
+        // Its floor is the face from which the drawing measures: the stock above it says what is cut.
+        clauses.push(say!(lang, "plan-step-stock", stock = -transition.start_mm));
+    } else if transition.feature != Feature::Bore && transition.operation != Operation::Tap {
         clauses.push(say!(lang, "plan-step-depth", depth = transition.depth_mm));
     }
     if transition.face == Face::Back {

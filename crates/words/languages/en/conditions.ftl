@@ -37,6 +37,7 @@ no-cutter-shape = { $operation }: no mill is given
 no-pitch = { $operation }: no pitch is given
 mill-does-not-enter = { $operation }: the mill Ø{ $diameter } does not enter the hole Ø{ $hole }
 milling-rounds = passes { $passes }, levels { $levels }: t = { $t } mm, B = { $b } mm; path of the mill's axis { $path } mm, its feed × { $factor }
+milling-finish-round = the last round takes { $stock } mm a side: it finishes the cylinder
 plunge-feed = goes down at { $percent } % of the feed along the wall
 feed-per-tooth = feed per tooth { $feed } mm
 milling-finish-feed = feed per tooth × { $factor }: last pass, { $roughness }

@@ -98,7 +98,14 @@ no-tap = no tap { $thread } in the { $tables-count ->
 no-cone-of-angle = no countersink of { $angle }° (to Ø{ $diameter }); the { $tables-count ->
         [1] table
        *[other] tables
-    } { $tables } give { $angles }°
+    } { $tables } { $tables-count ->
+        [1] gives
+       *[other] give
+    } { $angles }°
+no-cone-so-pointed = no countersink of { $angle }° to Ø{ $diameter } for a hole Ø{ $hole }: of those that wide in the { $tables-count ->
+        [1] table
+       *[other] tables
+    } { $tables } the front is Ø{ $tip } and more, and it must enter the hole
 no-cone-so-wide = no countersink of { $angle }° to Ø{ $diameter } for a hole Ø{ $hole }: the widest of the { $tables-count ->
         [1] table
        *[other] tables

@@ -37,6 +37,7 @@ no-cutter-shape = { $operation }: фрезу не вказано
 no-pitch = { $operation }: крок різі не вказано
 mill-does-not-enter = { $operation }: фреза Ø{ $diameter } не входить в отвір Ø{ $hole }
 milling-rounds = робочих ходів { $passes }, рівнів { $levels }: t = { $t } мм, B = { $b } мм; шлях осі фрези { $path } мм, її подача × { $factor }
+milling-finish-round = останнє коло знімає { $stock } мм на бік: воно чистове
 plunge-feed = униз іде з { $percent } % подачі вздовж стінки
 feed-per-tooth = подача на зуб { $feed } мм
 milling-finish-feed = подача на зуб × { $factor }: останній робочий хід, { $roughness }

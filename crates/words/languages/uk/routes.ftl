@@ -99,6 +99,10 @@ no-cone-of-angle = немає конічної зенківки { $angle }° (д
         [1] таблиці
        *[other] таблицях
     } { $tables } є { $angles }°
+no-cone-so-pointed = немає зенківки { $angle }° до Ø{ $diameter } для отвору Ø{ $hole }: у достатньо широких із { $tables-count ->
+        [1] таблиці
+       *[other] таблиць
+    } { $tables } торець Ø{ $tip } і більше, а він має ввійти в отвір
 no-cone-so-wide = немає зенківки { $angle }° до Ø{ $diameter } для отвору Ø{ $hole }: найбільша в { $tables-count ->
         [1] таблиці
        *[other] таблицях

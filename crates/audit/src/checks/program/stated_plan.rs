@@ -255,6 +255,7 @@ impl Making<'_, '_, '_> {
             mill_diameter_mm: mill?,
             passes: passes.or(ours.map(|ours| ours.passes)).unwrap_or(1),
             levels: ours.map_or(1, |ours| ours.levels),
+            finish_mm: ours.and_then(|ours| ours.finish_mm),
             plunge_feed_mm_per_min: ours.and_then(|ours| ours.plunge_feed_mm_per_min),
         })
     }

@@ -1,12 +1,12 @@
 //! How deep the tools of a hole go: approach and overrun, points, leads, and what lies beyond the hole.
 
-use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
 use crate::part::Face;
 use crate::plan::{Feature, Operation};
+use crate::route::point::cone;
 use crate::route::{Remark, RouteStep, StepLocation};
 use crate::tables::rules::Lead;
-use crate::units::{Decimal, Micrometres};
+use crate::units::Micrometres;
 
 use super::{Fitted, Fitting};
 
@@ -163,21 +163,4 @@ pub(super) fn beyond_cone(step: &RouteStep, front: Option<Micrometres>) -> Micro
     let (Some(angle), Some(front)) = (step.angle_millideg, front) else { return Micrometres::ZERO };
     let slope = libm::tan((f64::from(angle) / 2000.0).to_radians());
     Micrometres::from_mm_rounded((step.from - front).max(Micrometres::ZERO).to_mm() / 2.0 / slope)
-}
-
-/// The sharpest point angle in the tables of an operation's cutters, degrees. It gives the longest cone, so every
-/// cutter of them clears the hole. 180, a flat end, where no table states an angle.
-pub(super) fn point_angle(knowledge: &Knowledge, operation: Operation) -> f64 {
-    knowledge
-        .tables_of_cutters()
-        .filter_map(|table| table.tool.as_ref())
-        .filter(|head| head.operations.contains(&operation))
-        .filter_map(|head| head.point_angle)
-        .min()
-        .map_or(180.0, Decimal::to_f64)
-}
-
-/// Height of a cone over a diameter: d/2 / tan(φ/2), the point of a drill or the lead of a core drill.
-fn cone(diameter: Micrometres, angle_deg: f64) -> Micrometres {
-    Micrometres::from_mm_rounded(diameter.to_mm() / 2.0 / libm::tan((angle_deg / 2.0).to_radians()))
 }

@@ -6,7 +6,7 @@ use crate::part::tolerance_width;
 use crate::plan::Operation;
 use crate::reason::Reason;
 use crate::tables::holes::HoleDefault;
-use crate::units::Micrometres;
+use crate::units::{ItGrade, Micrometres};
 
 use super::super::{RouteStep, accuracy, handbook, openings};
 use super::allowance::Allowance;
@@ -84,13 +84,33 @@ impl BackwardStep<'_, '_> {
         }
         // A smaller reamer or core drill is a catalog tool of the nominal size, ground down.
         let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
-        let nominal = if fixed { bore.diameter.nominal } else { after };
+        // Where the hole lies above what a bought one of its size makes, the next larger one is ground down.
+        let bought = after <= bore.diameter.nominal || self.bought_makes()?;
+        let nominal = if fixed && bought { bore.diameter.nominal } else { after };
         if fixed && after != nominal {
             let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
             because.push(Because::row(allowance.row, note));
         }
         Ok(RouteStep { nominal, because, ..self.step(before) })
     }
+
+    /// Whether a reamer or core drill as it is bought makes the cylinder: one for a field H of a common grade, whose hole is at most
+    /// as wide as the field, and which itself is at least so much of it above its size.
+    fn bought_makes(self) -> Result<bool, KnowledgeError> {
+        let Self { bore, shop, .. } = self;
+        let (low, high) = (bore.diameter.smallest() - bore.diameter.nominal, bore.diameter.largest() - bore.diameter.nominal);
+        if low <= Micrometres::ZERO {
+            return Ok(true);
+        }
+        let share = shop.share(HoleDefault::ReamerLeastShare)?;
+        let (finest, coarsest) =
+            (shop.share(HoleDefault::FinestBoughtGrade)?, shop.share(HoleDefault::CoarsestBoughtGrade)?);
+        let fields = (finest as u8..=coarsest as u8).filter_map(ItGrade::new);
+        Ok(fields
+            .filter_map(|grade| tolerance_width(grade, bore.diameter.nominal, shop.knowledge).ok())
+            .any(|field| field <= high && Micrometres::from_mm_rounded(field.to_mm() * share) >= low))
+    }
+
     /// What the rough reamer leaves where the hole of the blank has little stock for both: the finish one then takes less.
     fn shared_by_two_reamers(self, finish: &Allowance<'_>) -> Result<Option<Micrometres>, KnowledgeError> {
         let Self { leaves: after, previous, bore, sizes, shop, .. } = self;
