@@ -163,7 +163,10 @@ impl<'a> Context<'a> {
     /// The tools in the order of their changes by the rows; the same tool in successive rows counts once.
     pub fn changes(&self) -> Vec<u32> {
         if let Some(changes) = &self.stated.changes {
-            return changes.clone();
+            let mut changes = changes.clone();
+            // A tool that stays in the spindle while the part is turned over is not changed.
+            changes.dedup();
+            return changes;
         }
         let rows = self.stated.rows.iter();
         let mut changes: Vec<u32> = rows.filter_map(|row| Some(row.tool.as_ref()?.value)).collect();

@@ -370,3 +370,23 @@ fn no_line_of_the_page_is_wider_than_the_page() {
         assert!(wide.is_empty(), "{lang}: {wide:?}");
     }
 }
+
+/// A core drill above a floor that a mill then levels, and a tool that stays in the spindle while the part is turned over: both were
+/// blamed in our own plans.
+#[test]
+fn a_levelled_floor_and_a_tool_that_stays_are_not_blamed() {
+    for keys in [
+        "diameter: 15H7, depth: 36, roughness: Ra 6.3, countersink: {diameter: 19}",
+        "diameter: 15H7, depth: 30, bottom: flat, roughness: Ra 6.3",
+        "through: true, roughness: Ra 12.5, steps: [{diameter: 12, depth: 1}, {diameter: 11, depth: 2}, {diameter: 10, depth: 3}, \
+         {diameter: 8, depth: 39}, {diameter: 12, depth: 40}]",
+    ] {
+        let keys = format!("centre_tolerance: 0.5, {keys}, at: [[100, 100], [40, 100]]");
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\ndatum: {{x: left, y: front}}\n\
+             blank: {{kind: plate, length: 1000, width: 200, thickness: 40}}\nholes:\n  - {{name: H0, {keys}}}\n"
+        );
+        let found = own(&read(&text), CuttingMethod::Formula);
+        assert!(found.is_empty(), "{keys}: {found:?}");
+    }
+}

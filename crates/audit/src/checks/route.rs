@@ -56,11 +56,18 @@ fn order(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let mut before: Option<(i64, &Row)> = None;
+    let mut opened: Option<f64> = None;
     for (at, row) in rows {
         let operation = row.operation.value;
         if operation.is_of_edge() || !row.of_main_cylinder() {
             continue;
         }
+        // A mill that only levels the floor comes after what opened the hole.
+        let diameter = row.figures.get(&Q::Diameter).map(|figure| figure.value);
+        if operation == Operation::Mill && diameter.is_some() && diameter == opened {
+            continue;
+        }
+        opened = diameter.or(opened);
         let answer = context.shop.knowledge.ask(&TransitionOrderFor { operation, face: false })?;
         let Some(rule) = answer.winner()? else { continue };
         let rank = rule.rank;
