@@ -225,12 +225,12 @@ impl<'s> Carried<'s> {
 
     /// Checks how deep a motion cuts into the finished part: into what this set-up makes, then into what others make.
     fn hold_profile(&mut self, motion: &Motion, cuts: &[Convex], thread: bool) {
-        let mut found = gouges(&self.target, kept(&self.target, thread), motion, cuts);
+        let mut found = gouges(&self.target, kept(&self.target, thread), thread, motion, cuts);
         if let Some(whole) = &self.finished {
             let near = kept(whole, thread).within(around(cuts, whole.keep.window()));
             if !near.is_empty() {
                 let elsewhere = near.made(kept(&self.target, thread), Rule::Without);
-                found.extend(gouges(whole, &elsewhere, motion, cuts));
+                found.extend(gouges(whole, &elsewhere, thread, motion, cuts));
             }
         }
         for gouge in found {
@@ -324,7 +324,7 @@ const fn kept(target: &Target, thread: bool) -> &Region {
 }
 
 /// Where a motion cuts into metal that must stay.
-fn gouges(target: &Target, keep: &Region, motion: &Motion, cuts: &[Convex]) -> Vec<Fault> {
+fn gouges(target: &Target, keep: &Region, thread: bool, motion: &Motion, cuts: &[Convex]) -> Vec<Fault> {
     let local = keep.within(around(cuts, keep.window()));
     if local.is_empty() {
         return Vec::new();
@@ -332,7 +332,7 @@ fn gouges(target: &Target, keep: &Region, motion: &Motion, cuts: &[Convex]) -> V
     let pieces = local.made(&Region::pieces(cuts), Rule::Both);
     let gouge = |piece: Region| {
         let spots = samples(&piece, 16);
-        let nearest = target.nearest_cut(&spots);
+        let nearest = if thread { target.nearest_threaded(&spots) } else { target.nearest_cut(&spots) };
         let deepest = nearest.iter().zip(&spots).max_by(|a, b| a.0.distance.total_cmp(&b.0.distance));
         let (near, &spot) = deepest.filter(|(near, _)| near.distance > TOLERANCE)?;
         let (surface, depth, at) = (target.surface(near.piece), Mm(near.distance), At::of(spot));

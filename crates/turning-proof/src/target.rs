@@ -64,6 +64,8 @@ pub struct Target {
     edges: Vec<OutlineEdge>,
     surfaces: Vec<Option<Figure>>,
     bands: Vec<Band>,
+    /// How deep the root of the thread on each piece lies under its crest, mm.
+    roots: Vec<f64>,
     /// Lines behind which the metal belongs to another set-up.
     open: Vec<[Vector; 2]>,
     /// The straight extension of the shorter of outside and bore, along which the set-up makes nothing.
@@ -207,7 +209,9 @@ impl Target {
         let edges = edges.collect();
         let surfaces = profile.outside.iter().chain(&profile.bore).map(|piece| piece.surface.clone()).collect();
         let bands = chains.iter().flatten().map(|chain| chain.band).collect();
-        Self { keep, keep_thread, may_stay, threads, edges, surfaces, bands, open, extended }
+        let root = |piece: &ProfilePiece| piece.thread.map_or(0.0, |thread| (thread.crest.0 - thread.root.0).abs());
+        let roots = profile.outside.iter().chain(&profile.bore).map(root).collect();
+        Self { keep, keep_thread, may_stay, threads, edges, surfaces, bands, roots, open, extended }
     }
 
     pub fn surface(&self, piece: usize) -> Option<Figure> {
@@ -222,6 +226,15 @@ impl Target {
     /// The nearest edge to each of some points that are left; of a piece with limits, that of the most metal.
     pub fn nearest_left(&self, spots: &[Vector]) -> Vec<Nearest> {
         self.beyond(spots, |band| band.more)
+    }
+
+    /// The nearest edge to each of some points that a pass of a thread cuts: on a thread its root.
+    pub fn nearest_threaded(&self, spots: &[Vector]) -> Vec<Nearest> {
+        let mut nearest = self.nearest_cut(spots);
+        for near in &mut nearest {
+            near.distance = (near.distance - self.roots.get(near.piece).copied().unwrap_or(0.0)).max(0.0);
+        }
+        nearest
     }
 
     fn beyond(&self, spots: &[Vector], by: fn(Band) -> f64) -> Vec<Nearest> {

@@ -81,7 +81,7 @@ fn programs_of_the_examples_do_what_their_toolpaths_do() {
 fn a_finishing_cut_too_deep_is_told_with_its_line() {
     let (operation, text) = sleeve();
     let line = line_of(&text, "finish)", "X49.981 Z-2.459 F0.323");
-    let faults = found(&operation, &changed(&text, line, "X48.962 Z-2.459 F0.323"));
+    let faults = found(&operation, &changed(&text, line, "X48.961 Z-2.459 F0.323"));
     assert_eq!(grave(&faults), [("swept-gouge", Severity::Wrong, line + 1)]);
     let gouge = faults.iter().find(|fault| fault.code == "swept-gouge").unwrap();
     assert_eq!(gouge.note.figure_text("depth").unwrap(), "0.5");
@@ -91,7 +91,7 @@ fn a_finishing_cut_too_deep_is_told_with_its_line() {
 fn what_follows_of_a_tool_that_is_not_named_is_doubtful_at_most() {
     let (operation, text) = sleeve();
     let line = line_of(&text, "finish)", "X49.981 Z-2.459 F0.323");
-    let bad = changed(&text, line, "X48.962 Z-2.459 F0.323").replace("(T5 PCLNR 2525M12, finish)", "(finishing)");
+    let bad = changed(&text, line, "X48.961 Z-2.459 F0.323").replace("(T5 PCLNR 2525M12, finish)", "(finishing)");
     let faults = found(&operation, &bad);
     assert_eq!(grave(&faults), [("swept-gouge", Severity::Doubtful, line + 1)]);
     assert!(faults.iter().any(|fault| fault.code == "turned-tool-taken" && fault.severity == Severity::Note));

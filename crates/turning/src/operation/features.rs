@@ -2,7 +2,7 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Finding, Severity};
-use crate::turning::contour::{Profile, Side, Surface, SurfaceKind};
+use crate::turning::contour::{Contour, Profile, Side, Surface, SurfaceKind};
 use crate::turning::jobs::groove::{groove, with_fewer_blades};
 use crate::turning::jobs::hole;
 use crate::turning::jobs::thread::{Passes, thread};
@@ -114,7 +114,9 @@ pub(super) fn hollow(
         findings.extend(hollow.lacking.clone());
         return Ok(None);
     };
-    let whole = Surface { kind: SurfaceKind::RectangularGroove, pieces: hollow.under.clone(), ..(*floor).clone() };
+    let under = Contour { side: side.side, pieces: hollow.under.clone() };
+    let pieces = bench.sizes.contour(under, set_up).pieces;
+    let whole = Surface { kind: SurfaceKind::RectangularGroove, pieces, ..(*floor).clone() };
     match Refusal::split(groove(site(stretch, side, bench)?, &whole, bench))? {
         Ok(job) => {
             let surfaces = surfaces.into_iter().map(|surface| surface.name.clone()).collect();
