@@ -247,7 +247,8 @@ impl<'s> Carried<'s> {
         let cut = waiting.fold(cut, |cut, free| cut.made(&free, Rule::Without));
         let along = to.minus(from).unit();
         let ends = cut.chains().flatten().map(|spot| spot.minus(from).dot(along));
-        let (least, most) = ends.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), at| (least.min(at), most.max(at)));
+        let (least, most) =
+            ends.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), at| (least.min(at), most.max(at)));
         let depth = cut.area() / (most - least.max(0.0));
         if depth.is_finite() && self.depths.get(&motion.tool).is_none_or(|known| known.0.0 < depth) {
             self.depths.insert(motion.tool, (Mm(depth), motion.block));

@@ -45,7 +45,9 @@ use technolog_note as note;
 
 pub use fault::Fault;
 pub use refused::Refused;
-pub use set_up::{Body, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size, TapLimits, Thread};
+pub use set_up::{
+    Body, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size, TapLimits, Thread,
+};
 pub use stock::Stock;
 pub use tool::{Cutter, Hand, Holder, Side, Tool};
 pub use units::{At, Block, CubicMm, Degrees, Mm};

@@ -57,14 +57,24 @@ fn measured(carried: &Carried<'_>, piece: &ProfilePiece, outside: bool) -> Optio
     // Told to a micrometre, as programs have it.
     let measured = Mm((1000.0 * size).round() / 1000.0);
     let (surface, least, most) = (piece.surface.clone(), limits.least, limits.most);
-    Some(Fault::OffSize { surface, size: limits.size, measured, least, most, missing: beyond < 0.0, z: Mm(spot.z), block })
+    Some(Fault::OffSize {
+        surface,
+        size: limits.size,
+        measured,
+        least,
+        most,
+        missing: beyond < 0.0,
+        z: Mm(spot.z),
+        block,
+    })
 }
 
 /// How far from a place of the contour the edge of the stock lies, outwards; none if it is not near.
 fn edge_at(carried: &Carried<'_>, drawn: Vector, out: Vector) -> Option<f64> {
     let along = out.right().times(WIDTH / 2.0);
     let across = out.times(NEAR);
-    let corners = [along.plus(across), across.minus(along), along.minus(across), Vector::default().minus(along).minus(across)];
+    let corners =
+        [along.plus(across), across.minus(along), along.minus(across), Vector::default().minus(along).minus(across)];
     let metal = carried.stock.0.within(Window::around(corners.map(|corner| drawn.plus(corner))));
     let window = metal.window();
     let ends = [window.least, window.most].map(|corner| corner.minus(drawn).dot(out));

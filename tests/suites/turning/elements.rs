@@ -40,7 +40,16 @@ impl Drawn {
             self.here = at(*radius, *z);
         }
         let name = SurfaceName::Place(Side::Outer, self.profile.surfaces.len() + 1);
-        let surface = Surface { name, kind, pieces, grade: None, field: None, limits: None, roughness: None, stated_allowance: None };
+        let surface = Surface {
+            name,
+            kind,
+            pieces,
+            grade: None,
+            field: None,
+            limits: None,
+            roughness: None,
+            stated_allowance: None,
+        };
         self.profile.surfaces.push(surface);
         self
     }

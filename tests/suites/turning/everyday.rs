@@ -27,8 +27,9 @@ fn wrong(operation: &Operation) -> Vec<&str> {
 /// in the second set-up, a rounding at the end of the second set-up, a belt pulley.
 #[test]
 fn everyday_parts_are_made_whole() {
-    for name in ["spool", "bolt", "bushing", "shaft", "flange", "axle", "circlip", "stud", "capfa", "waist", "rounded", "pulley"]
-    {
+    for name in [
+        "spool", "bolt", "bushing", "shaft", "flange", "axle", "circlip", "stud", "capfa", "waist", "rounded", "pulley",
+    ] {
         let operation = planned(name);
         assert_eq!(wrong(&operation), [""; 0], "{name}: {:?}", operation.findings);
         assert!(operation.set_ups.iter().all(|set_up| set_up.set_up.holds_at.is_some()), "{name}");

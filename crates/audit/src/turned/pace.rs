@@ -15,10 +15,10 @@ use crate::tables::cutting::BoringForceFor;
 use crate::tables::practice::RoughOrFinish;
 use crate::tables::turning::jobs::ThreadingSpeedFor;
 use crate::turning::contour::Side;
+use crate::turning::cutting::deepest_edge;
 use crate::turning::jobs::{Body, Job, Work};
 use crate::turning::length::Half;
 use crate::turning::operation::{Operation, SetUpWork};
-use crate::turning::cutting::deepest_edge;
 use crate::turning::tooling::{Hand, Lathe, ToolKind, TurningTool};
 use crate::units::{Micrometres, round_to};
 use technolog_core::material::Material;
@@ -115,7 +115,8 @@ pub(super) fn paced(
         if let (Some(most), Some((depth, block))) = (edge, depths.get(&tool.job))
             && let Some(severity) = judged(PaceFigure::Depth, depth.0 / most.to_mm())?
         {
-            let note = Note::new("turned-depth").with("depth", round_to(depth.0, 1)).with("most", round_to(most.to_mm(), 1));
+            let note =
+                Note::new("turned-depth").with("depth", round_to(depth.0, 1)).with("most", round_to(most.to_mm(), 1));
             tell("turned-depth", severity, u32::try_from(block.0).unwrap_or(u32::MAX), note);
         }
         // N ~ V·f^y at the depth of the plan.

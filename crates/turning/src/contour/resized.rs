@@ -179,8 +179,11 @@ fn met(beside: Piece, around: Option<Piece>, cylinder: Piece) -> Option<Met> {
     let meets = Point { radius, z: beside.from.z + along };
     let ahead = |from: Point, to: Point| (to.z - from.z).to_mm() * chord.z > 0.0;
     let near = chord.radius.abs() > 1e-9 && along.to_mm().abs() <= FAR;
-    (near && ahead(meets, beside.to) && ahead(cylinder.from, meets))
-        .then_some(Met { beside: Piece { from: meets, ..beside }, around: None, meets })
+    (near && ahead(meets, beside.to) && ahead(cylinder.from, meets)).then_some(Met {
+        beside: Piece { from: meets, ..beside },
+        around: None,
+        meets,
+    })
 }
 
 #[cfg(test)]

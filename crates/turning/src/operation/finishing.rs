@@ -3,11 +3,11 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::finishing::Allowance;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceName};
 use crate::turning::cutting::{Bound, Direction, Flexibility, TurningConditions, unsaid_roughness, wall_share};
 use crate::turning::elements::steepness;
-use crate::tables::turning::jobs::JobLimit;
 use crate::turning::jobs::along::Clearance;
 use crate::turning::jobs::limits::Limits;
 use crate::turning::jobs::{Body, Job, JobTool, Pace, UNKNOWN_EDGE, Work as JobWork};
@@ -21,12 +21,12 @@ use crate::turning::zones::fit::reaches;
 use crate::units::{Degrees, Micrometres, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 use technolog_core::part::tolerance_width;
 
-use super::{Sized, Stage};
 use super::depth::{self, ZoneCut};
 use super::feeds::{OwnFeed, with_feeds};
 use super::jobs::{constant_speed, pace_of};
 use super::layers::Layers;
 use super::tools::{self, Bench};
+use super::{Sized, Stage};
 
 /// The largest finishing allowance of the surfaces of a pass; for a far face alone, which is no surface of the
 /// set-up, the one over it. If none of them is known, the largest of the side.
@@ -377,7 +377,8 @@ impl<'a> Finishing<'a> {
             let radius = surface.pieces.iter().map(|piece| piece.from.radius.max(piece.to.radius)).max();
             let limits = bench.sizes.of_surface(&surface.name).map(Sized::tolerance);
             let tolerance = radius.filter(|_| made && !is_face).and_then(|radius| {
-                let by_grade = || surface.grade.and_then(|grade| tolerance_width(grade, radius.diameter(), bench.knowledge).ok());
+                let by_grade =
+                    || surface.grade.and_then(|grade| tolerance_width(grade, radius.diameter(), bench.knowledge).ok());
                 limits.or_else(by_grade)
             });
             let own = self.allowances.iter().find(|one| one.surface == surface.name).and_then(|one| one.allowance_mm);

@@ -22,7 +22,8 @@ pub(super) fn opened(before: &[SetUpWork], length: Half) -> Micrometres {
         _ => None,
     });
     let is_bored = jobs.clone().any(|job| job.work == JobWork::Finish);
-    let sides = before.iter().flat_map(|one| &one.sides).filter(|side: &&SideWork| side.side == Side::Inner && is_bored);
+    let sides =
+        before.iter().flat_map(|one| &one.sides).filter(|side: &&SideWork| side.side == Side::Inner && is_bored);
     let ends = sides.filter_map(|side| side.layers.left.end()).filter(|end| end.z >= length);
     drills.chain(ends.map(|end| end.radius.diameter())).max().unwrap_or(Micrometres::ZERO)
 }

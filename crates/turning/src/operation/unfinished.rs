@@ -22,7 +22,8 @@ pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
     let not_known = [("jaws-not-proven", working().any(no_jaws)), ("centre-not-proven", working().any(no_centre))];
     let not_known = not_known.into_iter().filter(|(_, any)| *any);
     findings.extend(not_known.map(|(code, _)| Finding::of_part(Severity::Doubtful, Note::new(code))));
-    let faced = |set_up: &SetUpWork, side: &SideWork, zone: &ZoneWork| set_up.set_up.centre && runs_into_centre(side, zone);
+    let faced =
+        |set_up: &SetUpWork, side: &SideWork, zone: &ZoneWork| set_up.set_up.centre && runs_into_centre(side, zone);
     for (set_up, _, zone) in operation.zones().filter(|(set_up, side, zone)| faced(set_up, side, zone)) {
         let number = format!("{}.{}", set_up.set_up.number, zone.zone.number);
         findings.push(Finding::of_part(Severity::Wrong, Note::new("faced-through-centre").with("zone", number)));

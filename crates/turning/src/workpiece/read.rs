@@ -13,8 +13,8 @@ use crate::turning::shaft::file::ShaftFile;
 use super::check;
 use super::file::WorkpieceFile;
 use super::items::Owner;
-use super::walk::{Walked, walk};
 use super::lengths;
+use super::walk::{Walked, walk};
 use super::{Allowances, HeatTreatment, Roughing, Turned, Workpiece};
 
 /// Reads the file of a turned part: with `steps` it is a stepped shaft, with `outer` a contour.

@@ -195,7 +195,8 @@ impl Walk<'_, '_, '_> {
             self.fault(mistake!("limits-beyond-size", upper = upper, lower = lower), place);
         }
         let limits = limits.map(|(limits, _)| limits);
-        let of_limits = || limits.zip(size).and_then(|(limits, size)| limits.grade(size, self.reader.knowledge).ok()?);
+        let of_limits =
+            || limits.zip(size).and_then(|(limits, size)| limits.grade(size, self.reader.knowledge).ok()?);
         let grade = attributes.grade.or_else(of_limits);
         let surface = Surface { name, kind, pieces, grade, field, limits, roughness, stated_allowance };
         self.walked.surfaces.push((surface, item.place.clone()));

@@ -185,7 +185,8 @@ fn set_ups_of(
     let (outer, inner) = (from(over(far))?, from(over(bored_far))?);
     // Turned over in a chuck the part is faced at its free end, where a centre would stand.
     let centre = part.holding == Holding::Centres;
-    let second = SetUp { number: 2, turned_over: true, faces: far_face, centre, outer, inner, holds_at, because, notes };
+    let second =
+        SetUp { number: 2, turned_over: true, faces: far_face, centre, outer, inner, holds_at, because, notes };
     Ok(vec![first, second])
 }
 

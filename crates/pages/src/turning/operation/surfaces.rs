@@ -10,8 +10,8 @@ use technolog_words::say;
 
 use super::super::Lang;
 use super::super::cells::{Cell, arrow, figure, span, table};
-use super::super::setting::fitted;
 use super::super::phrases::{note_line, reasoned, word, z};
+use super::super::setting::fitted;
 
 pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetUpWork, lang: Lang) {
     let one = &set_up.set_up;
@@ -63,7 +63,8 @@ fn elements(page: &mut Document, operation: &Operation, stretch: &TurnedSide, wo
         under.extend(sized.map(|sized| {
             let (drawn, made) = (fitted(sized, lang), sized.made_mm);
             let (least, most) = (sized.least_mm, sized.most_mm);
-            say!(lang, "turn-sized", surface = &surface.name, drawn = drawn, least = least, most = most, made = made).into()
+            say!(lang, "turn-sized", surface = &surface.name, drawn = drawn, least = least, most = most, made = made)
+                .into()
         }));
         rows.push(vec![
             lang.figure(&(&surface.name).into_figure()).into(),

@@ -256,8 +256,14 @@ fn a_blade_of_three_plunges_three_times_in_a_groove_of_eight() {
     let own = part(&outside("rectangular, width: 8, depth: 5"), "", "steel-45");
     let (_, surface) = job(&own, Side::Outer);
     let valley = Valley::of(&surface, Side::Outer).map_err(|_| ()).unwrap();
-    let division =
-        Division { step: 0.75, allowance: 0.4, finish: 1.0, peck: (9.0, 1.0, 0.5), approach: Half::from(2.0), layer: None };
+    let division = Division {
+        step: 0.75,
+        allowance: 0.4,
+        finish: 1.0,
+        peck: (9.0, 1.0, 0.5),
+        approach: Half::from(2.0),
+        layer: None,
+    };
     let ways = ways::blade(&valley, ways::CuttingEdge { width: 3.0, corner: 0.4 }, division).unwrap();
     let places: Vec<String> = ways.plunges.iter().map(Half::to_string).collect();
     assert_eq!(places, ["25.5", "23.4", "27.6"]);
@@ -407,7 +413,8 @@ fn wide_walls_are_turned_in_layers() {
     let own = part(&outside("pulley, width: 31, depth: 20, angle: 34, radius: 2"), "", "steel-45");
     let made = job(&own, Side::Outer).0.unwrap();
     assert_eq!(plunges(&made).len(), 5, "{:?}", made.notes);
-    let layers = made.notes.iter().find(|note| note.code() == "groove-layers").and_then(|note| note.figure_text("layers"));
+    let layers =
+        made.notes.iter().find(|note| note.code() == "groove-layers").and_then(|note| note.figure_text("layers"));
     assert_eq!(layers.as_deref(), Some("8"), "{:?}", made.notes);
     let feeds = made.pace.feeds().unwrap();
     assert!(feeds.cut.0 <= 0.075 * 5.0 + 1e-9 && feeds.cut.0 * 8.0 / 3.0 <= feeds.plunge.0 * 5.0 + 0.001, "{feeds:?}");

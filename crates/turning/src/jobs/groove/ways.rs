@@ -115,7 +115,8 @@ pub(super) fn blade(valley: &Valley, edge: CuttingEdge, division: Division) -> O
     } else if let Some(way) = valley.centres(edge.corner + division.allowance) {
         let Places { over_floor: mut places, over_walls } = places(&way, edge, division, (steep_fall, steep_rise));
         // Plunges beside each other over a steep wall cut slivers: turned sideways in layers it takes less feeding.
-        let slot = places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), at| (least.min(*at), most.max(*at)));
+        let slot =
+            places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), at| (least.min(*at), most.max(*at)));
         let turned = division.layer.filter(|_| valley.lie != Lie::Face).and_then(|layer| {
             let low = edge.lowest(&way, middle)?;
             Some(Layers::of(&way, edge, (valley.mouth.to_mm(), low), layer, slot))

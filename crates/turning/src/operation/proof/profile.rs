@@ -32,8 +32,9 @@ pub(super) fn profiles(operation: &Operation, set_up: &SetUpWork) -> (proof::Pro
 }
 
 fn profile(outer: Option<&Profile>, inner: Option<&Profile>, over: bool, operation: &Operation) -> proof::Profile {
-    let pieces =
-        |profile: &Profile| (0..profile.surfaces.len()).flat_map(|at| surface_pieces(profile, at, over, operation)).collect();
+    let pieces = |profile: &Profile| {
+        (0..profile.surfaces.len()).flat_map(|at| surface_pieces(profile, at, over, operation)).collect()
+    };
     let bore: Vec<proof::ProfilePiece> = inner.map(pieces).unwrap_or_default();
     let mut outside: Vec<proof::ProfilePiece> = outer.map(pieces).unwrap_or_default();
     // The file may leave out the face of the end.
@@ -56,7 +57,9 @@ fn surface_pieces(profile: &Profile, at: usize, over: bool, operation: &Operatio
         })?;
         let size = match sized.of {
             SizeOf::Diameter => proof::Size::Diameter,
-            SizeOf::Length if over => proof::Size::Length { from: Mm(-operation.workpiece.length().to_mm()), to_chuck: false },
+            SizeOf::Length if over => {
+                proof::Size::Length { from: Mm(-operation.workpiece.length().to_mm()), to_chuck: false }
+            }
             SizeOf::Length => proof::Size::Length { from: Mm(0.0), to_chuck: true },
         };
         Some(proof::Limits { size, least: Mm(sized.least_mm.to_mm()), most: Mm(sized.most_mm.to_mm()) })
