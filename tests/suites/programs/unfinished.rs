@@ -38,6 +38,31 @@ const PARTS: [(&str, &str, &str); 3] = [
     ("no-route", NO_ROUTE, "(UNFINISHED: R: NOT MADE AT ALL)"),
 ];
 
+/// A machine that taps, with a control that does not: the thread is left to another one, and that is said.
+#[test]
+fn a_control_without_a_tapping_cycle_leaves_threads_undone() {
+    let folder = folder("taps");
+    let part = "part: Body\nmaterial: steel-45\nblank: {kind: plate, length: 240, width: 160, thickness: 30}\n\
+                machine: ir500pmf4\nfixture: {height: 60}\nholes:\n  \
+                - {name: T, thread: M10-6H, depth: 18, centre_tolerance: 0.3, at: [[0, 35], [40, 35]]}\n";
+    fs::write(folder.join("part.yaml"), part).unwrap();
+    for control in Language::names(&technolog_testing::KNOWLEDGE) {
+        let write = ["program", "part.yaml", "--control", control, "--lang", "en", "--force", "-o", "p.nc"];
+        let written = technolog(&folder, &write);
+        let told = String::from_utf8(written.stderr).unwrap();
+        let text = fs::read_to_string(folder.join("p.nc")).unwrap();
+        let taps = !["grbl", "mach3"].contains(&control);
+        assert_eq!(written.status.code(), Some(i32::from(!taps)), "{control}: {told}");
+        assert_eq!(text.contains("(UNFINISHED: T: TAP LEFT TO ANOTHER MACHINE)"), !taps, "{control}: {text}");
+        assert_eq!(text.contains("G84"), taps, "{control}: {text}");
+        assert_eq!(told.contains("T: tapping: left to another machine"), !taps, "{control}: {told}");
+        let check = ["check", "p.nc", "--control", control, "--part", "part.yaml", "--lang", "en"];
+        let read = technolog(&folder, &check);
+        let page = String::from_utf8([read.stdout, read.stderr].concat()).unwrap();
+        assert_eq!(read.status.code(), Some(0), "{control}: {page}");
+    }
+}
+
 #[test]
 fn a_program_that_leaves_work_undone_is_not_written_unless_forced_and_says_so() {
     let head = "part: Body\nmaterial: steel-45\nblank: {kind: plate, length: 240, width: 160, thickness: 30}\nmachine: gf2171\nholes:";

@@ -83,6 +83,24 @@ fn the_programs_of_a_part_make_the_same_stops() {
     }
 }
 
+/// The examples, the parts of tests and everyday parts: written, read back and proven for every control.
+#[test]
+fn every_part_of_the_repository_goes_through_every_control() {
+    let mut made = 0;
+    for folder in ["examples", "tests/parts", "tests/everyday"] {
+        let files = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap();
+        let mut files: Vec<_> = files.map(|entry| entry.unwrap().path()).collect();
+        files.sort();
+        for file in files.iter().filter(|file| file.extension().is_some_and(|end| end == "yaml")) {
+            let text = fs::read_to_string(file).unwrap();
+            let Ok(part) = technolog::part::read_part("part.yaml", &text, &KNOWLEDGE) else { continue };
+            holds(&ProofBench::of(&part)).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+            made += 1;
+        }
+    }
+    assert!(made > 20, "only {made} parts");
+}
+
 /// Where one place holds several tools of one bore, the proof tells them apart.
 #[test]
 fn programs_for_a_small_magazine_make_their_stops() {
@@ -139,6 +157,34 @@ fn a_fanuc_takes_its_program_as_it_is_written() {
     let lines: Vec<&str> = text.lines().collect();
     let tapping = lines.iter().position(|line| line.contains("G84")).unwrap();
     assert!(lines[tapping - 1].ends_with("M29") && lines[tapping - 1].contains(" S"), "{}", lines[tapping - 1]);
+}
+
+/// GRBL takes lines of 79 characters without blanks and comments, one M in a block, and neither cycles nor calls; each hole is
+/// made by motions, and a change is a stop with the spindle at rest.
+#[test]
+fn grbl_takes_its_program_as_it_is_written() {
+    for part in PARTS {
+        let text = ProofBench::new(part).written(&language("grbl"));
+        let mut turning = false;
+        for line in text.lines() {
+            let words: Vec<&str> = line.split('(').next().unwrap_or_default().split_whitespace().collect();
+            assert!(words.concat().len() < 80 && !line.contains('%'), "{part}: {line}");
+            assert!(words.iter().filter(|word| word.starts_with('M')).count() <= 1, "{part}: {line}");
+            for word in &words {
+                let code = |letter: char| word.strip_prefix(letter).and_then(|code| code.parse::<f64>().ok());
+                let known =
+                    [0.0, 1.0, 2.0, 3.0, 4.0, 17.0, 21.0, 40.0, 43.1, 49.0, 53.0, 54.0, 55.0, 80.0, 90.0, 91.0, 94.0];
+                assert!(code('G').is_none_or(|code| known.contains(&code)), "{part}: {line}");
+                assert!(code('M').is_none_or(|code| [0.0, 3.0, 5.0, 8.0, 9.0, 30.0].contains(&code)), "{part}: {line}");
+            }
+            turning = match words.last() {
+                Some(&"M3") => true,
+                Some(&"M5") => false,
+                _ => turning,
+            };
+            assert!(!turning || words.last() != Some(&"M0"), "{part}: {line}");
+        }
+    }
 }
 
 /// Of what laws once found, too.
