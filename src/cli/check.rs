@@ -17,7 +17,7 @@ use technolog::note::{Figure, Finding, Note};
 use technolog::plan::CuttingMethod;
 use technolog::program::lathe::{LatheLanguage, recognised};
 use technolog::program::proof::PlannedJob;
-use technolog::program::{Fault, Language, Setting, is_run};
+use technolog::program::{Fault, Language, Setting, Subject, is_run};
 use technolog::report;
 use technolog::units::Minutes;
 use technolog::words::say;
@@ -201,8 +201,8 @@ const MOST_LINES: usize = 8;
 fn groups<'a>(faults: &'a [Fault], context: &Context) -> Vec<(&'a Fault, Vec<u32>)> {
     // Findings of two words are of two kinds.
     let kind = |fault: &Fault| {
-        let word = fault.note.figures().find(|(name, _)| *name == "word");
-        (fault.code, word.map(|(_, word)| word.text().into_owned()))
+        let word = if let Some(Subject::Function(word)) = &fault.subject { Some(word.clone()) } else { None };
+        (fault.code, word)
     };
     let mut count: BTreeMap<_, usize> = BTreeMap::new();
     faults.iter().for_each(|fault| *count.entry(kind(fault)).or_default() += 1);

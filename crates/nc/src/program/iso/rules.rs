@@ -2,7 +2,7 @@
 //! docs/control-fanuc.md that explains it. The messages are in the catalogue of the crate `words`.
 
 use crate::note::Severity;
-use crate::program::{Fault, Rule, TextSpan};
+use crate::program::{Fault, Rule, Subject, TextSpan};
 
 use Severity::{Doubtful as Warning, Error, Note as Remark, Wrong};
 
@@ -88,4 +88,10 @@ pub(super) const RULES: &[Rule] = &[
 /// A broken rule.
 pub(super) fn fault(code: &'static str, span: TextSpan, block: Option<u32>) -> Fault {
     Fault::of(RULES, code, span, block)
+}
+
+/// A rule that a word of the program breaks, told once for each word.
+pub(super) fn word_fault(code: &'static str, span: TextSpan, block: Option<u32>, word: impl Into<String>) -> Fault {
+    let word = word.into();
+    fault(code, span, block).with("word", word.clone()).about(Subject::Function(word))
 }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::block::{After, Maker};
 use super::control::{Characteristic as Q, Control, Group};
 use super::programs::{self, Programs};
-use super::rules::fault;
+use super::rules::{fault, word_fault};
 use super::state::ControlState;
 use super::text::{self, Block, Label, UNREAD, Word};
 use super::words::BlockWords;
@@ -14,7 +14,7 @@ use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, MotionStep, Sink};
 use crate::program::expression::{Expression, Parameters};
 use crate::program::running::{BUDGET, BlockOutcome, Running};
-use crate::program::{Fault, Setting, TextSpan};
+use crate::program::{Fault, Setting, Subject, TextSpan};
 
 /// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are returned,
 /// sorted by place.
@@ -67,9 +67,12 @@ pub fn check_within<S: Sink>(
 fn once(faults: Vec<Fault>) -> Vec<Fault> {
     let key = |fault: &Fault| {
         let known = matches!(fault.code, "not-carried-out" | "passed-over" | "macro-not-run");
-        let word = fault.note.figures().find(|(name, _)| *name == "word").map(|(_, word)| word.text().into_owned());
-        // Of a macro every word says the same.
-        known.then(|| (fault.code, word.filter(|_| fault.code != "macro-not-run").unwrap_or_default()))
+        let word = match &fault.subject {
+            // Of a macro every word says the same.
+            Some(Subject::Function(word)) if fault.code != "macro-not-run" => word.clone(),
+            _ => String::new(),
+        };
+        known.then_some((fault.code, word))
     };
     let mut counts: BTreeMap<(&'static str, String), usize> = BTreeMap::new();
     for key in faults.iter().filter_map(key) {
@@ -86,8 +89,8 @@ fn once(faults: Vec<Fault>) -> Vec<Fault> {
 fn parameters(blocks: &[Block], control: &Control) -> Parameters {
     let calculates = |block: &Block| !block.expressions.is_empty() || !block.sets.is_empty();
     let used = blocks.iter().any(|block| calculates(block) || !block.arguments.is_empty());
-    let free = if used && control.is(Q::OWords) { 1..=FREE_PARAMETERS } else { 1..=0 };
-    free.map(|number| (format!("#{number}"), 0.0)).collect()
+    let last = if used && control.is(Q::OWords) { FREE_PARAMETERS } else { 0 };
+    (1..=last).map(|number| (format!("#{number}"), 0.0)).collect()
 }
 
 /// The parameters that each called o-word of LinuxCNC has for itself.
@@ -187,7 +190,7 @@ impl<S: Sink> ProgramRun<'_, S> {
     fn calculated(&mut self, block: &Block) -> Option<BlockWords> {
         let mut faults = Vec::new();
         let mut read = None;
-        let unknown = |span| fault("not-carried-out", span, block.number).with("word", "#");
+        let unknown = |span| word_fault("not-carried-out", span, block.number, "#");
         if !block.expressions.is_empty() {
             let mut words = Block { words: block.words.clone(), number: block.number, ..Block::default() };
             let mut known = true;

@@ -2,7 +2,7 @@
 //! recovers from errors: a word that cannot be read is reported and skipped.
 
 use super::control::{ActiveComment, Characteristic as Q, CommentAct, Control, Written};
-use super::rules::fault;
+use super::rules::{fault, word_fault};
 use crate::program::control_2c42_65::{comma_places, decimal_comma, latin};
 use crate::program::expression::{Expression, Reader};
 use crate::program::setting::DecimalInput;
@@ -288,7 +288,7 @@ impl SourceLine<'_> {
         let Some(active) = self.control.active_comments.iter().find(acts) else { return };
         let code = if active.act == CommentAct::Shows { "message-comment" } else { "active-comment" };
         let begins = active.begins.trim_end_matches(',').to_owned();
-        self.faults.push(fault(code, self.span(from, to), None).with("word", begins));
+        self.faults.push(word_fault(code, self.span(from, to), None, begins));
     }
 
     /// An o-word of LinuxCNC: its name or number, then its keyword.
@@ -326,7 +326,7 @@ impl SourceLine<'_> {
         let flow = FLOW_WORDS.iter().find(|word| rest.starts_with(**word));
         if let Some(word) = flow.filter(|_| block.label.is_none()) {
             block.unread = true;
-            self.faults.push(fault("macro-not-run", span, None).with("word", word.to_ascii_lowercase()));
+            self.faults.push(word_fault("macro-not-run", span, None, word.to_ascii_lowercase()));
             return;
         }
         if block.label.is_none() {
@@ -341,14 +341,14 @@ impl SourceLine<'_> {
         let text: String = characters[at..].iter().map(|(_, c)| *c).collect();
         let known = MACRO_WORDS.iter().find(|word| text.starts_with(**word));
         if let Some(word) = known.filter(|word| fanuc && text[word.len()..].starts_with(['[', '#', '1', '2', '3'])) {
-            self.faults.push(fault("macro-not-run", self.span(here, here + word.len()), None).with("word", *word));
+            self.faults.push(word_fault("macro-not-run", self.span(here, here + word.len()), None, *word));
             block.unread = true;
             return Calculated::Unread;
         }
         // Polar words of LinuxCNC.
         if text.starts_with(['@', '^']) && !fanuc {
             let word = text.chars().take(1).collect::<String>();
-            self.faults.push(fault("not-carried-out", self.span(here, here + 1), None).with("word", word));
+            self.faults.push(word_fault("not-carried-out", self.span(here, here + 1), None, word));
             block.expressions.push((UNREAD, Expression::Parameter(String::new()), self.span(here, here + 1)));
             return Calculated::Unread;
         }
@@ -378,7 +378,7 @@ impl SourceLine<'_> {
         // Fanuc rounds below 0 another way.
         let rounding = fanuc && (text.contains("FIX") || text.contains("FUP"));
         let Some((first, value)) = read.filter(|_| !rounding) else {
-            self.faults.push(fault("not-carried-out", span, None).with("word", "#"));
+            self.faults.push(word_fault("not-carried-out", span, None, "#"));
             block.expressions.push((UNREAD, Expression::Parameter(String::new()), span));
             return Calculated::Unread;
         };

@@ -1,7 +1,7 @@
 //! The words of a block, its functions by their groups; and the checks of what may be combined.
 
 use super::control::{Characteristic as Q, Control, Effect, Group};
-use super::rules::fault;
+use super::rules::{fault, word_fault};
 use super::text::{Block, Word};
 use crate::program::{Fault, TextSpan};
 use crate::units::Micrometres;
@@ -171,7 +171,7 @@ impl BlockWords {
                 name.push_str(&format!(" {by}{}", given.millionths / 1_000_000));
             }
             let code = if passed.harmless { "passed-over" } else { "not-carried-out" };
-            faults.push(fault(code, word.span, None).with("word", name));
+            faults.push(word_fault(code, word.span, None, name));
             self.passes_on |= passed.goes_on;
             for address in passed.takes.iter().copied().chain(Some(word.address)) {
                 self.values[place(address)] = None;

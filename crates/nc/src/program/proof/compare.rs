@@ -363,7 +363,10 @@ fn way_out(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<P
             }
         }
         _ => {
-            if let Some(feed) = moves.iter().find_map(|made| made.feed()) {
+            // A drill that clears its chips is drawn back at rapid, too; a mill goes on to its next depth.
+            let mills = matches!(cycle.kind, CycleKind::Circles { .. });
+            let back = cut.moves.iter().filter(|made| !mills && made.moves() && made.to[2] > made.from[2]);
+            if let Some(feed) = moves.iter().copied().chain(back).find_map(|made| made.feed()) {
                 findings.push(say.finding(Code::OutAtFeed, Severity::Note).with(Name::Made, feed));
             }
         }
