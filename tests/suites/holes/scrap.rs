@@ -2,7 +2,7 @@
 
 use technolog::job::{self, CycleKind};
 use technolog::note::Severity;
-use technolog::plan::{Operation, Plan, Transition};
+use technolog::plan::{Feature, Operation, Plan, Transition};
 use technolog::proof::{Fault, prove_hole};
 use technolog::shop::Shop;
 use technolog::units::Micrometres;
@@ -183,4 +183,47 @@ fn a_finishing_bar_leaves_turning() {
     let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
     let cycle = job::cycle(&job::Feeding::of(last, None), Micrometres::ZERO, &shop).unwrap();
     assert_eq!(cycle.kind, CycleKind::FeedOut);
+}
+
+/// ГОСТ 10903 has a drill of Ø26.5: nothing is bored for it under M30, as nothing is under M27.
+#[test]
+fn a_drill_of_the_size_under_a_thread_does_it_alone() {
+    for (thread, drill) in [("M27", 24.0), ("M30", 26.5)] {
+        let plan = honest("steel-45", "40", &format!("thread: {thread}, through: true, centre_tolerance: 0.5"));
+        let cut: Vec<&Transition> = steps(&plan).iter().filter(|step| step.feature == Feature::Bore).collect();
+        assert!(cut.iter().all(|step| !step.operation.is_boring()), "{thread}: {cut:?}");
+        assert_eq!(cut.last().map(|step| step.diameter_mm), Some(mm(drill)), "{thread}");
+    }
+}
+
+/// Of a seat of 15 mm reamers leave 3 over its shoulder: that is finished by a bar, here or elsewhere, or it is wrong.
+#[test]
+fn a_seat_is_finished_down_to_its_shoulder() {
+    for diameter in ["40H7", "35H7", "30H7"] {
+        let keys = format!(
+            "diameter: 22H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2, steps: [{{diameter: {diameter}, depth: \
+             15, bottom: flat, roughness: Ra 1.6}}]"
+        );
+        let plan = plan("cast-iron-sch20", "30", &keys);
+        let last = steps(&plan).iter().rfind(|step| step.step == Some(1)).unwrap();
+        let told = plan.findings.iter().any(|finding| finding.severity <= Severity::Wrong);
+        assert!(last.end() >= mm(13.5) || told, "{diameter}: {last:?}, {:?}", plan.findings);
+    }
+}
+
+/// Sentences that said nothing or the wrong thing.
+#[test]
+fn plans_say_why() {
+    let said = |keys: &str| {
+        let plan = plan("steel-45", "40", keys);
+        plan.findings.iter().map(|finding| finding.note.clone()).collect::<Vec<_>>()
+    };
+    // A.21 has countersinks of 90° to Ø63, but from Ø22 on their fronts are Ø7 and more, and Ø7 does not enter Ø5.5.
+    let sunk = said(
+        "diameter: 5.5H14, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, countersink: {diameter: 22}",
+    );
+    assert!(sunk.iter().any(|note| note.code() == "no-cone-so-pointed"), "{sunk:?}");
+    // The chain holds the grade of the drawing: no promise of a finer one is needed.
+    let bored = said("diameter: 25H11, depth: 25, bottom: flat, roughness: Ra 6.3, centre_tolerance: 0.5");
+    assert!(!bored.iter().any(|note| note.code() == "promised-finer"), "{bored:?}");
 }
