@@ -37,21 +37,15 @@ fn faults(plan: &Plan) -> Vec<Fault> {
 #[test]
 fn no_point_leaves_a_crater_in_a_shoulder() {
     let slope = (59.0_f64).to_radians().tan();
-    for (hole, wide, depth) in [
-        ("9H14", 30.0, 4.0),
-        ("8H14", 24.0, 3.0),
-        ("6.6H14", 26.0, 3.0),
-        ("9H14", 36.0, 5.0),
-        ("9H14", 45.0, 4.0),
-    ] {
+    for (hole, wide, depth) in
+        [("9H14", 30.0, 4.0), ("8H14", 24.0, 3.0), ("6.6H14", 26.0, 3.0), ("9H14", 36.0, 5.0), ("9H14", 45.0, 4.0)]
+    {
         let below: f64 = hole.trim_end_matches("H14").parse().unwrap();
         for opening in [
             format!("counterbore: {{diameter: {wide}, depth: {depth}}}"),
             format!("steps: [{{diameter: {wide}H14, depth: {depth}, bottom: flat, roughness: Ra 12.5}}]"),
         ] {
-            let keys = format!(
-                "diameter: {hole}, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, {opening}"
-            );
+            let keys = format!("diameter: {hole}, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, {opening}");
             let plan = plan("steel-45", "25", &keys);
             for step in steps(&plan).iter().filter(|step| step.operation == Operation::DrillOut) {
                 let crater = 2.0 * (step.end().to_mm() - depth) * slope;
@@ -114,8 +108,7 @@ fn no_cutter_is_made_larger_than_it_is_bought() {
 #[test]
 fn holes_that_run_into_each_other_are_an_error() {
     let found = |at: &str| {
-        let keys =
-            format!("diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: {at}");
+        let keys = format!("diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: {at}");
         let plan = plan("steel-45", "20", &keys);
         let walls = plan.findings.iter().filter(|finding| finding.note.code().contains("wall"));
         walls.map(|finding| (finding.severity, finding.note.code().to_owned())).collect::<Vec<_>>()
@@ -173,11 +166,8 @@ fn a_drill_aims_so_that_its_oversize_stays_inside() {
 /// An edge that stands still on its way out draws a line along the wall it has finished.
 #[test]
 fn a_finishing_bar_leaves_turning() {
-    let plan = honest(
-        "cast-iron-sch20",
-        "30",
-        "diameter: 60H8, through: true, roughness: Ra 1.6, centre_tolerance: 0.05",
-    );
+    let plan =
+        honest("cast-iron-sch20", "30", "diameter: 60H8, through: true, roughness: Ra 1.6, centre_tolerance: 0.05");
     let last = steps(&plan).last().unwrap();
     assert_eq!(last.operation, Operation::FinishBore);
     let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
@@ -219,9 +209,8 @@ fn plans_say_why() {
         plan.findings.iter().map(|finding| finding.note.clone()).collect::<Vec<_>>()
     };
     // A.21 has countersinks of 90° to Ø63, but from Ø22 on their fronts are Ø7 and more, and Ø7 does not enter Ø5.5.
-    let sunk = said(
-        "diameter: 5.5H14, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, countersink: {diameter: 22}",
-    );
+    let sunk =
+        said("diameter: 5.5H14, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, countersink: {diameter: 22}");
     assert!(sunk.iter().any(|note| note.code() == "no-cone-so-pointed"), "{sunk:?}");
     // The chain holds the grade of the drawing: no promise of a finer one is needed.
     let bored = said("diameter: 25H11, depth: 25, bottom: flat, roughness: Ra 6.3, centre_tolerance: 0.5");

@@ -21,9 +21,9 @@ use crate::units::{ItGrade, Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
 
-/// What makes one way to open a cylinder worse than another, in this order: a last resort, finished here where the tables leave it to
-/// another machine, bored without need, its time.
-type Worse = (bool, bool, bool, Minutes);
+/// What makes one way to open a cylinder worse than another, in this order: a good part left unfinished over the shoulder, a last
+/// resort, finished here where the tables leave it to another machine, bored without need, its time.
+type Worse = (bool, bool, bool, bool, Minutes);
 
 /// The steps that open a wider cylinder, or why there are none.
 type OpeningSteps = Result<Vec<RouteStep>, Reason>;
@@ -254,12 +254,8 @@ impl Finder<'_, '_> {
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: &[RouteStep]| self.cost(steps);
         let boring = self.boring_required()?;
-<<<<<<< HEAD
         let unfinished = self.shop.share(HoleDefault::UnfinishedShare)?;
-        let mut best: Option<((bool, bool, bool, bool, Minutes), Vec<RouteStep>)> = None;
-=======
         let mut best: Option<(Worse, Vec<RouteStep>)> = None;
->>>>>>> 4b691b5d6a7221601d64e80a250c9ceed59565ce
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
             for bore_large in [false, true] {
@@ -299,16 +295,11 @@ impl Finder<'_, '_> {
                         // Here too, what the tables finish on another machine is left for that machine.
                         let here = !candidate.finish_elsewhere;
                         let last = candidate.last_resort;
-<<<<<<< HEAD
                         // A seat of which reamers leave a good part stands back behind any that is finished.
                         let short = steps.iter().any(|step| step.leaves_unfinished(unfinished));
-                        let better = |least: (bool, bool, bool, bool, Minutes)| {
+                        let better = |least: Worse| {
                             (short, last, here, bores, minutes.0) < (least.0, least.1, least.2, least.3, least.4.0)
                         };
-=======
-                        let better =
-                            |least: Worse| (last, here, bores, minutes.0) < (least.0, least.1, least.2, least.3.0);
->>>>>>> 4b691b5d6a7221601d64e80a250c9ceed59565ce
                         if best.as_ref().is_none_or(|(least, _)| better(*least)) {
                             if let Some(first) = steps.first_mut() {
                                 first.because.extend(candidate.because.clone());
