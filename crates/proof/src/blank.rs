@@ -11,8 +11,8 @@ use crate::tables::practice::ProofLimit;
 use crate::tables::turning::part::ElasticModulus;
 use crate::units::Micrometres;
 
-use super::{Beside, Fault};
 use super::tool::limit;
+use super::{Beside, Fault};
 
 /// What the blank does not hold, as findings of the holes concerned.
 pub(crate) fn faults(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Finding>, KnowledgeError> {
@@ -106,7 +106,10 @@ fn walls<'p>(part: &'p Part, shop: &Shop<'_>) -> Result<Vec<(&'p String, Fault)>
         };
         let shift = shift(&part.holes[own], shop).max(shift(&part.holes[other.unwrap_or(own)], shop));
         let gone = wall <= shift;
-        faults.push((name(own), if gone { Fault::NoWall { beside, wall, shift } } else { Fault::Wall { beside, wall, least } }));
+        faults.push((
+            name(own),
+            if gone { Fault::NoWall { beside, wall, shift } } else { Fault::Wall { beside, wall, least } },
+        ));
     }
     Ok(faults)
 }

@@ -139,10 +139,9 @@ impl Fault {
             Self::Enters { operation, tool, limit } => {
                 of("proof-enters", operation).with("tool", tool).with("limit", limit)
             }
-            Self::Gouges { operation, crater, shoulder, below } => of("proof-gouges", operation)
-                .with("crater", crater)
-                .with("shoulder", shoulder)
-                .with("below", below),
+            Self::Gouges { operation, crater, shoulder, below } => {
+                of("proof-gouges", operation).with("crater", crater).with("shoulder", shoulder).with("below", below)
+            }
             Self::SpotStays { spot, limit } => Note::new("proof-spot-stays").with("spot", spot).with("limit", limit),
             Self::TooShallow { operation, depth, required } => {
                 of("proof-too-shallow", operation).with("depth", depth).with("asked", required)

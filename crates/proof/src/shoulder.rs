@@ -14,11 +14,7 @@ use super::Fault;
 ///
 /// # Errors
 /// The knowledge base has no answer.
-pub(crate) fn gouged(
-    transition: &Transition,
-    hole: &Hole,
-    shop: &Shop<'_>,
-) -> Result<Option<Fault>, KnowledgeError> {
+pub(crate) fn gouged(transition: &Transition, hole: &Hole, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
     let operation = transition.operation;
     if !matches!(operation, Operation::Drill | Operation::DrillOut) || transition.elsewhere {
         return Ok(None);

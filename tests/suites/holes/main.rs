@@ -24,7 +24,7 @@ mod practice;
 mod proof;
 mod published;
 mod red_pencil;
-mod scrap;
 mod route_laws;
 mod schools;
+mod scrap;
 mod torque;

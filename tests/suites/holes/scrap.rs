@@ -2,7 +2,7 @@
 
 use technolog::job::{self, CycleKind};
 use technolog::note::Severity;
-use technolog::plan::{Operation, Plan, Transition};
+use technolog::plan::{Feature, Operation, Plan, Transition};
 use technolog::proof::{Fault, prove_hole};
 use technolog::shop::Shop;
 use technolog::units::Micrometres;
@@ -37,21 +37,15 @@ fn faults(plan: &Plan) -> Vec<Fault> {
 #[test]
 fn no_point_leaves_a_crater_in_a_shoulder() {
     let slope = (59.0_f64).to_radians().tan();
-    for (hole, wide, depth) in [
-        ("9H14", 30.0, 4.0),
-        ("8H14", 24.0, 3.0),
-        ("6.6H14", 26.0, 3.0),
-        ("9H14", 36.0, 5.0),
-        ("9H14", 45.0, 4.0),
-    ] {
+    for (hole, wide, depth) in
+        [("9H14", 30.0, 4.0), ("8H14", 24.0, 3.0), ("6.6H14", 26.0, 3.0), ("9H14", 36.0, 5.0), ("9H14", 45.0, 4.0)]
+    {
         let below: f64 = hole.trim_end_matches("H14").parse().unwrap();
         for opening in [
             format!("counterbore: {{diameter: {wide}, depth: {depth}}}"),
             format!("steps: [{{diameter: {wide}H14, depth: {depth}, bottom: flat, roughness: Ra 12.5}}]"),
         ] {
-            let keys = format!(
-                "diameter: {hole}, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, {opening}"
-            );
+            let keys = format!("diameter: {hole}, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, {opening}");
             let plan = plan("steel-45", "25", &keys);
             for step in steps(&plan).iter().filter(|step| step.operation == Operation::DrillOut) {
                 let crater = 2.0 * (step.end().to_mm() - depth) * slope;
@@ -114,8 +108,7 @@ fn no_cutter_is_made_larger_than_it_is_bought() {
 #[test]
 fn holes_that_run_into_each_other_are_an_error() {
     let found = |at: &str| {
-        let keys =
-            format!("diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: {at}");
+        let keys = format!("diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: {at}");
         let plan = plan("steel-45", "20", &keys);
         let walls = plan.findings.iter().filter(|finding| finding.note.code().contains("wall"));
         walls.map(|finding| (finding.severity, finding.note.code().to_owned())).collect::<Vec<_>>()
@@ -173,14 +166,53 @@ fn a_drill_aims_so_that_its_oversize_stays_inside() {
 /// An edge that stands still on its way out draws a line along the wall it has finished.
 #[test]
 fn a_finishing_bar_leaves_turning() {
-    let plan = honest(
-        "cast-iron-sch20",
-        "30",
-        "diameter: 60H8, through: true, roughness: Ra 1.6, centre_tolerance: 0.05",
-    );
+    let plan =
+        honest("cast-iron-sch20", "30", "diameter: 60H8, through: true, roughness: Ra 1.6, centre_tolerance: 0.05");
     let last = steps(&plan).last().unwrap();
     assert_eq!(last.operation, Operation::FinishBore);
     let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
     let cycle = job::cycle(&job::Feeding::of(last, None), Micrometres::ZERO, &shop).unwrap();
     assert_eq!(cycle.kind, CycleKind::FeedOut);
+}
+
+/// ГОСТ 10903 has a drill of Ø26.5: nothing is bored for it under M30, as nothing is under M27.
+#[test]
+fn a_drill_of_the_size_under_a_thread_does_it_alone() {
+    for (thread, drill) in [("M27", 24.0), ("M30", 26.5)] {
+        let plan = honest("steel-45", "40", &format!("thread: {thread}, through: true, centre_tolerance: 0.5"));
+        let cut: Vec<&Transition> = steps(&plan).iter().filter(|step| step.feature == Feature::Bore).collect();
+        assert!(cut.iter().all(|step| !step.operation.is_boring()), "{thread}: {cut:?}");
+        assert_eq!(cut.last().map(|step| step.diameter_mm), Some(mm(drill)), "{thread}");
+    }
+}
+
+/// Of a seat of 15 mm reamers leave 3 over its shoulder: that is finished by a bar, here or elsewhere, or it is wrong.
+#[test]
+fn a_seat_is_finished_down_to_its_shoulder() {
+    for diameter in ["40H7", "35H7", "30H7"] {
+        let keys = format!(
+            "diameter: 22H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2, steps: [{{diameter: {diameter}, depth: \
+             15, bottom: flat, roughness: Ra 1.6}}]"
+        );
+        let plan = plan("cast-iron-sch20", "30", &keys);
+        let last = steps(&plan).iter().rfind(|step| step.step == Some(1)).unwrap();
+        let told = plan.findings.iter().any(|finding| finding.severity <= Severity::Wrong);
+        assert!(last.end() >= mm(13.5) || told, "{diameter}: {last:?}, {:?}", plan.findings);
+    }
+}
+
+/// Sentences that said nothing or the wrong thing.
+#[test]
+fn plans_say_why() {
+    let said = |keys: &str| {
+        let plan = plan("steel-45", "40", keys);
+        plan.findings.iter().map(|finding| finding.note.clone()).collect::<Vec<_>>()
+    };
+    // A.21 has countersinks of 90° to Ø63, but from Ø22 on their fronts are Ø7 and more, and Ø7 does not enter Ø5.5.
+    let sunk =
+        said("diameter: 5.5H14, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, countersink: {diameter: 22}");
+    assert!(sunk.iter().any(|note| note.code() == "no-cone-so-pointed"), "{sunk:?}");
+    // The chain holds the grade of the drawing: no promise of a finer one is needed.
+    let bored = said("diameter: 25H11, depth: 25, bottom: flat, roughness: Ra 6.3, centre_tolerance: 0.5");
+    assert!(!bored.iter().any(|note| note.code() == "promised-finer"), "{bored:?}");
 }

@@ -44,9 +44,10 @@ impl Finder<'_, '_> {
 
     fn other_sources(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         self.complexes(options)?;
-        // A.10 says how a hole in solid metal is made for a thread, up to the sizes where it bores; nothing exceeds
-        // those.
-        if self.task.main.thread.is_some() && self.task.main.before.is_solid() {
+        // A.10 says how a hole in solid metal is made for a thread. Where it bores under it, a drill of that size may do alone.
+        let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
+        let bored = options.choices.iter().any(bores);
+        if self.task.main.thread.is_some() && self.task.main.before.is_solid() && !bored {
             return Ok(());
         }
         self.search(options)

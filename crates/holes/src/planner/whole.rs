@@ -21,8 +21,8 @@ use crate::units::{ItGrade, Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
 
-/// What makes one way to open a cylinder worse than another, in this order: left short, a last resort, finished here where the tables leave it to
-/// another machine, bored without need, its time.
+/// What makes one way to open a cylinder worse than another, in this order: a good part left unfinished over the shoulder, a last
+/// resort, finished here where the tables leave it to another machine, bored without need, its time.
 type Worse = (bool, bool, bool, bool, Minutes);
 
 /// The steps that open a wider cylinder, or why there are none.

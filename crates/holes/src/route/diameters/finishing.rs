@@ -98,7 +98,8 @@ impl BackwardStep<'_, '_> {
     /// as wide as the field, and which itself is at least so much of it above its size.
     fn bought_makes(self) -> Result<bool, KnowledgeError> {
         let Self { bore, shop, .. } = self;
-        let (low, high) = (bore.diameter.smallest() - bore.diameter.nominal, bore.diameter.largest() - bore.diameter.nominal);
+        let (low, high) =
+            (bore.diameter.smallest() - bore.diameter.nominal, bore.diameter.largest() - bore.diameter.nominal);
         if low <= Micrometres::ZERO {
             return Ok(true);
         }
