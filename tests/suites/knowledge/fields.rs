@@ -37,7 +37,9 @@ fn fields_beside_the_pages() {
     assert_eq!(of("H", 7, 40), Some((25, 0)));
     assert_eq!(of("k", 8, 20), Some((33, 0)));
     assert_eq!(of("N", 9, 20), Some((0, -52)));
-    for (letters, grade, size) in [("j", 6, 20), ("x", 8, 20), ("qq", 7, 20), ("M", 6, 300), ("h", 15, 20), ("f", 7, 600)] {
+    for (letters, grade, size) in
+        [("j", 6, 20), ("x", 8, 20), ("qq", 7, 20), ("M", 6, 300), ("h", 15, 20), ("f", 7, 600)]
+    {
         assert_eq!(of(letters, grade, size), None, "{letters}{grade} {size}");
     }
 }

@@ -44,7 +44,8 @@ impl Deviations {
             answer => answer?.winner()?,
         };
         let Some(position) = position else { return Ok(None) };
-        let width = |it| Ok::<_, KnowledgeError>(knowledge.ask(&ItGradesFor { it, diameter: size })?.need("it")?.tolerance);
+        let width =
+            |it| Ok::<_, KnowledgeError>(knowledge.ask(&ItGradesFor { it, diameter: size })?.need("it")?.tolerance);
         let tolerance = width(grade)?;
         if position.begins == FieldBegins::About {
             return Ok(Some(Self { upper: tolerance.half(), lower: -tolerance.half() }));

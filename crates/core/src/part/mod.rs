@@ -6,6 +6,7 @@
 mod arrange_steps;
 mod check;
 mod check_features;
+mod deviations;
 mod domain;
 pub mod file;
 pub mod limits;
@@ -19,7 +20,6 @@ mod read_steps;
 mod standing;
 pub mod stated;
 mod thread;
-mod deviations;
 mod tolerance;
 
 use schemars::JsonSchema;
@@ -29,10 +29,10 @@ use crate::material::MaterialState;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
 pub use crate::tables::rules::Entry;
+pub use deviations::Deviations;
 pub use file::schema;
 pub use read::{read_part, read_part_node};
 pub use standing::{Outline, Standing};
-pub use deviations::Deviations;
 pub use tolerance::{ToleratedDiameter, tolerance_width};
 
 /// A part with holes, as its drawing gives it.

@@ -29,11 +29,7 @@ impl ControlWords {
     ///
     /// # Errors
     /// The table lacks a word that every control must have.
-    pub fn read(
-        of: &LatheControls<'_>,
-        comment: &str,
-        knowledge: &Knowledge,
-    ) -> Result<Self, KnowledgeError> {
+    pub fn read(of: &LatheControls<'_>, comment: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let control = of.control;
         let rows = knowledge.rows::<LatheWords<'_>>()?.into_iter().filter(|row| row.control == control);
         let words: BTreeMap<Use, String> = rows.map(|row| (row.use_, row.word.to_owned())).collect();

@@ -51,8 +51,10 @@ impl Maker<'_> {
         }
         let thread =
             words.function_for(WordEffect::ThreadCycle).is_some() || words.function_for(WordEffect::Dwell).is_some();
-        let pointless =
-            words.all().iter().find(|it| super::text::LENGTHS.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
+        let pointless = words
+            .all()
+            .iter()
+            .find(|it| super::text::LENGTHS.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
         if let Some(value) = pointless.filter(|_| !thread) {
             self.report_with("number-without-point", value.span, "address", value.name.clone());
         }
