@@ -43,6 +43,7 @@ vocabulary! {
     pub enum PaceFigure {
         /// The cutting speed.
         Speed = "speed",
+        Slow = "slow",
         /// The feed per revolution.
         Feed = "feed",
         /// The depth of cut.

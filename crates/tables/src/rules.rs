@@ -85,6 +85,13 @@ rows! {
         stock: Micrometres,
     }
 
+    /// Coolant for inserts on a lathe.
+    pub struct TurningCoolant of One("turning-coolant") asked by TurningCoolantFor<'t> {
+        material_group: &'t str,
+    } {
+        coolant: bool,
+    }
+
     /// Depth corrections beyond the handbook's table.
     pub struct DepthBeyond of One("depth-beyond") asked by DepthBeyondFor<'t> {
         of_table: &'t str,

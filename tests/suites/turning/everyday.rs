@@ -4,6 +4,7 @@ use technolog::note::Severity;
 use technolog::turning::contour::Side;
 use technolog::turning::jobs::{Body, Job, Pace, Work};
 use technolog::turning::length::Half;
+use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::proof::prove_set_up;
 use technolog::turning::operation::{Operation, SetUpWork, plan};
 use technolog::turning::program::Speed;
@@ -316,4 +317,80 @@ fn a_thread_does_not_run_out_on_a_seat() {
     let codes: Vec<&str> = operation.findings.iter().map(|finding| finding.note.code()).collect();
     assert!(codes.contains(&"thread-run-out-on-seat"), "{codes:?}");
     assert!(!wrong(&operation).is_empty(), "{codes:?}");
+}
+
+/// A turner: neither h6 nor Ra 0.8 is on a raw bar, so nothing can be left there for grinding; drawn bars begin at h9 (ГОСТ 7417-75).
+/// Of 26.2 the skin stays on under 0.15 a side. A bar of 27 is turned.
+#[test]
+fn a_raw_bar_is_no_fit() {
+    let of = |bar: &str, asked: &str| {
+        let text = format!(
+            "shaft: P\nmaterial: steel-45\nmachine: 16k20f3\nblank: {{kind: bar, diameter: {bar}, length: 60, face: 1}}\n\
+             outer:\n  - {{from: {{d: 0, z: 0}}}}\n  - {{face: 26}}\n  - {{cylinder: -35, name: seat, {asked}}}\n"
+        );
+        let operation = plan(&read_turned("P", &text, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap();
+        (wrong(&operation).iter().map(|code| code.to_string()).collect::<Vec<_>>(), operation.elsewhere.len())
+    };
+    let raw = |later| (vec!["surface-of-blank".to_owned()], later);
+    assert_eq!(of("26", "grade: h6, roughness: Ra 0.8"), raw(0));
+    assert_eq!(of("26", "grade: h8, roughness: Ra 3.2"), raw(0));
+    assert_eq!(of("26", "grade: h9, roughness: Ra 3.2"), (vec![], 0));
+    assert_eq!(of("26.2", "grade: h6, roughness: Ra 0.8"), (vec!["blank-thin-for-elsewhere".to_owned()], 1));
+    assert_eq!(of("30", "grade: h6, roughness: Ra 0.8"), (vec![], 1));
+}
+
+/// A turner: 6.5 mm of Ø40 between the jaws and 38 kN are wrong, whatever the length of the collar.
+#[test]
+fn too_short_a_grip_is_wrong() {
+    let text = "shaft: P\nmaterial: steel-45\nmachine: 16k20f3\nblank: {kind: bar, diameter: 45, length: 80, face: 1.5}\n\
+                outer:\n  - {from: {d: 0, z: 0}}\n  - {face: 17.78}\n  - {cone: {d: 24, z: -50}}\n  - {cylinder: -54}\n  \
+                - {face: 40}\n  - {chamfer: 1.5}\n  - {cylinder: -65}\n";
+    let operation = plan(&read_turned("P", text, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap();
+    assert_eq!(wrong(&operation), ["jaws-grip-too-little"], "{:?}", operation.findings);
+}
+
+/// Grey iron is cut dry (rule `coolant`, row 1): no program of it starts the coolant; one of steel does.
+#[test]
+fn grey_iron_has_no_coolant() {
+    for (material, starts) in [("cast-iron-sch20", false), ("steel-45", true)] {
+        let text = format!(
+            "shaft: P\nmaterial: {material}\nmachine: 16k20f3\nblank: {{kind: bar, diameter: 50, length: 90, face: 1}}\n\
+             outer:\n  - {{from: {{d: 0, z: 0}}}}\n  - {{face: 40}}\n  - {{cylinder: -30}}\n  - {{face: 46}}\n  - \
+             {{cylinder: -50}}\n"
+        );
+        let operation = plan(&read_turned("P", &text, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap();
+        assert_eq!(operation.set_ups[0].jobs.iter().all(|job| !job.dry), starts);
+        let programs = programs(&operation, "fanuc", Form::Motions, None, &KNOWLEDGE).unwrap();
+        let files = programs[0].files.as_ref().unwrap();
+        assert_eq!(files[0].text.lines().any(|line| line == "M8"), starts, "{}", files[0].text);
+    }
+}
+
+/// LinuxCNC moves K along the way in a turn, so on a slope Z goes on by the pitch only with K = P·√(Δz² + Δr²)/Δz (manual of G33);
+/// Fanuc takes the lead along Z. M24x2.
+#[test]
+fn the_lead_of_a_run_out_is_that_of_the_control() {
+    let operation = planned("run-out");
+    let text = |control| {
+        let made = programs(&operation, control, Form::Motions, None, &KNOWLEDGE).unwrap();
+        made[0].files.as_ref().unwrap()[0].text.clone()
+    };
+    let number = |line: &str, address| {
+        line.split_whitespace().find_map(|word| word.strip_prefix(address)).and_then(|it: &str| it.parse::<f64>().ok())
+    };
+    let (mut at, mut slopes) = ((0.0, 0.0), 0);
+    for line in text("linuxcnc").lines() {
+        let to = (number(line, "X").unwrap_or(at.0), number(line, "Z").unwrap_or(at.1));
+        let (dx, dz) = ((to.0 - at.0) / 2.0, to.1 - at.1);
+        if let Some(lead) = number(line, "K").filter(|_| number(line, "I").is_none()) {
+            let along = if dx == 0.0 { 2.0 } else { 2.0 * (dx * dx + dz * dz).sqrt() / dz.abs() };
+            assert!((lead - along).abs() < 1e-3, "{line}: {along}");
+            slopes += usize::from(dx != 0.0);
+        }
+        at = to;
+    }
+    assert!(slopes > 3, "{slopes}");
+    let leads: Vec<f64> =
+        text("fanuc").lines().filter(|line| line.contains("G32")).filter_map(|line| number(line, "F")).collect();
+    assert!(!leads.is_empty() && leads.iter().all(|lead| *lead == 2.0), "{leads:?}");
 }

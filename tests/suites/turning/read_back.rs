@@ -252,8 +252,13 @@ fn a_thread_by_a_tool_that_cuts_none_is_told() {
     let found = new_in_fanuc(&operation, &text, &mute);
     assert!(found.contains(&("turned-no-threading-tool", Severity::Wrong)), "{found:?}");
     assert_eq!(called("T0403\n"), [("turned-offset-of-other", Severity::Doubtful)]);
-    // A second offset of its own, another place, and a tool that the operator puts in at a stop.
-    assert_eq!(called("T0414\n"), []);
+    // A second offset of its own must be measured; our plan has none.
+    assert_eq!(called("T0414\n"), [("turned-offset-unknown", Severity::Doubtful)]);
+    // A wrong lead is one whatever tool cuts it.
+    let unnamed = text.replace(remark, "(thread)");
+    let found = new_in_fanuc(&operation, &unnamed, &unnamed.replace("F1.5", "F1.25"));
+    assert!(found.contains(&("swept-thread-lead", Severity::Wrong)), "{found:?}");
+    // Another place, and a tool that the operator puts in at a stop.
     assert_eq!(called("T0606\n"), []);
     let stopped = text.replace(&format!("{remark}\nT0404"), &format!("M0\n{remark}\nT0101"));
     let found = new_in_fanuc(&operation, &text, &stopped);

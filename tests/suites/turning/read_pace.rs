@@ -90,6 +90,15 @@ fn speed_and_feed_are_held_against_practice_and_plan() {
     let doubtful = [("turned-speed", Severity::Doubtful)];
     assert_eq!(of_part(&cone, &text.replacen("S148", "S1000", 1)), doubtful);
     assert_eq!(of_part(&cone, &text.replacen("D2000 S148", "D3500 S1000", 1)), [("turned-speed", Severity::Wrong)]);
+    // A turner: at 600 1/min Ø75 runs at 141 m/min, and S1000 is still no cutting speed; S15 rubs.
+    let stated = [("turned-speed-stated", Severity::Doubtful)];
+    assert_eq!(of_part(&cone, &text.replacen("D2000 S148", "D600 S1000", 1)), stated);
+    let slowed =
+        |line: &str| line.split_once(" S").filter(|_| line.contains("G96")).map(|(modes, _)| format!("{modes} S15 M3"));
+    let slow: Vec<String> = text.lines().map(|line| slowed(line).unwrap_or_else(|| line.to_owned())).collect();
+    let found = of_part(&cone, &slow.join("\n"));
+    let is_slow = |one: &(&str, Severity)| *one == ("turned-speed-slow", Severity::Doubtful);
+    assert!(!found.is_empty() && found.iter().all(is_slow), "{found:?}");
     let (sleeve, text) = program("turned-sleeve");
     let at = text.find("drill)").unwrap();
     let feed = text[at..].split_whitespace().find_map(|word| word.strip_prefix('F')).unwrap();

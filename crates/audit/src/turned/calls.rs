@@ -146,23 +146,29 @@ const fn cuts_threads(body: &Body) -> bool {
 }
 
 /// Calls with the offset of another tool: the tool stands at its place in our turret, and its offset is that of another one. An
-/// offset that no other tool has may be a second one of its own, and so may any D, which controls number for each place.
+/// offset that no tool of the plan has, and a D, which controls number for each place, that no tool there has, may be a second one of
+/// its own: then somebody must have measured it.
 fn wrong_offsets(operation: &Operation, work: &SetUpWork, lines: &[String], tools: &[CalledTool]) -> Vec<Fault> {
     let stations = stations(operation);
-    let is_wrong = |tool: &&CalledTool| {
-        let CalledTool { called, line, job, .. } = **tool;
-        let Some(own) = work.jobs.get(job).and_then(|job| station(&stations, job)) else { return false };
-        let Some(offset) = called.offset.filter(|_| own.seat.place == called.number) else { return false };
+    let wrong = |tool: &CalledTool| {
+        let CalledTool { called, line, job, .. } = *tool;
+        let own = work.jobs.get(job).and_then(|job| station(&stations, job))?;
+        let offset = called.offset.filter(|_| own.seat.place == called.number)?;
         let at = usize::try_from(line).unwrap_or(usize::MAX);
         let block = at.checked_sub(1).and_then(|at| lines.get(at)).map_or("", String::as_str);
         let of_place = block.split(['(', ';']).next().is_some_and(|words| words.contains(&format!("D{offset}")));
-        !of_place && !is_seated(own, called) && stations.iter().any(|other| other.seat.offset == offset)
+        let is_of = |one: &Station| if of_place { is_seated(one, called) } else { one.seat.offset == offset };
+        if is_seated(own, called) {
+            return None;
+        }
+        Some(if stations.iter().any(is_of) { "turned-offset-of-other" } else { "turned-offset-unknown" })
     };
-    let told = tools.iter().filter(is_wrong).map(|tool| {
+    let told = tools.iter().filter_map(|tool| {
+        let code = wrong(tool)?;
         let name = work.jobs.get(tool.job).map_or("", |job| &*job.tool.designation);
-        let note = Note::new("turned-offset-of-other").with("number", tool.called.number).with("tool", name);
+        let note = Note::new(code).with("number", tool.called.number).with("tool", name);
         let note = note.with("offset", tool.called.offset.unwrap_or_default());
-        fault("turned-offset-of-other", Severity::Doubtful, note, tool.line)
+        Some(fault(code, Severity::Doubtful, note, tool.line))
     });
     told.collect()
 }

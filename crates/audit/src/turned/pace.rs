@@ -9,7 +9,7 @@ use crate::knowledge::vocabulary::{Operation as Cutting, Severity as Judged, Too
 use crate::motion::Turning;
 use crate::note::{Note, Severity};
 use crate::program::Fault;
-use crate::program::lathe::{LatheAct, LatheMotion, LatheRun};
+use crate::program::lathe::{LatheAct, LatheMotion, LatheRun, LatheSpeed};
 use crate::tables::audit::{AuditLathePaceFor, PaceFigure};
 use crate::tables::cutting::BoringForceFor;
 use crate::tables::practice::RoughOrFinish;
@@ -95,6 +95,28 @@ pub(super) fn paced(
         {
             let note = Note::new("turned-speed").with("speed", round_to(used, 0)).with("high", round_to(high, 0));
             tell("turned-speed", severity, line, note);
+        }
+        // The limit of the spindle hides a cutting speed that is a slip, and no finding of the cut itself tells it.
+        let stated = |motion: &LatheMotion| match motion.modes.speed {
+            Some(LatheSpeed::Cutting { speed, .. }) => Some(speed.0),
+            _ => None,
+        };
+        if let (Some(high), Some((used, line))) = (practice, worst(&stated))
+            && judged(PaceFigure::Speed, used / high)?.is_some()
+            && worst(&speed).map_or(Ok(None), |(cut, _)| judged(PaceFigure::Speed, cut / high))?.is_none()
+        {
+            let note = Note::new("turned-speed-stated").with("speed", round_to(used, 0));
+            tell("turned-speed-stated", Severity::Doubtful, line, note.with("high", round_to(high, 0)));
+        }
+        let fastest = lathe.as_ref().map_or(f64::INFINITY, |lathe| lathe.spindle.ends().1.0);
+        let quickest = cuts.iter().filter_map(|motion| Some((speed(motion)?, turns(motion)?.0, motion.line)));
+        let quickest = quickest.max_by(|one, other| one.0.total_cmp(&other.0));
+        if let (Some(high), Some((used, rpm, line))) = (practice, quickest)
+            && rpm.0 < 0.9 * fastest
+            && judged(PaceFigure::Slow, used / high)?.is_some()
+        {
+            let note = Note::new("turned-speed-slow").with("speed", round_to(used, 0)).with("high", round_to(high, 0));
+            tell("turned-speed-slow", Severity::Doubtful, line, note);
         }
         let planned = same.iter().filter_map(|job| largest_feed(job)).max_by(f64::total_cmp);
         let feed = |motion: &LatheMotion| match motion.act {

@@ -72,6 +72,8 @@ vocabulary! {
         Finish = "finish",
         ThreadCycle = "thread-cycle",
         ThreadBox = "thread-box",
+        TurnBox = "turn-box",
+        FaceBox = "face-box",
         Tap = "tap",
         CycleOff = "cycle-off",
         SpindleClockwise = "spindle-clockwise",

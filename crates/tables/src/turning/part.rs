@@ -364,6 +364,7 @@ rows! {
     } {
         least_length: Micrometres,
         shortest: Micrometres,
+        least_grip: Micrometres,
     }
 
     /// Modulus of elasticity of the part.

@@ -149,6 +149,9 @@ pub struct Job {
     /// The torque of a tap, which has no other conditions; none where it is not known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_n_m: Option<NewtonMetres>,
+    /// Whether it is cut dry.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub dry: bool,
     /// For roughing: the index of its zone and of the work in it.
     #[serde(skip)]
     pub zone: Option<(usize, usize)>,

@@ -104,6 +104,7 @@ pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     }
     because.extend(limits.because);
     Ok(Job {
+        dry: false,
         work: Work::PartOff,
         side: Side::Outer,
         tool: JobTool::of(&tool),

@@ -296,6 +296,7 @@ impl<'a> Finishing<'a> {
         }
         let chosen = tools::chosen(&tool, 1, bench)?;
         Ok(Some(Job {
+            dry: false,
             work: JobWork::Finish,
             side: self.side,
             tool: made,

@@ -24,8 +24,9 @@ pub struct Jaws {
     pub length_mm: Half,
     /// The required length, by `turning-hold`.
     pub least_mm: Half,
-    /// The length below which nothing is held, by the same rule.
-    pub shortest_mm: Half,
+    /// The length below which they hold nothing, by the same rule.
+    #[serde(skip)]
+    pub least_grip_mm: Half,
     /// Whether they grip a surface that is finished already, which hard jaws would mark.
     pub soft: bool,
     /// Whether they grip a bushing on a thread.
@@ -51,7 +52,7 @@ impl Jaws {
     /// The finding that they grip less than required, to stay clear of the tool.
     pub fn short(&self, set_up: u8) -> Option<Finding> {
         let (severity, code, least) = match self.length_mm {
-            length if length < self.shortest_mm => (Severity::Wrong, "jaws-grip-too-little", self.shortest_mm),
+            length if length < self.least_grip_mm => (Severity::Wrong, "jaws-grip-too-little", self.least_grip_mm),
             length if length < self.least_mm => (Severity::Doubtful, "jaws-grip-little", self.least_mm),
             _ => return None,
         };
@@ -112,7 +113,7 @@ impl Jaws {
                 (length - *to, length - *from, *diameter_mm + left, *length_mm)
             }
         };
-        let JawLengths { least, shortest } = JawLengths::of(grips_mm, knowledge)?;
+        let JawLengths { least, least_grip, .. } = JawLengths::of(grips_mm, knowledge)?;
         let [near, clear] = jaw_clearance(knowledge)?.map(|clearance| turned + Half::of(clearance));
         // Behind a steady rest the jaws stand as far from it as they can.
         let clear = if set_up.rest.is_some() { to } else { clear };
@@ -128,6 +129,15 @@ impl Jaws {
         let soft = matches!(set_up.holds_at, Some(Hold::Surface { .. }));
         let threaded = matches!(set_up.holds_at, Some(Hold::Surface { threaded: true, .. }));
         let length_mm = (to - front_mm).min(touches);
-        Ok(Some(Self { front_mm, grips_mm, length_mm, least_mm: least, shortest_mm: shortest, soft, threaded, body }))
+        Ok(Some(Self {
+            front_mm,
+            grips_mm,
+            length_mm,
+            least_mm: least,
+            least_grip_mm: least_grip,
+            soft,
+            threaded,
+            body,
+        }))
     }
 }

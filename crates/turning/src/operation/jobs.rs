@@ -192,6 +192,7 @@ fn rough(
         pace = constant_speed(pace, work.pace.conditions.as_ref(), bench);
     }
     Ok(Some(Job {
+        dry: false,
         work: if is_face { JobWork::Face } else { JobWork::Rough },
         side,
         tool: JobTool::of(&tool),

@@ -15,6 +15,7 @@ use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
+use crate::turning::shaft::Holding;
 use crate::turning::tooling::TurningTool;
 use crate::turning::workpiece::{Allowances, Workpiece};
 use crate::turning::zones::{SetUp, TurnedSide};
@@ -145,7 +146,9 @@ pub fn layers(
     let rough = up_to(rough, face);
     // A face without an allowance in the file is already made: a missing allowance of a chamfer beside it is no
     // finding.
-    let face_is_made = left.pieces.first().is_some_and(|face| face.is_face()) && distances.first() == Some(&Half::ZERO);
+    // Between centres faces are made before, too.
+    let face_is_made = workpiece.holding == Holding::Centres
+        || left.pieces.first().is_some_and(|face| face.is_face()) && distances.first() == Some(&Half::ZERO);
     let Some(SideStock { blank, rough, drilled_first }) =
         standing(&rough, face_is_made, axial, set_up, bench, findings)?
     else {

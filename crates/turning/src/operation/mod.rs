@@ -19,6 +19,7 @@ pub mod beside;
 pub mod by_way;
 mod centred;
 mod clip;
+mod coolant;
 mod crests;
 pub mod depth;
 mod doubts;
@@ -364,6 +365,7 @@ fn plan_without(
                 None => {}
             }
         }
+        coolant::mark_dry(&mut jobs, bench.material.group, knowledge)?;
         let grip = Grip::of(jaws.as_ref(), &jobs, knowledge)?;
         findings.extend(grip.as_ref().and_then(|grip| grip.finding(set_up.number)));
         findings.extend(slug(&set_up, &done, &jobs, workpiece));

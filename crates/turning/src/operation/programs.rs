@@ -161,6 +161,7 @@ pub(super) fn sections(
             last.tool == tool
                 && last.speed == speed
                 && last.feeds == feeds
+                && last.coolant != job.dry
                 && last.cycle.is_none()
                 && cycle.is_none()
                 && last.title == title
@@ -169,7 +170,17 @@ pub(super) fn sections(
             Some(last) => join(&mut last.path, &job.path, job.side),
             None => {
                 let (path, taps) = (job.path.clone(), job.work == JobWork::Tap);
-                sections.push(ToolSection { tool, load: None, title, speed, feeds, coolant: true, path, cycle, taps });
+                sections.push(ToolSection {
+                    tool,
+                    load: None,
+                    title,
+                    speed,
+                    feeds,
+                    coolant: !job.dry,
+                    path,
+                    cycle,
+                    taps,
+                });
             }
         }
     }

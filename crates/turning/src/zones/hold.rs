@@ -55,6 +55,8 @@ pub struct JawLengths {
     pub least: Half,
     /// The length below which nothing is held.
     pub shortest: Half,
+    /// The length over which the jaws must close at least, back from the tool.
+    pub least_grip: Half,
 }
 
 impl JawLengths {
@@ -70,7 +72,8 @@ impl JawLengths {
     fn because(diameter: Micrometres, note: Note, knowledge: &Knowledge) -> Result<(Self, Because), KnowledgeError> {
         let asked = knowledge.ask(&TurningHoldFor { diameter })?;
         let row = asked.need(&diameter.to_string())?;
-        let lengths = Self { least: Half::of(row.least_length), shortest: Half::of(row.shortest) };
+        let [least, shortest, least_grip] = [row.least_length, row.shortest, row.least_grip].map(Half::of);
+        let lengths = Self { least, shortest, least_grip };
         let note = note.with("diameter", diameter).with("least", lengths.least).with("shortest", lengths.shortest);
         Ok((lengths, Because::answer(&asked.answer, note)))
     }

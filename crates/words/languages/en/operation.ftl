@@ -73,3 +73,4 @@ turret-too-small = { $tools } tools, and the turret of { $lathe } has { $places 
         [one] at one planned stop (M0) of the programs they are changed by hand
        *[other] at { $stops } planned stops (M0) of the programs they are changed by hand
     }, see the setting sheet
+job-dry = cut dry, without coolant

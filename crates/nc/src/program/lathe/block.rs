@@ -315,6 +315,11 @@ impl Maker<'_> {
             self.thread_box(words, span);
             return;
         }
+        if matches!(mode, WordEffect::TurnBox | WordEffect::FaceBox) {
+            self.before_moving(span, true);
+            self.cut_box(words, mode, span);
+            return;
+        }
         if mode == WordEffect::Tap {
             if self.is(LatheReader::Fanuc) {
                 self.starts_spindle();

@@ -442,7 +442,7 @@ impl Run<'_> {
             for function in &words.functions {
                 match function.effect {
                     WordEffect::Return => break,
-                    WordEffect::Thread | WordEffect::ThreadBox => {
+                    WordEffect::Thread | WordEffect::ThreadBox | WordEffect::TurnBox | WordEffect::FaceBox => {
                         inner.report_with("lathe-contour-word", function.span, "word", function.code.clone())
                     }
                     _ if modes.contains(&function.group) => {

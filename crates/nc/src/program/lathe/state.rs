@@ -38,9 +38,9 @@ pub(super) struct State {
     pub tool: Option<LatheTool>,
     pub parameters: Parameters,
     pub first: FirstBlocks,
-    /// R of G92, modal with it.
+    /// R of G90, G92 and G94, modal with it.
     pub box_taper: f64,
-    /// The end of G92, whose X and Z are modal with it too.
+    /// The end of G90, G92 or G94, whose X and Z are modal with it too.
     pub box_end: Option<LathePoint>,
     /// The lead of G32 and G92, modal with them.
     pub lead: Option<f64>,

@@ -246,6 +246,42 @@ impl Maker<'_> {
         self.rapid(begin.into());
     }
 
+    /// G90 and G94 of Fanuc: at rapid to the end across (G94: along), a pass at feed, the retract at feed, and back to the start at
+    /// rapid. R is how much farther the pass begins than it ends. The order of rapids and feeds is from memory of the manual.
+    pub(super) fn cut_box(&mut self, words: &BlockWords, mode: WordEffect, span: TextSpan) {
+        let in_block = words.function_for(mode).is_some();
+        if let Some(taper) = words.take("R") {
+            self.state.box_taper = taper.value;
+        } else if in_block {
+            self.state.box_taper = 0.0;
+        }
+        let Some(feed) = self.state.feed() else {
+            self.report("feed-zero", span);
+            return;
+        };
+        let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
+        let (x, z) = (given("X", "U"), given("Z", "W"));
+        let kept = self.state.box_end.filter(|_| !in_block && (!x || !z)).map(|end| (end, x, z));
+        let Some((begin, end)) = self.ends_of_thread(words, kept, span) else { return };
+        if (begin.z_mm - end.z_mm).abs() < 1e-9 {
+            self.report_with("lathe-cycle-value", span, "field", "Z");
+            return;
+        }
+        self.state.box_end = Some(end);
+        self.of_cycle = true;
+        let (word, taper) = (if mode == WordEffect::TurnBox { "G90" } else { "G94" }, self.state.box_taper);
+        self.report_with("lathe-cycle-from-memory", span, "word", word);
+        let (from, back) = match mode {
+            WordEffect::TurnBox => (at(end.radius_mm + taper, begin.z_mm), at(begin.radius_mm, end.z_mm)),
+            _ => (at(begin.radius_mm, end.z_mm + taper), at(end.radius_mm, begin.z_mm)),
+        };
+        self.rapid(from);
+        for to in [end.into(), back] {
+            self.push_motion(LatheAct::Feed { feed }, to);
+        }
+        self.rapid(begin.into());
+    }
+
     /// G92 of Fanuc: one pass, and back. Its run-out is a parameter of the machine: none is made here.
     pub(super) fn thread_box(&mut self, words: &BlockWords, span: TextSpan) {
         if let Some(lead) = words.take("F") {

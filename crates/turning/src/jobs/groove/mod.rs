@@ -123,6 +123,7 @@ fn groove_by(site: Site<'_>, surface: &Surface, only: Option<&str>, bench: &Benc
         notes.push(Note::new("groove-width-of-blade").with("surface", name));
     }
     Ok(Job {
+        dry: false,
         work: Work::Groove,
         side: site.side(),
         tool: JobTool::of(&tool),

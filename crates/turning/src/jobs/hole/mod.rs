@@ -278,6 +278,7 @@ impl Stroke {
         let because = [row].into_iter().chain(of_pace).chain(of_path).collect();
         let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
         Job {
+            dry: false,
             work,
             side: Side::Inner,
             tool,

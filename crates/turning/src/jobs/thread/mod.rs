@@ -135,6 +135,7 @@ pub fn thread(
     because.extend(of_flanks(thread, bench));
     because.extend(limits.because);
     Ok(Job {
+        dry: false,
         work: Work::Thread,
         side,
         tool: JobTool::of(&tool),
