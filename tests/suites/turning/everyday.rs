@@ -141,7 +141,7 @@ fn a_steady_rest_holds_the_free_end() {
         lead: None,
         block: Block(1),
     };
-    let proof = prove_set_up(&operation, &[], first, vec![past]).proof.unwrap();
+    let proof = prove_set_up(&operation, &[], first, vec![past], Vec::new()).proof.unwrap();
     let struck: Vec<_> = proof.faults.iter().filter(|fault| fault.code() == "swept-struck").collect();
     assert!(format!("{struck:?}").contains("body-rest"), "{struck:?}");
     let path = format!("{}/tests/everyday/rest.yaml", env!("CARGO_MANIFEST_DIR"));
