@@ -56,7 +56,9 @@ impl Maker<'_> {
             .iter()
             .find(|it| super::text::LENGTHS.contains(&it.name.as_str()) && !it.point && it.value != 0.0);
         if let Some(value) = pointless.filter(|_| !thread) {
-            self.report_with("number-without-point", value.span, "address", value.name.clone());
+            // A program that writes points has forgotten one, and the axis goes a thousandth of the way.
+            let code = if self.state.pointed { "point-missing" } else { "number-without-point" };
+            self.report_with(code, value.span, "address", value.name.clone());
         }
     }
 

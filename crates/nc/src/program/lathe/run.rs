@@ -60,11 +60,12 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
     if main == 0 {
         faults.push(fault("empty-program", TextSpan { line: 1, column: 1, width: 1 }, None));
     }
+    let pointed = blocks.iter().flat_map(|block| &block.words).any(text::Word::is_pointed_length);
     let mut run = Run {
         blocks: &blocks,
         programs: &programs,
         language,
-        state: State::power_on(language),
+        state: State { pointed, ..State::power_on(language) },
         motions: Vec::new(),
         faults: Vec::new(),
         reported: BTreeSet::new(),
@@ -74,14 +75,6 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
         run.main();
     }
     faults.append(&mut run.faults);
-    // A program that writes points has forgotten one, and the axis goes a thousandth of the way.
-    if blocks.iter().flat_map(|block| &block.words).any(text::Word::is_pointed_length) {
-        for one in faults.iter_mut().filter(|one| one.code == "number-without-point") {
-            let missing = fault("point-missing", one.span, one.block);
-            let address = one.note.figures().next().map(|(_, address)| address.clone());
-            *one = address.into_iter().fold(missing, |missing, address| missing.with("address", address));
-        }
-    }
     faults.sort_by_key(|fault| fault.span);
     LatheRun { motions: run.motions, faults }
 }

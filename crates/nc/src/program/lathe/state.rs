@@ -46,6 +46,8 @@ pub(super) struct State {
     pub lead: Option<f64>,
     /// Whether something has moved.
     pub moved: bool,
+    /// Whether some length of the program has a point.
+    pub pointed: bool,
 }
 
 impl State {
@@ -68,6 +70,7 @@ impl State {
             box_end: None,
             lead: None,
             moved: false,
+            pointed: false,
         }
     }
 
