@@ -75,8 +75,9 @@ fn no_reamer_elsewhere_is_promised_to_mend_a_position() {
         };
         let close = plan("steel-45", "20", &keys("0.05"));
         assert!(steps(&close).iter().all(|step| !step.elsewhere), "{diameter}");
-        assert!(codes(&close).contains(&"not-bored") && codes(&close).contains(&"misses-position"), "{diameter}");
-        assert!(close.has_errors(), "{diameter}");
+        // What a reamer holds at best is doubtful, and told with its figures.
+        let told = codes(&close);
+        assert!(told.contains(&"not-bored") && told.contains(&"proof-position-at-best"), "{diameter}: {told:?}");
         honest("steel-45", "20", &keys("0.1"));
     }
     // A bar takes its own axis: it is left what it needs.

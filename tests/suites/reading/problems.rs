@@ -97,8 +97,9 @@ fn a_check_is_told_in_the_words_of_its_reader() {
     }
 }
 
+/// The same fault in every block is told once, with how many there are and where; the form for programs has them all.
 #[test]
-fn a_program_with_a_fault_in_every_block_is_told_in_fifty() {
+fn a_fault_of_every_block_is_told_once() {
     let folder = folder("faults");
     let program: String = (1..=2_000).map(|number| format!("N{number} X1 Q9 Ж3\n")).collect();
     fs::write(folder.join("program.nc"), format!("%\nO1\n{program}M30\n%\n")).unwrap();
@@ -107,12 +108,11 @@ fn a_program_with_a_fault_in_every_block_is_told_in_fifty() {
             let run = command(&folder, &["check", "program.nc", "--control", control, "--format", format], b"");
             assert_eq!(run.code, Some(1), "{}", run.beside);
             let shown = run.answer.matches("program.nc:").count();
-            assert_eq!(shown, 50, "{control} {format}: {}", run.answer);
+            assert!((1..=3).contains(&shown), "{control} {format}: {}", run.answer);
+            assert!(run.answer.contains("(and 1999 more, lines 4, 5, 6, "), "{control} {format}: {}", run.answer);
             let count = run.answer.lines().rfind(|line| line.contains("errors")).unwrap();
             let counts = count.split(|sign: char| !sign.is_ascii_digit()).filter_map(|one| one.parse::<usize>().ok());
-            let count: usize = counts.sum();
-            assert!(count >= 2_000, "{count}");
-            assert!(run.answer.contains(&format!("and {} more", count - 50)), "{control} {format}");
+            assert!(counts.sum::<usize>() >= 2_000, "{count}");
         }
         let run = command(&folder, &["check", "program.nc", "--control", control, "--format", "json"], b"");
         let answer: serde_json::Value = serde_json::from_str(&run.answer).unwrap();
