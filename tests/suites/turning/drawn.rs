@@ -26,8 +26,11 @@ fn example(name: &str) -> String {
     std::fs::read_to_string(format!("{}/examples/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
 
-/// Corners and arcs of a contour, micrometres of the radius and Z.
-fn seen(profile: &Profile) -> Vec<(i64, i64, Option<(i64, bool)>)> {
+/// The end of a piece, half micrometres of the radius and Z, and the radius and the sense of its arc.
+type Seen = (i64, i64, Option<(i64, bool)>);
+
+/// Corners and arcs of a contour.
+fn seen(profile: &Profile) -> Vec<Seen> {
     let pieces = profile.contour().pieces;
     let of = |curve| match curve {
         Curve::Line => None,
