@@ -273,7 +273,9 @@ fn conditions(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Ve
     let mut feeds = cut.cutting().filter(|made| !plunges(made)).filter_map(TipMove::feed);
     if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
         let beyond = feed > cycle.feed_mm_per_min.0 * most && (made > planned * most || made == 0.0);
-        let severity = if beyond { Severity::Wrong } else { Severity::Doubtful };
+        // So slow a feed is another unit, feed per turn for one, and no choice: the tool rubs.
+        let rubs = feed * input.tolerated.overlong < cycle.feed_mm_per_min.0;
+        let severity = if beyond || rubs { Severity::Wrong } else { Severity::Doubtful };
         findings.push(say.figure(Code::OtherFeed, severity, feed, cycle.feed_mm_per_min.0));
     }
     if made > planned * most {
