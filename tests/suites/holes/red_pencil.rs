@@ -7,12 +7,9 @@ use technolog::part::CentreTolerance;
 use technolog::plan::{Operation, Plan, Transition};
 use technolog::proof::{Fault, prove_hole};
 use technolog::shop::Shop;
-use technolog::units::Micrometres;
 use technolog_testing::{KNOWLEDGE, plan_of_hole};
 
-fn mm(length: f64) -> Micrometres {
-    Micrometres::from_mm_rounded(length)
-}
+use crate::given::{mm, steps, without_errors};
 
 fn plan(material: &str, thickness: &str, keys: &str) -> Plan {
     plan_of_hole(material, "gf2171", thickness, &format!("{keys}, at: [[-60, 0], [60, 0]]"))
@@ -21,13 +18,7 @@ fn plan(material: &str, thickness: &str, keys: &str) -> Plan {
 /// A plan of an ordinary hole: it has no errors.
 #[track_caller]
 fn honest(material: &str, thickness: &str, keys: &str) -> Plan {
-    let plan = plan(material, thickness, keys);
-    assert!(!plan.has_errors(), "{keys}: {:?}", plan.findings);
-    plan
-}
-
-fn steps(plan: &Plan) -> &[Transition] {
-    &plan.holes[0].transitions
+    without_errors(plan(material, thickness, keys), keys)
 }
 
 fn operations(plan: &Plan) -> Vec<Operation> {

@@ -8,9 +8,7 @@ use technolog::shop::Shop;
 use technolog::units::Micrometres;
 use technolog_testing::{KNOWLEDGE, plan_of_hole};
 
-fn mm(length: f64) -> Micrometres {
-    Micrometres::from_mm_rounded(length)
-}
+use crate::given::{mm, steps, without_errors};
 
 fn plan(material: &str, thickness: &str, keys: &str) -> Plan {
     let at = if keys.contains("at: ") { "" } else { ", at: [[0, 0]]" };
@@ -19,13 +17,7 @@ fn plan(material: &str, thickness: &str, keys: &str) -> Plan {
 
 #[track_caller]
 fn honest(material: &str, thickness: &str, keys: &str) -> Plan {
-    let plan = plan(material, thickness, keys);
-    assert!(!plan.has_errors(), "{keys}: {:?}", plan.findings);
-    plan
-}
-
-fn steps(plan: &Plan) -> &[Transition] {
-    &plan.holes[0].transitions
+    without_errors(plan(material, thickness, keys), keys)
 }
 
 fn faults(plan: &Plan) -> Vec<Fault> {

@@ -22,16 +22,7 @@ fn mm(length: i64) -> Micrometres {
 /// A surface of one line.
 fn surface(name: &str, kind: SurfaceKind, from: Point, to: Point) -> Surface {
     let pieces = vec![Piece::line(from, to)];
-    Surface {
-        name: name.into(),
-        kind,
-        pieces,
-        grade: None,
-        field: None,
-        limits: None,
-        roughness: None,
-        stated_allowance: None,
-    }
+    Surface::plain(name.into(), kind, pieces)
 }
 
 /// Ø36 × 30 to grade 6 and Ra 1.25 with a relief behind it, a shoulder, Ø50 × 30 to grade 12.

@@ -40,16 +40,7 @@ impl Drawn {
             self.here = at(*radius, *z);
         }
         let name = SurfaceName::Place(Side::Outer, self.profile.surfaces.len() + 1);
-        let surface = Surface {
-            name,
-            kind,
-            pieces,
-            grade: None,
-            field: None,
-            limits: None,
-            roughness: None,
-            stated_allowance: None,
-        };
+        let surface = Surface::plain(name, kind, pieces);
         self.profile.surfaces.push(surface);
         self
     }

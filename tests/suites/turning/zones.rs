@@ -250,16 +250,7 @@ fn profile(side: Side, start: (f64, f64), items: &[(SurfaceKind, f64, f64)]) -> 
         let pieces = vec![Piece::line(here, at(*radius, *z))];
         here = at(*radius, *z);
         let name = SurfaceName::Place(side, surfaces.len() + 1);
-        surfaces.push(Surface {
-            name,
-            kind: *kind,
-            pieces,
-            grade: None,
-            field: None,
-            limits: None,
-            roughness: None,
-            stated_allowance: None,
-        });
+        surfaces.push(Surface::plain(name, *kind, pieces));
     }
     Profile { side, surfaces }
 }
@@ -491,15 +482,9 @@ proptest! {
         let length = contour.end().unwrap().z;
         let part = Profile {
             side: Side::Outer,
-            surfaces: contour.pieces.iter().enumerate().map(|(index, piece)| Surface {
-                name: SurfaceName::Place(Side::Outer, index + 1),
-                kind: if piece.is_face() { Face } else if piece.is_cylinder() { Cylinder } else { Cone },
-                pieces: vec![*piece],
-                grade: None,
-                field: None,
-            limits: None,
-                roughness: None,
-                stated_allowance: None,
+            surfaces: contour.pieces.iter().enumerate().map(|(index, piece)| {
+                let kind = if piece.is_face() { Face } else if piece.is_cylinder() { Cylinder } else { Cone };
+                Surface::plain(SurfaceName::Place(Side::Outer, index + 1), kind, vec![*piece])
             }).collect(),
         };
         let blank = outer(&[(120.0, 0.0), (120.0, length.to_mm())]);

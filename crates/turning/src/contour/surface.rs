@@ -81,6 +81,13 @@ pub struct Surface {
     pub stated_allowance: Option<Half>,
 }
 
+impl Surface {
+    /// A surface of which the drawing gives nothing but its shape.
+    pub const fn plain(name: SurfaceName, kind: SurfaceKind, pieces: Vec<Piece>) -> Self {
+        Self { name, kind, pieces, grade: None, field: None, limits: None, roughness: None, stated_allowance: None }
+    }
+}
+
 /// The surfaces along one contour of the part, from the free end; each begins where the one before it ends.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Profile {

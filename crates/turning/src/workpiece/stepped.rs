@@ -78,16 +78,7 @@ fn outer(steps: &[Step]) -> Profile {
         }
         let name = SurfaceName::Place(Side::Outer, surfaces.len() + 1);
         let pieces = vec![piece];
-        surfaces.push(Surface {
-            name,
-            kind,
-            pieces,
-            grade: None,
-            field: None,
-            limits: None,
-            roughness: None,
-            stated_allowance: None,
-        });
+        surfaces.push(Surface::plain(name, kind, pieces));
     }
     Profile { side: Side::Outer, surfaces }
 }
