@@ -63,6 +63,23 @@ fn a_fit_is_turned_in_the_middle_of_its_limits() {
     }
 }
 
+/// Two faces with limits and a cone between them: 30 +0.2 is made 30.1 long and 40 +0.4 is made 40.2 long, each by its own limits.
+#[test]
+fn each_face_stands_in_the_middle_of_its_own_limits() {
+    let text = "shaft: Pin\nmaterial: steel-45\nblank: {kind: bar, diameter: 60, length: 62, face: 1}\nmachine: 16k20f3\nouter:\n  \
+                - {from: {d: 0, z: 0}}\n  - {face: 20}\n  - {cylinder: -30}\n  - {face: 30, name: A, limits: {upper: 0.2, lower: \
+                0}}\n  - {cone: {d: 40, z: -40}}\n  - {face: 50, name: B, limits: {upper: 0.4, lower: 0}}\n  - {cylinder: -60}\n";
+    let operation = planned(&read_workpiece("part", text, &KNOWLEDGE).unwrap());
+    for (face, least, middle, most) in [("A", "30", "30.1", "30.2"), ("B", "40", "40.2", "40.4")] {
+        let sized = operation.sizes.of_surface(&face.into()).unwrap();
+        let length = |text: String| text.trim_start_matches(['-', '\u{2212}']).to_owned();
+        assert_eq!(length(sized.made_mm.to_string()), middle, "{face}");
+        let mut ends = [length(sized.least_mm.to_string()), length(sized.most_mm.to_string())];
+        ends.sort();
+        assert_eq!(ends, [least, most], "{face}");
+    }
+}
+
 /// A hole of Ø12 is drilled: it has the size of its drill. A bore of Ø30 is bored in the middle: F8 +20 +53, N7 -7 -28, H8 0 +33.
 #[test]
 fn a_bore_is_made_in_the_middle_where_a_bar_bores_it() {

@@ -31,6 +31,7 @@ fn place(profile: &mut Profile) {
 }
 
 /// Moves a surface along the axis with what stands between the cylinders before and behind it, which become longer or shorter.
+/// Where another face with limits of its own stands there, the surface moves alone and its neighbours stretch.
 fn shift(profile: &mut Profile, index: usize, by: Half) {
     let is_along = |index: usize| {
         profile.surfaces.get(index).is_some_and(|one| matches!(one.kind, SurfaceKind::Cylinder | SurfaceKind::Thread))
@@ -46,6 +47,11 @@ fn shift(profile: &mut Profile, index: usize, by: Half) {
     let end = (index + 1..profile.surfaces.len()).find(|index| is_along(*index)).unwrap_or(profile.surfaces.len());
     // The free end stays.
     let first = if first == 0 { index } else { first };
+    let has_limits = |index: usize| {
+        profile.surfaces.get(index).is_some_and(|one| one.kind == SurfaceKind::Face && one.limits.is_some())
+    };
+    let shared = (first..end).any(|other| other != index && has_limits(other));
+    let (first, end) = if shared { (index, index + 1) } else { (first, end) };
     for piece in profile.surfaces.get_mut(first..end).unwrap_or_default().iter_mut().flat_map(|one| &mut one.pieces) {
         (piece.from.z, piece.to.z) = (piece.from.z + by, piece.to.z + by);
     }
