@@ -273,7 +273,6 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// The largest stock: what a reamer or a finishing bar removes at once.
     /// The first cut in a cast hole, of each pass, at the place where radius and axis of the hole leave the least: it
     /// must get under the skin. Where the drawing leaves too little for any cut, the fault is that of the blank.
     fn under_skin(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
@@ -295,6 +294,7 @@ impl Walk<'_, '_> {
         Ok(())
     }
 
+    /// The largest stock: what a reamer or a finishing bar removes at once.
     fn check_largest_stock(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
         let operation = transition.operation;
         let mm = |name| tool::limit(name, self.shop).map(Micrometres::from_mm_rounded);

@@ -49,7 +49,7 @@ vocabulary! {
         SpotOverload = "spot-overload",
         /// The step in which dwells are given, s.
         DwellStep = "dwell-step",
-        /// The factor on the planned dwell from which it is a mistake.
+        /// The factor on the planned dwell above which it is a mistake, and on the planned feed below whose part it is.
         Overlong = "overlong",
         /// The time to put a tool into the magazine by hand, min.
         LoadToolTime = "load-tool-time",

@@ -17,7 +17,6 @@ pub use lathe::against_lathe;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::knowledge::contract::Word;
-use crate::knowledge::vocabulary::Severity as Judged;
 use crate::motion;
 use crate::note::{Note, Severity};
 use crate::program::lathe::{
@@ -73,7 +72,7 @@ pub fn compare_with_part(
     let found = told_of_program(operation, set_up, proof).map(|(severity, found)| {
         let line = found.block().and_then(|block| u32::try_from(block.0).ok());
         // The lead hangs on no tool.
-        let is_sure = is_sure(line) || found.code() == "swept-thread-lead";
+        let is_sure = is_sure(line) || matches!(found, technolog_turning_proof::Fault::ThreadLead { .. });
         let least = if is_sure { Severity::Error } else { Severity::Doubtful };
         fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
     });
@@ -99,11 +98,10 @@ fn turned_near(
     let mut faults = Vec::new();
     for (block, distance) in indexed {
         let judged = knowledge.ask(&AuditTurretClearFor { distance: Micrometres::from_mm_rounded(distance.0) })?;
-        let severity = match judged.need("distance")?.severity {
-            Judged::Note => continue,
-            Judged::Doubtful => Severity::Doubtful,
-            _ => Severity::Wrong,
-        };
+        let severity = judged.need("distance")?.severity;
+        if severity == Severity::Note {
+            continue;
+        }
         let note = Note::new("turned-index-near").with("distance", round_to(distance.0, 1));
         let line = u32::try_from(block.0).unwrap_or(u32::MAX);
         faults.push(fault("turned-index-near", severity.max(least), note, line));

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
-use crate::knowledge::vocabulary::{Operation as Cutting, Severity as Judged, ToolMaterial};
+use crate::knowledge::vocabulary::{Operation as Cutting, ToolMaterial};
 use crate::motion::Turning;
 use crate::note::{Note, Severity};
 use crate::program::Fault;
@@ -76,12 +76,8 @@ pub(super) fn paced(
             each.max_by(|a, b| a.0.total_cmp(&b.0))
         };
         let judged = |figure, share| -> Result<Option<Severity>, KnowledgeError> {
-            let judged = knowledge.ask(&AuditLathePaceFor { figure, share })?.need("share")?.severity;
-            Ok(match judged {
-                Judged::Note => None,
-                Judged::Doubtful => Some(Severity::Doubtful),
-                _ => Some(Severity::Wrong),
-            })
+            let severity = knowledge.ask(&AuditLathePaceFor { figure, share })?.need("share")?.severity;
+            Ok(Some(severity).filter(|one| *one != Severity::Note))
         };
         let face = work.rough_face();
         let axial = diameter_on_axis(job, face);
@@ -113,10 +109,10 @@ pub(super) fn paced(
         let quickest = quickest.max_by(|one, other| one.0.total_cmp(&other.0));
         if let (Some(high), Some((used, rpm, line))) = (practice, quickest)
             && rpm.0 < 0.9 * fastest
-            && judged(PaceFigure::Slow, used / high)?.is_some()
+            && let Some(severity) = judged(PaceFigure::Slow, used / high)?
         {
             let note = Note::new("turned-speed-slow").with("speed", round_to(used, 0)).with("high", round_to(high, 0));
-            tell("turned-speed-slow", Severity::Doubtful, line, note);
+            tell("turned-speed-slow", severity, line, note);
         }
         let planned = same.iter().filter_map(|job| largest_feed(job)).max_by(f64::total_cmp);
         let feed = |motion: &LatheMotion| match motion.act {

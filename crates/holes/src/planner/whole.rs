@@ -297,14 +297,12 @@ impl Finder<'_, '_> {
                         let last = candidate.last_resort;
                         // A seat of which reamers leave a good part stands back behind any that is finished.
                         let short = steps.iter().any(|step| step.leaves_unfinished(unfinished));
-                        let better = |least: Worse| {
-                            (short, last, here, bores, minutes.0) < (least.0, least.1, least.2, least.3, least.4.0)
-                        };
-                        if best.as_ref().is_none_or(|(least, _)| better(*least)) {
+                        let worse: Worse = (short, last, here, bores, minutes);
+                        if best.as_ref().is_none_or(|(least, _)| worse < *least) {
                             if let Some(first) = steps.first_mut() {
                                 first.because.extend(candidate.because.clone());
                             }
-                            best = Some(((short, last, here, bores, minutes), steps));
+                            best = Some((worse, steps));
                         }
                         break;
                     }

@@ -71,12 +71,8 @@ impl SpeedLaw<'_> {
         let take = asked.need(self.cut.name())?.take;
         let (speed, lives) = match take {
             // Faster than the formula: its tool life does not apply to practice.
-            Taken::PracticeLow => match practice.lowest().filter(|low| low.0 > computed.0) {
-                Some(low) => (low, None),
-                None => (computed, self.formula),
-            },
+            Taken::PracticeLow if practice.lowest().is_some_and(|low| low.0 > computed.0) => (practice.low, None),
             Taken::PracticeHigh if practice.high.0 < computed.0 => (practice.high, self.formula),
-            Taken::PracticeUsual => (computed, self.formula),
             _ => (computed, self.formula),
         };
         let taken = speed != computed || take == Taken::PracticeUsual;

@@ -2,7 +2,6 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::knowledge::vocabulary::Severity as Judged;
 use crate::note::Severity;
 use crate::tables::turning::part::{StockKind, TurningBlankSurfaceFor};
 use crate::turning::contour::{Contour, Piece, Side, Surface};
@@ -65,11 +64,7 @@ pub(super) fn judged(surface: &Surface, stock: StockKind, knowledge: &Knowledge)
         return Ok(Severity::Note);
     }
     let question = TurningBlankSurfaceFor { stock, it: surface.grade, roughness: surface.roughness };
-    Ok(match knowledge.ask(&question)?.need(stock.name())?.severity {
-        Judged::Note => Severity::Note,
-        Judged::Doubtful => Severity::Doubtful,
-        _ => Severity::Wrong,
-    })
+    Ok(knowledge.ask(&question)?.need(stock.name())?.severity)
 }
 
 /// Whether the skin of the blank stays on a cylinder that keeps so much more on a side for another machine.
