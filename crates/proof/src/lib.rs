@@ -19,6 +19,7 @@ mod fault;
 mod hole;
 mod loads;
 mod reach;
+mod reamer;
 mod shoulder;
 mod tool;
 
@@ -43,7 +44,8 @@ pub fn prove(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Finding>, KnowledgeErro
     let mut findings = Vec::new();
     for hole in &plan.part.holes {
         let Some(planned) = plan.holes.iter().find(|planned| planned.name == hole.name) else { continue };
-        let faults = prove_hole(hole, &planned.transitions, &plan.part, shop)?;
+        let mut faults = prove_hole(hole, &planned.transitions, &plan.part, shop)?;
+        faults.extend(reamer::bought_too_wide(hole, planned, plan, shop)?);
         findings.extend(faults.iter().map(|fault| Finding::of_hole(fault.severity(), &hole.name, fault.note())));
     }
     findings.extend(blank::faults(plan, shop)?);

@@ -52,3 +52,39 @@ fn a_deep_hole_gets_a_long_drill_and_pecks() {
         assert!(cycles.any(|cycle| matches!(cycle.kind, CycleKind::Peck { .. })), "{diameter} × {depth}");
     }
 }
+
+/// A reamer bought for H7 leaves 10.000 to 10.015: 10K7 ends at 10.005, 30JS7 at 30.010. Each has a reamer of its own, even where
+/// an H7 of the same size stands beside it; 25G7 (25.007 to 25.028) is what a bought one makes.
+#[test]
+fn a_hole_of_another_field_is_not_reamed_with_a_reamer_for_h() {
+    let group = |name: &str, diameter: &str, x: i32| {
+        format!(
+            "  - {{name: {name}, diameter: {diameter}, through: true, roughness: Ra 1.6, centre_tolerance: 0.5, at: [[{x}, 0]]}}\n"
+        )
+    };
+    let fields = [("A", "10K7"), ("B", "10H7"), ("C", "30JS7"), ("D", "20P7"), ("E", "25G7")];
+    let holes: String = fields.iter().zip(-2..).map(|((name, field), at)| group(name, field, 60 * at)).collect();
+    let text = format!(
+        "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 400, width: 200, thickness: 25}}\nholes:\n{holes}"
+    );
+    let read = technolog_testing::read(&text);
+    let plan = without_errors(technolog_testing::planned(&read, technolog::plan::CuttingMethod::Formula), &text);
+    let last = |hole: usize| {
+        let number = plan.holes[hole].transitions.last().unwrap().tool.number;
+        let tool = plan.tools.iter().find(|tool| tool.number == number).unwrap();
+        (number, tool.diameter_mm.micrometres(), tool.ground_from_mm.map(|from| from.micrometres()))
+    };
+    assert_ne!(last(0).0, last(1).0, "10K7 and 10H7");
+    let made: Vec<_> = (0..5).map(|hole| (last(hole).1, last(hole).2)).collect();
+    assert!((9_990..=10_005).contains(&made[0].0) && made[0].1 == Some(10_000), "{made:?}");
+    assert_eq!(made[1], (10_000, None));
+    assert_eq!(made[2], (30_000, Some(30_000)));
+    assert!((19_965..=19_986).contains(&made[3].0) && made[3].1 == Some(20_000), "{made:?}");
+    assert!((25_007..=25_028).contains(&made[4].0) && made[4].1.is_none(), "{made:?}");
+
+    let mut careless = plan.clone();
+    careless.tools.iter_mut().for_each(|tool| tool.ground_from_mm = None);
+    let shop = Shop::new(&careless.part, careless.cutting, &KNOWLEDGE).unwrap();
+    let found = technolog::proof::prove(&careless, &shop).unwrap();
+    assert!(found.iter().any(|finding| finding.note.code() == "proof-too-wide"), "{found:?}");
+}

@@ -12,6 +12,8 @@ use crate::tables::holes::{HoleConvention, HoleDefault};
 use crate::tables::standards::ItGradesFor;
 use crate::units::{ItGrade, Micrometres};
 
+use super::deviations::Deviations;
+
 /// A diameter and its tolerance.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct ToleratedDiameter {
@@ -78,13 +80,19 @@ impl ToleratedDiameter {
     /// # Errors
     /// What is wrong, and what to write.
     pub fn parse(text: &str, knowledge: &Knowledge) -> Result<Self, Note> {
-        // Cyrillic Н looks like the Latin letter and is typed as often.
-        let text = without_sign(text).replace(['Н', 'н'], "H");
-        if let Some(what_to_write) = of_drawing(&text, knowledge)? {
+        // Cyrillic letters that look like Latin ones are typed as often.
+        let text = latin(&without_sign(text).replace('н', "H"));
+        if let Some(what_to_write) = of_drawing(&text) {
             return Err(what_to_write);
         }
-        // Split at the H, so that a letter typed for a digit before it is reported as such.
-        let split = text.rfind('H').or_else(|| text.find(char::is_alphabetic)).unwrap_or(text.len());
+        // The grade, and the letters of a field before it, so that a letter typed for a digit is reported as such.
+        let without_grade = text.trim_end().trim_end_matches(|sign: char| sign.is_ascii_digit());
+        let of_two = TWO_LETTERS.iter().find(|letters| without_grade.ends_with(**letters));
+        let split = match without_grade.char_indices().last() {
+            Some((at, _)) if of_two.is_some() => at - 1,
+            Some((at, 'A'..='Z')) => at,
+            _ => text.find(char::is_alphabetic).unwrap_or(text.len()),
+        };
         let (size, field) = text.split_at(split);
         if size.trim().is_empty() {
             return Err(note!("part-no-size", text = text, example = "10H12"));
@@ -99,13 +107,26 @@ impl ToleratedDiameter {
             let grade = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
             return Self::with_grade(nominal, grade, nominal.to_string(), knowledge);
         }
-        if field.trim() == "H" {
-            return Err(note!("part-no-grade", text = text, field = "H", example = format!("{nominal}H7")));
+        let (letters, grade) =
+            field.trim().split_at(field.trim().find(|sign: char| sign.is_ascii_digit()).unwrap_or(field.len()));
+        if grade.is_empty() && letters.chars().all(|sign| sign.is_ascii_uppercase()) {
+            return Err(note!("part-no-grade", text = text, field = letters, example = format!("{nominal}{letters}7")));
         }
-        let Some(grade) = field.strip_prefix('H').and_then(|grade| grade.parse::<u8>().ok()) else {
-            return Err(note!("part-no-tolerance-field-tables-know", field = field, nominal = nominal));
-        };
-        Self::with_grade(nominal, grade, text, knowledge)
+        let unknown = || note!("part-no-tolerance-field-tables-know", field = field, nominal = nominal);
+        let grade = grade.parse::<u8>().map_err(|_| unknown())?;
+        let of_grade = Self::with_grade(nominal, grade, text.clone(), knowledge);
+        if letters == "H" {
+            return of_grade;
+        }
+        if !letters.is_empty() && letters.chars().all(|sign| sign.is_ascii_lowercase()) {
+            let example = format!("{nominal}{}{grade}", letters.to_ascii_uppercase());
+            return Err(note!("part-field-of-a-shaft", field = field, example = example));
+        }
+        let of_grade = of_grade?;
+        let limits =
+            Deviations::of_field(letters, of_grade.it, nominal, knowledge).map_err(|error| Note::from(&error))?;
+        let Deviations { upper, lower } = limits.ok_or_else(unknown)?;
+        Ok(Self { upper, lower, ..of_grade })
     }
 
     /// A size without a tolerance, such as that of a counterbore: of the grade `free-size-grade`, for any size.
@@ -172,21 +193,23 @@ impl ToleratedDiameter {
     }
 }
 
+/// The fields of two letters (ISO 286-1); JS is the one that holes have.
+const TWO_LETTERS: [&str; 7] = ["CD", "EF", "FG", "JS", "ZA", "ZB", "ZC"];
+
 /// A size without the sign of a diameter before it, whichever of the alike letters it is typed with.
 pub(super) fn without_sign(text: &str) -> &str {
     text.trim().trim_start_matches(['Ø', 'ø', '⌀', '∅', 'Φ', 'φ', 'Ф', 'ф']).trim_start()
 }
 
-/// What to write instead of a size as drawings have it but part files do not: a thread, a unit, deviations, a field
-/// symmetric about the zero line.
-fn of_drawing(text: &str, knowledge: &Knowledge) -> Result<Option<Note>, Note> {
+/// What to write instead of a size as drawings have it but part files do not: a thread, a unit, deviations.
+fn of_drawing(text: &str) -> Option<Note> {
     let typed = latin(text).replace(',', ".");
     let is_figure = |sign: char| sign.is_ascii_digit();
     if typed.strip_prefix(['M', 'm']).is_some_and(|size| size.trim_start().starts_with(is_figure)) {
-        return Ok(Some(note!("part-diameter-is-a-thread", text = text, example = format!("thread: {typed}"))));
+        return Some(note!("part-diameter-is-a-thread", text = text, example = format!("thread: {typed}")));
     }
     if let Some(number) = text.strip_suffix("мм").or_else(|| text.strip_suffix("mm")) {
-        return Ok(Some(note!("unit-write-bare-number-millimetres", text = text, number = number.trim())));
+        return Some(note!("unit-write-bare-number-millimetres", text = text, number = number.trim()));
     }
     let limits = |nominal: Micrometres, either: Micrometres| {
         format!("{{nominal: {nominal}, upper: {either}, lower: {}}}", -either)
@@ -194,19 +217,12 @@ fn of_drawing(text: &str, knowledge: &Knowledge) -> Result<Option<Note>, Note> {
     if let Some((nominal, either)) = typed.split_once('±')
         && let (Ok(nominal), Ok(either)) = (nominal.trim().parse(), either.trim().parse())
     {
-        return Ok(Some(note!("part-write-deviations", text = text, example = limits(nominal, either))));
-    }
-    if let Some((nominal, grade)) = typed.to_uppercase().split_once("JS")
-        && let (Ok(nominal), Some(it)) = (nominal.trim().parse(), grade.parse().ok().and_then(ItGrade::new))
-    {
-        // With half a micrometre more the hole could be outside its field.
-        let either = tolerance_width(it, nominal, knowledge)?.half();
-        return Ok(Some(note!("part-write-deviations", text = text, example = limits(nominal, either))));
+        return Some(note!("part-write-deviations", text = text, example = limits(nominal, either)));
     }
     let letters = typed.find(is_figure).unwrap_or_default();
     let no_size =
         (1..=2).contains(&letters) && typed.starts_with(char::is_alphabetic) && typed[letters..].chars().all(is_figure);
-    Ok(no_size.then(|| note!("part-size-before-tolerance", text = text, example = format!("10{typed}"))))
+    no_size.then(|| note!("part-size-before-tolerance", text = text, example = format!("10{typed}")))
 }
 
 /// A deviation as written on drawings: with its sign, zero without.
@@ -262,6 +278,26 @@ mod tests {
         }
     }
 
+    /// Limits that ISO 286-2 prints; of 30JS7 it allows ±10 for ±10.5.
+    #[test]
+    fn fields_of_holes_are_read_by_their_letters() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (text, upper, lower) in [
+            ("10K7", 5, -10),
+            ("25G7", 28, 7),
+            ("20P7", -14, -35),
+            ("30JS7", 10, -10),
+            ("52K7", 9, -21),
+            ("62N7", -9, -39),
+            ("40F8", 64, 25),
+            ("Ø10К7", 5, -10),
+            ("16Р7", -11, -29),
+        ] {
+            let read = ToleratedDiameter::parse(text, &knowledge).unwrap_or_else(|_| panic!("{text}"));
+            assert_eq!((read.upper, read.lower), (Micrometres::new(upper), Micrometres::new(lower)), "{text}");
+        }
+    }
+
     #[test]
     fn limits_as_a_hint_writes_them_have_the_grade_of_the_field() {
         let knowledge = shipped::knowledge().unwrap();
@@ -284,11 +320,14 @@ mod tests {
     fn what_is_no_size_is_refused_with_the_remedy() {
         let knowledge = shipped::knowledge().unwrap();
         for (text, words) in [
-            ("8js7", "{nominal: 8, upper: 0.007, lower: -0.007}"),
+            ("8js7", "is the field of a shaft; holes have capital letters: `8JS7`"),
+            ("8ZQ7", "`8Z` is not a number"),
+            ("8K", "lacks the grade after `K`, as in `8K7`"),
             ("вісім", "`вісім` is not a size"),
             ("8H", "lacks the grade after `H`, as in `8H7`"),
             ("H7", "as in `10H7`"),
-            ("8h7", "`h7` is not a tolerance field"),
+            ("8h7", "is the field of a shaft; holes have capital letters: `8H7`"),
+            ("8ZA7", "`ZA7` is not a tolerance field of a hole"),
         ] {
             let why = ToleratedDiameter::parse(text, &knowledge).unwrap_err();
             let said = technolog_words::Lang::EN.say(&why);

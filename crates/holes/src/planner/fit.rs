@@ -442,7 +442,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             diameter: cutter.diameter,
             front: cutter.row.tip_diameter,
             size: if fixed_size(step.operation) { cutter.diameter } else { step.diameter },
-            ground_from: (grinds && cutter.diameter > step.diameter).then_some(cutter.diameter),
+            ground_from: (grinds && cutter.diameter > step.diameter.min(step.nominal)).then_some(cutter.diameter),
             assembly,
             because,
         };

@@ -87,7 +87,11 @@ pub(super) fn choose_centre_drill(
 
 /// Whether two steps use one tool: the same cutter, setting and holder.
 fn same_tool(a: &FittedTool, b: &FittedTool) -> bool {
-    a.designation == b.designation && a.table == b.table && a.size == b.size && a.assembly.holder == b.assembly.holder
+    a.designation == b.designation
+        && a.table == b.table
+        && a.size == b.size
+        && a.ground_from == b.ground_from
+        && a.assembly.holder == b.assembly.holder
 }
 
 /// Numbers the tools in the order in which the holes need them, and computes their corrections.

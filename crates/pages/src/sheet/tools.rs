@@ -48,6 +48,10 @@ pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
 fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
     let designation = format!("{}{mark}", tool.designation);
     match tool.ground_from_mm {
+        // A new one is wider than its size by a part of the field H that it is for.
+        Some(from) if from == tool.diameter_mm => {
+            say!(lang, "plan-ground-exactly", designation = designation, to = tool.diameter_mm).to_owned()
+        }
         Some(from) => {
             say!(lang, "plan-ground", designation = designation, from = from, to = tool.diameter_mm).to_owned()
         }

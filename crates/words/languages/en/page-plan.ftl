@@ -131,3 +131,4 @@ explain-not-taken = not taken: { $why }
 explain-sources = Sources named by letters
 explain-source = { $id }: { $source }
 plan-ground = { $designation }, ground from Ø{ $from } to Ø{ $to }
+plan-ground-exactly = { $designation }, a new one ground down to Ø{ $to } itself

@@ -43,6 +43,7 @@ same-as = the same route as { $table } { $same }
 core-drill-stock = a core drill is left { $stock } mm on diameter of Ø{ $nominal }
 handbook-step = the handbook's step Ø{ $advised }; taken Ø{ $taken } (1.2.1: { $low }–{ $high })
 handbook-step-outside = the handbook's step Ø{ $advised } is outside 1.2.1 ({ $low }–{ $high }) or the drills' series; taken Ø{ $taken }
+handbook-step-lower = the handbook's step Ø{ $advised } is for a field H; this one lies lower: taken Ø{ $taken } (1.2.1: { $low }–{ $high })
 handbook-first-drill = the handbook drills Ø{ $first } first, then Ø{ $diameter }
 milled-instead = Ø{ $diameter } is large: milled instead of the first boring (contouring control)
 no-drill-before = { $operation } to Ø{ $diameter }: no drill leaves it stock (up to Ø{ $largest })

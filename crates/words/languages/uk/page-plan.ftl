@@ -120,3 +120,4 @@ explain-not-taken = не взято: { $why }
 explain-sources = Джерела, названі літерами
 explain-source = { $id } – { $source }
 plan-ground = { $designation }, перешліфувати з Ø{ $from } на Ø{ $to }
+plan-ground-exactly = { $designation }, новий перешліфувати точно на Ø{ $to }

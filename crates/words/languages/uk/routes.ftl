@@ -43,6 +43,7 @@ same-as = той самий маршрут, що { $table } { $same }
 core-drill-stock = під зенкер лишають { $stock } мм на діаметр від Ø{ $nominal }
 handbook-step = проміжний діаметр довідника Ø{ $advised }; взято Ø{ $taken } (1.2.1: { $low }–{ $high })
 handbook-step-outside = проміжний діаметр довідника Ø{ $advised } поза межами 1.2.1 ({ $low }–{ $high }) або ряду свердел; взято Ø{ $taken }
+handbook-step-lower = проміжний діаметр довідника Ø{ $advised } – для поля H; це поле лежить нижче: взято Ø{ $taken } (1.2.1: { $low }–{ $high })
 handbook-first-drill = довідник свердлить спершу Ø{ $first }, потім Ø{ $diameter }
 milled-instead = Ø{ $diameter } великий: замість першого розточування – фрезерування (контурна система)
 no-drill-before = { $operation } до Ø{ $diameter }: немає свердла, що лишає припуск (до Ø{ $largest })

@@ -10,7 +10,7 @@ use crate::units::{ItGrade, Micrometres};
 
 use super::super::{RouteStep, accuracy, handbook, openings};
 use super::allowance::Allowance;
-use super::{BackwardStep, allowance};
+use super::{BackwardStep, aimed, allowance};
 
 impl BackwardStep<'_, '_> {
     /// A transition that removes an allowance. The diameter before it is that of the handbook where the range of
@@ -20,8 +20,10 @@ impl BackwardStep<'_, '_> {
         let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
         let (smallest, largest) = (after - allowance.high, after - allowance.low);
         let handbook_row = handbook::row(bore, shop)?;
+        // The handbook's are for fields H, which begin at the nominal size.
+        let lower = (bore.diameter.nominal - aimed(&bore.diameter, shop)?).max(Micrometres::ZERO);
         let advised = handbook_row.as_ref().and_then(|row| handbook::diameter_before(row, operation, previous));
-        let exact = self.shared_by_two_reamers(&allowance)?.or(advised);
+        let exact = self.shared_by_two_reamers(&allowance)?.or(advised.map(|size| size - lower));
         let aim = exact.unwrap_or(after - allowance.aim).max(smallest).min(largest);
         // At the coarse limit, the rough transition must still leave a narrower hole than this transition.
         let drilled = accuracy::drilled(shop)?;
@@ -78,15 +80,23 @@ impl BackwardStep<'_, '_> {
         let mut because = vec![Because::row(allowance.row, note)];
         because.extend(allowance.stock);
         if let (Some(row), Some(advised)) = (handbook_row, advised) {
-            let code = if advised == before { "handbook-step" } else { "handbook-step-outside" };
+            let code = match () {
+                () if advised == before => "handbook-step",
+                () if advised == before + lower => "handbook-step-lower",
+                () => "handbook-step-outside",
+            };
             let note = Note::new(code).with("advised", advised).with("taken", before);
             because.push(Because::row(row.row, note.with("low", smallest).with("high", largest)));
         }
         // A smaller reamer or core drill is a catalog tool of the nominal size, ground down.
         let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
         // Where the hole lies above what a bought one of its size makes, the next larger one is ground down.
-        let bought = after <= bore.diameter.nominal || self.bought_makes()?;
-        let nominal = if fixed && bought { bore.diameter.nominal } else { after };
+        let last = (bore.diameter.smallest()..=bore.diameter.largest()).contains(&after);
+        let bought = if last { self.bought_makes()? } else { after <= bore.diameter.nominal };
+        // One of the same size is ground, too, where a new one is too wide: it is asked for by less than its size.
+        let below =
+            if fixed && !bought && after == bore.diameter.nominal { Micrometres::new(1) } else { Micrometres::ZERO };
+        let nominal = if fixed && bought { bore.diameter.nominal } else { after - below };
         if fixed && after != nominal {
             let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
             because.push(Because::row(allowance.row, note));
@@ -100,9 +110,6 @@ impl BackwardStep<'_, '_> {
         let Self { bore, shop, .. } = self;
         let (low, high) =
             (bore.diameter.smallest() - bore.diameter.nominal, bore.diameter.largest() - bore.diameter.nominal);
-        if low <= Micrometres::ZERO {
-            return Ok(true);
-        }
         let share = shop.share(HoleDefault::ReamerLeastShare)?;
         let (finest, coarsest) =
             (shop.share(HoleDefault::FinestBoughtGrade)?, shop.share(HoleDefault::CoarsestBoughtGrade)?);
