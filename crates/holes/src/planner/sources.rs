@@ -196,7 +196,8 @@ impl Finder<'_, '_> {
         let at_best = at_best.into_iter().map(|fault| fault.note()).collect();
         let misses = self.misses(candidate, &steps)?;
         // A shortfall that the proof finds too is told by the proof alone, with its severity.
-        let untold = misses.iter().filter(|miss| !faults.iter().any(|fault| miss.is_told_by(fault)));
+        let told = |miss: &Miss| miss.of == Some(Requirement::Floor) || faults.iter().any(|fault| miss.is_told_by(fault));
+        let untold = misses.iter().filter(|miss| !told(miss));
         let untold = untold.map(|miss| miss.note.clone()).collect();
         let misses = misses.into_iter().map(|miss| miss.note).collect();
         Ok(Some(Choice { at_best, misses, untold, ..self.choice(candidate, steps)? }))
@@ -279,6 +280,12 @@ impl Finder<'_, '_> {
                 misses.push(Miss { of: None, note });
             }
         }
+        for fitted in steps.iter().filter(|fitted| cuts(&&fitted.step)) {
+            let Some(left) = fitted.step.leaves_unfinished(main.diameter.it, self.shop)? else { continue };
+            let depth = fitted.step.place.depth + left - fitted.step.place.start;
+            let note = Note::new("ends-above-floor").with("left", left).with("diameter", fitted.step.diameter);
+            misses.push(Miss { of: Some(Requirement::Floor), note: note.with("depth", depth) });
+        }
         let beyond = reached.position_mm.filter(|own| *own > required);
         misses.extend(beyond.map(|own| Miss {
             of: Some(Requirement::Position),
@@ -294,6 +301,8 @@ enum Requirement {
     Grade,
     Surface,
     Position,
+    /// A good part of it stays rough over a flat floor: the plan tells that by itself.
+    Floor,
 }
 
 /// A requirement that a route misses by its tables; `of` is none for what the proof does not judge.
