@@ -74,7 +74,8 @@ impl Finder<'_, '_> {
         }))
     }
 
-    /// The first scheme of the tables that can be carried out; the lower-ranked schemes are not compared with it.
+    /// The first scheme of the tables that can be carried out. The schemes of finer cells are tried beside it, so that a coarse
+    /// hole is never slower than a fine one; where the tables are preferred, they are not.
     fn tables(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         let mut found = None;
         if let Some(kind) = kind {
@@ -91,7 +92,8 @@ impl Finder<'_, '_> {
         }
         let mut taken: Option<String> = None;
         for candidate in found.into_iter().flatten() {
-            if let Some(first) = &taken {
+            let beside = self.preference == Preference::Best && !candidate.finish_elsewhere && !candidate.last_resort;
+            if let Some(first) = taken.as_ref().filter(|_| !beside) {
                 let later = refused(&candidate, Reason::RankedLater { first: first.clone() });
                 let own = *first == format!("{} {}", candidate.table, candidate.scheme);
                 if !own && !options.refused.contains(&later) {
@@ -99,7 +101,7 @@ impl Finder<'_, '_> {
                 }
                 continue;
             }
-            if self.try_candidate(&candidate, options)? {
+            if self.try_candidate(&candidate, options)? && taken.is_none() {
                 taken = Some(format!("{} {}", candidate.table, candidate.scheme));
             }
         }
