@@ -36,13 +36,16 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
                 if first.is_ok() { first } else { drills().find_map(|drill| chain(drill).ok()).map_or(first, Ok) }
             }
             Some(Operation::CoreDrill) => {
-                // A drill of which a bar can begin needs no core drill between.
-                let drill = drills().next().unwrap_or_default();
+                // Where a bar can begin at a drill, nothing is needed between them.
+                let Some(drill) = drills().next() else { return chain(after - allowance.aim) };
+                let Err(why) = chain(drill) else {
+                    return Err(Refusal::Not(Reason::BoredByAnother { operation: Operation::CoreDrill }));
+                };
                 let core_drills = shop.shelf.cutters_for(Operation::CoreDrill)?;
                 let mut wider: Vec<Micrometres> = core_drills.iter().filter_map(|cutter| cutter.diameter).collect();
-                wider.retain(|size| *size > drill && *size <= largest && chain(drill).is_err());
+                wider.retain(|size| *size > drill && *size <= largest);
                 wider.sort_unstable();
-                wider.into_iter().find_map(|size| chain(size).ok()).map_or_else(|| chain(after - allowance.aim), Ok)
+                wider.into_iter().find_map(|size| chain(size).ok()).ok_or(why)
             }
             Some(_) => chain(after - allowance.aim),
         }
