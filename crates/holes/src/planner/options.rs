@@ -288,7 +288,7 @@ impl Finder<'_, '_> {
                 step.operation == Operation::Mill && step.place.feature == Feature::Bore && step.from != step.diameter
             })
         };
-        let goes_first = |choice: &Choice| if boring { !stands_back(choice) } else { !bores(choice) && !mills(choice) };
+        let goes_first = |choice: &Choice| !stands_back(choice) && (boring || !mills(choice));
         let other = options.choices.iter().any(|choice| choice.meets_requirements() && goes_first(choice));
         if !other {
             options.not_bored = self.close()? && !options.choices.iter().any(bores);

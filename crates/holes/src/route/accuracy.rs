@@ -81,7 +81,11 @@ fn of_row_with_reason(
 
 /// A transition that another one follows is not said to leave a finer grade or surface than that one, as far as the range of its
 /// row goes: the fine end of a row belongs to a last cut.
-fn no_finer_than_what_follows(steps: &mut [RouteStep], coarse: &[Option<Reached>], shop: &Shop<'_>) -> Result<(), KnowledgeError> {
+fn no_finer_than_what_follows(
+    steps: &mut [RouteStep],
+    coarse: &[Option<Reached>],
+    shop: &Shop<'_>,
+) -> Result<(), KnowledgeError> {
     let rule = shop.knowledge.table_of::<NextTransition<'_>>()?;
     let mut after: Option<Reached> = None;
     for (step, coarse) in steps.iter_mut().zip(coarse).rev() {
