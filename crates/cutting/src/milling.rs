@@ -136,8 +136,10 @@ fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Vec<
     let (radial, axial) = (step(MillingStep::Radial)?, step(MillingStep::Axial)?);
     let stock = (cut.diameter - cut.from).to_mm() / 2.0;
     // What finishes the cylinder to a fine grade takes little: the spring of the mill goes with its stock.
-    let finish = match cut.it.filter(|_| cut.roughness.is_some()) {
-        Some(it) => Some(shop.knowledge.ask(&MillingFinishRoundFor { it })?.need(&format!("IT {it}"))?),
+    let finish = match cut.it.zip(cut.roughness) {
+        Some((it, roughness)) => {
+            Some(shop.knowledge.ask(&MillingFinishRoundFor { it, roughness })?.need(&format!("IT {it}"))?)
+        }
         None => None,
     };
     let last = finish.as_ref().map_or(0.0, |row| row.stock.to_mm());

@@ -84,6 +84,10 @@ pub enum Fault {
     Buckles { operation: Operation, drill: Micrometres, flutes: Micrometres, value: Newtons, limit: Newtons },
     /// The overhang of a boring bar is more than so many of its diameters.
     BarSlender { operation: Operation, reach: Micrometres, bar: Micrometres, ratio: f64 },
+    /// A pass sets the edge of a boring bar outside the range that the bar has.
+    BarOutOfRange { operation: Operation, set: Micrometres, smallest: Micrometres, largest: Micrometres },
+    /// A boring bar is as thick as the hole that it enters, or thicker.
+    BarEnters { operation: Operation, bar: Micrometres, hole: Micrometres },
     /// A wall is thinner than such a wall may be.
     Wall { beside: Beside, wall: Micrometres, least: Micrometres },
     /// Nothing is left of a wall where the drawing permits its holes to lie.
@@ -184,6 +188,13 @@ impl Fault {
                 .with("reach", reach)
                 .with("bar", bar)
                 .with("ratio", round_to(*ratio, 1)),
+            Self::BarOutOfRange { operation, set, smallest, largest } => of("proof-bar-out-of-range", operation)
+                .with("set", set)
+                .with("smallest", smallest)
+                .with("largest", largest),
+            Self::BarEnters { operation, bar, hole } => {
+                of("proof-bar-enters", operation).with("bar", bar).with("hole", hole)
+            }
             Self::Wall { beside, wall, least } => beside
                 .note(["proof-wall-to-edge", "proof-wall-among", "proof-wall-between"])
                 .with("wall", wall)

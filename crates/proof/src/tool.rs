@@ -24,6 +24,8 @@ pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fau
         twists(transition, shop)?,
         buckles(transition, shop)?,
         slender(transition, shop)?,
+        out_of_range(transition, shop)?,
+        too_thick(transition, shop)?,
     ];
     Ok(found.into_iter().flatten().collect())
 }
@@ -125,6 +127,27 @@ fn slender(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, Kn
     let ratio = limit(ProofLimit::BarOverhangRatio, shop)?;
     let operation = transition.operation;
     Ok((reach.to_mm() > bar.to_mm() * ratio).then_some(Fault::BarSlender { operation, reach, bar, ratio }))
+}
+
+/// Checks that every pass of a boring bar is set inside its range: passes take equal stock, so the first and the last one tell.
+fn out_of_range(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
+    let operation = transition.operation;
+    if !operation.is_boring() {
+        return Ok(None);
+    }
+    let range = row(transition, shop)?.and_then(|row| row.diameter_min.zip(row.diameter_max));
+    let Some((smallest, largest)) = range else { return Ok(None) };
+    let (from, to) = (transition.from_diameter_mm, transition.diameter_mm);
+    let first = from + (to - from).ratio(1, i64::from(transition.passes.max(1)));
+    let outside = [to, first].into_iter().find(|set| !(smallest..=largest).contains(set));
+    Ok(outside.map(|set| Fault::BarOutOfRange { operation, set, smallest, largest }))
+}
+
+/// Checks that a boring bar enters the hole that it widens.
+fn too_thick(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
+    let (operation, hole) = (transition.operation, transition.from_diameter_mm);
+    let Some((_, bar)) = bar(transition, shop)?.filter(|_| hole > Micrometres::ZERO) else { return Ok(None) };
+    Ok((bar >= hole).then_some(Fault::BarEnters { operation, bar, hole }))
 }
 
 /// The reach and the diameter of the boring bar of a transition.

@@ -83,7 +83,6 @@ vocabulary! {
         FloorClearance = "floor-clearance-mm",
         FloorMillShare = "floor-mill-share",
         FlatFloorGap = "flat-floor-gap-mm",
-        UnfinishedShare = "unfinished-share",
         ReamerChipRoom = "reamer-chip-room-mm",
         NearTieShare = "near-tie-share",
     }
@@ -102,9 +101,11 @@ rows! {
     /// Accuracy and roughness of milled planes (A.2).
     pub struct PlaneAccuracy of One("A.2") {
         method: &'t str,
+        it_coarsest: ItGrade,
         it_finest: ItGrade,
+        ra_coarsest: Microns,
         ra_finest: Microns,
-    } shown { no, it_coarsest, ra_coarsest }
+    } shown { no }
 
     /// Accuracy and roughness of threads (A.3).
     pub struct ThreadAccuracy of One("A.3") {

@@ -81,8 +81,19 @@ rows! {
     /// The stock of the round with which an end mill finishes a cylinder.
     pub struct MillingFinishRound of One("milling-finish-round") asked by MillingFinishRoundFor {
         it: ItGrade,
+        roughness: Roughness,
     } {
         stock: Micrometres,
+    }
+
+    /// What of a cylinder over a flat floor or shoulder may stay unfinished.
+    pub struct UnfinishedOverFloor of One("unfinished-over-floor") asked by UnfinishedOverFloorFor {
+        it: ItGrade,
+        diameter: Micrometres,
+        shoulder: bool,
+    } {
+        share: f64,
+        most: Option<Micrometres>,
     }
 
     /// Coolant for inserts on a lathe.

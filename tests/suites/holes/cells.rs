@@ -76,7 +76,11 @@ fn same(expected: &[Operation], found: &[Operation], diameter: f64) -> bool {
     let Some((first, rest)) = expected.split_first() else { return found.is_empty() };
     let starts: &[&[Operation]] = match first {
         Operation::Drill => &[&[Operation::Drill], &[Operation::Drill, Operation::DrillOut]],
-        Operation::RoughBore if diameter > 30.0 => &[&[Operation::Mill], &[Operation::RoughBore]],
+        // A mill that finishes roughs first.
+        Operation::RoughBore if diameter > 30.0 => {
+            &[&[Operation::Mill, Operation::Mill], &[Operation::Mill], &[Operation::RoughBore]]
+        }
+        Operation::Mill => &[&[Operation::Mill, Operation::Mill], &[Operation::Mill]],
         Operation::SemiFinishBore if diameter <= NOT_BORED => &[&[Operation::CoreDrill]],
         other => &[&[*other]],
     };

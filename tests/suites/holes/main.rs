@@ -9,6 +9,7 @@
 )]
 
 mod bad_parts;
+mod bored;
 mod cells;
 mod cutting;
 mod every_hole;

@@ -206,7 +206,7 @@ fn a_tool_that_is_ground_says_from_which_size() {
 fn what_is_achieved_never_gets_worse() {
     let keys = "diameter: 60H7, through: true, roughness: Ra 2.5, centre_tolerance: 0.1, state: cast, \
                 state_diameter: 52, at: [[0, 0]]";
-    let plan = plan_of_hole("SCh20", "gf2171", "45", keys);
+    let plan = plan_of_hole_by_tables("SCh20", "gf2171", "45", keys);
     let operations: Vec<Operation> = plan.holes[0].transitions.iter().map(|one| one.operation).collect();
     assert!(operations.starts_with(&[Operation::Mill, Operation::RoughBore]), "{operations:?}");
     let achieved: Vec<_> = plan.holes[0].transitions.iter().filter_map(|one| one.achieved).collect();
@@ -380,8 +380,8 @@ fn core_drills_stop_at_the_cone_and_reamers_above_the_shoulder() {
     };
     assert!(of(&plan, Operation::CoreDrill) <= 20.0 - 3.90, "{}", of(&plan, Operation::CoreDrill));
     assert!((of(&plan, Operation::Mill) - 20.0).abs() < 0.01);
-    let keys = "diameter: 30H8, through: true, roughness: Ra 1.6, centre_tolerance: 0.3, at: [[0, 0]], \
-                steps: [{diameter: 45H9, depth: 20, roughness: Ra 1.6, bottom: flat}]";
+    let keys = "diameter: 8H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.3, at: [[0, 0]], \
+                steps: [{diameter: 12H9, depth: 20, roughness: Ra 1.6, bottom: flat}]";
     let plan = plan_of_hole("steel-45", "gf2171", "60", keys);
     assert!(of(&plan, Operation::FinishReam) <= 19.8, "{}", of(&plan, Operation::FinishReam));
 }

@@ -6,7 +6,7 @@ use technolog::plan::{Feature, Operation, Plan, Transition};
 use technolog::proof::{Fault, prove_hole};
 use technolog::shop::Shop;
 use technolog::units::Micrometres;
-use technolog_testing::{KNOWLEDGE, plan_of_hole};
+use technolog_testing::{KNOWLEDGE, plan_of_hole, plan_of_hole_by_tables};
 
 use crate::given::{mm, steps, without_errors};
 
@@ -117,27 +117,32 @@ fn holes_that_run_into_each_other_are_an_error() {
 /// A rough round holds grade 12 at best (`reach-of-transition`): a mill that finishes to 11 takes a thin last round.
 #[test]
 fn a_mill_finishes_fine_holes_with_a_thin_round() {
-    let rounds = |diameter: &str| {
-        let keys = format!("diameter: {diameter}, through: true, roughness: Ra 6.3, centre_tolerance: 0.5");
-        let plan = honest("steel-45", "25", &keys);
-        let last = steps(&plan).last().unwrap().clone();
-        assert_eq!(last.operation, Operation::Mill, "{diameter}");
-        let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
-        let cycle = job::cycle(&job::Feeding::of(&last, None), Micrometres::ZERO, &shop).unwrap();
-        let CycleKind::Circles { radii, .. } = cycle.kind else { panic!("{:?}", cycle.kind) };
-        (radii, last)
+    let milled = |keys: &str| {
+        let plan = plan_of_hole_by_tables("steel-45", "gf2171", "25", &format!("{keys}, at: [[0, 0]]"));
+        let plan = without_errors(plan, keys);
+        let milled: Vec<Transition> =
+            steps(&plan).iter().filter(|step| step.operation == Operation::Mill).cloned().collect();
+        assert!(steps(&plan).last().is_some_and(|last| last.operation == Operation::Mill), "{keys}");
+        (plan, milled)
     };
-    for (diameter, nominal) in [("65H11", 65.0), ("80H11", 80.0)] {
-        let (radii, last) = rounds(diameter);
-        let [.., before, at] = radii[..] else { panic!("{radii:?}") };
-        assert!(at - before <= mm(0.505), "{diameter}: {radii:?}");
-        let reached = at.to_mm() * 2.0 + last.tool.diameter_mm.to_mm();
+    for (diameter, nominal) in [("65H11", 65.0), ("80H11", 80.0), ("65H12", 65.0)] {
+        let keys = format!("diameter: {diameter}, through: true, roughness: Ra 6.3, centre_tolerance: 0.5");
+        let (plan, milled) = milled(&keys);
+        let [rough, last] = &milled[..] else { panic!("{milled:?}") };
+        assert_eq!((last.diameter_mm - last.from_diameter_mm, last.from_diameter_mm), (mm(1.0), rough.diameter_mm));
+        let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+        let cycle = job::cycle(&job::Feeding::of(last, None), Micrometres::ZERO, &shop).unwrap();
+        let CycleKind::Circles { radii, .. } = cycle.kind else { panic!("{:?}", cycle.kind) };
+        let reached = radii.last().unwrap().to_mm() * 2.0 + last.tool.diameter_mm.to_mm();
         assert!((reached - nominal - 0.08).abs() < 0.1, "{diameter}: {reached}");
     }
-    // The passes of a coarse hole are equal.
-    let (radii, _) = rounds("65H12");
-    let steps: Vec<Micrometres> = radii.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    assert!(steps.iter().all(|step| *step > mm(1.0)), "{radii:?}");
+    // What roughing leaves needs no other round, and its passes are equal.
+    let (plan, milled) = milled("diameter: 65H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5");
+    let [only] = &milled[..] else { panic!("{milled:?}") };
+    let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+    let cycle = job::cycle(&job::Feeding::of(only, None), Micrometres::ZERO, &shop).unwrap();
+    let CycleKind::Circles { radii, .. } = cycle.kind else { panic!("{:?}", cycle.kind) };
+    assert!(radii.windows(2).all(|pair| pair[1] - pair[0] > mm(1.0)), "{radii:?}");
 }
 
 /// Drills of ±0.1: a hole is wider than its drill by up to 0.15 here, so that 9.9 makes 10 ±0.1 alone and 10 does not.

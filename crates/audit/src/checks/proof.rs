@@ -40,6 +40,8 @@ pub(super) fn check<'a>(
                 | Fault::BarSlender { .. }
                 | Fault::ThinFloor { .. }
                 | Fault::MeetsFloor { .. }
+                | Fault::BarOutOfRange { .. }
+                | Fault::BarEnters { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Wanting { .. } | Fault::UnderSkin { .. } => fault.severity(),
                 Fault::Enters { .. } | Fault::Gouges { .. } | Fault::TapHole { .. } => Severity::Wrong,

@@ -69,7 +69,7 @@ pub enum Reason {
     /// No counterbore within the allowance of the next transition.
     NoCounterboreInAllowance { operation: Operation, low: Micrometres, high: Micrometres, diameter: Micrometres },
     /// No boring bar enters the hole, on the way to a diameter.
-    NoBarEnters { hole: Micrometres, diameter: Micrometres },
+    NoBarEnters { hole: Micrometres, diameter: Micrometres, most: Micrometres },
     /// No boring bar is so small, and there is no replacement.
     TooSmallToBore { operation: Operation, diameter: Micrometres, smallest: Micrometres },
     /// A transition that routes do not plan.
@@ -209,7 +209,9 @@ impl Reason {
                     .with("high", high)
                     .with("diameter", diameter)
             }
-            Self::NoBarEnters { hole, diameter } => new("no-bar-enters").with("hole", hole).with("diameter", diameter),
+            Self::NoBarEnters { hole, diameter, most } => {
+                new("no-bar-enters").with("hole", hole).with("diameter", diameter).with("most", most)
+            }
             Self::TooSmallToBore { operation, diameter, smallest } => {
                 done("too-small-to-bore", *operation).with("diameter", diameter).with("smallest", smallest)
             }

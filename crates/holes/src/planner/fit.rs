@@ -362,6 +362,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             diameter: step.diameter,
             nominal: step.nominal,
             enters: step.from,
+            passes: step.passes,
             reach,
             through: step.place.through,
             lead: Some(self.lead),

@@ -27,7 +27,6 @@ use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference,
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::tables::cutting::Process;
-use crate::tables::holes::HoleDefault;
 use crate::units::round_to;
 use crate::{sequence, setup, tooling, zone};
 
@@ -199,7 +198,6 @@ fn draft(
     if steps.iter().any(|fitted| fitted.step.operation.is_set_by_hand(fitted.step.passes)) {
         report(Severity::Note, Note::new("bar-set-by-hand"));
     }
-    let unfinished = shop.share(HoleDefault::UnfinishedShare)?;
     let remarks = steps.iter().flat_map(|Fitted { step, .. }| step.remarks.iter().map(move |remark| (step, remark)));
     for (step, remark) in remarks {
         match remark {
@@ -208,7 +206,9 @@ fn draft(
             }
             Remark::EndsAboveFloor(left) => {
                 let depth = step.place.depth + *left - step.place.start;
-                let much = step.leaves_unfinished(unfinished);
+                let own = step.place.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
+                let it = own.map_or(hole.diameter.it, |own| own.diameter.it);
+                let much = step.leaves_unfinished(it, shop)?.is_some();
                 let severity = if much { Severity::Wrong } else { Severity::Doubtful };
                 let note = Note::new("ends-above-floor").with("left", left).with("diameter", step.diameter);
                 report(severity, note.with("depth", depth));

@@ -197,6 +197,7 @@ fn options_as_drawn(
         drills: &drills,
         in_magazine,
         smallest_bore: smallest_bore(shop)?,
+        overruns: [false, true].map(|through| fitting.travels(through).1),
         start: hole.state.diameter(),
         single_drill: false,
         bore_large: false,
@@ -281,7 +282,14 @@ impl Finder<'_, '_> {
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
         let stands_back = |choice: &Choice| choice.candidate.source != RouteSource::Tables && bores(choice) != boring;
         options.not_bored = !boring && self.close()?;
-        let other = options.choices.iter().any(|choice| choice.meets_requirements() && !stands_back(choice));
+        // The text compares boring with drills, core drills and reamers: beside a mill, time decides.
+        let mills = |choice: &Choice| {
+            choice.steps.iter().map(|fitted| &fitted.step).any(|step| {
+                step.operation == Operation::Mill && step.place.feature == Feature::Bore && step.from != step.diameter
+            })
+        };
+        let goes_first = |choice: &Choice| !stands_back(choice) && (boring || !mills(choice));
+        let other = options.choices.iter().any(|choice| choice.meets_requirements() && goes_first(choice));
         if !other {
             options.not_bored = self.close()? && !options.choices.iter().any(bores);
             return Ok(());

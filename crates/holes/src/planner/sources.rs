@@ -1,5 +1,7 @@
 //! The three sources of routes. Each candidate is tried and filed as feasible or refused.
 
+use std::ops::Range;
+
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Note, Severity};
 use crate::plan::{Feature, Operation, Preference, RouteSource, Transition};
@@ -74,7 +76,8 @@ impl Finder<'_, '_> {
         }))
     }
 
-    /// The first scheme of the tables that can be carried out; the lower-ranked schemes are not compared with it.
+    /// The first scheme of the tables that can be carried out. The schemes of finer cells are tried too, and kept where they are
+    /// quicker, so that a coarse hole is never slower than a fine one; where the tables are preferred, they are not.
     fn tables(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         let mut found = None;
         if let Some(kind) = kind {
@@ -90,8 +93,11 @@ impl Finder<'_, '_> {
             }
         }
         let mut taken: Option<String> = None;
+        let before = options.choices.len();
+        let mut own = before;
         for candidate in found.into_iter().flatten() {
-            if let Some(first) = &taken {
+            let beside = self.preference == Preference::Best && !candidate.finish_elsewhere && !candidate.last_resort;
+            if let Some(first) = taken.as_ref().filter(|_| !beside) {
                 let later = refused(&candidate, Reason::RankedLater { first: first.clone() });
                 let own = *first == format!("{} {}", candidate.table, candidate.scheme);
                 if !own && !options.refused.contains(&later) {
@@ -99,11 +105,35 @@ impl Finder<'_, '_> {
                 }
                 continue;
             }
-            if self.try_candidate(&candidate, options)? {
+            if self.try_candidate(&candidate, options)? && taken.is_none() {
                 taken = Some(format!("{} {}", candidate.table, candidate.scheme));
+                own = options.choices.len();
             }
         }
+        if let Some(first) = taken {
+            self.only_quicker(&first, before..own, options);
+        }
         Ok(())
+    }
+
+    /// Takes back the schemes of finer cells that are not quicker than those of the table's own choice, as far as that holds what
+    /// is asked: it is what the table says.
+    fn only_quicker(&self, first: &str, own: Range<usize>, options: &mut Options) {
+        let change = self.shop.machine.tool_change.0;
+        let whole = |choice: &Choice| choice.own_time.0 + change * choice.steps.len() as f64;
+        let taken = options.choices[own.clone()].iter().filter(|choice| choice.meets_requirements()).map(whole);
+        let Some(time) = taken.min_by(f64::total_cmp) else { return };
+        let later = options.choices.split_off(own.end);
+        for choice in later {
+            if whole(&choice) < time {
+                options.choices.push(choice);
+                continue;
+            }
+            let later = refused(&choice.candidate, Reason::RankedLater { first: first.to_owned() });
+            if !options.refused.contains(&later) {
+                options.refused.push(later);
+            }
+        }
     }
 
     fn complexes(&self, options: &mut Options) -> Result<(), KnowledgeError> {
@@ -196,7 +226,9 @@ impl Finder<'_, '_> {
         let at_best = at_best.into_iter().map(|fault| fault.note()).collect();
         let misses = self.misses(candidate, &steps)?;
         // A shortfall that the proof finds too is told by the proof alone, with its severity.
-        let untold = misses.iter().filter(|miss| !faults.iter().any(|fault| miss.is_told_by(fault)));
+        let told =
+            |miss: &Miss| miss.of == Some(Requirement::Floor) || faults.iter().any(|fault| miss.is_told_by(fault));
+        let untold = misses.iter().filter(|miss| !told(miss));
         let untold = untold.map(|miss| miss.note.clone()).collect();
         let misses = misses.into_iter().map(|miss| miss.note).collect();
         Ok(Some(Choice { at_best, misses, untold, ..self.choice(candidate, steps)? }))
@@ -279,6 +311,12 @@ impl Finder<'_, '_> {
                 misses.push(Miss { of: None, note });
             }
         }
+        for fitted in steps.iter().filter(|fitted| cuts(&&fitted.step)) {
+            let Some(left) = fitted.step.leaves_unfinished(main.diameter.it, self.shop)? else { continue };
+            let depth = fitted.step.place.depth + left - fitted.step.place.start;
+            let note = Note::new("ends-above-floor").with("left", left).with("diameter", fitted.step.diameter);
+            misses.push(Miss { of: Some(Requirement::Floor), note: note.with("depth", depth) });
+        }
         let beyond = reached.position_mm.filter(|own| *own > required);
         misses.extend(beyond.map(|own| Miss {
             of: Some(Requirement::Position),
@@ -294,6 +332,8 @@ enum Requirement {
     Grade,
     Surface,
     Position,
+    /// A good part of it stays rough over a flat floor: the plan tells that by itself.
+    Floor,
 }
 
 /// A requirement that a route misses by its tables; `of` is none for what the proof does not judge.

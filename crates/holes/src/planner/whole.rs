@@ -15,7 +15,7 @@ use crate::route::diameters::{self, Sizes};
 use crate::route::scheme::SchemeQuestion;
 use crate::route::{Candidate, Remark, RouteStep, accuracy, openings, order, search};
 use crate::shop::Shop;
-use crate::tables::holes::{HoleDefault, SchemesOfMainHole};
+use crate::tables::holes::SchemesOfMainHole;
 use crate::tables::rules::TransitionOrder;
 use crate::units::{ItGrade, Micrometres, Minutes};
 
@@ -254,7 +254,6 @@ impl Finder<'_, '_> {
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: &[RouteStep]| self.cost(steps);
         let boring = self.boring_required()?;
-        let unfinished = self.shop.share(HoleDefault::UnfinishedShare)?;
         let mut best: Option<(Worse, Vec<RouteStep>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
@@ -291,12 +290,17 @@ impl Finder<'_, '_> {
                 });
                 match Refusal::split(made)? {
                     Ok((minutes, mut steps)) => {
-                        let bores = !boring && steps.iter().any(|step| step.operation.is_boring());
+                        // As of the main cylinder: beside a mill, time decides.
+                        let mills = steps.iter().any(|step| step.operation == Operation::Mill);
+                        let bores = !boring && !mills && steps.iter().any(|step| step.operation.is_boring());
                         // Here too, what the tables finish on another machine is left for that machine.
                         let here = !candidate.finish_elsewhere;
                         let last = candidate.last_resort;
                         // A seat of which reamers leave a good part stands back behind any that is finished.
-                        let short = steps.iter().any(|step| step.leaves_unfinished(unfinished));
+                        let mut short = false;
+                        for step in &steps {
+                            short |= step.leaves_unfinished(bore.diameter.it, self.shop)?.is_some();
+                        }
                         let worse: Worse = (short, last, here, bores, minutes);
                         if best.as_ref().is_none_or(|(least, _)| worse < *least) {
                             if let Some(first) = steps.first_mut() {

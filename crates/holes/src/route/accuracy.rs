@@ -38,40 +38,71 @@ pub(super) fn next_transition<'k>(
     shop.knowledge.ask(&NextTransitionFor { after: state, diameter })
 }
 
-/// The accuracy that a row of `next-transition` refers to, with the row that states it; absent if the transition only
-/// prepares the next.
+/// Grade and roughness of a row of accuracy.
+type Reached = (ItGrade, Roughness);
+
+/// The accuracy that a row of `next-transition` refers to: the fine and the coarse end of the row that states it; absent if the
+/// transition only prepares the next.
 pub(super) fn of_row<'k>(
     row: &NextTransition<'_>,
     shop: &Shop<'k>,
-) -> Result<Option<(ItGrade, Roughness, RowRef<'k>)>, KnowledgeError> {
+) -> Result<Option<(Reached, Reached, RowRef<'k>)>, KnowledgeError> {
     let knowledge = shop.knowledge;
-    let (found, grade, ra): (RowRef<'k>, _, _) = if let Some(number) = row.a1 {
+    let (found, grades, ra): (RowRef<'k>, _, _) = if let Some(number) = row.a1 {
         let found = knowledge.need(&number.to_string(), |row: &HoleAccuracy<'_>| row.no == number)?;
-        (found.row, finest(&found)?, found.ra_finest)
+        let finest = finest(&found)?;
+        (found.row, (finest, found.it_coarsest.unwrap_or(finest)), (found.ra_finest, found.ra_coarsest))
     } else if let Some(method) = row.a2 {
         let found = knowledge.need(method, |row: &PlaneAccuracy<'_>| row.method == method)?;
-        (found.row, found.it_finest, found.ra_finest)
+        (found.row, (found.it_finest, found.it_coarsest), (found.ra_finest, found.ra_coarsest))
     } else if let Some(operation) = row.own {
         let found = knowledge.need(operation, |row: &TransitionAccuracy<'_>| row.operation == operation)?;
-        (found.row, found.it_finest, found.ra_finest)
+        (found.row, (found.it_finest, found.it_coarsest), (found.ra_finest, found.ra_coarsest))
     } else {
         return Ok(None);
     };
-    Ok(Some((grade, Roughness::from_ra(ra), found)))
+    let (fine, coarse) = (Roughness::from_ra(ra.0), Roughness::from_ra(ra.1));
+    Ok(Some(((grades.0, fine), (grades.1, coarse), found)))
 }
 
 /// As `of_row`, with the reason as a plan shows it.
 fn of_row_with_reason(
     row: &NextTransition<'_>,
     shop: &Shop<'_>,
-) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
-    let Some((grade, roughness, found)) = of_row(row, shop)? else { return Ok(None) };
-    let note = Note::new("reaches").with("it", grade).with("roughness", roughness);
+) -> Result<Option<(Reached, Reached, Because)>, KnowledgeError> {
+    let Some((fine, coarse, found)) = of_row(row, shop)? else { return Ok(None) };
+    let note = Note::new("reaches").with("it", fine.0).with("roughness", fine.1);
     let mut because = Because::row(found, note);
     if because.unconfirmed.is_none() {
         because.unconfirmed = row.row.row().unconfirmed.clone();
     }
-    Ok(Some((grade, roughness, because)))
+    Ok(Some((fine, coarse, because)))
+}
+
+/// A transition that another one follows is not said to leave a finer grade or surface than that one, as far as the range of its
+/// row goes: the fine end of a row belongs to a last cut.
+fn no_finer_than_what_follows(
+    steps: &mut [RouteStep],
+    coarse: &[Option<Reached>],
+    shop: &Shop<'_>,
+) -> Result<(), KnowledgeError> {
+    let rule = shop.knowledge.table_of::<NextTransition<'_>>()?;
+    let mut after: Option<Reached> = None;
+    for (step, coarse) in steps.iter_mut().zip(coarse).rev() {
+        let Some(achieved) = step.achieved.as_mut().filter(|_| step.operation != Operation::Tap) else { continue };
+        let Some(own) = achieved.it.zip(achieved.roughness) else { continue };
+        let mut left = own;
+        if let (Some(after), Some(coarse)) = (after, coarse) {
+            left = (own.0.max(after.0.min(coarse.0)), own.1.max(after.1.min(coarse.1)));
+        }
+        if left != own {
+            (achieved.it, achieved.roughness) = (Some(left.0), Some(left.1));
+            let note = Note::new("reaches-before-next").with("it", left.0).with("roughness", left.1);
+            step.because.push(Because::table(rule, note));
+        }
+        after = Some(left);
+    }
+    Ok(())
 }
 
 /// Writes the accuracy that each step achieves: by the chain of `next-transition`, for the last step by the promise
@@ -90,7 +121,8 @@ pub fn write(
     let last = steps.iter().rposition(|step| !step.elsewhere && step.operation != Operation::Tap);
     let mut centred = false;
     let mut guided = false;
-    let mut before: Option<(Operation, ItGrade, Roughness)> = None;
+    let mut before: Option<(Operation, Reached, Reached)> = None;
+    let mut ranges: Vec<Option<Reached>> = vec![None; steps.len()];
     for (index, step) in steps.iter_mut().enumerate() {
         centred |= step.operation == Operation::CentreDrill;
         guided |= sets_own_axis(step.operation);
@@ -120,17 +152,17 @@ pub fn write(
         if reached.is_none() {
             reached = match before {
                 // A thicker bar after a thinner one leaves the same accuracy as the thinner one.
-                Some((same, it, roughness)) if same == operation => {
-                    let note = Note::new("reaches-again").with("it", it).with("roughness", roughness);
-                    Some((it, roughness, Because::table(shop.knowledge.table_of::<NextTransition<'_>>()?, note)))
+                Some((same, fine, coarse)) if same == operation => {
+                    let note = Note::new("reaches-again").with("it", fine.0).with("roughness", fine.1);
+                    Some((fine, coarse, Because::table(shop.knowledge.table_of::<NextTransition<'_>>()?, note)))
                 }
                 // A transition that prepares the next one does not make worse what the transitions before it left.
-                Some((_, it, roughness)) => by_itself(operation, shop)?.map(|(own, rough, because)| {
-                    let (it, roughness) = (it.min(own), roughness.min(rough));
+                Some((_, fine, coarse)) => by_itself(operation, shop)?.map(|(own, rough, because)| {
+                    let (it, roughness) = (fine.0.min(own), fine.1.min(rough));
                     let note = Note::new("reaches-no-worse").with("it", it).with("roughness", roughness);
-                    (it, roughness, Because { note, ..because })
+                    ((it, roughness), coarse, Because { note, ..because })
                 }),
-                None => by_itself(operation, shop)?,
+                None => by_itself(operation, shop)?.map(|(it, rough, because)| ((it, rough), (it, rough), because)),
             };
         }
         if operation == Operation::Tap {
@@ -141,9 +173,10 @@ pub fn write(
             continue;
         }
         let (mut it, mut roughness) = (None, None);
-        if let Some((grade, rough, because)) = reached {
-            (it, roughness) = (Some(grade), Some(rough));
-            before = Some((operation, grade, rough));
+        if let Some((fine, coarse, because)) = reached {
+            (it, roughness) = (Some(fine.0), Some(fine.1));
+            before = Some((operation, fine, coarse));
+            ranges[index] = Some(coarse);
             step.because.push(because);
         }
         if let (Some(promise), true) = (promise, Some(index) == last) {
@@ -163,7 +196,7 @@ pub fn write(
         let position_mm = position.error(centred, guided).or(promised);
         step.achieved = Some(Achieved { it, roughness, position_mm });
     }
-    Ok(())
+    no_finer_than_what_follows(steps, &ranges, shop)
 }
 
 /// What a transition that only prepares the next one leaves: the coarse end of the range in section 1.2.1; absent if

@@ -35,6 +35,8 @@ pub struct Sizes<'a> {
     pub in_magazine: &'a [Micrometres],
     /// The smallest hole that a boring bar of the catalogs can enter.
     pub smallest_bore: Micrometres,
+    /// How far a tool runs past the end of a blind and of a through cylinder.
+    pub overruns: [Micrometres; 2],
     /// The diameter the cylinder is opened from; absent in solid metal.
     pub start: Option<Micrometres>,
     /// Whether to drill in one pass although a first drill is available.
@@ -196,7 +198,7 @@ impl BackwardStep<'_, '_> {
             Operation::CentreDrill => vec![this.step(Micrometres::ZERO)],
             Operation::Drill => vec![this.drill()?],
             Operation::RoughBore => this.rough_bore()?,
-            Operation::Mill => vec![this.mill()?],
+            Operation::Mill => this.mill()?,
             Operation::Tap => vec![this.tap()?],
             Operation::Counterbore if this.after_drill() && this.sizes.start.is_some() => {
                 vec![this.step(this.drill_to_open()?)]

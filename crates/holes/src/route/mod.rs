@@ -18,9 +18,12 @@ pub mod scheme;
 pub mod search;
 pub mod table_answer;
 
+use crate::error::KnowledgeError;
 use crate::note::Because;
 use crate::part::{Face, ToleratedDiameter};
 use crate::plan::{Achieved, Feature, Operation, RouteSource};
+use crate::shop::Shop;
+use crate::tables::rules::UnfinishedOverFloorFor;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
 /// A route that the main cylinder of a hole may take.
@@ -127,15 +130,23 @@ pub enum Remark {
 }
 
 impl RouteStep {
-    /// Whether it ends above a floor by more than a share of its cylinder.
-    pub fn leaves_unfinished(&self, share: f64) -> bool {
-        self.remarks.iter().any(|remark| match remark {
-            Remark::EndsAboveFloor(left) => {
-                let whole = self.place.depth + *left - self.place.start;
-                left.to_mm() > share * whole.to_mm()
-            }
-            _ => false,
-        })
+    /// How much of its cylinder it leaves unfinished above a flat floor or shoulder, where that is too much for a cylinder of that
+    /// grade by the rule `unfinished-over-floor`.
+    ///
+    /// # Errors
+    /// The knowledge base has no answer.
+    pub fn leaves_unfinished(&self, it: ItGrade, shop: &Shop<'_>) -> Result<Option<Micrometres>, KnowledgeError> {
+        let left = self.remarks.iter().find_map(|remark| match remark {
+            Remark::EndsAboveFloor(left) => Some(*left),
+            _ => None,
+        });
+        let Some(left) = left else { return Ok(None) };
+        let shoulder = self.place.feature != Feature::Bore || self.place.step.is_some();
+        let question = UnfinishedOverFloorFor { it, diameter: self.diameter, shoulder };
+        let rule = shop.knowledge.ask(&question)?.need(&format!("IT {it}"))?;
+        let whole = self.place.depth + left - self.place.start;
+        let much = left.to_mm() > rule.share * whole.to_mm() || rule.most.is_some_and(|most| left > most);
+        Ok(much.then_some(left))
     }
 
     /// A step with only its operation and diameters.

@@ -211,7 +211,7 @@ impl<'a, 'k> Graph<'a, 'k> {
         let goal = self.states.add_node(SearchState { diameter: target });
         let (asked_it, asked_roughness) = self.bore.required_finish(self.shop)?;
         for row in self.rule.clone().iter() {
-            let Some((grade, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
+            let Some(((grade, roughness), ..)) = accuracy::of_row(row, self.shop)? else { continue };
             if grade > asked_it || roughness > asked_roughness {
                 continue;
             }

@@ -111,6 +111,8 @@ pub struct CutterNeed<'a> {
     pub nominal: Micrometres,
     /// The diameter of the hole it enters; zero in solid metal.
     pub enters: Micrometres,
+    /// The passes in which a boring bar opens the hole from there.
+    pub passes: u32,
     /// How far it must reach into the hole.
     pub reach: Micrometres,
     /// Whether the hole goes through.
@@ -135,6 +137,11 @@ pub struct CutterNeed<'a> {
 }
 
 impl CutterNeed<'_> {
+    /// The diameter after the first pass: all passes take the same.
+    pub(super) fn first_pass(&self) -> Micrometres {
+        self.enters + (self.diameter - self.enters).ratio(1, i64::from(self.passes.max(1)))
+    }
+
     /// A cutter of that diameter and any reach, without further requirements.
     pub fn plain(operation: Operation, diameter: Micrometres) -> Self {
         Self {
@@ -142,6 +149,7 @@ impl CutterNeed<'_> {
             diameter,
             nominal: diameter,
             enters: Micrometres::ZERO,
+            passes: 1,
             reach: Micrometres::ZERO,
             through: true,
             lead: None,

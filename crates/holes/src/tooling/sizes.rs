@@ -41,7 +41,7 @@ fn is_of_size(row: &CutterRow<'_>, need: &CutterNeed<'_>, ground: bool) -> bool 
         Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => {
             let rough = need.operation == Operation::RoughBore;
             row.stage == Some(if rough { BoringStage::Rough } else { BoringStage::Finish })
-                && row.diameter_min.is_some_and(|low| low <= need.diameter)
+                && row.diameter_min.is_some_and(|low| low <= need.first_pass())
                 && row.diameter_max.is_some_and(|high| need.diameter <= high)
         }
         Operation::CentreDrill => own >= need.diameter,

@@ -44,7 +44,7 @@ no-drill = no drill Ø{ $diameter } that reaches{ $sides ->
     }
 no-drill-in-allowance = { $operation } to Ø{ $diameter }: no drill from Ø{ $low } to Ø{ $high }
 no-drill-before-boring = boring to Ø{ $diameter }: no drill from Ø{ $smallest } to Ø{ $largest }
-no-bar-enters = to Ø{ $diameter }: no bar enters the hole Ø{ $hole }
+no-bar-enters = boring to Ø{ $diameter }: no bar that reaches so deep enters the hole Ø{ $hole } and is set to Ø{ $hole } + { $most } mm of its first pass or less
 bar-set-by-hand = boring in several passes: the bar is reset by hand between them; large holes are better milled (1.2.1)
 spot-by-drill = spot Ø{ $spot }: { $share } of the drill Ø{ $drill }
 spot-by-depth = spot Ø{ $spot }, not { $share } of the drill Ø{ $drill }: no deeper than half of the hole

@@ -20,6 +20,7 @@ chamfer-inside-thread = the chamfer Ø{ $diameter } is narrower than the thread 
 reaches-again = the same again by a wider tool: grade { $it }, { $roughness }
 reaches-by-itself = prepares the next transition: by itself grade { $it }, { $roughness }
 reaches-no-worse = prepares the next transition and makes nothing worse: grade { $it }, { $roughness }
+reaches-before-next = leaves IT{ $it }, { $roughness } of the range of its row: another transition follows, which leaves no finer
 reaches-thread = thread: { $roughness }
 drills-too-short = the largest drill that fits, Ø{ $diameter }, reaches { $reach } mm, and { $needed } mm are needed
 promised-finer = { $table } promises grade { $it }, and by A.1 these transitions give { $own }

@@ -20,6 +20,7 @@ chamfer-inside-thread = фаска Ø{ $diameter } вужча за різь { $t
 reaches-again = те саме ще раз ширшим інструментом: квалітет { $it }, { $roughness }
 reaches-by-itself = готує наступний перехід: сам по собі квалітет { $it }, { $roughness }
 reaches-no-worse = готує наступний перехід і не погіршує зробленого: квалітет { $it }, { $roughness }
+reaches-before-next = залишає IT{ $it }, { $roughness } з діапазону свого рядка: після нього йде перехід, що тонше не залишає
 reaches-thread = різь: { $roughness }
 drills-too-short = найбільше свердло, що сюди годиться, Ø{ $diameter }, сягає { $reach } мм, а потрібно { $needed } мм
 promised-finer = { $table } обіцяє квалітет { $it }, а за A.1 ці переходи дають { $own }

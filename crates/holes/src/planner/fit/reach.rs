@@ -11,7 +11,7 @@ use crate::units::Micrometres;
 use super::{Fitted, Fitting};
 
 impl Fitting<'_, '_> {
-    pub(super) fn travels(&self, through: bool) -> &(Micrometres, Micrometres, Because) {
+    pub(in crate::planner) fn travels(&self, through: bool) -> &(Micrometres, Micrometres, Because) {
         &self.travels[usize::from(through)]
     }
 

@@ -17,7 +17,10 @@ impl BackwardStep<'_, '_> {
     /// section 1.2.1 permits it, otherwise the aim of the range; where a drill makes it, the nearest drill.
     pub(super) fn finishing(self) -> Tried<RouteStep> {
         let Self { operation, leaves: after, previous, bore, sizes, shop } = self;
-        let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
+        // A core drill far below the size only opens the hole for a bar: it is one of its own size.
+        let opens = operation == Operation::CoreDrill && bore.diameter.nominal - after > shop.grind_limit(after)?;
+        let of_size = if opens { after } else { bore.diameter.nominal };
+        let allowance = allowance(operation, after, of_size, previous, shop)?;
         let (smallest, largest) = (after - allowance.high, after - allowance.low);
         let handbook_row = handbook::row(bore, shop)?;
         // The handbook's are for fields H, which begin at the nominal size.
@@ -96,7 +99,7 @@ impl BackwardStep<'_, '_> {
         // One of the same size is ground, too, where a new one is too wide: it is asked for by less than its size.
         let below =
             if fixed && !bought && after == bore.diameter.nominal { Micrometres::new(1) } else { Micrometres::ZERO };
-        let nominal = if fixed && bought { bore.diameter.nominal } else { after - below };
+        let nominal = if fixed && bought { of_size } else { after - below };
         if fixed && after != nominal {
             let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
             because.push(Because::row(allowance.row, note));
