@@ -72,14 +72,8 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
 
     let mut loads = Loads::default();
     // Without figures of forces the pass is cut all the same; its torque is left out, not guessed.
-    let pass = MilledPass {
-        mill: MILL,
-        tool_material,
-        shape: mill,
-        radial_depth: t,
-        axial_depth: b,
-        feed_ratio: ratio,
-    };
+    let pass =
+        MilledPass { mill: MILL, tool_material, shape: mill, radial_depth: t, axial_depth: b, feed_ratio: ratio };
     if let Some((torque, reasons)) = milling_force::torque(&pass, shop)? {
         loads.torque = Some(torque);
         because.extend(reasons);
