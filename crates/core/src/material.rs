@@ -9,7 +9,7 @@ use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::units::{Brinell, Megapascals};
 use crate::knowledge::{Knowledge, RowRef};
 use crate::tables::materials::{
-    DeliveryState, DeliveryStates, Governs, HardnessStrength, MaterialAlias, MaterialGrade,
+    DeliveryState, DeliveryStates, Governs, HardnessBounds, HardnessStrength, MaterialAlias, MaterialGrade,
 };
 use crate::tables::rules::AlloyClassStateFor;
 use crate::units::Decimal;
@@ -74,6 +74,12 @@ pub fn delivered(knowledge: &Knowledge, material: &str, state: DeliveryState) ->
 pub(crate) fn hardness_to_strength<'k>(knowledge: &'k Knowledge, material: &str) -> Option<HardnessStrength<'k>> {
     let grade = knowledge.find(|row: &MaterialGrade<'_>| row.id == material).ok().flatten()?;
     knowledge.find(|row: &HardnessStrength<'_>| row.material_group == grade.group).ok().flatten()
+}
+
+/// Between which hardness, HB, metals of that grade's group lie; none for a grade that is not in the tables.
+pub(crate) fn hardness_bounds<'k>(knowledge: &'k Knowledge, material: &str) -> Option<HardnessBounds<'k>> {
+    let grade = knowledge.find(|row: &MaterialGrade<'_>| row.id == material).ok().flatten()?;
+    knowledge.find(|row: &HardnessBounds<'_>| row.material_group == grade.group).ok().flatten()
 }
 
 impl<'k> Material<'k> {

@@ -15,6 +15,7 @@ pub mod handbook;
 pub mod laws;
 mod limits;
 mod milling;
+mod milling_force;
 pub mod practice;
 pub mod reaming;
 mod settle;

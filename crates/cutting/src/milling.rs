@@ -7,14 +7,15 @@ use crate::plan;
 use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::{
-    Coefficients, EndMillFeedFor, Mill, MillingDepth, MillingFinishFeedFor, MillingForceFor, MillingSpeedFor,
-    MillingStep, MillingToolLifeFor, Process,
+    Coefficients, EndMillFeedFor, Mill, MillingDepth, MillingFinishFeedFor, MillingSpeedFor, MillingStep,
+    MillingToolLifeFor, Process,
 };
 use crate::tables::rules::{MillingFinishRoundFor, PlungeFeedFor, ToolLifeBeyondFor};
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresPerTooth, Minutes, round_to};
 
 use super::figures::{self, missing};
-use super::{Cut, CutMotion, CutterShape, DraftConditions, Loads, Plunge, PowerLaw, factors};
+use super::milling_force::{self, MilledPass};
+use super::{Cut, CutMotion, CutterShape, DraftConditions, Loads, Plunge, factors};
 
 /// The kind of mill in the milling tables: a solid end mill.
 const MILL: Mill = Mill::End;
@@ -22,8 +23,7 @@ const MILL: Mill = Mill::End;
 /// Conditions of milling a hole along circles (Косилова/Мещеряков т.2; facts 1.9).
 ///
 /// - V = Cv·D^q / (T^m·t^x·sz^y·B^u·z^p)·Kv, m/min, with Kv = Kmv·Kpv;
-/// - Pz = 10·Cp·t^x·sz^y·B^u·z / (D^q·n^w)·Kmp, N, with n the spindle step used; the torque is Pz·D/2000, N·m. No
-///   thrust is known;
+/// - the torque is that of [`milling_force`]; no thrust is known;
 /// - D is the mill's diameter, t the radial depth of one pass, B the axial depth of one level, all in mm;
 ///   sz in mm/tooth, T in min, z the number of teeth.
 ///
@@ -71,22 +71,12 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     }
 
     let mut loads = Loads::default();
-    // Without a row of forces the pass is cut all the same; its torque is left out, not guessed.
-    let question = |material_group| MillingForceFor { mill: MILL, material_group, tool_material };
-    if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
-        let row = &figures.row;
-        // n^w as (n/V)^w·V^w, for the speed used.
-        let turns = super::rpm_at(MetresPerMinute(1.0), mill.diameter);
-        let mut force = 10.0 * row.cp * libm::pow(t, row.x) * libm::pow(b, row.u) * z
-            / (libm::pow(d, row.q) * libm::pow(turns.0, row.w));
-        if figures.is_own_group() {
-            let (factor, reason) = factors::material_force(Process::Milling, tool_material, shop)?;
-            force *= factor;
-            because.push(reason);
-        }
-        because.extend(figures.because(Note::new("milling-load-coefficients")));
-        let factor = force * d / 2000.0 / libm::pow(ratio, row.y);
-        loads.torque = Some(PowerLaw { factor, exponent: row.y, of_speed: -row.w });
+    // Without figures of forces the pass is cut all the same; its torque is left out, not guessed.
+    let pass =
+        MilledPass { mill: MILL, tool_material, shape: mill, radial_depth: t, axial_depth: b, feed_ratio: ratio };
+    if let Some((torque, reasons)) = milling_force::torque(&pass, shop)? {
+        loads.torque = Some(torque);
+        because.extend(reasons);
     }
     Ok(DraftConditions {
         feed: MillimetresPerRev(tooth_feed * ratio),

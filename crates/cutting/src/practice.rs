@@ -5,6 +5,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::knowledge::units::Megapascals;
 use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::practice_speed::PracticeSpeed;
@@ -52,12 +53,14 @@ pub fn second_opinion(
     };
     let share = formula.0 / practice.typical.0;
     let (material_group, spread) = (material.group, practice.high.0 / practice.typical.0);
-    let question = SecondOpinionFor { operation: cut.operation, material_group, share, spread };
+    let strength = Megapascals(material.strength);
+    let question = SecondOpinionFor { operation: cut.operation, material_group, strength, share, spread };
     let answer = knowledge.ask(&question)?;
     let taken = answer.need(cut.operation.name())?.take;
     let (speed, comparison) = match taken {
         Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, PracticeComparison::Slower),
         Taken::PracticeUsual if practice.typical.0 < formula.0 => (practice.typical, PracticeComparison::Slower),
+        Taken::PracticeUsual if practice.lowest().is_some() => (practice.typical, PracticeComparison::Faster),
         Taken::PracticeLow => match practice.lowest().filter(|low| low.0 > formula.0) {
             Some(low) => (low, PracticeComparison::Faster),
             None => (formula, PracticeComparison::FormulaKept),

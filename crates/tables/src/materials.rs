@@ -73,6 +73,13 @@ rows! {
         least: f64,
         most: f64,
     }
+
+    /// Between which hardness, HB, metals of a group lie.
+    pub struct HardnessBounds of One("hardness-bounds") {
+        material_group: &'t str,
+        least: Brinell,
+        most: Brinell,
+    }
 }
 
 vocabulary! {

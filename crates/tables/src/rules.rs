@@ -200,6 +200,7 @@ rows! {
     pub struct SecondOpinion of One("second-opinion") asked by SecondOpinionFor<'t> {
         operation: Operation,
         material_group: &'t str,
+        strength: Megapascals,
         share: f64,
         spread: f64,
     } {

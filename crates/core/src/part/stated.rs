@@ -10,8 +10,8 @@ use technolog_note::note;
 use super::file::StatedMaterial;
 use super::read::choice;
 
-/// The range of hardness of the cutting tables, HB.
-const STATE_HARDNESS_HB: (f64, f64) = (40.0, 450.0);
+/// The range of the scale Rockwell C, HRC, by ISO 6508-1.
+const ROCKWELL_C: std::ops::RangeInclusive<f64> = 20.0..=70.0;
 /// The range of strength of the cutting tables, MPa.
 const STATE_STRENGTH_MPA: (f64, f64) = (100.0, 2000.0);
 
@@ -60,12 +60,64 @@ pub fn state(
         };
     }
     let of_strength = strength;
-    let hardness = hardness.and_then(|node| figure(node, STATE_HARDNESS_HB, problems));
-    let strength = strength.and_then(|node| figure(node, STATE_STRENGTH_MPA, problems));
-    if let (Some(hardness), Some(strength), Some(node)) = (hardness, strength, of_strength) {
-        one_bar(hardness, strength, grade?, (node, problems), knowledge)?;
+    let hardness = match hardness {
+        Some(node) => Some(brinell(node, grade?, problems, knowledge)?),
+        None => None,
+    };
+    let strength = match strength {
+        Some(node) => Some(figure(node, STATE_STRENGTH_MPA, problems)?),
+        None => None,
+    };
+    if let (Some(strength), Some(node)) = (strength, of_strength) {
+        match hardness {
+            Some(hardness) => one_bar(hardness, strength, grade?, (node, problems), knowledge)?,
+            None => of_its_metal(strength, grade?, (node, problems), knowledge)?,
+        }
     }
     Some(Some(MaterialState { hardness, strength }))
+}
+
+/// A hardness, HB, that metals of the grade's group have by the table `hardness-bounds`.
+fn brinell(node: &Node, grade: &str, problems: &mut Problems, knowledge: &Knowledge) -> Option<f64> {
+    let figure: Decimal = problems.scalar(node)?;
+    let value = figure.to_f64();
+    let Some(bounds) = material::hardness_bounds(knowledge, grade) else { return Some(value) };
+    if (bounds.least.0..=bounds.most.0).contains(&figure) {
+        return Some(value);
+    }
+    let (low, high) = (bounds.least.0, bounds.most.0);
+    let message = note!("part-state-hardness-outside", value = figure, low = low, high = high, material = grade);
+    let help = if figure < low && ROCKWELL_C.contains(&value) {
+        note!("part-state-rockwell", value = figure)
+    } else {
+        note!("part-state-brinell")
+    };
+    problems.error_help("bad-value", message, &node.place, help)
+}
+
+/// Holds a strength, MPa, against the hardness that follows from it: no steel is softer or harder than the table
+/// `hardness-bounds` says.
+fn of_its_metal(
+    strength: f64,
+    grade: &str,
+    (node, problems): (&Node, &mut Problems),
+    knowledge: &Knowledge,
+) -> Option<()> {
+    let Some(row) = material::hardness_to_strength(knowledge, grade) else { return Some(()) };
+    let Some(bounds) = material::hardness_bounds(knowledge, grade) else { return Some(()) };
+    let follows = Decimal::from_f64_rounded(round_to(strength / row.ratio, 0));
+    if (bounds.least.0..=bounds.most.0).contains(&follows) {
+        return Some(());
+    }
+    let message = note!(
+        "part-state-strength-outside",
+        value = strength,
+        hardness = follows,
+        low = bounds.least.0,
+        high = bounds.most.0,
+        material = grade
+    );
+    problems.error("bad-value", message, &node.place)
 }
 
 /// Holds a hardness and a strength, HB and MPa, against each other by the table `hardness-strength`: two figures of
@@ -100,7 +152,7 @@ fn one_bar(
     problems.error_help("bad-value", message, &node.place, help)
 }
 
-/// A hardness or a strength within the range of the cutting tables.
+/// A strength within the range of the cutting tables.
 fn figure(node: &Node, (low, high): (f64, f64), problems: &mut Problems) -> Option<f64> {
     let figure: Decimal = problems.scalar(node)?;
     let value = figure.to_f64();
