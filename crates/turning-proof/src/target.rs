@@ -178,9 +178,13 @@ impl Target {
             spots
         };
         let (mut outer, mut bore) = (whole(&chains[0]), whole(&chains[1]));
-        let open = open(&outer, &bore);
+        let mut open = open(&outer, &bore);
         let walls = [behind_wall(&outer, 1.0), behind_wall(&bore, -1.0)];
         let extended = extend_shorter(&mut outer, &mut bore);
+        // The part is closed straight across there: what lies behind that is made elsewhere.
+        if let (Some(_), Some(&out), Some(&within)) = (extended, outer.last(), bore.last()) {
+            open.push([out, within]);
+        }
         let bands = |wanted: fn(f64) -> bool| -> Vec<Convex> {
             chains.iter().flatten().filter(|chain| wanted(chain.moved)).flat_map(Chain::bands).collect()
         };

@@ -9,8 +9,8 @@
 //! Blank and contour are both converted in this way, and every toolpath over them is then free of gouges by
 //! construction. The proof of turning does not use this.
 
-use crate::turning::allowances::{EquidistantError, equidistant};
-use crate::turning::contour::{Contour, Curve, Piece, Side};
+use crate::turning::allowances::{EquidistantError, Over, equidistant_over};
+use crate::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use crate::turning::jobs::Tip;
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
@@ -35,16 +35,86 @@ impl Nose {
     /// # Errors
     /// The contour has no offset at r.
     pub fn seen(&self, contour: &Contour) -> Result<Contour, EquidistantError> {
+        self.met(contour, false)
+    }
+
+    /// The same for a finishing pass: over a step that is lower than r the nose rolls.
+    ///
+    /// # Errors
+    /// The contour has no offset at r.
+    pub fn finished(&self, contour: &Contour) -> Result<Contour, EquidistantError> {
+        self.met(contour, true)
+    }
+
+    fn met(&self, contour: &Contour, rolls: bool) -> Result<Contour, EquidistantError> {
         let (Some(start), Some(end)) = (contour.start(), contour.end()) else { return Ok(contour.clone()) };
         if self.radius == Half::ZERO {
             return Ok(contour.clone());
         }
         let longer = self.extended(contour);
-        let offset = equidistant(&longer, &vec![self.radius; longer.pieces.len()])?;
+        let offset = equidistant_over(&longer, &vec![self.radius; longer.pieces.len()])?;
+        let offset =
+            if rolls { self.over_low_steps(&longer, &offset) } else { offset.iter().map(|over| over.piece).collect() };
         let tip = self.tip.of(self.radius);
-        let pieces = offset.pieces.iter().map(|piece| piece.mapped(false, |point| point.moved(tip)));
+        let pieces = offset.iter().map(|piece| piece.mapped(false, |point| point.moved(tip)));
         let moved = Contour { side: contour.side, pieces: pieces.collect() };
         Ok(self.within(&moved, start, end))
+    }
+
+    /// The offset with the nose rolling over each step that is lower than its radius: it never touches the face of such a step, only
+    /// the edge. Along the offset of the face it would leave r − √(r² − (r − h)²) before the edge of a step of the height h.
+    fn over_low_steps(&self, contour: &Contour, offset: &[Over]) -> Vec<Piece> {
+        let mut pieces: Vec<Piece> = offset.iter().map(|over| over.piece).collect();
+        for at in 1..offset.len().saturating_sub(1) {
+            let [Some(before), Some(step), Some(behind)] = [at - 1, at, at + 1].map(|at| offset.get(at)) else {
+                continue;
+            };
+            if before.of + 1 != step.of || step.of + 1 != behind.of {
+                continue;
+            }
+            let (Some(face), Some(next)) = (contour.pieces.get(step.of), contour.pieces.get(behind.of)) else {
+                continue;
+            };
+            let Some(from) = pieces.get(at - 1).copied() else { continue };
+            let Some([first, over, last]) = self.rolled(contour.side, from, face, behind.piece, next) else { continue };
+            for (at, piece) in [(at - 1, first), (at, over), (at + 1, last)] {
+                if let Some(own) = pieces.get_mut(at) {
+                    *own = piece;
+                }
+            }
+        }
+        pieces
+    }
+
+    /// The way of the centre along a line, over the edge of the low step behind it, and along the line behind that.
+    fn rolled(&self, side: Side, from: Piece, step: &Piece, behind: Piece, next: &Piece) -> Option<[Piece; 3]> {
+        let rise = step.to.radius - step.from.radius;
+        let (height, turn) = match side {
+            Side::Outer => (rise, Turn::Right),
+            Side::Inner => (Half::ZERO - rise, Turn::Left),
+        };
+        let lines = [from, behind, *next].iter().all(|piece| piece.curve == Curve::Line && !piece.is_face());
+        if !step.is_face() || !lines || height <= Half::ZERO || height >= self.radius {
+            return None;
+        }
+        let (edge, radius) = (step.to.vector(), self.radius.to_mm());
+        // Where the nose meets the edge: the line enters the circle round it.
+        let (along, to_edge) = (from.chord().unit(), edge.minus(from.from.vector()));
+        let (foot, off) = (to_edge.dot(along), to_edge.cross(along));
+        let meets = foot - libm::sqrt(radius * radius - off * off);
+        // Where it leaves the edge: upright over the line behind.
+        let direction = next.direction_at_start();
+        let normal = if side == Side::Outer { direction.left() } else { direction.left().times(-1.0) };
+        let leaves = edge.plus(normal.times(radius));
+        let (first, last) = (from.from.moved(along.times(meets)), Point::at(leaves));
+        let within = meets > 0.0 && last.z < behind.to.z && first.z < last.z;
+        within.then(|| {
+            [
+                from.between(from.from, first),
+                Piece::arc(first, last, self.radius, turn),
+                behind.between(last, behind.to),
+            ]
+        })
     }
 
     /// The contour with straight ends: a line at an end is extended, an arc is followed by a line.
@@ -181,6 +251,20 @@ mod tests {
         let seen = nose(0.8, RIGHT).seen(&cone).unwrap();
         let radius = seen.radii_at(Half::from(5.0)).unwrap().0.to_mm();
         assert!((radius - (15.0 - 0.4686)).abs() < 0.001, "{radius}");
+    }
+
+    /// By hand for r 0.8 and a step of 0.25: the centre at the height r over the cylinder meets the edge √(r² − (r − h)²) = 0.5809
+    /// before the face, so the reference point, r further towards the chuck, turns off 0.2191 behind it, and is r behind it on top.
+    #[test]
+    fn a_step_lower_than_the_nose_is_rolled_over() {
+        let shaft = Contour::through(Side::Outer, &[at(20.0, 0.0), at(20.0, 20.0), at(20.25, 20.0), at(20.25, 40.0)]);
+        let seen = nose(0.8, RIGHT).finished(&shaft).unwrap();
+        assert_eq!(seen.corners(), [at(20.0, 0.0), at(20.0, 20.219), at(20.25, 20.8), at(20.25, 40.0)]);
+        assert!(matches!(seen.pieces[1].curve, Curve::Arc { turn: Turn::Right, .. }));
+        let bore = Contour::through(Side::Inner, &[at(20.25, 0.0), at(20.25, 20.0), at(20.0, 20.0), at(20.0, 40.0)]);
+        let seen = nose(0.8, BORING).finished(&bore).unwrap();
+        assert_eq!(seen.corners(), [at(20.25, 0.0), at(20.25, 20.219), at(20.0, 20.8), at(20.0, 40.0)]);
+        assert!(matches!(seen.pieces[1].curve, Curve::Arc { turn: Turn::Left, .. }));
     }
 
     /// The middle of a fillet stays, and its radius is less by r.

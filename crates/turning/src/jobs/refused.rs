@@ -47,6 +47,8 @@ pub enum NoJob {
     NotAValley { surface: SurfaceName },
     /// Even the narrowest blade is wider than the floor permits.
     TooNarrow { surface: SurfaceName, room: Half, width: Micrometres },
+    /// The corners of the edge are so round that it makes no wall of so shallow a groove.
+    TooRound { surface: SurfaceName, corner: Half, depth: Half },
     /// The blade is too short.
     TooDeep { surface: SurfaceName, depth: Half, reach: Micrometres },
     /// The tool is too thick for the bore.
@@ -117,6 +119,9 @@ impl NoJob {
             Self::NotAValley { surface } => new("groove-no-valley").with("surface", surface),
             Self::TooNarrow { surface, room, width } => {
                 new("groove-too-narrow").with("surface", surface).with("room", room).with("width", width)
+            }
+            Self::TooRound { surface, corner, depth } => {
+                new("groove-shallower-than-corner").with("surface", surface).with("corner", corner).with("depth", depth)
             }
             Self::TooDeep { surface, depth, reach } => {
                 new("groove-beyond-blade").with("surface", surface).with("depth", depth).with("reach", reach)

@@ -26,13 +26,14 @@ pub(super) fn centred(
     let between = workpiece.holding == Holding::Centres;
     // In a chuck and at a centre the far end is in the jaws.
     let (near, far) = (blank.face(), if between { blank.end() - length } else { Half::ZERO });
-    let solid = workpiece.inner.is_none() && blank.inner.is_none();
-    if workpiece.holding == Holding::Chuck || !solid || (near <= Half::ZERO && far <= Half::ZERO) {
+    if workpiece.holding == Holding::Chuck || (near <= Half::ZERO && far <= Half::ZERO) {
         return Ok(None);
     }
     let mut made = workpiece.clone();
     let end = if between { length } else { blank.end() };
-    made.blank.outer = faced(&blank.outer, end);
+    let bore = blank.inner.as_ref().and_then(Contour::start).map(|start| start.radius);
+    made.blank.outer = faced(&blank.outer, bore.unwrap_or(Half::ZERO), end);
+    made.blank.inner = blank.inner.as_ref().map(|inner| clip::between(inner, Half::ZERO, end));
     let ends = made.outer.surfaces.iter_mut().filter(|surface| {
         let at_end = |z: Half| z <= Half::ZERO || between && z >= length;
         surface.pieces.iter().all(|piece| piece.is_face() && at_end(piece.from.z))
@@ -44,6 +45,8 @@ pub(super) fn centred(
     let diameter = thinnest.unwrap_or_default().diameter();
     let hole = centre_hole_for(diameter, knowledge)?;
     let note = Note::new(match (between, &hole) {
+        (true, _) if bore.is_some() => "ends-faced-hollow",
+        (false, _) if bore.is_some() => "end-faced-hollow",
         (true, Some(_)) => "ends-centred-before",
         (true, None) => "ends-faced-before",
         (false, Some(_)) => "end-centred-before",
@@ -52,18 +55,18 @@ pub(super) fn centred(
     let note = note.with("near", near.max(Half::ZERO));
     let note = if between { note.with("far", far.max(Half::ZERO)) } else { note };
     let note = match hole {
-        Some(hole) => note.with("pilot", hole.pilot),
-        None => note,
+        Some(hole) if bore.is_none() => note.with("pilot", hole.pilot),
+        _ => note,
     };
     Ok(Some((made, Finding::of_part(Severity::Doubtful, note))))
 }
 
-/// A blank's outside between its made faces.
-fn faced(outer: &Contour, length: Half) -> Contour {
+/// A blank's outside between its made faces, the first down to its bore.
+fn faced(outer: &Contour, bore: Half, length: Half) -> Contour {
     let mut faced = clip::between(outer, Half::ZERO, length);
     if let Some(start) = faced.pieces.iter().find(|piece| !piece.is_face()).map(|piece| piece.from) {
         faced.pieces.retain(|piece| !(piece.is_face() && piece.from.z == start.z));
-        faced.pieces.insert(0, Piece::line(Point { radius: Half::ZERO, z: start.z }, start));
+        faced.pieces.insert(0, Piece::line(Point { radius: bore, z: start.z }, start));
     }
     Contour { side: Side::Outer, ..faced }
 }

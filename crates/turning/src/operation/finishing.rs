@@ -232,7 +232,7 @@ impl<'a> Finishing<'a> {
         };
         let tool = cut.tool;
         let nose = tools::nose(&tool);
-        let seen = nose.seen(self.contour).and_then(|contour| Ok((contour, nose.seen(self.standing)?)));
+        let seen = nose.finished(self.contour).and_then(|contour| Ok((contour, nose.seen(self.standing)?)));
         let (seen, standing) = match seen {
             Ok((seen, standing)) => {
                 let bore =

@@ -2,7 +2,7 @@
 
 use crate::note::{Finding, Note, Severity};
 use crate::turning::allowances::{Over, equidistant_over};
-use crate::turning::contour::{Contour, Curve, Piece, Profile, Stretches, Surface};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Stretches, Surface, SurfaceKind};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::zones::TurnedSide;
@@ -35,7 +35,7 @@ pub(super) fn left(
             let is_face = |over: &Over| main.pieces.get(over.of).is_some_and(|piece| piece.is_face());
             let steps = over.iter().map(|over| over.piece.is_face() && !is_face(over)).collect::<Vec<_>>();
             let own = |over: Over| (over.piece, surfaces.get(over.of).copied().flatten());
-            Some(without_steps(over.into_iter().map(own).zip(steps).collect()))
+            Some(without_steps(over.into_iter().map(own).zip(steps).collect(), main.side))
         }
         Err(error) => {
             findings.push(Finding::of_part(Severity::Error, Note::new("no-intermediate-contour").with("why", error)));
@@ -48,13 +48,23 @@ pub(super) fn left(
 type Owned = (Piece, Option<usize>);
 
 /// The contour, with a mark at each step that is no face of the part, with its slopes led on to the raised cylinders beside them, in place of a step as high as the allowance: no nose
-/// makes the corner of such a step, and after grinding the whole slope is there.
-fn without_steps(pieces: Vec<(Owned, bool)>) -> Vec<Owned> {
+/// makes the corner of such a step, and after grinding the whole slope is there. From a raised cylinder down to one of the same
+/// diameter there is a slope that a contouring tool follows: no trailing edge goes down upright.
+fn without_steps(pieces: Vec<(Owned, bool)>, side: Side) -> Vec<Owned> {
     let mut kept: Vec<Owned> = Vec::new();
     let mut rest = pieces.into_iter().peekable();
     while let Some(((piece, surface), is_step)) = rest.next() {
         let step = is_step.then_some(piece);
         let beside = step.zip(kept.last().copied()).zip(rest.peek().copied());
+        if let Some(((step, (before, _)), ((after, _), _))) = beside
+            && let Some(slope) = falling(before, step, after, side)
+        {
+            kept.push((slope, surface));
+            if let Some(next) = rest.peek_mut() {
+                next.0.0.from = slope.to;
+            }
+            continue;
+        }
         let led = beside.and_then(|((step, (before, _)), ((after, _), _))| {
             led_on(before, step, after).map(|slope| (slope, after)).or_else(|| {
                 // The same seen from the other end.
@@ -72,6 +82,20 @@ fn without_steps(pieces: Vec<(Owned, bool)>) -> Vec<Owned> {
         }
     }
     kept
+}
+
+/// The fall of a slope from an allowance, degrees: less than φ1 of contouring tools (30°), so that one follows it. Our choice.
+const FALL: f64 = 25.0;
+
+/// The slope in place of a step that falls from one cylinder to another; none if they are none, if the step rises, or if the second
+/// cylinder is too short.
+fn falling(before: Piece, step: Piece, after: Piece, side: Side) -> Option<Piece> {
+    let rise = step.to.radius - step.from.radius;
+    let fall = if side == Side::Outer { Half::ZERO - rise } else { rise };
+    let along = Half::from(fall.to_mm() / libm::tan(FALL.to_radians()));
+    let to = Point { radius: step.to.radius, z: step.to.z + along };
+    let cylinders = before.is_cylinder() && after.is_cylinder();
+    (cylinders && fall > Half::ZERO && to.z < after.to.z).then(|| Piece::line(step.from, to))
 }
 
 /// A slope led on over the step behind it to the cylinder above; none if these are no slope, step and cylinder, or if the
@@ -92,10 +116,17 @@ fn led_on(slope: Piece, step: Piece, cylinder: Piece) -> Option<Piece> {
 /// contour, but perhaps only one of them is ground later.
 fn parted(contour: &Contour, profile: &Profile, bench: &Bench<'_, '_>) -> Contour {
     let later = |surface: &Surface| bench.elsewhere.iter().any(|one| one.surface == surface.name);
-    let beside = profile.surfaces.iter().zip(profile.surfaces.iter().skip(1));
-    let differ = beside
-        .filter(|(one, next)| !one.kind.is_additional() && !next.kind.is_additional() && later(one) != later(next));
-    let ends: Vec<Point> = differ.filter_map(|(one, _)| one.pieces.last()).map(|piece| piece.to).collect();
+    // Grooves lie between them, or nothing.
+    let plain = |surface: &&Surface| !surface.kind.is_additional() || surface.kind == SurfaceKind::Thread;
+    let surfaces: Vec<&Surface> = profile.surfaces.iter().filter(plain).collect();
+    let beside = surfaces.iter().zip(surfaces.iter().skip(1));
+    // What is ground begins and ends at its own edge, so that a groove beside it has the step.
+    let ends = beside.filter_map(|(one, next)| match (later(one), later(next)) {
+        (false, true) => next.pieces.first().map(|piece| piece.from),
+        (true, false) => one.pieces.last().map(|piece| piece.to),
+        _ => None,
+    });
+    let ends: Vec<Point> = ends.collect();
     let mut pieces = Vec::new();
     for piece in &contour.pieces {
         let mut from = piece.from;
@@ -129,7 +160,8 @@ fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usi
         let has = |index: &usize| profile.surfaces.get(*index).is_some_and(|one| one.pieces.iter().any(test));
         near.iter().copied().find(has)
     };
-    of(&over_middle).or_else(|| of(&lies_on))
+    let shares = |other: &Piece| overlaps(piece, other) && lies_on(other);
+    of(&over_middle).or_else(|| of(&shares)).or_else(|| of(&lies_on))
 }
 
 /// The ranges of the surfaces of a profile, by the ends of their pieces.
@@ -140,6 +172,13 @@ fn along(profile: &Profile) -> Stretches {
         (least.unwrap_or_default(), most.unwrap_or_default())
     };
     Stretches::new(&profile.surfaces.iter().map(ends).collect::<Vec<_>>())
+}
+
+/// Whether two pieces share more than an end, along the axis or across it.
+fn overlaps(one: &Piece, other: &Piece) -> bool {
+    let spans = |a: (Half, Half), b: (Half, Half)| a.0.min(a.1).max(b.0.min(b.1)) < a.0.max(a.1).min(b.0.max(b.1));
+    spans((one.from.z, one.to.z), (other.from.z, other.to.z))
+        || spans((one.from.radius, one.to.radius), (other.from.radius, other.to.radius))
 }
 
 fn touches(one: &Piece, other: &Piece) -> bool {
@@ -188,15 +227,25 @@ mod tests {
     fn a_chamfer_goes_on_to_the_raised_cylinder() {
         let points = [(18.0, 0.0), (20.0, 2.0), (20.2, 2.0), (20.2, 30.0), (20.0, 30.0), (18.0, 32.0), (25.0, 32.0)];
         let led = [(18.0, 0.0), (20.2, 2.2), (20.2, 29.8), (18.0, 32.0), (25.0, 32.0)];
-        assert_eq!(without_steps(stepped(&points)), contour(&led));
+        assert_eq!(without_steps(stepped(&points), Side::Outer), contour(&led));
         let faced = [(20.2, 0.0), (20.2, 30.0), (24.0, 30.0), (25.0, 31.0), (25.0, 40.0)];
-        assert_eq!(without_steps(stepped(&faced)), contour(&faced));
+        assert_eq!(without_steps(stepped(&faced), Side::Outer), contour(&faced));
+    }
+
+    /// From 0.2 over a cylinder down to the plain one behind it by 25°: 0.2/tan 25° = 0.4289 long.
+    #[test]
+    fn an_allowance_ends_with_a_slope() {
+        let points = [(20.2, 0.0), (20.2, 30.0), (20.0, 30.0), (20.0, 50.0)];
+        let sloped = [(20.2, 0.0), (20.2, 30.0), (20.0, 30.429), (20.0, 50.0)];
+        assert_eq!(without_steps(stepped(&points), Side::Outer), contour(&sloped));
+        let rising = [(20.0, 0.0), (20.0, 30.0), (20.2, 30.0), (20.2, 50.0)];
+        assert_eq!(without_steps(stepped(&rising), Side::Outer), contour(&rising));
     }
 
     /// A slope of 5° would lead on beyond a cylinder of 1 mm.
     #[test]
     fn a_cylinder_too_short_keeps_its_step() {
         let points = [(19.0, 0.0), (20.0, 11.0), (20.2, 11.0), (20.2, 12.0)];
-        assert_eq!(without_steps(stepped(&points)), contour(&points));
+        assert_eq!(without_steps(stepped(&points), Side::Outer), contour(&points));
     }
 }

@@ -11,7 +11,7 @@ use crate::turning::jobs::hole::{self, Hole, HoleEnd};
 use crate::turning::jobs::limits::Limits;
 use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
-use crate::turning::point::Point;
+use crate::turning::point::{Point, Vector};
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::tooling::{Spindle, TurningTool};
 use crate::turning::toolpath::{Purpose, Toolpath};
@@ -374,6 +374,10 @@ const SEAM: Half = Half::new(2000);
 /// only behind it.
 const OVER_LIP: Half = Half::new(4000);
 
+/// What rises more steeply behind a hollow, or falls more steeply before it, than with this component along the axis, 60°, it does not
+/// follow.
+const STEEPEST: f64 = 0.5;
+
 /// The finishing passes along a hollow, zone by zone, each with a tool that reaches it.
 fn finish_hollow(
     set_up: &SetUp,
@@ -408,9 +412,25 @@ fn finish_hollow(
             allowances: &hollow.layers.allowances,
             needs: needs(&clip::between(contour, own.0, own.1)),
         };
-        let (from_z, mut to_z) = within(SEAM);
+        let (mut from_z, mut to_z) = within(SEAM);
+        // Where the contour falls already before the hollow, the pass along the bridge has left the round of its nose there.
+        let before = clip::between(contour, first - SEAM, first);
+        let falls = |piece: &Piece| {
+            let along = piece.chord().unit();
+            let out = if side.side == Side::Outer { along.radius } else { -along.radius };
+            out < 0.0 && along.z > STEEPEST
+        };
+        if index == 0 && !before.pieces.is_empty() && before.pieces.iter().all(falls) {
+            from_z = before.start().map_or(first, |start| start.z);
+        }
         let beyond = clip::between(contour, last, last + OVER_LIP);
-        if is_last && beyond.pieces.iter().all(|piece| piece.is_cylinder()) {
+        // It follows what rises there, too; a fall or a wall it may not reach.
+        let rises = |piece: &Piece| {
+            let along = [piece.direction_at_start(), piece.direction_at_end()];
+            let out = |along: Vector| if side.side == Side::Outer { along.radius } else { -along.radius };
+            along.into_iter().all(|along| out(along) >= -1e-9 && along.z > STEEPEST)
+        };
+        if is_last && beyond.pieces.iter().all(rises) {
             to_z = to_z.max(beyond.end().map_or(last, |end| end.z));
         }
         jobs.extend(task.job(bench, findings, |seen, standing, clearance| {

@@ -13,6 +13,7 @@ use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind};
 use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
+use crate::turning::nose::Nose;
 use crate::turning::point::Point;
 use crate::turning::schemes::rates;
 use crate::turning::shaft::Holding;
@@ -123,16 +124,22 @@ pub fn layers(
     }
     let left = Contour { side: main.side, pieces: left.into_iter().map(|(piece, _)| piece).collect() };
     // A bottom that no bar faces is left to its final depth by the flat drill; one that a bar faces, with no more on it than the
-    // edge behind the nose takes.
-    if main.side == Side::Inner
-        && let (Some(bottom), Some(distance)) =
-            (left.pieces.last().filter(|last| is_bottom(last)), distances.last_mut())
-    {
-        let most = faced_by_bar(bottom, &left, bench)?.unwrap_or(Half::ZERO);
-        if *distance > most {
-            let note = Note::new("bottom-allowance-less").with("wanted", *distance).with("left", most);
-            findings.push(Finding::of_part(Severity::Note, note));
-            *distance = most;
+    // edge behind the nose takes. So is a shoulder that is higher than the edge is long.
+    if main.side == Side::Inner {
+        let last = left.pieces.len().saturating_sub(1);
+        for (index, (piece, distance)) in left.pieces.iter().zip(&mut distances).enumerate() {
+            if !is_bottom(piece) {
+                continue;
+            }
+            let faced = faced_by_bar(piece, &left, index == last, bench)?;
+            let most = if index == last { faced.unwrap_or(Half::ZERO) } else { faced.unwrap_or(*distance) };
+            if *distance > most {
+                let code = if index == last { "bottom-allowance-less" } else { "shoulder-allowance-less" };
+                let note = Note::new(code).with("wanted", *distance).with("left", most);
+                let note = if index == last { note } else { note.with("z", Half::ZERO - piece.to.z) };
+                findings.push(Finding::of_part(Severity::Note, note));
+                *distance = most;
+            }
         }
     }
     let rough = match equidistant(&left, &distances) {
@@ -166,6 +173,8 @@ pub fn layers(
     let mut areas = areas(&blank, &rough, main, &part);
     areas.finish = finish;
     if main.side == Side::Inner && left.pieces.last().is_some_and(is_bottom) {
+        let on = if set_up.turned_over { over_low_shoulder(&left, bench)? } else { None };
+        let left = on.unwrap_or(left);
         return Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }));
     }
     let by = run_out(&left, bench)?;
@@ -202,15 +211,22 @@ fn least_bar(deep: Half, bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, K
     Ok(least(true).or_else(|| least(false)))
 }
 
-/// The most that a bar takes off the bottom of a bore as it faces it to its inner end; none if every bar would touch the wall on
-/// the other side. Towards the axis the secondary edge cuts, which rises by φ1 to its end, where the bar begins.
-fn faced_by_bar(bottom: &Piece, bore: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Half>, KnowledgeError> {
+/// The most that a bar takes off the bottom of a bore, or off a shoulder in it, as it faces it to its inner end; none if every bar would
+/// touch the wall on the other side, or where the edge of each is longer than a shoulder. Towards the axis the secondary edge cuts, which rises by φ1 to its end, where the bar begins.
+fn faced_by_bar(
+    bottom: &Piece,
+    bore: &Contour,
+    is_last: bool,
+    bench: &Bench<'_, '_>,
+) -> Result<Option<Half>, KnowledgeError> {
     let walls = bore.pieces.iter().filter(|piece| !piece.is_face());
     let Some(narrow) = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min() else { return Ok(None) };
     let mut bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
     bars.retain(|bar| bar.min_bore.is_none_or(|least| least <= narrow.diameter()));
     bars.retain(|bar| tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius));
-    let bars = tools::reaching(bars, bottom.to.z, bench.knowledge)?;
+    let mut bars = tools::reaching(bars, bottom.to.z, bench.knowledge)?;
+    let high = bottom.from.radius - bottom.to.radius;
+    bars.retain(|bar| is_last || high > Half::of(bar.edge.unwrap_or(UNKNOWN_EDGE)));
     let share = Limits::of(bench.knowledge).ratio(JobLimit::BottomEdgeShare)?;
     let rise = |bar: &TurningTool<'_>| {
         let edge = bar.edge.unwrap_or(UNKNOWN_EDGE).to_mm();
@@ -267,7 +283,30 @@ fn led_on(left: &Contour, threaded: bool, by: Half, bench: &Bench<'_, '_>) -> Op
 fn into_hole(left: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Contour>, KnowledgeError> {
     let bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
     let roundest = bars.iter().map(tools::nose).max_by_key(|nose| nose.radius);
-    Ok(roundest.and_then(|nose| opened::into_hole(left, bench.opened, nose)))
+    let hole = |nose: Nose| {
+        let end = left.end().filter(|end| is_bored_behind(*end, nose.radius + nose.radius, bench));
+        bench.opened.max(end.map_or(Micrometres::ZERO, |end| end.radius.diameter()))
+    };
+    Ok(roundest.and_then(|nose| opened::into_hole(left, hole(nose), nose)))
+}
+
+/// Whether the set-up before has bored behind the end of a contour of the second one, as far and at least as wide.
+fn is_bored_behind(end: Point, by: Half, bench: &Bench<'_, '_>) -> bool {
+    let Some(inner) = &bench.workpiece.inner else { return false };
+    let bored = inner.contour().turned_over(bench.workpiece.length());
+    let beyond = super::clip::between(&bored, end.z, end.z + by);
+    let reaches = beyond.end().is_some_and(|last| last.z == end.z + by);
+    reaches && beyond.pieces.iter().all(|piece| piece.radii().0 >= end.radius)
+}
+
+/// A bore that ends with a shoulder lower than the roundest nose of a bar, led on into what the set-up before has bored behind it, so
+/// that the nose rolls over the edge. None where the shoulder is higher, or nothing is bored behind it.
+fn over_low_shoulder(left: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Contour>, KnowledgeError> {
+    let bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
+    let nose = bars.iter().map(|bar| tools::nose(bar).radius).max().unwrap_or(Half::ZERO);
+    let Some(last) = left.pieces.last() else { return Ok(None) };
+    let (by, height) = (nose + nose, last.from.radius - last.to.radius);
+    Ok((height < nose && is_bored_behind(last.to, by, bench)).then(|| longer(left.clone(), by)))
 }
 
 /// A contour that rises more steeply at its end, nearly as a wall, is not led on.

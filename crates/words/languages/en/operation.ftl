@@ -13,6 +13,7 @@ far-face-cut-away = set-up { $number }: { $length } mm of the blank are left beh
        *[hole] the hole through the part comes out too narrow for the blade
     }
 face-frees-slug = set-up { $number }: the hole of Ø{ $diameter } is there already, so the last passes over the face set a disc free, which may jam: saw or part the end off before this set-up, or stop and take the disc out
+shoulder-allowance-less = allowance on the shoulder of the bore at Z{ $z } { $left } mm instead of { $wanted } mm: the secondary edge of a bar that goes towards the axis takes no more, and behind its end the bar would go into the metal
 bottom-allowance-less = allowance on the bottom of the bore { $left } mm instead of { $wanted } mm: the secondary edge of a bar that goes towards the axis takes no more; with 0 mm the flat drill finishes the bottom
 bore-drilled-first = the bore is drilled first: Ø{ $diameter }, { $depth } mm deep; the diameter is our choice: a multiple of { $step } mm, at least { $stock } mm a side below the rough bore, and not above { $largest } mm
 bore-too-narrow-to-drill = the bore of Ø{ $diameter } is too narrow to be drilled and bored
@@ -46,6 +47,8 @@ ends-centred-before = between centres no tool reaches the faces: before, { $near
 ends-faced-before = between centres no tool reaches the faces: before, { $near } mm are faced off the free end and { $far } mm off the far one; no centre hole of the table fits so thin an end
 end-centred-before = at a centre no tool reaches the face of the free end: before, { $near } mm are faced off it and it is centred, A{ $pilot } by ГОСТ 14034-74
 end-faced-before = at a centre no tool reaches the face of the free end: before, { $near } mm are faced off it; no centre hole of the table fits so thin an end
+ends-faced-hollow = between centres no tool reaches the faces: before, { $near } mm are faced off the free end and { $far } mm off the far one; the centres stand in the bore: chamfer its mouths by 60° for them, or plug it
+end-faced-hollow = at a centre no tool reaches the face of the free end: before, { $near } mm are faced off it; the centre stands in the bore: chamfer its mouth by 60° for it, or plug it
 bore-behind-centre = set-up { $number }: the tailstock centre stands in the free end, where the bore is: no tool goes in; bore it before, or hold the part in the chuck alone
 faced-through-centre = zone { $zone }: the face is turned to the axis, where the tailstock centre stands
     .help = face the blank and drill its centre holes first (`blank: {"{"}face: 0, …{"}"}`), or hold it in a chuck

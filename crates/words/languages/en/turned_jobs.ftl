@@ -6,6 +6,7 @@ job-bar-too-short = { $surface }: it ends { $depth } mm deep, and the bar reache
 job-overloaded = { $tool }: more than it bears: { $bound }
 groove-no-valley = { $surface }: it is not a groove of two walls and a floor
 groove-too-narrow = { $surface }: { $room } mm of room at the floor, and the narrowest blade is { $width } mm wide
+groove-shallower-than-corner = { $surface }: the groove is { $depth } mm deep, and an edge with a corner radius of { $corner } mm makes no wall of it
 groove-beyond-blade = { $surface }: the tool must reach { $depth } mm deep, and it reaches { $reach } mm
 groove-face-too-small = { $surface }: its outer diameter { $diameter } mm is less than { $least } mm, for which the blade is curved
 groove-faces-chuck = { $surface }: it is in a face towards the chuck, where no tool of this set-up comes

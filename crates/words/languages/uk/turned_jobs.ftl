@@ -6,6 +6,7 @@ job-bar-too-short = { $surface }: кінець на глибині { $depth } м
 job-overloaded = { $tool }: перевищено допустиме: { $bound }
 groove-no-valley = { $surface }: це не канавка з двома стінками і дном
 groove-too-narrow = { $surface }: на дні { $room } мм, а найвужче лезо має ширину { $width } мм
+groove-shallower-than-corner = { $surface }: канавка має глибину { $depth } мм, а кромка з радіусом при вершині { $corner } мм не утворює її стінок
 groove-beyond-blade = { $surface }: різець має дістати на глибину { $depth } мм, а дістає на { $reach } мм
 groove-face-too-small = { $surface }: зовнішній діаметр { $diameter } мм менший за { $least } мм, від якого придатне зігнуте лезо
 groove-faces-chuck = { $surface }: канавка в торці з боку патрона, куди в цьому установі різець не підходить

@@ -120,6 +120,15 @@ fn edge(tool: &TurningTool<'_>) -> Option<CuttingEdge> {
     Some(CuttingEdge { width: tool.width.map_or(2.0 * corner, Micrometres::to_mm), corner })
 }
 
+/// That the edge makes the walls of a groove, and not only the rounds at their feet.
+fn makes_walls(surface: &Surface, valley: &Valley, edge: CuttingEdge) -> Tried<(), NoJob> {
+    let depth = valley.depth();
+    if valley.rounded_off(edge.corner) > depth {
+        return not(NoJob::TooRound { surface: surface.name.clone(), corner: Half::from(edge.corner), depth });
+    }
+    Ok(())
+}
+
 fn by_blade<'k>(
     site: Site<'_>,
     surface: &Surface,
@@ -131,6 +140,7 @@ fn by_blade<'k>(
     let name = || surface.name.clone();
     let (Some(edge), Some(width)) = (edge(&tool), tool.width) else { return not(NoJob::NoTool { surface: name() }) };
     enters(site, surface, valley, &tool, bench)?;
+    makes_walls(surface, valley, edge)?;
     let mut division = division(Half::from(edge.corner), limits, bench.knowledge)?;
     division.approach = division.approach.min(play(site, valley, &tool));
     // The deepest layer that may still be fed sideways as fast as the width of the blade allows.
@@ -177,6 +187,7 @@ fn by_nose<'k>(
         return not(NoJob::TooDeep { surface: name(), depth: valley.depth(), reach: most });
     }
     enters(site, surface, valley, &tool, bench)?;
+    makes_walls(surface, valley, edge)?;
     let mut division = division(Half::from(edge.corner), limits, bench.knowledge)?;
     division.approach = division.approach.min(play(site, valley, &tool));
     let Some(ways) = ways::nose(valley, edge, division) else {

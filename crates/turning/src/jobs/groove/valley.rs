@@ -113,6 +113,16 @@ impl Valley {
         )
     }
 
+    /// The height above the floor up to which a corner of the edge rounds the steeper wall off, where the groove has none as round:
+    /// a circle that touches the floor and a wall under the angle θ touches the wall r·(1 − cos θ) above the floor.
+    pub fn rounded_off(&self, corner: f64) -> Half {
+        if self.corner().to_mm() >= corner {
+            return Half::ZERO;
+        }
+        let (fall, rise) = self.steepest();
+        Half::from(corner * (1.0 - libm::cos(fall.max(rise).to_radians())))
+    }
+
     /// The least radius of the corners of its floor; zero for a sharp one.
     pub fn corner(&self) -> Half {
         let is_line = |piece: &Piece| piece.curve == Curve::Line;
