@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::carry::{Carried, TOLERANCE, samples};
 use crate::fault::Fault;
-use crate::plane::{Convex, Region, Rule, Vector, Window};
+use crate::plane::{AlongAxis, Region, Rule, Vector, Window};
 use crate::target::Nearest;
 use crate::units::{At, Mm};
 
@@ -37,11 +37,10 @@ pub fn hold(carried: &mut Carried<'_>) {
             continue;
         }
         let nose = carried.nose_at(&spots);
-        let unreached = unreached(carried, piece.window(), nose);
+        let unreached = Outlined::of(unreached(carried, piece.window(), nose));
         let (mut corner, mut stands) = (Vec::new(), Vec::new());
         for mut left in left {
-            left.thickness = unreached.as_ref().map_or(f64::INFINITY, |region| over_region(region, left.spot));
-            left.thickness = left.thickness.min(left.near.distance);
+            left.thickness = unreached.distance(left.spot, left.near.distance);
             if left.thickness > TOLERANCE { stands.push(left) } else { corner.push(left) }
         }
         tell_corner(carried, &corner, nose);
@@ -58,21 +57,46 @@ fn left(carried: &Carried<'_>, spots: &[Vector]) -> Vec<Left> {
 }
 
 /// The part and the area that no nose circle could reach beside it: grown by the nose and shrunk by it.
-fn unreached(carried: &Carried<'_>, window: Window, nose: f64) -> Option<Region> {
-    let disc = Convex::disc(nose).filter(|_| nose > 0.0)?;
-    let metal = carried.target.may_stay.within(window.grown(2.0 * nose + 1.0));
-    let along =
-        |edges: &Region| -> Vec<Convex> { edges.edges().filter_map(|(from, to)| disc.swept(from, to)).collect() };
-    let grown = metal.made(&Region::pieces(&along(&metal)), Rule::Either);
-    Some(grown.made(&Region::pieces(&along(&grown)), Rule::Without))
+fn unreached(carried: &Carried<'_>, window: Window, nose: f64) -> Region {
+    if nose > 0.0 {
+        carried.target.may_stay.within(window.grown(2.0 * nose + 1.0)).grown(nose).shrunk(nose)
+    } else {
+        Region::default()
+    }
 }
 
-/// The distance of a point from a region, mm; 0 inside.
-fn over_region(region: &Region, spot: Vector) -> f64 {
-    if region.holds(spot) {
-        return 0.0;
+/// The edges of a region by their places along the axis.
+struct Outlined {
+    edges: Vec<(Vector, Vector)>,
+    along: AlongAxis,
+}
+
+impl Outlined {
+    fn of(region: Region) -> Self {
+        let edges: Vec<(Vector, Vector)> = region.edges().collect();
+        let along = AlongAxis::of(edges.iter().map(|(from, to)| [from.z.min(to.z), from.z.max(to.z)]));
+        Self { edges, along }
     }
-    region.edges().map(|(from, to)| spot.distance(from, to)).fold(f64::INFINITY, f64::min)
+
+    /// The distance of a point from it, mm, or `most` if it is farther; 0 inside.
+    fn distance(&self, spot: Vector, most: f64) -> f64 {
+        let near = |reach: f64| self.along.between(spot.z - reach, spot.z + reach).into_iter().map(|at| self.edges[at]);
+        // Seen along the radius: the metal is to the left of an edge.
+        let crossing = |(from, to): (Vector, Vector)| {
+            let left = to.minus(from).cross(spot.minus(from));
+            let (on, back) = (from.z <= spot.z && to.z > spot.z, from.z > spot.z && to.z <= spot.z);
+            i32::from(on && left > 0.0) - i32::from(back && left < 0.0)
+        };
+        if near(0.0).map(crossing).sum::<i32>() != 0 {
+            return 0.0;
+        }
+        let distance = |reach: f64| near(reach).map(|(from, to)| spot.distance(from, to)).fold(most, f64::min);
+        let close = [0.1, 1.0].into_iter().filter(|reach| *reach < most);
+        close
+            .map(|reach| (reach, distance(reach)))
+            .find(|(reach, found)| found <= reach)
+            .map_or_else(|| distance(most), |found| found.1)
+    }
 }
 
 fn tell_corner(carried: &mut Carried<'_>, corner: &[Left], nose: f64) {
