@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::carry::{Carried, TOLERANCE, samples};
 use crate::fault::Fault;
-use crate::plane::{AlongAxis, Region, Rule, Vector, Window};
+use crate::plane::{AlongAxis, Rule, Vector, Window};
 use crate::target::Nearest;
 use crate::units::{At, Mm};
 
@@ -37,10 +37,10 @@ pub fn hold(carried: &mut Carried<'_>) {
             continue;
         }
         let nose = carried.nose_at(&spots);
-        let unreached = Outlined::of(unreached(carried, piece.window(), nose));
+        let reached = Reached::by(nose, carried, piece.window());
         let (mut corner, mut stands) = (Vec::new(), Vec::new());
         for mut left in left {
-            left.thickness = unreached.distance(left.spot, left.near.distance);
+            left.thickness = reached.thickness(left.spot, left.near.distance);
             if left.thickness > TOLERANCE { stands.push(left) } else { corner.push(left) }
         }
         tell_corner(carried, &corner, nose);
@@ -56,46 +56,39 @@ fn left(carried: &Carried<'_>, spots: &[Vector]) -> Vec<Left> {
     all.filter(|left| left.thickness > TOLERANCE && !target.is_elsewhere(left.spot, left.near.drawn)).collect()
 }
 
-/// The part and the area that no nose circle could reach beside it: grown by the nose and shrunk by it.
-fn unreached(carried: &Carried<'_>, window: Window, nose: f64) -> Region {
-    if nose > 0.0 {
-        carried.target.may_stay.within(window.grown(2.0 * nose + 1.0)).grown(nose).shrunk(nose)
-    } else {
-        Region::default()
-    }
-}
-
-/// The edges of a region by their places along the axis.
-struct Outlined {
+/// Where the centre of a nose may stand: outside of the part grown by the nose. Its edges are found by their places along the axis.
+struct Reached {
+    nose: f64,
     edges: Vec<(Vector, Vector)>,
     along: AlongAxis,
 }
 
-impl Outlined {
-    fn of(region: Region) -> Self {
-        let edges: Vec<(Vector, Vector)> = region.edges().collect();
+impl Reached {
+    /// Around what lies in a window.
+    fn by(nose: f64, carried: &Carried<'_>, window: Window) -> Self {
+        let part = || carried.target.may_stay.within(window.grown(2.0 * nose + 1.0));
+        let edges: Vec<_> = if nose > 0.0 { part().grown(nose).edges().collect() } else { Vec::new() };
         let along = AlongAxis::of(edges.iter().map(|(from, to)| [from.z.min(to.z), from.z.max(to.z)]));
-        Self { edges, along }
+        Self { nose, edges, along }
     }
 
-    /// The distance of a point from it, mm, or `most` if it is farther; 0 inside.
-    fn distance(&self, spot: Vector, most: f64) -> f64 {
+    /// The thickness of metal at a point over what no nose reaches, mm: by so much the nose must come nearer to touch it, having
+    /// come as near as the part lets it. At most the distance of the point from the part.
+    fn thickness(&self, spot: Vector, from_part: f64) -> f64 {
+        let reach = from_part.max(self.nose);
         let near = |reach: f64| self.along.between(spot.z - reach, spot.z + reach).into_iter().map(|at| self.edges[at]);
-        // Seen along the radius: the metal is to the left of an edge.
+        let distance = |reach: f64| near(reach).map(|(from, to)| spot.distance(from, to)).fold(f64::INFINITY, f64::min);
+        let close = [0.1, 1.0].into_iter().map(|reach| (reach, distance(reach)));
+        let close = close.into_iter().find(|(reach, found)| found <= reach);
+        let off = close.map_or_else(|| distance(reach), |found| found.1);
+        // Seen along the radius: the region is to the left of its edges.
         let crossing = |(from, to): (Vector, Vector)| {
             let left = to.minus(from).cross(spot.minus(from));
             let (on, back) = (from.z <= spot.z && to.z > spot.z, from.z > spot.z && to.z <= spot.z);
             i32::from(on && left > 0.0) - i32::from(back && left < 0.0)
         };
-        if near(0.0).map(crossing).sum::<i32>() != 0 {
-            return 0.0;
-        }
-        let distance = |reach: f64| near(reach).map(|(from, to)| spot.distance(from, to)).fold(most, f64::min);
-        let close = [0.1, 1.0].into_iter().filter(|reach| *reach < most);
-        close
-            .map(|reach| (reach, distance(reach)))
-            .find(|(reach, found)| found <= reach)
-            .map_or_else(|| distance(most), |found| found.1)
+        let inside = near(0.0).map(crossing).sum::<i32>() != 0;
+        (if inside { self.nose - off } else { self.nose + off }).max(0.0).min(from_part)
     }
 }
 
