@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::fault::{Fault, Faults};
 use crate::note::Figure;
-use crate::plane::{Convex, Region, Rule, Vector, Window};
+use crate::plane::{AlongAxis, Convex, Region, Rule, Vector, Window};
 use crate::set_up::{Motion, MotionKind, Piece, SetUp};
 use crate::stock::Stock;
 use crate::taps::LEAD;
@@ -16,8 +16,9 @@ use crate::units::{At, Block, Mm};
 pub const TOLERANCE: f64 = 0.005;
 
 /// The number of swept pieces that are collected before they are subtracted from the stock together, which is faster
-/// than one by one.
+/// than one by one; and so many corners of the stock for each piece, because all of it is gone through then.
 const BATCH: usize = 128;
+const CORNERS_A_PIECE: usize = 16;
 
 /// The result after all motions.
 pub struct Carried<'s> {
@@ -86,10 +87,13 @@ impl<'s> Carried<'s> {
     pub fn nose_at(&self, spots: &[Vector]) -> f64 {
         // A cut edge lies on the grid, and its chords coincide with those of the sweep.
         const TOUCH: f64 = 0.002;
-        let window = Window::around(spots.iter().copied()).grown(TOUCH);
-        let near = self.cuts.iter().filter(|(cut, _)| cut.meets(window));
-        let touches =
-            |piece: &Convex| piece.window().meets(window) && spots.iter().any(|&spot| piece.distance(spot) <= TOUCH);
+        let along = AlongAxis::of(spots.iter().map(|spot| [spot.z, spot.z]));
+        let inside = |window: Window| {
+            let places = along.between(window.least.z, window.most.z).into_iter().map(|place| spots[place]);
+            places.filter(move |spot| window.meets(Window { least: *spot, most: *spot }))
+        };
+        let near = self.cuts.iter().filter(|(cut, _)| inside(cut.grown(TOUCH)).next().is_some());
+        let touches = |piece: &Convex| inside(piece.window().grown(TOUCH)).any(|spot| piece.distance(spot) <= TOUCH);
         near.fold(0.0, |roundest, &(_, index)| {
             let motion = &self.set_up.motions[index];
             let nose = self.tool(motion).cutter.nose_radius().0;
@@ -155,7 +159,7 @@ impl<'s> Carried<'s> {
                     self.cuts.push((around(&cuts, metal), index));
                     cuts.iter().filter(|piece| piece.window().meets(metal)).for_each(|piece| self.waiting.add(piece));
                 }
-                if self.waiting.count >= BATCH {
+                if self.waiting.count >= BATCH.max(self.stock.0.corners() / CORNERS_A_PIECE) {
                     self.take_off();
                 }
             }
@@ -176,11 +180,10 @@ impl<'s> Carried<'s> {
 
     /// Where pieces meet uncut metal: the width and the place. `cut` is the cut of the motion itself.
     pub(crate) fn overlap(&self, pieces: &[Convex], cut: &[Convex]) -> Option<(Mm, At)> {
-        let window = around(pieces, self.stock.0.window());
-        let metal = self.stock.0.within(window);
-        if metal.is_empty() {
+        if !may_meet(&self.stock.0, pieces) {
             return None;
         }
+        let metal = self.stock.0.within(around(pieces, self.stock.0.window()));
         let met = metal.made(&Region::pieces(pieces), Rule::Both);
         thickest(&met)?;
         let window = met.window();
@@ -227,10 +230,10 @@ impl<'s> Carried<'s> {
     fn hold_profile(&mut self, motion: &Motion, cuts: &[Convex], thread: bool) {
         let mut found = gouges(&self.target, kept(&self.target, thread), thread, motion, cuts);
         if let Some(whole) = &self.finished {
-            let near = kept(whole, thread).within(around(cuts, whole.keep.window()));
-            if !near.is_empty() {
-                let elsewhere = near.made(kept(&self.target, thread), Rule::Without);
-                found.extend(gouges(whole, &elsewhere, thread, motion, cuts));
+            if may_meet(kept(whole, thread), cuts) {
+                let near = kept(whole, thread).within(around(cuts, whole.keep.window()));
+                let made_here = kept(&self.target, thread).within(near.window());
+                found.extend(gouges(whole, &near.made(&made_here, Rule::Without), thread, motion, cuts));
             }
         }
         for gouge in found {
@@ -325,10 +328,10 @@ const fn kept(target: &Target, thread: bool) -> &Region {
 
 /// Where a motion cuts into metal that must stay.
 fn gouges(target: &Target, keep: &Region, thread: bool, motion: &Motion, cuts: &[Convex]) -> Vec<Fault> {
-    let local = keep.within(around(cuts, keep.window()));
-    if local.is_empty() {
+    if !may_meet(keep, cuts) {
         return Vec::new();
     }
+    let local = keep.within(around(cuts, keep.window()));
     let pieces = local.made(&Region::pieces(cuts), Rule::Both);
     let gouge = |piece: Region| {
         let spots = samples(&piece, 16);
@@ -363,6 +366,11 @@ impl Waiting {
     fn together(self) -> Option<Region> {
         self.parts.into_iter().map(|(_, part)| part).reduce(|all, part| all.made(&part, Rule::Either))
     }
+}
+
+/// Whether a region and some pieces may have metal in common.
+fn may_meet(region: &Region, pieces: &[Convex]) -> bool {
+    pieces.iter().any(|piece| region.may_meet(piece))
 }
 
 /// The window of the pieces that meet another one.

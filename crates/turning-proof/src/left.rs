@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::carry::{Carried, TOLERANCE, samples};
 use crate::fault::Fault;
-use crate::plane::{Convex, Region, Rule, Vector, Window};
+use crate::plane::{AlongAxis, Rule, Vector, Window};
 use crate::target::Nearest;
 use crate::units::{At, Mm};
 
@@ -37,11 +37,10 @@ pub fn hold(carried: &mut Carried<'_>) {
             continue;
         }
         let nose = carried.nose_at(&spots);
-        let unreached = unreached(carried, piece.window(), nose);
+        let reached = Reached::by(nose, carried, piece.window());
         let (mut corner, mut stands) = (Vec::new(), Vec::new());
         for mut left in left {
-            left.thickness = unreached.as_ref().map_or(f64::INFINITY, |region| over_region(region, left.spot));
-            left.thickness = left.thickness.min(left.near.distance);
+            left.thickness = reached.thickness(left.spot, left.near.distance);
             if left.thickness > TOLERANCE { stands.push(left) } else { corner.push(left) }
         }
         tell_corner(carried, &corner, nose);
@@ -57,22 +56,40 @@ fn left(carried: &Carried<'_>, spots: &[Vector]) -> Vec<Left> {
     all.filter(|left| left.thickness > TOLERANCE && !target.is_elsewhere(left.spot, left.near.drawn)).collect()
 }
 
-/// The part and the area that no nose circle could reach beside it: grown by the nose and shrunk by it.
-fn unreached(carried: &Carried<'_>, window: Window, nose: f64) -> Option<Region> {
-    let disc = Convex::disc(nose).filter(|_| nose > 0.0)?;
-    let metal = carried.target.may_stay.within(window.grown(2.0 * nose + 1.0));
-    let along =
-        |edges: &Region| -> Vec<Convex> { edges.edges().filter_map(|(from, to)| disc.swept(from, to)).collect() };
-    let grown = metal.made(&Region::pieces(&along(&metal)), Rule::Either);
-    Some(grown.made(&Region::pieces(&along(&grown)), Rule::Without))
+/// Where the centre of a nose may stand: outside of the part grown by the nose. Its edges are found by their places along the axis.
+struct Reached {
+    nose: f64,
+    edges: Vec<(Vector, Vector)>,
+    along: AlongAxis,
 }
 
-/// The distance of a point from a region, mm; 0 inside.
-fn over_region(region: &Region, spot: Vector) -> f64 {
-    if region.holds(spot) {
-        return 0.0;
+impl Reached {
+    /// Around what lies in a window.
+    fn by(nose: f64, carried: &Carried<'_>, window: Window) -> Self {
+        let part = || carried.target.may_stay.within(window.grown(2.0 * nose + 1.0));
+        let edges: Vec<_> = if nose > 0.0 { part().grown(nose).edges().collect() } else { Vec::new() };
+        let along = AlongAxis::of(edges.iter().map(|(from, to)| [from.z.min(to.z), from.z.max(to.z)]));
+        Self { nose, edges, along }
     }
-    region.edges().map(|(from, to)| spot.distance(from, to)).fold(f64::INFINITY, f64::min)
+
+    /// The thickness of metal at a point over what no nose reaches, mm: by so much the nose must come nearer to touch it, having
+    /// come as near as the part lets it. At most the distance of the point from the part.
+    fn thickness(&self, spot: Vector, from_part: f64) -> f64 {
+        let reach = from_part.max(self.nose);
+        let near = |reach: f64| self.along.between(spot.z - reach, spot.z + reach).into_iter().map(|at| self.edges[at]);
+        let distance = |reach: f64| near(reach).map(|(from, to)| spot.distance(from, to)).fold(f64::INFINITY, f64::min);
+        let close = [0.1, 1.0].into_iter().map(|reach| (reach, distance(reach)));
+        let close = close.into_iter().find(|(reach, found)| found <= reach);
+        let off = close.map_or_else(|| distance(reach), |found| found.1);
+        // Seen along the radius: the region is to the left of its edges.
+        let crossing = |(from, to): (Vector, Vector)| {
+            let left = to.minus(from).cross(spot.minus(from));
+            let (on, back) = (from.z <= spot.z && to.z > spot.z, from.z > spot.z && to.z <= spot.z);
+            i32::from(on && left > 0.0) - i32::from(back && left < 0.0)
+        };
+        let inside = near(0.0).map(crossing).sum::<i32>() != 0;
+        (if inside { self.nose - off } else { self.nose + off }).max(0.0).min(from_part)
+    }
 }
 
 fn tell_corner(carried: &mut Carried<'_>, corner: &[Left], nose: f64) {

@@ -2,7 +2,7 @@
 //! nearest edge.
 
 use crate::note::Figure;
-use crate::plane::{Convex, Region, Rule, Vector, Window};
+use crate::plane::{AlongAxis, Convex, Region, Rule, Vector, Window};
 use crate::set_up::{Profile, ProfilePiece, Thread};
 use crate::stock::between;
 
@@ -62,6 +62,7 @@ pub struct Target {
     /// Its threads.
     pub threads: Vec<Threaded>,
     edges: Vec<OutlineEdge>,
+    along: AlongAxis,
     surfaces: Vec<Option<Figure>>,
     bands: Vec<Band>,
     /// How deep the root of the thread on each piece lies under its crest, mm.
@@ -210,12 +211,13 @@ impl Target {
         let edges = chains.iter().flatten().enumerate().flat_map(|(piece, chain)| {
             chain.pairs().map(move |(a, b, by)| OutlineEdge { from: a.plus(by), to: b.plus(by), piece })
         });
-        let edges = edges.collect();
+        let edges: Vec<OutlineEdge> = edges.collect();
+        let along = AlongAxis::of(edges.iter().map(|edge| [edge.from.z.min(edge.to.z), edge.from.z.max(edge.to.z)]));
         let surfaces = profile.outside.iter().chain(&profile.bore).map(|piece| piece.surface.clone()).collect();
         let bands = chains.iter().flatten().map(|chain| chain.band).collect();
         let root = |piece: &ProfilePiece| piece.thread.map_or(0.0, |thread| (thread.crest.0 - thread.root.0).abs());
         let roots = profile.outside.iter().chain(&profile.bore).map(root).collect();
-        Self { keep, keep_thread, may_stay, threads, edges, surfaces, bands, roots, open, extended }
+        Self { keep, keep_thread, may_stay, threads, edges, along, surfaces, bands, roots, open, extended }
     }
 
     pub fn surface(&self, piece: usize) -> Option<Figure> {
@@ -249,16 +251,18 @@ impl Target {
         nearest
     }
 
-    /// The nearest edge to each of some points.
+    /// The nearest edge to each of some points: looked for close by, then ever farther off.
     fn nearest(&self, spots: &[Vector]) -> Vec<Nearest> {
-        // An edge is nearly always close by; only if none is, all of them are searched.
-        const CLOSE: f64 = 0.1;
-        let window = Window::around(spots.iter().copied()).grown(CLOSE);
-        let meets = |edge: &&OutlineEdge| Window::around([edge.from, edge.to]).meets(window);
-        let close: Vec<OutlineEdge> = self.edges.iter().filter(meets).copied().collect();
+        const CLOSE: [f64; 4] = [0.1, 1.0, 10.0, 100.0];
         let nearest = |&spot: &Vector| {
-            let found = Nearest::of(&close, spot);
-            if found.distance <= CLOSE { found } else { Nearest::of(&self.edges, spot) }
+            let within = |reach: f64| {
+                let window = Window::around([spot]).grown(reach);
+                let near = self.along.between(window.least.z, window.most.z).into_iter().map(|place| self.edges[place]);
+                let near = near.filter(|edge| Window::around([edge.from, edge.to]).meets(window));
+                Nearest::of(near, spot).filter(|found| found.distance <= reach)
+            };
+            let found = CLOSE.into_iter().find_map(within).or_else(|| Nearest::of(self.edges.iter().copied(), spot));
+            found.unwrap_or(Nearest { piece: 0, distance: f64::INFINITY, drawn: f64::INFINITY, square: false })
         };
         spots.iter().map(nearest).collect()
     }
@@ -286,14 +290,13 @@ impl Target {
 }
 
 impl Nearest {
-    fn of(edges: &[OutlineEdge], spot: Vector) -> Self {
-        let each = edges.iter().map(|edge| (spot.distance(edge.from, edge.to), edge));
-        let Some((distance, edge)) = each.min_by(|a, b| a.0.total_cmp(&b.0)) else {
-            return Self { piece: 0, distance: f64::INFINITY, drawn: f64::INFINITY, square: false };
-        };
+    /// The first of the nearest; none of no edges.
+    fn of(edges: impl Iterator<Item = OutlineEdge>, spot: Vector) -> Option<Self> {
+        let each = edges.map(|edge| (spot.distance(edge.from, edge.to), edge));
+        let (distance, edge) = each.min_by(|a, b| a.0.total_cmp(&b.0))?;
         let along = edge.to.minus(edge.from).unit();
         let across = along.cross(spot.minus(edge.from)).abs();
-        Self { piece: edge.piece, distance, drawn: distance, square: across >= 0.99 * distance }
+        Some(Self { piece: edge.piece, distance, drawn: distance, square: across >= 0.99 * distance })
     }
 }
 

@@ -53,7 +53,8 @@ pub(super) fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &L
         let mut seated = stations.iter().filter(|one| is_seated(one, tool));
         let only = seated.next().filter(|_| seated.next().is_none());
         let placed = || of(&|one| Some(one) == only).or_else(|| of(&|one| one.seat.place == tool.number));
-        if let Some(job) = named.or_else(placed) {
+        // A tool that is called by a name stands nobody knows where.
+        if let Some(job) = named.or_else(|| if tool.by_name { None } else { placed() }) {
             tools.push(CalledTool { called: tool, line, job, is_named: named.is_some() });
         }
     }
@@ -118,6 +119,7 @@ pub(super) fn exchanges(
         let Some(tool) = current.filter(|_| motion.act.moves()) else { continue };
         let note = |code| Note::new(code).with("number", called.number);
         if let Some(places) = operation.turret_places.filter(|places| called.number as usize > *places)
+            && !called.by_name
             && beyond.insert(called.number)
         {
             let note = note("turned-beyond-turret").with("places", places);

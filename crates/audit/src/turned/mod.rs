@@ -195,6 +195,10 @@ fn compared<'o>(operation: &'o Operation, set_up: u8, text: &str, run: &LatheRun
         let note = Note::new("turned-no-set-up").with("number", set_up).with("known", numbers.join(", "));
         Box::new(fault("turned-no-set-up", Severity::Error, note, 1))
     })?;
+    if let Some(passed) = run.faults.iter().find(|fault| fault.code == "lathe-not-carried-out") {
+        let note = Note::new("turned-not-carried-out");
+        return Err(Box::new(fault("turned-not-carried-out", Severity::Doubtful, note, passed.span.line)));
+    }
     let tools = tools(operation, work, text, run);
     let (motions, indexed) = motions(&run.motions, &tools)
         .map_err(|why| Box::new(fault(why.code(), Severity::Doubtful, why.note(), why.line())))?;

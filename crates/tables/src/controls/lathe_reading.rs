@@ -74,6 +74,8 @@ vocabulary! {
         ThreadBox = "thread-box",
         TurnBox = "turn-box",
         FaceBox = "face-box",
+        PeckAlong = "peck-along",
+        PeckAcross = "peck-across",
         Tap = "tap",
         CycleOff = "cycle-off",
         SpindleClockwise = "spindle-clockwise",
@@ -87,6 +89,7 @@ vocabulary! {
         Return = "return",
         End = "end",
         Nothing = "nothing",
+        NotCarriedOut = "not-carried-out",
     }
 }
 

@@ -1,6 +1,6 @@
 //! Convex pieces, the elements of tools, and their sweeps.
 
-use super::{CHORD, Vector, Window};
+use super::{Vector, Window};
 
 /// A convex piece: its corners counter-clockwise, with Z to the right and the radius up.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,15 +42,6 @@ impl Convex {
     /// The corners of a rectangle.
     pub fn rectangle(a: Vector, b: Vector) -> [Vector; 4] {
         [a, Vector::new(b.z, a.r), b, Vector::new(a.z, b.r)]
-    }
-
-    /// A disc, as chords.
-    pub fn disc(radius: f64) -> Option<Self> {
-        let step = 2.0 * libm::acos(1.0 - CHORD / radius.max(2.0 * CHORD));
-        // As many above as below, so that it is the same from both sides.
-        let count = 2 * (std::f64::consts::PI / step).ceil().max(4.0) as usize;
-        let angle = |index: usize| std::f64::consts::TAU * index as f64 / count as f64;
-        Self::hull((0..count).map(|index| Vector::default().towards(angle(index), radius)))
     }
 
     pub fn corners(&self) -> &[Vector] {

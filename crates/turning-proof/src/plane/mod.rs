@@ -1,10 +1,14 @@
 //! The half-plane through the axis: points, convex pieces and their sweeps, paths of chords, regions.
 
+mod along;
+mod clip;
 mod convex;
 mod course;
+mod offset;
 mod region;
 mod window;
 
+pub use along::AlongAxis;
 pub use convex::Convex;
 pub use course::{chords, turned};
 pub use region::{Region, Rule};

@@ -5,16 +5,17 @@ use i_overlay::core::overlay::{IntOverlayOptions, Overlay, ShapeType};
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::i_float::int::point::IntPoint;
 
+use super::clip::{Boxes, HalfPlane, clipped};
 use super::{Convex, Vector, Window};
 
 /// Steps of the grid in a millimetre: 10 nm, a five-hundredth of the tolerance of findings.
-const GRID: f64 = 100_000.0;
+pub(super) const GRID: f64 = 100_000.0;
 
 /// Smaller regions are dropped, in cells of the grid: 10⁻⁶ mm², such as 5 µm by 0.2 µm.
 const CRUMB: u64 = 10_000;
 
 /// A closed chain of corners on the grid.
-type Contour = Vec<IntPoint<i32>>;
+pub(super) type Contour = Vec<IntPoint<i32>>;
 
 /// An operation on two regions.
 #[derive(Clone, Copy, Debug)]
@@ -29,20 +30,22 @@ pub enum Rule {
 pub struct Region {
     contours: Vec<Contour>,
     windows: Vec<Window>,
+    boxes: Vec<Boxes>,
 }
 
-fn grid(spot: Vector) -> IntPoint<i32> {
+pub(super) fn grid(spot: Vector) -> IntPoint<i32> {
     IntPoint::new((spot.z * GRID).round() as i32, (spot.r * GRID).round() as i32)
 }
 
-fn spot(point: IntPoint<i32>) -> Vector {
+pub(super) fn spot(point: IntPoint<i32>) -> Vector {
     Vector::new(f64::from(point.x) / GRID, f64::from(point.y) / GRID)
 }
 
 impl Region {
     fn of(contours: Vec<Contour>) -> Self {
-        let windows = contours.iter().map(|contour| Window::around(contour.iter().map(|&point| spot(point)))).collect();
-        Self { contours, windows }
+        let boxes: Vec<Boxes> = contours.iter().map(|contour| Boxes::of(contour)).collect();
+        let windows = boxes.iter().map(Boxes::window).collect();
+        Self { contours, windows, boxes }
     }
 
     /// The area enclosed by closed chains, in whichever direction they run.
@@ -87,7 +90,7 @@ impl Region {
             Rule::Without => OverlayRule::Difference,
             Rule::Either => OverlayRule::Union,
         };
-        let count = self.contours.iter().chain(&other.contours).map(Vec::len).sum();
+        let count = self.corners() + other.corners();
         let options = IntOverlayOptions { min_output_area: CRUMB, ..IntOverlayOptions::default() };
         let mut overlay = Overlay::<i32>::new_custom(count, options, Default::default());
         overlay.add_source(&self.contours, ShapeType::Subject);
@@ -114,16 +117,26 @@ impl Region {
     /// The part of it inside a window. Along the window's edges lines may run there and back.
     #[must_use]
     pub fn within(&self, window: Window) -> Self {
-        let (least, most) = (grid(window.least), grid(window.most));
-        let met = self.contours.iter().zip(&self.windows).filter(|(_, around)| around.meets(window));
-        let cut = met.filter_map(|(contour, _)| {
-            let contour = clipped(contour, |point| i64::from(point.x) - i64::from(least.x));
-            let contour = clipped(&contour, |point| i64::from(most.x) - i64::from(point.x));
-            let contour = clipped(&contour, |point| i64::from(point.y) - i64::from(least.y));
-            let contour = clipped(&contour, |point| i64::from(most.y) - i64::from(point.y));
-            (contour.len() > 2).then_some(contour)
-        });
-        Self::of(cut.collect())
+        let sides = HalfPlane::of_window(window);
+        Self::of(self.near(window).filter_map(|(contour, boxes)| clipped(contour, boxes, &sides)).collect())
+    }
+
+    /// Whether some of it may lie within a convex piece. Only its longer edges are looked at, and these generously: where it says
+    /// that there is nothing, there is nothing.
+    pub fn may_meet(&self, piece: &Convex) -> bool {
+        let sides = HalfPlane::around(piece);
+        self.near(piece.window()).any(|(contour, boxes)| clipped(contour, boxes, &sides).is_some())
+    }
+
+    /// The contours whose windows meet another one.
+    fn near(&self, window: Window) -> impl Iterator<Item = (&Contour, &Boxes)> {
+        let all = self.contours.iter().zip(&self.boxes).zip(&self.windows);
+        all.filter(move |(_, around)| around.meets(window)).map(|(contour, _)| contour)
+    }
+
+    /// How many corners it has.
+    pub fn corners(&self) -> usize {
+        self.contours.iter().map(Vec::len).sum()
     }
 
     /// Whether a point is inside it.
@@ -170,24 +183,4 @@ impl Region {
 fn edges(contour: &[IntPoint<i32>]) -> impl Iterator<Item = (Vector, Vector)> {
     let shifted = contour.iter().skip(1).chain(contour.first());
     contour.iter().zip(shifted).map(|(&a, &b)| (spot(a), spot(b)))
-}
-
-/// The part of a contour on the side where the measure is not negative.
-fn clipped(contour: &[IntPoint<i32>], measure: impl Fn(IntPoint<i32>) -> i64) -> Contour {
-    let Some(&last) = contour.last() else { return Contour::new() };
-    let mut kept = Contour::with_capacity(contour.len() + 4);
-    let (mut before, mut was) = (last, measure(last));
-    for &here in contour {
-        let is = measure(here);
-        if (was < 0) != (is < 0) {
-            let part = was as f64 / (was - is) as f64;
-            let between = |a: i32, b: i32| (f64::from(a) + (f64::from(b) - f64::from(a)) * part).round() as i32;
-            kept.push(IntPoint::new(between(before.x, here.x), between(before.y, here.y)));
-        }
-        if is >= 0 {
-            kept.push(here);
-        }
-        (before, was) = (here, is);
-    }
-    kept
 }

@@ -107,8 +107,9 @@ impl Maker<'_> {
     }
 
     fn modes(&mut self, words: &BlockWords) {
-        let taps = self.state.is(LatheGroup::Motion, WordEffect::Tap);
-        if taps && words.function_for(WordEffect::CycleOff).is_some() {
+        let cycles = [WordEffect::Tap, WordEffect::NotCarriedOut];
+        let in_cycle = cycles.iter().any(|effect| self.state.is(LatheGroup::Motion, *effect));
+        if in_cycle && words.function_for(WordEffect::CycleOff).is_some() {
             self.state.modes.remove(&LatheGroup::Motion);
         }
         for function in &words.functions {
@@ -175,6 +176,9 @@ impl Maker<'_> {
     fn tool(&mut self, words: &BlockWords) {
         let change = words.function_for(WordEffect::ToolChange).is_some();
         let given = words.take("T").cloned();
+        if let Some((name, span)) = &words.tool {
+            self.tool_by_name(name, *span);
+        }
         if let Some(given) = &given {
             let whole = given.value >= 0.0 && given.value < 1e6 && (given.value % 1.0).abs() < 1e-9;
             if !whole {
@@ -185,7 +189,7 @@ impl Maker<'_> {
             if self.is(LatheReader::Fanuc) {
                 // T0101: two digits of the tool, two of its offset.
                 let offset = (!number.is_multiple_of(100)).then_some(number % 100);
-                self.state.tool = Some(LatheTool { number: number / 100, offset });
+                self.state.tool = Some(LatheTool { number: number / 100, offset, by_name: false });
                 self.put_here(LatheAct::ToolChange);
             } else {
                 self.state.wanted = Some(number);
@@ -194,13 +198,14 @@ impl Maker<'_> {
         let sinumerik = self.is(LatheReader::Sinumerik);
         let edge = if sinumerik { words.take("D") } else { None };
         let offset = edge.map(|edge| (edge.value > 0.0).then_some(edge.value as u32));
-        let turret = sinumerik && given.is_some();
+        let turret = sinumerik && (given.is_some() || words.tool.is_some());
         if (change || turret)
             && let Some(number) = self.state.wanted
         {
             // Sinumerik activates D1 with a new tool.
             let offset = if sinumerik { offset.unwrap_or(Some(1)) } else { None };
-            self.state.tool = Some(LatheTool { number, offset });
+            let by_name = self.state.named.values().any(|known| *known == number);
+            self.state.tool = Some(LatheTool { number, offset, by_name });
             let length = words.function_for(WordEffect::Offset).is_some();
             if length && let Some(tool) = &mut self.state.tool {
                 tool.offset = Some(words.take("H").map_or(number, |value| value.value as u32));
@@ -212,6 +217,15 @@ impl Maker<'_> {
         } else if let (Some(offset), Some(tool)) = (offset, &mut self.state.tool) {
             tool.offset = offset;
         }
+    }
+
+    /// A tool that is called by its name gets a number that no other tool of the program has: they go on behind the largest.
+    fn tool_by_name(&mut self, name: &str, span: TextSpan) {
+        let next = self.state.numbered + u32::try_from(self.state.named.len()).unwrap_or(u32::MAX) + 1;
+        let number = *self.state.named.entry(name.to_owned()).or_insert(next);
+        let problem = fault("lathe-tool-named", span, self.number).with("name", name.to_owned());
+        self.faults.push(problem.with("number", number));
+        self.state.wanted = Some(number);
     }
 
     fn machine(&mut self, words: &BlockWords) {
@@ -315,6 +329,10 @@ impl Maker<'_> {
             self.thread_box(words, span);
             return;
         }
+        if mode == WordEffect::NotCarriedOut {
+            self.not_carried_out(words, span);
+            return;
+        }
         if matches!(mode, WordEffect::TurnBox | WordEffect::FaceBox) {
             self.before_moving(span, true);
             self.cut_box(words, mode, span);
@@ -329,12 +347,22 @@ impl Maker<'_> {
             return;
         }
         let Some(shape) = self.shape(words, mode, span) else { return };
+        let corner = if mode == WordEffect::Line { self.corner(words) } else { None };
         self.before_moving(span, mode != WordEffect::Rapid);
         match mode {
             WordEffect::Rapid => self.push_motion(LatheAct::Rapid, shape.to),
             WordEffect::Thread => self.thread(words, shape.to, span),
             _ => self.cut(shape, span),
         }
+        self.state.corner = corner;
+    }
+
+    /// A cycle of which only the name is known here: told, and nothing of it is made. Such cycles end where they begin.
+    pub fn not_carried_out(&mut self, words: &BlockWords, span: TextSpan) {
+        words.take_all();
+        let code = words.functions.iter().find(|function| function.effect == WordEffect::NotCarriedOut);
+        let code = code.map_or_else(|| "".to_owned(), |function| function.code.clone());
+        self.report_with("lathe-not-carried-out", span, "word", code);
     }
 
     /// A motion to a place with unknown part coordinates: the named axes are unknown afterwards.

@@ -49,8 +49,9 @@ impl Maker<'_> {
         if !self.is(LatheReader::Fanuc) {
             return;
         }
-        let thread =
-            words.function_for(WordEffect::ThreadCycle).is_some() || words.function_for(WordEffect::Dwell).is_some();
+        // R of the first block of G73 is a number of passes.
+        let others = [WordEffect::ThreadCycle, WordEffect::Dwell, WordEffect::NotCarriedOut];
+        let thread = others.iter().any(|effect| words.function_for(*effect).is_some());
         let pointless = words
             .all()
             .iter()

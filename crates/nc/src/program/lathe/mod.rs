@@ -6,14 +6,17 @@
 //! - `block` one block and the motions it makes, `state` the state kept between blocks;
 //! - `contour` elements of contours and the frame of passes, `roughing` passes over them, `cycles` the cycles that
 //!   make passes over a contour, `threads` those that cut threads, `tapping` those that drive a tap;
+//! - `corners` chamfers and roundings between two lines, `pecks` cycles that go in step by step;
 //! - `recognise` whether a text is certainly a program of a lathe;
 //! - `run` the execution of the blocks; `motion` the result; `time` its duration; `rules` all rules.
 
 mod block;
 mod contour;
 mod control;
+mod corners;
 mod cycles;
 mod motion;
+mod pecks;
 mod recognise;
 mod roughing;
 mod rules;

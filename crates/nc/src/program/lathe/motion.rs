@@ -71,6 +71,9 @@ pub struct LatheTool {
     pub number: u32,
     /// The number of its offset; none where none is in force.
     pub offset: Option<u32>,
+    /// Whether the program calls it by a name, and the number is one that it was given here.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub by_name: bool,
 }
 
 /// The modal state during a motion.

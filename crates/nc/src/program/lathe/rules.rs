@@ -38,6 +38,7 @@ pub(super) const RULES: &[Rule] = &[
     ("lathe-plane", Error, "start"),
     ("lathe-no-tool-yet", Error, "start"),
     ("lathe-no-offset", Wrong, "start"),
+    ("lathe-tool-named", Note, "start"),
     // Spindle and feed.
     ("spindle-without-speed", Error, "spindle"),
     ("feed-without-spindle", Error, "spindle"),
@@ -55,11 +56,14 @@ pub(super) const RULES: &[Rule] = &[
     ("arc-radius-short", Error, "motions"),
     ("lathe-no-lead", Error, "motions"),
     ("lathe-compensation", Doubtful, "motions"),
+    ("lathe-corner-alone", Error, "motions"),
+    ("lathe-corner-long", Error, "motions"),
     // Cycles.
     ("lathe-cycle-field", Error, "cycles"),
     ("lathe-cycle-fields-too-many", Error, "cycles"),
     ("lathe-cycle-value", Error, "cycles"),
     ("lathe-cycle-not-read", Error, "cycles"),
+    ("lathe-not-carried-out", Doubtful, "cycles"),
     ("lathe-cycle-first-block", Error, "cycles"),
     ("lathe-contour-missing", Error, "cycles"),
     ("lathe-contour-behind", Note, "cycles"),

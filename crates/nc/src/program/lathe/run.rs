@@ -7,6 +7,7 @@ use super::LatheReader;
 use super::block::{After, Maker};
 use super::contour::{Leg, Round};
 use super::control::LatheLanguage;
+use super::corners::Waiting;
 use super::expression::{Expression, Parameters};
 use super::motion::{LatheMotion, LathePlace, LathePoint};
 use super::rules::fault;
@@ -65,7 +66,7 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
         blocks: &blocks,
         programs: &programs,
         language,
-        state: State { pointed, ..State::power_on(language) },
+        state: State { pointed, numbered: largest_tool(&blocks), ..State::power_on(language) },
         motions: Vec::new(),
         faults: Vec::new(),
         reported: BTreeSet::new(),
@@ -77,6 +78,15 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
     faults.append(&mut run.faults);
     faults.sort_by_key(|fault| fault.span);
     LatheRun { motions: run.motions, faults }
+}
+
+/// The largest number of a tool.
+fn largest_tool(blocks: &[Block]) -> u32 {
+    let number = |word: &text::Word| match word.value {
+        Expression::Number(number) if word.name == "T" && (0.0..1e6).contains(&number) => Some(number as u32),
+        _ => None,
+    };
+    blocks.iter().flat_map(|block| &block.words).filter_map(number).max().unwrap_or_default()
 }
 
 /// The places of programs in the blocks.
@@ -185,7 +195,11 @@ enum Next {
 
 impl Run<'_> {
     fn main(&mut self) {
-        if matches!(self.program(0..self.programs.end, 0), Next::On) {
+        let ended = self.program(0..self.programs.end, 0);
+        if let Some(corner) = self.state.corner {
+            self.report(fault("lathe-corner-alone", corner.span, None));
+        }
+        if matches!(ended, Next::On) {
             let last = self.blocks.get(self.programs.end.wrapping_sub(1));
             if let Some((span, number)) = last.map(|block| (block.span, block.number)) {
                 self.report(fault("program-without-end", span, number));
@@ -234,6 +248,7 @@ impl Run<'_> {
             }
         }
         let mut faults = Vec::new();
+        let waiting = self.state.corner.take();
         let words = BlockWords::read(block, self.language, &self.state.parameters, &mut faults);
         let mut maker = Maker {
             language: self.language,
@@ -251,13 +266,25 @@ impl Run<'_> {
         let cycle = words.functions.iter().find(|it| {
             matches!(
                 it.effect,
-                WordEffect::RoughAlong | WordEffect::RoughAcross | WordEffect::Finish | WordEffect::ThreadCycle
-            )
+                WordEffect::RoughAlong
+                    | WordEffect::RoughAcross
+                    | WordEffect::Finish
+                    | WordEffect::ThreadCycle
+                    | WordEffect::PeckAlong
+                    | WordEffect::PeckAcross
+            ) || it.effect == WordEffect::NotCarriedOut && it.group == LatheGroup::OneShot
         });
         if let Some(function) = cycle {
             maker.of_cycle = true;
             if function.effect == WordEffect::ThreadCycle {
                 maker.thread_cycle(&words, function.span);
+            } else if matches!(function.effect, WordEffect::PeckAlong | WordEffect::PeckAcross) {
+                maker.pecks(&words, function.effect == WordEffect::PeckAcross, function.span);
+            } else if function.effect == WordEffect::NotCarriedOut {
+                // The contour of G73 belongs to it.
+                let behind = words.look("Q").and_then(|last| self.numbered(last.value)).filter(|last| *last > index);
+                maker.not_carried_out(&words, function.span);
+                next = behind.map_or(Next::On, |last| Next::To(last + 1));
             } else if let Some(after_cycle) =
                 self.contour_cycle(&mut maker, &words, function.effect, function.span, index)
             {
@@ -275,7 +302,22 @@ impl Run<'_> {
         let after = maker.after_motion(&words);
         let call = self.call(block, &words);
         maker.unused(&words);
-        let Maker { state, motions, faults, .. } = maker;
+        let Maker { mut state, mut motions, mut faults, .. } = maker;
+        if let Some(corner) = waiting {
+            match motions.iter_mut().find(|motion| motion.act.moves()) {
+                Some(behind) => {
+                    let before = self.motions.iter_mut().rev().find(|motion| motion.act.moves());
+                    match corner.between(before, behind) {
+                        Ok(at_corner) => motions.splice(0..0, at_corner).for_each(drop),
+                        Err(code) => faults.push(fault(code, corner.span, block.number)),
+                    }
+                }
+                None => state.corner = Some(corner),
+            }
+        }
+        if faults.iter().any(Fault::is_error) {
+            state.corner = None;
+        }
         // Of a block with an error only the modal functions are kept.
         if !faults.iter().any(Fault::is_error) {
             self.left = self.left.saturating_sub(motions.len());
@@ -361,8 +403,7 @@ impl Run<'_> {
             maker.report_with("lathe-cycle-field", span, "field", "P, Q");
             return None;
         };
-        let find = |number: f64| self.blocks.iter().position(|it| it.number.is_some_and(|it| f64::from(it) == number));
-        let (Some(from), Some(to)) = (find(first), find(last)) else {
+        let (Some(from), Some(to)) = (self.numbered(first), self.numbered(last)) else {
             maker.report_with("lathe-contour-missing", span, "name", format!("N{first} … N{last}"));
             return None;
         };
@@ -376,6 +417,11 @@ impl Run<'_> {
         maker.fanuc_cycle(words, does, span, begin, legs, type_two);
         // The control continues after the contour if the call comes before it.
         (does != WordEffect::Finish && to > index).then_some(Next::To(to + 1))
+    }
+
+    /// The block of a number.
+    fn numbered(&self, number: f64) -> Option<usize> {
+        self.blocks.iter().position(|block| block.number.is_some_and(|it| f64::from(it) == number))
     }
 
     /// CYCLE84, CYCLE95, CYCLE97 and MSG.
@@ -406,6 +452,9 @@ impl Run<'_> {
                     maker.cycle95(arguments, span, legs);
                 }
             }
+            _ if self.language.functions.get(name).is_some_and(|known| known.1 == WordEffect::NotCarriedOut) => {
+                maker.report_with("lathe-not-carried-out", span, "word", name.to_owned());
+            }
             _ => maker.report_with("lathe-cycle-not-read", span, "word", name.to_owned()),
         }
     }
@@ -417,7 +466,8 @@ impl Run<'_> {
         state.at = if known { begin.into() } else { LathePlace::default() };
         state.modes.remove(&LatheGroup::Motion);
         let parameters: Parameters = state.parameters.clone();
-        let (mut legs, before) = (Vec::new(), maker.faults.len());
+        let (mut legs, before): (Vec<Leg>, _) = (Vec::new(), maker.faults.len());
+        let mut waiting: Option<Waiting> = None;
         for block in self.blocks.get(range)?.iter() {
             let mut inner = Maker {
                 language: self.language,
@@ -462,12 +512,21 @@ impl Run<'_> {
                     return None;
                 };
                 if let Some(shape) = inner.shape(&words, mode, block.span) {
+                    let corner = if mode == WordEffect::Line { inner.corner(&words) } else { None };
                     if let (Some(from), Some(to)) = (inner.state.at.point(), shape.to.point()) {
                         let (from, to) = (super::block::spot(from), super::block::spot(to));
                         if from.to(to) > 0.0 {
                             let round = shape.round.map(|(centre, ccw)| Round { centre, ccw });
                             let (rapid, line) = (mode == WordEffect::Rapid, block.span.line);
-                            legs.push(Leg { from, to, round, rapid, feed, line });
+                            let mut leg = Leg { from, to, round, rapid, feed, line };
+                            match waiting.take().map(|corner| (corner, corner.between_legs(legs.last_mut(), &mut leg)))
+                            {
+                                Some((_, Ok(at_corner))) => legs.extend(at_corner),
+                                Some((corner, Err(code))) => inner.report(code, corner.span),
+                                None => {}
+                            }
+                            legs.push(leg);
+                            waiting = corner;
                         }
                     }
                     inner.state.at = shape.to;
@@ -476,6 +535,9 @@ impl Run<'_> {
             }
             state = inner.state;
             maker.faults.append(&mut inner.faults);
+        }
+        if let Some(corner) = waiting {
+            maker.report("lathe-corner-alone", corner.span);
         }
         (maker.faults[before..].iter().all(|fault| !fault.is_error())).then_some(legs)
     }

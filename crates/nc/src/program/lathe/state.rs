@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::control::LatheLanguage;
+use super::corners::Waiting;
 use super::expression::Parameters;
 use super::motion::{LatheFeed, LatheModes, LathePlace, LathePoint, LatheSpeed, LatheTool};
 use crate::motion::{Side, Turning};
@@ -16,6 +17,8 @@ pub(super) struct FirstBlocks {
     pub along: Option<(f64, f64)>,
     /// G72: the same.
     pub across: Option<(f64, f64)>,
+    /// G74 and G75: the way back after each step.
+    pub back: Option<f64>,
     /// G76: finishing passes, run-out in tenths of the lead, angle, least depth, finishing allowance.
     pub thread: Option<[f64; 5]>,
 }
@@ -36,6 +39,12 @@ pub(super) struct State {
     pub coolant: bool,
     pub wanted: Option<u32>,
     pub tool: Option<LatheTool>,
+    /// The largest number of a tool in the program.
+    pub numbered: u32,
+    /// The names of tools that were called by name, with their numbers here.
+    pub named: BTreeMap<String, u32>,
+    /// The chamfer or rounding at the end of the motion before.
+    pub corner: Option<Waiting>,
     pub parameters: Parameters,
     pub first: FirstBlocks,
     /// R of G90, G92 and G94, modal with it.
@@ -64,6 +73,9 @@ impl State {
             coolant: false,
             wanted: None,
             tool: None,
+            numbered: 0,
+            named: BTreeMap::new(),
+            corner: None,
             parameters: BTreeMap::new(),
             first: FirstBlocks::default(),
             box_taper: 0.0,

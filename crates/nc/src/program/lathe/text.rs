@@ -19,7 +19,7 @@ pub(super) struct Word {
 }
 
 /// The addresses of lengths.
-pub(super) const LENGTHS: [&str; 7] = ["X", "Z", "U", "W", "I", "K", "R"];
+pub(super) const LENGTHS: [&str; 10] = ["X", "Z", "U", "W", "I", "K", "R", "C", ",C", ",R"];
 
 impl Word {
     /// Whether it is a length whose number has a point.
@@ -61,6 +61,8 @@ pub(super) struct Block {
     pub words: Vec<Word>,
     /// Words without a number: DIAMON, M-less names of subprograms.
     pub names: Vec<(String, TextSpan)>,
+    /// `T="NAME"`.
+    pub tool: Option<(String, TextSpan)>,
     /// A call with arguments in parentheses: `CYCLE95(…)`.
     pub call: Option<(String, Vec<Argument>, TextSpan)>,
     /// `#5=…`, `R5=…`.
@@ -142,7 +144,8 @@ impl Line<'_> {
         let (first, last) = (characters.first()?.0, characters.last()?.0);
         let span = self.span(first, last + 1);
         let (number, skipped, head) = (None, false, None);
-        let mut block = Block { span, number, skipped, head, words: vec![], names: vec![], call: None, sets: vec![] };
+        let (words, names, sets) = (vec![], vec![], vec![]);
+        let mut block = Block { span, number, skipped, head, words, names, tool: None, call: None, sets };
         let mut at = 0;
         if characters.first().is_some_and(|(_, c)| *c == '/') {
             block.skipped = true;
@@ -160,6 +163,7 @@ impl Line<'_> {
                     self.o_word(&characters, at, &mut block);
                     break;
                 }
+                ',' if self.is_corner(&characters, at) => self.corner(&characters, at, &mut block),
                 '#' => self.set(&characters, at, "#", &mut block),
                 'R' if self.is_r_set(&characters, at) => self.set(&characters, at, "R", &mut block),
                 c if c.is_ascii_uppercase() => self.word(&characters, at, &mut block),
@@ -204,6 +208,24 @@ impl Line<'_> {
         false
     }
 
+    /// `,C2` and `,R2` of Fanuc.
+    fn is_corner(&self, characters: &[(usize, char)], at: usize) -> bool {
+        let is_letter = characters.get(at + 1).is_some_and(|(_, c)| matches!(c, 'C' | 'R'));
+        self.control == LatheReader::Fanuc && is_letter
+    }
+
+    /// A word with its comma; returns where it ends.
+    fn corner(&mut self, characters: &[(usize, char)], at: usize, block: &mut Block) -> usize {
+        let known = block.words.len();
+        let end = self.word(characters, at + 1, block);
+        if let Some(word) = block.words.get_mut(known) {
+            word.name.insert(0, ',');
+            word.span.column -= 1;
+            word.span.width += 1;
+        }
+        end
+    }
+
     fn is_r_set(&self, characters: &[(usize, char)], at: usize) -> bool {
         let digits = characters.iter().skip(at + 1).take_while(|(_, c)| c.is_ascii_digit()).count();
         self.control == LatheReader::Sinumerik
@@ -244,6 +266,9 @@ impl Line<'_> {
         let name = characters.get(at).map(|(_, c)| c.to_string()).unwrap_or_default();
         let mut reader = Reader::new(characters, at + 1, siemens);
         let equals = siemens && characters.get(at + 1).is_some_and(|(_, c)| *c == '=');
+        if equals && name == "T" && characters.get(at + 2).is_some_and(|(_, c)| *c == '"') {
+            return self.tool(characters, at, block);
+        }
         let value = if equals {
             reader.at += 1;
             reader.sum(0)
@@ -274,6 +299,15 @@ impl Line<'_> {
             }
             _ => block.words.push(Word { name, value, point, span }),
         }
+        end
+    }
+
+    /// `T="NAME"`; returns where it ends.
+    fn tool(&mut self, characters: &[(usize, char)], at: usize, block: &mut Block) -> usize {
+        let column = |at: usize| characters.get(at).map_or(0, |(column, _)| *column);
+        let name: String = characters.iter().skip(at + 3).take_while(|(_, c)| *c != '"').map(|(_, c)| *c).collect();
+        let end = (at + 3 + name.chars().count() + 1).min(characters.len());
+        block.tool = Some((name.to_uppercase(), self.span(column(at), column(end - 1) + 1)));
         end
     }
 

@@ -28,6 +28,11 @@ impl Maker<'_> {
     pub(super) fn thread_cycle(&mut self, words: &BlockWords, span: TextSpan) {
         match self.language.kind {
             LatheReader::Fanuc if words.look("F").is_none() => self.first_of_thread(words, span),
+            // The older form of one block.
+            LatheReader::Fanuc if words.look("K").is_some() || words.look("D").is_some() => {
+                words.take_all();
+                self.report_with("lathe-not-carried-out", span, "word", "G76");
+            }
             LatheReader::Fanuc => self.fanuc_thread(words, span),
             _ => self.linuxcnc_thread(words, span),
         }
@@ -134,7 +139,7 @@ impl Maker<'_> {
     }
 
     /// P and Q of G76: thousandths of a millimetre, which have no point.
-    fn thousandths(&mut self, given: Option<Value>) -> f64 {
+    pub(super) fn thousandths(&mut self, given: Option<Value>) -> f64 {
         let Some(given) = given else { return 0.0 };
         if given.point {
             self.report_with("number-not-whole", given.span, "address", given.name.clone());

@@ -34,6 +34,8 @@ pub(super) struct BlockWords {
     pub functions: Vec<Function>,
     values: Vec<Value>,
     used: RefCell<BTreeSet<usize>>,
+    /// `T="NAME"`.
+    pub tool: Option<(String, TextSpan)>,
     /// Names that are no functions: calls of subprograms.
     pub names: Vec<(String, TextSpan)>,
 }
@@ -50,7 +52,7 @@ fn code(letter: &str, value: f64) -> String {
 
 impl BlockWords {
     pub fn read(block: &Block, language: &LatheLanguage, parameters: &Parameters, faults: &mut Vec<Fault>) -> Self {
-        let mut words = Self::default();
+        let mut words = Self { tool: block.tool.clone(), ..Self::default() };
         for word in &block.words {
             let Some(value) = word.value.value(parameters) else {
                 faults.push(fault("lathe-parameter-unknown", word.span, block.number).with("word", word.name.clone()));
@@ -110,6 +112,11 @@ impl BlockWords {
         let index = self.values.iter().position(|value| value.name == name)?;
         self.used.borrow_mut().insert(index);
         self.values.get(index)
+    }
+
+    /// Marks all words as used.
+    pub fn take_all(&self) {
+        self.used.borrow_mut().extend(0..self.values.len());
     }
 
     /// A word, without marking it.
