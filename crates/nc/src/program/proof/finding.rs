@@ -95,6 +95,7 @@ named! {
         OutTurning = "out-turning",
         OutStanding = "out-standing",
         SpindleStands = "spindle-stands",
+        TapNotFollowed = "tap-not-followed",
         WrongTurn = "wrong-turn",
         LessOverrun = "less-overrun",
         TooShallow = "too-shallow",
@@ -151,6 +152,7 @@ named! {
         Way = "way",
         Whose = "whose",
         Diameter = "diameter",
+        Word = "word",
     }
 }
 
