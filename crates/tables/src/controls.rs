@@ -78,9 +78,7 @@ impl Convention {
             Self::FeedStep => "mm/min",
             Self::DwellStep | Self::DwellInHoleMost | Self::DwellLeast | Self::DwellMost => "s",
             Self::LoadToolTime | Self::SetBarTime | Self::TurnOverTime => "min",
-            Self::BlockNumberStep | Self::Overload | Self::SpotOverload | Self::Overlong | Self::DwellTurnsLeast => {
-                "1"
-            },
+            Self::BlockNumberStep | Self::Overload | Self::SpotOverload | Self::Overlong | Self::DwellTurnsLeast => "1",
         }
     }
 }

@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use technolog::note::Severity;
 use technolog::motion::MotionStep;
+use technolog::note::Severity;
 use technolog::program::{Fault, Language, Setting};
 use technolog_laws::share;
 use technolog_testing::mutants::mutants;
@@ -295,6 +295,20 @@ fn what_a_program_shows_without_a_part_ends_with_exit_code_1() {
         println!("{control:<8} {what:<28} {found:>4} of {}", missed + found);
     }
     assert!(missed.is_empty(), "{}", missed.join("\n"));
+}
+
+/// Without M29 the spindle of a Fanuc does not follow the feed: wrong with the part, doubtful without, where the chuck may let
+/// the tap float.
+#[test]
+fn a_tap_without_m29_is_told_as_that() {
+    let bench = ProofBench::new("tests/written/tapped.yaml");
+    let (_, language) = LANGUAGES.iter().find(|(control, _)| *control == "fanuc").unwrap();
+    let text = each(&bench.written(language), |line| without(line, |it| it == "M29"));
+    let (faults, proof, _) = bench.run(language, &text);
+    let told = faults.iter().find(|fault| fault.code == "tap-not-rigid").unwrap();
+    assert_eq!(told.severity, Severity::Doubtful);
+    let found = proof.findings.iter().find(|finding| finding.code.name() == "tap-not-followed").unwrap();
+    assert_eq!(found.severity, Severity::Wrong);
 }
 
 /// What is told of words altered so that a motion changes, and does no harm: the exit code stays 0.

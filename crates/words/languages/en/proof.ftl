@@ -53,6 +53,16 @@ rapid-across = a rapid across inside the part: to { $at } at Z{ $z }
     .help = leave the part first
 through-obstacle = the way to { $to } is at Z{ $made }, and a clamp or an obstacle at { $at } stands up to Z{ $needed }
     .help = raise the tool over it first, or go round it
+holder-through-obstacle = T{ $tool }: { $whose ->
+        [holder] the holder { $own }
+        [collar] the collar of the holder { $own }
+       *[nose] the spindle nose
+    }, Ø{ $diameter }, comes down to Z{ $made } beside a clamp or an obstacle at { $at } that stands up to Z{ $needed }
+    .help = take a longer tool, or stand it farther away or lower
+holder-unknown = T{ $tool }: how thick the holder { $own } is nobody says; if as thick as its collar, Ø{ $diameter }, it meets at Z{ $made } a clamp or an obstacle at { $at } that stands up to Z{ $needed }
+    .help = give its max_diameter in a table of holders, or stand the clamp farther away or lower
+holder-into-part = T{ $tool }: the holder { $own }, Ø{ $diameter }, comes down to Z{ $made } at { $at }, and the face of the part is at Z{ $needed }
+    .help = take a longer tool
 rapid-into-part = a rapid into the metal at { $at } to Z{ $z }
     .help = go into the metal at feed
 rapid-into-metal = { $hole }: { $operation } at { $at }: the feed begins at Z{ $made }, but the metal at Z{ $needed }

@@ -444,7 +444,8 @@ impl SourceLine<'_> {
         let peck = length && address == 'Q' && !written.contains('.') && self.control.is(Q::DecimalOfSetting);
         let peck = peck && self.points.decimal.is_none() && millionths >= self.control.habits.peck_most();
         if peck {
-            self.faults.push(fault("peck-in-increments", span, None).with("step", Micrometres::new(millionths / 1_000_000)));
+            self.faults
+                .push(fault("peck-in-increments", span, None).with("step", Micrometres::new(millionths / 1_000_000)));
             return Some(Word { address, millionths, increments: true, point: false, span });
         }
         let pointless = length && !written.contains('.');
