@@ -6,6 +6,7 @@
 //!
 //! - `make` turns a plan into the tree; `cycle` is the cycle of one transition, by the rule `machining-cycle`;
 //! - `part_position` is the position of the part on the machine; `clearance` checks what the tools pass over;
+//! - `envelope` is how thick the tools are over their cutters;
 //! - `time` is the duration of the work: cutting, rapids and manual work;
 //! - `unfinished` is what the job leaves undone of the part.
 //!
@@ -13,6 +14,7 @@
 
 mod clearance;
 mod cycle;
+mod envelope;
 mod make;
 mod part_position;
 mod time;
@@ -32,6 +34,7 @@ use crate::plan::Operation;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
 pub use cycle::{Feeding, convention, cycle};
+pub use envelope::{Body, BodyKind, Envelope};
 pub use make::make;
 pub use time::{Duration, Hands, times};
 pub use unfinished::{Left, Unfinished};
@@ -52,6 +55,9 @@ pub struct Job {
     /// What is left undone of the part when all of it is done.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unfinished: Vec<Unfinished>,
+    /// How thick each tool is over its cutter.
+    #[serde(skip)]
+    pub envelopes: Vec<Envelope>,
     /// Findings: the quill does not reach, or the part does not fit under the tools.
     pub findings: Vec<Finding>,
 }

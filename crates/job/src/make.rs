@@ -12,6 +12,7 @@ use crate::units::Micrometres;
 
 use super::clearance::{change_over_part, go_over, ways_over_clamps};
 use super::cycle::{Feeding, cycle};
+use super::envelope::envelopes;
 use super::part_position::{PartPosition, across, reach_of_quill, stand};
 use super::{Job, Pause, SetUp, Stop, ToolWork, Unfinished};
 
@@ -70,6 +71,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         setups,
         correctors: plan.tools.iter().map(|tool| (tool.corrector, tool.correction_mm)).collect(),
         unfinished: Unfinished::of(plan),
+        envelopes: envelopes(plan, shop)?,
         findings,
     })
 }

@@ -51,6 +51,16 @@ vocabulary! {
         DwellStep = "dwell-step",
         /// The factor on the planned dwell above which it is a mistake, and on the planned feed below whose part it is.
         Overlong = "overlong",
+        /// The part of a turn that the spindle makes in a dwell in a hole at least.
+        DwellTurnsLeast = "dwell-turns-least",
+        /// The longest dwell in a hole, s.
+        DwellInHoleMost = "dwell-in-hole-most",
+        /// The shortest dwell elsewhere that waits for anything, s.
+        DwellLeast = "dwell-least",
+        /// The longest dwell elsewhere, s.
+        DwellMost = "dwell-most",
+        /// The longest step of deep drilling, mm.
+        PeckMost = "peck-most",
         /// The time to put a tool into the magazine by hand, min.
         LoadToolTime = "load-tool-time",
         /// The time to set the bar of a boring tool to a diameter, min.
@@ -64,11 +74,11 @@ impl Convention {
     /// The unit of its value, as the table writes it.
     pub const fn unit(self) -> &'static str {
         match self {
-            Self::Withdrawal | Self::ObstacleClearance | Self::KneeStep => "mm",
+            Self::Withdrawal | Self::ObstacleClearance | Self::KneeStep | Self::PeckMost => "mm",
             Self::FeedStep => "mm/min",
-            Self::DwellStep => "s",
+            Self::DwellStep | Self::DwellInHoleMost | Self::DwellLeast | Self::DwellMost => "s",
             Self::LoadToolTime | Self::SetBarTime | Self::TurnOverTime => "min",
-            Self::BlockNumberStep | Self::Overload | Self::SpotOverload | Self::Overlong => "1",
+            Self::BlockNumberStep | Self::Overload | Self::SpotOverload | Self::Overlong | Self::DwellTurnsLeast => "1",
         }
     }
 }

@@ -80,6 +80,14 @@ rows! {
         diameter: Micrometres,
     } shown { hole_nominal_6h }
 
+    /// Spindle noses and collars of holders.
+    pub struct SpindleNose of One("spindle-noses") {
+        number: i64,
+        nose_diameter: Micrometres,
+        collar_diameter: Micrometres,
+        collar_length: Micrometres,
+    }
+
     /// 7:24 taper shanks.
     pub struct Taper724 of One("taper-7-24") {} shown { number, large_diameter, taper_length, thread }
 

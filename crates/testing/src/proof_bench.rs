@@ -109,12 +109,14 @@ impl ProofBench {
         let own = self.planned_for(language);
         let (plan, job) = own.as_ref().map_or((&self.plan, &self.job), |(plan, job)| (plan, job));
         let zeros: Vec<Position> = job.setups.iter().map(|setup| setup.zero).collect();
+        let tap_word = language.tap_word();
         let input = ProofInput {
             plan,
             job,
             zeros: &zeros,
             start: self.setting.start,
             tolerated: self.tolerated,
+            tap_word: tap_word.as_deref(),
             own_correctors: self.own_correctors,
         };
         let proof = prove(&steps, &input);

@@ -36,7 +36,7 @@ fn tools_go_over_clamps_and_obstacles_and_the_programs_prove() {
         (CLAMPS, 40, 15),
         (", obstacles: [{outline: [[-20, -20], [20, 20]], height: 50}]", 55, 15),
         (", obstacles: [{outline: [[-20, -20], [20, 20]], height: 50, set_up: 2}]", 15, 55),
-        (", obstacles: [{outline: [[100, -80], [119, -70]], height: 50}]", 15, 15),
+        (", obstacles: [{outline: [[100, -80], [119, -70]], height: 45}]", 15, 15),
         (", retract: 25", 25, 25),
     ] {
         let bench = bench(fixture);
@@ -111,4 +111,39 @@ fn on_plane_r_a_tool_goes_through_clamps() {
             assert_eq!(bench.codes(language, &text).contains(&"through-obstacle"), through, "{control} {fixture}");
         }
     }
+}
+
+/// The cutter clears a tall obstacle beside its hole, its holder does not: in either set-up. A holder that no table
+/// knows is taken to be as thick as its collar, 97.5 mm, and the nose of the spindle is 128.57 mm wide.
+#[test]
+fn a_holder_meets_an_obstacle_beside_the_hole() {
+    let codes = |fixture: &str| {
+        let bench = bench(fixture);
+        let (_, language) = &LANGUAGES[0];
+        let proof = bench.run(language, &bench.written(language)).1;
+        proof
+            .findings
+            .iter()
+            .filter(|one| one.severity <= technolog::note::Severity::Wrong)
+            .map(|one| one.code.name())
+            .collect::<Vec<_>>()
+    };
+    // Hole A at X60 Y60; the obstacle begins 20 mm behind it.
+    let beside = |height: u32, set_up: u32, x: u32| {
+        format!(
+            ", retract: 200, obstacles: [{{outline: [[{x}, 50], [{}, 70]], height: {height}, set_up: {set_up}}}]",
+            x + 20
+        )
+    };
+    assert_eq!(codes(&beside(20, 1, 80)), [""; 0]);
+    let found = codes(&beside(60, 1, 80));
+    assert!(found.contains(&"holder-unknown") && !found.contains(&"through-obstacle"), "{found:?}");
+    // Beyond the collar there is nothing that low.
+    assert_eq!(codes(&beside(60, 1, 110)), [""; 0]);
+    let found = codes(&beside(190, 1, 110));
+    assert!(found.contains(&"holder-through-obstacle"), "the nose: {found:?}");
+    // The second set-up bores B at X90 Y0 (seen from the back at X-90).
+    let back = ", retract: 200, obstacles: [{outline: [[-120, -10], [-110, 10]], height: 190, set_up: 2}]";
+    let found = codes(back);
+    assert!(found.iter().any(|code| code.starts_with("holder-")), "{found:?}");
 }

@@ -4,23 +4,28 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use technolog::motion::MotionStep;
 use technolog::note::Severity;
-use technolog::program::{Fault, Language};
+use technolog::program::{Fault, Language, Setting};
 use technolog_laws::share;
 use technolog_testing::mutants::mutants;
 use technolog_testing::proof_bench::ProofBench;
 
 static LANGUAGES: LazyLock<Vec<(&str, Language)>> = LazyLock::new(technolog_testing::languages);
 
-const PARTS: [&str; 3] = ["examples/plate.yaml", "examples/variant-4.yaml", "tests/written/every-cycle.yaml"];
+const PARTS: [&str; 4] =
+    ["examples/plate.yaml", "examples/variant-4.yaml", "tests/written/every-cycle.yaml", "tests/written/tapped.yaml"];
 
 /// Mutants that are harmless, with the reason.
-const HARMLESS: [(&str, &str, &str, &str); 5] = [
+const HARMLESS: [(&str, &str, &str, &str); 8] = [
     ("examples/plate.yaml", "haas-ngc", "quill not withdrawn", LAST),
     ("examples/plate.yaml", "mach3", "quill not withdrawn", LAST),
     ("examples/plate.yaml", "grbl", "quill not withdrawn", LAST),
     ("examples/plate.yaml", "linuxcnc", "quill not withdrawn", LAST),
     ("examples/plate.yaml", "fanuc", "quill not withdrawn", LAST),
+    ("tests/written/tapped.yaml", "haas-ngc", "quill not withdrawn", LAST),
+    ("tests/written/tapped.yaml", "linuxcnc", "quill not withdrawn", LAST),
+    ("tests/written/tapped.yaml", "fanuc", "quill not withdrawn", LAST),
 ];
 const LAST: &str = "the last tool is the longest: over its holes the quill is up, and M30 stops the spindle";
 
@@ -109,6 +114,32 @@ fn dangerous(control: &str, text: &str) -> Vec<(String, String)> {
             false => line.to_owned(),
         }),
     );
+    // A tool with the register of another one, and a time in another unit.
+    let registers: BTreeMap<u32, u32> = {
+        let used = text.lines().filter(|line| offset(line)).flat_map(|line| line.split(' '));
+        let used: Vec<u32> = used.filter_map(|word| number(word, 'H')).map(|number| number as u32).collect();
+        used.iter().copied().zip(used.iter().copied().cycle().skip(1)).filter(|(own, other)| own != other).collect()
+    };
+    let swapped = |line: &str| {
+        let other = |word: &str| {
+            let other = number(word, 'H').and_then(|own| registers.get(&(own as u32)));
+            other.map_or_else(|| word.to_owned(), |other| format!("H{other}"))
+        };
+        if offset(line) { line.split(' ').map(other).collect::<Vec<_>>().join(" ") } else { line.to_owned() }
+    };
+    put("offset of another tool", one_by_one(text, swapped));
+    let time = |line: &str, factor: f64| {
+        let waits = line.contains("G4 ") || line.contains("G82") || line.contains("G89");
+        let other = |word: &str| match number(word, if iso { 'P' } else { 'E' }) {
+            Some(time) if waits => format!("{}{}", &word[..1], time * factor),
+            _ => word.to_owned(),
+        };
+        line.split(' ').map(other).collect::<Vec<_>>().join(" ")
+    };
+    // 2С42-65 counts tenths of a second, in whole numbers.
+    let factors: &[f64] = if iso { &[1000.0, 0.001] } else { &[1000.0] };
+    put("a time in another unit", factors.iter().flat_map(|f| one_by_one(text, |line| time(line, *f))).collect());
+    put("M29 missing", one_by_one(text, |line| without(line, |it| it == "M29")));
     let away = match control {
         "2c42-65" => "P02",
         "linuxcnc" => "o101 call",
@@ -203,6 +234,81 @@ fn every_dangerous_omission_ends_with_exit_code_1() {
         println!("{control:<8} {what:<28} {found:>4} of {}", missed + found);
     }
     assert!(missed.is_empty(), "{}", missed.join("\n"));
+}
+
+/// What a program shows against itself, without a part: every one of these mutants must end with exit code 1.
+const ALONE: [&str; 18] = [
+    "G17 never set",
+    "G21 never set",
+    "G40 never set",
+    "G49 never set",
+    "G54 never set",
+    "G80 never set",
+    "G90 never set",
+    "G91.1 never set",
+    "no safe start",
+    "M5 missing",
+    "M3 missing",
+    "no length offset",
+    "offset of another tool",
+    "a time in another unit",
+    "no point",
+    "M3 beside M5",
+    "E alone",
+    "W over V",
+];
+
+/// Without a part nobody knows how deep a hole is and which tool makes it; what a program says of itself is known.
+#[test]
+fn what_a_program_shows_without_a_part_ends_with_exit_code_1() {
+    let mut counts: BTreeMap<(&str, String), [usize; 2]> = BTreeMap::new();
+    let mut missed = Vec::new();
+    for part in PARTS {
+        let bench = ProofBench::new(part);
+        let setting = Setting { as_powered_on: false, ..Setting::default() };
+        for (control, language) in &*LANGUAGES {
+            let run = |text: &str| {
+                let mut steps = Vec::<MotionStep>::new();
+                let faults = language.check(text, &bench.machine, &setting, &mut steps);
+                let grave: Vec<&str> =
+                    faults.iter().filter(|fault| Fault::is_grave(fault)).map(|fault| fault.code).collect();
+                (grave, steps)
+            };
+            let right = bench.written(language);
+            let (found, planned) = run(&right);
+            assert_eq!(found, [""; 0], "{part} {control}");
+            for (what, text) in dangerous(control, &right) {
+                // M6 of LinuxCNC stops the spindle itself, and the proof with a part tells it all the same.
+                let (grave, steps) = run(&text);
+                // 400 without a point is 0.4 with one.
+                let same = what == "a time in another unit" && steps == planned;
+                let found = same || !grave.is_empty() || (*control == "linuxcnc" && what == "M5 missing");
+                counts.entry((control, what.clone())).or_default()[usize::from(found)] += 1;
+                if !found && ALONE.contains(&&*what) {
+                    let line = text.lines().zip(right.lines()).find(|(now, before)| now != before);
+                    missed.push(format!("{part} {control}: {what}: {line:?}"));
+                }
+            }
+        }
+    }
+    for ((control, what), [missed, found]) in &counts {
+        println!("{control:<8} {what:<28} {found:>4} of {}", missed + found);
+    }
+    assert!(missed.is_empty(), "{}", missed.join("\n"));
+}
+
+/// Without M29 the spindle of a Fanuc does not follow the feed: wrong with the part, doubtful without, where the chuck may let
+/// the tap float.
+#[test]
+fn a_tap_without_m29_is_told_as_that() {
+    let bench = ProofBench::new("tests/written/tapped.yaml");
+    let (_, language) = LANGUAGES.iter().find(|(control, _)| *control == "fanuc").unwrap();
+    let text = each(&bench.written(language), |line| without(line, |it| it == "M29"));
+    let (faults, proof, _) = bench.run(language, &text);
+    let told = faults.iter().find(|fault| fault.code == "tap-not-rigid").unwrap();
+    assert_eq!(told.severity, Severity::Doubtful);
+    let found = proof.findings.iter().find(|finding| finding.code.name() == "tap-not-followed").unwrap();
+    assert_eq!(found.severity, Severity::Wrong);
 }
 
 /// What is told of words altered so that a motion changes, and does no harm: the exit code stays 0.

@@ -159,6 +159,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("plate", "G0 G43 H2", "G1 G43 H2 F2000", "air-at-feed"),
     ("plate", "N45 X-175", "N45 G1 X-175", "travel-at-feed"),
     ("plate", "Z-46.01 I15", "Z-46.01 I20", "travel-high"),
+    ("plate", "Z-46.01 I15", "Z-126.01 I15", "holder-into-part"),
     ("plate", "N95 P08\nN100 P09", "N95 P09\nN100 P08", "travel-not-up"),
     ("plate", "S1000 M3 M8\nN120 G0 G43 H2 Z15", "M8\nN120 G0 G43 H2 Z15 S1000\nN121 M3", "approach-standing"),
     (
@@ -227,6 +228,9 @@ fn every_deviation_is_shown_by_some_program() {
         "no-stop-to-set-bar",
         // `unfinished`, `clamps` and `directed` have tests of their own.
         "through-obstacle",
+        "holder-through-obstacle",
+        "holder-unknown",
+        "tap-not-followed",
         // Of a standing spindle this control lets no feed out; `cuts` has a test of it.
         "spindle-stands",
     ];

@@ -5,6 +5,7 @@
 //! An interpreter turns the text of a program into steps of [`crate::motion`]; a writer does the opposite. An
 //! interpreter reports [`Fault`]s: data, independent of language. [`setting`] is what the operator sets before a run.
 
+mod alone;
 mod block;
 pub mod control_2c42_65;
 mod expression;
@@ -95,6 +96,12 @@ impl Language {
             visit.stops.retain(|stop| !left.contains(&(stop.hole.clone(), stop.transition)));
         }
         plan.sequence.retain(|visit| !visit.stops.is_empty());
+    }
+
+    /// The machine function that a tapping cycle needs before it, if the control has one.
+    pub fn tap_word(&self) -> Option<String> {
+        let Self::Iso(control) = self else { return None };
+        control.tap_word()
     }
 
     /// The program of a job.

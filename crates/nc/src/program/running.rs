@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use super::alone::{Habits, Watch};
 use super::limits::{Spans, without_zero};
 use super::{Call, Fault, TextSpan};
 use crate::motion::{MotionStep, Sink};
@@ -35,6 +36,7 @@ pub(super) struct Running<'a, S> {
     pub calls: Vec<Call>,
     /// The range of axes without a zero.
     pub spans: Spans,
+    watch: Watch,
     budget: usize,
     /// How many blocks and steps may still be carried out.
     pub left: usize,
@@ -42,9 +44,10 @@ pub(super) struct Running<'a, S> {
 
 impl<'a, S: Sink> Running<'a, S> {
     /// At the beginning of a program.
-    pub fn new(sink: &'a mut S, breach: NewFault, budget: usize) -> Self {
+    pub fn new(sink: &'a mut S, breach: NewFault, habits: Habits, budget: usize) -> Self {
         let (reported, faults, calls, spans) = (BTreeSet::new(), Vec::new(), Vec::new(), Spans::new());
-        Self { sink, breach, reported, faults, calls, spans, budget, left: budget }
+        let watch = Watch::new(habits);
+        Self { sink, breach, reported, faults, calls, spans, watch, budget, left: budget }
     }
 
     /// Counts one more block; false, with a fault, where the budget is spent.
@@ -61,7 +64,7 @@ impl<'a, S: Sink> Running<'a, S> {
     pub fn carry_out(&mut self, steps: &[MotionStep], faults: Vec<Fault>, made: usize) {
         if !faults.iter().any(Fault::is_error) {
             for step in steps {
-                self.sink.take(step);
+                self.take(step);
             }
         }
         self.left = self.left.saturating_sub(made);
@@ -70,8 +73,9 @@ impl<'a, S: Sink> Running<'a, S> {
         }
     }
 
-    /// A step that belongs to no block.
+    /// A step; one that no block makes belongs to the last.
     pub fn take(&mut self, step: &MotionStep) {
+        self.watch.take(step);
         self.sink.take(step);
     }
 
@@ -98,10 +102,19 @@ impl<'a, S: Sink> Running<'a, S> {
         }
     }
 
-    /// The faults found, at the end: systems without a zero are reported at the first block.
+    /// The faults found, at the end: systems without a zero are reported at the first block. A run with an error has left
+    /// out what that block says, so nothing more is told of it.
     pub fn finish(mut self, first: TextSpan) -> Vec<Fault> {
         for (system, axes) in without_zero(&self.spans) {
             self.report((self.breach)("zero-not-set", first, None).with("system", system).with("axes", axes));
+        }
+        if !self.faults.iter().any(Fault::is_error) {
+            for (block, code, note) in self.watch.clone().finish() {
+                let span = TextSpan { line: block.line, column: 1, width: 1 };
+                let mut fault = (self.breach)(code, span, block.number);
+                fault.note = note;
+                self.report(fault);
+            }
         }
         self.faults
     }

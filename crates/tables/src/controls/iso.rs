@@ -154,6 +154,7 @@ vocabulary! {
         TapPreparation = "tap-preparation",
         TapStartsSpindle = "tap-starts-spindle",
         MacroWords = "macro-words",
+        ChangeStopsSpindle = "change-stops-spindle",
         ToolTakenOut = "tool-taken-out",
         ArcToleranceInches = "arc-tolerance-inches",
         ArcReach = "arc-reach",

@@ -156,3 +156,21 @@ hole-twice = { $cycle } makes the same hole with the same tool again: first in {
     .help = remove one of the two, or put G80 before the motion
 cycle-at-tool-change = { $cycle } is still in force and runs on the way to the tool change
     .help = put G80 before going away
+no-length-offset = T{ $tool } cuts and no length offset acts
+    .help = give G43 with the offset register of this tool before it goes down; the tool that the others are measured by has one too
+length-by-hand = T{ $tool } cuts and no length offset acts: the operator has to set its zero at the stop before
+    .help = give every tool its offset register, G43 H
+offset-of-other-tool = T{ $tool } cuts with the length offset H{ $corrector }, that of T{ $other }
+    .help = give G43 with the offset register of this tool
+offset-of-other-number = T{ $tool } cuts with the length offset H{ $corrector }, and there is a tool T{ $other }
+    .help = make sure that H{ $corrector } holds the length of T{ $tool }
+dwell-unit = a dwell of { $seconds } s in the hole; { $limit ->
+        [least] a tenth of a turn takes { $needed } s
+       *[most] more than { $needed } s
+    }: likely another unit of time
+    .help = write the time in the unit of this control
+dwell-odd = a dwell of { $seconds } s; { $limit ->
+        [least] less than { $needed } s
+       *[most] more than { $needed } s
+    }: perhaps another unit of time
+    .help = make sure that the time is written in the unit of this control

@@ -53,10 +53,22 @@ rapid-across = a rapid across inside the part: to { $at } at Z{ $z }
     .help = leave the part first
 through-obstacle = the way to { $to } is at Z{ $made }, and a clamp or an obstacle at { $at } stands up to Z{ $needed }
     .help = raise the tool over it first, or go round it
+holder-through-obstacle = T{ $tool }: { $whose ->
+        [holder] the holder { $own }
+        [collar] the collar of the holder { $own }
+       *[nose] the spindle nose
+    }, Ø{ $diameter }, comes down to Z{ $made } beside a clamp or an obstacle at { $at } that stands up to Z{ $needed }
+    .help = take a longer tool, or stand it farther away or lower
+holder-unknown = T{ $tool }: how thick the holder { $own } is nobody says; if as thick as its collar, Ø{ $diameter }, it meets at Z{ $made } a clamp or an obstacle at { $at } that stands up to Z{ $needed }
+    .help = give its max_diameter in a table of holders, or stand the clamp farther away or lower
+holder-into-part = T{ $tool }: the holder { $own }, Ø{ $diameter }, comes down to Z{ $made } at { $at }, and the face of the part is at Z{ $needed }
+    .help = take a longer tool
 rapid-into-part = a rapid into the metal at { $at } to Z{ $z }
     .help = go into the metal at feed
 rapid-into-metal = { $hole }: { $operation } at { $at }: the feed begins at Z{ $made }, but the metal at Z{ $needed }
     .help = check the levels of the cycle, the zero and the offset register
+tap-not-followed = at { $at } the thread is tapped without { $word } before: the spindle does not follow the feed
+    .help = give { $word } with S before the tapping cycle
 spindle-stands = at { $at } T{ $tool } cuts while the spindle is stopped
     .help = start the spindle: S and M03
 wrong-turn = at { $at } T{ $tool } cuts while the spindle turns counterclockwise

@@ -126,7 +126,9 @@ fn proven(
     // Offset registers are those of the plan where it states any, otherwise those of the operator.
     let says = |quantity| context.stated.tools.iter().any(|tool| tool.figures.contains_key(&quantity));
     let own_correctors = !says(Q::Corrector) && !says(Q::Correction);
-    let input = ProofInput { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
+    let start = setting.start;
+    // The programs of plans are those of 2С42-65, which needs no function before a tap.
+    let input = ProofInput { plan, job, zeros: &zeros, start, tolerated, tap_word: None, own_correctors };
     let mut findings = prove(&run.steps, &input).findings;
     // A plan as stated says nothing of coolant.
     findings.retain(|finding| {

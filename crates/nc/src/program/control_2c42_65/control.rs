@@ -3,6 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef};
 use crate::motion::{Axis, Plane};
+use crate::program::alone::Habits;
 use crate::program::setting::Limits;
 use crate::program::{in_unit, letters};
 use crate::tables::controls::Acts;
@@ -113,6 +114,7 @@ pub struct Control {
     pub(super) m_per_block: usize,
     /// The unit of dwells, s.
     pub(super) dwell_step_s: f64,
+    pub(super) habits: Habits,
     pub(super) setting: Limits,
 }
 
@@ -151,6 +153,7 @@ impl Control {
             depth: count(Characteristic::SubprogramDepthMax)?,
             m_per_block: count(Characteristic::MFunctionsPerBlockMax)?,
             dwell_step_s,
+            habits: Habits::read(knowledge)?,
             setting: Limits {
                 correctors: number(Characteristic::Correctors)? as i64,
                 feed_overrides: steps(Characteristic::FeedOverride)?,

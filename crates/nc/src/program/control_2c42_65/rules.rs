@@ -65,6 +65,12 @@ pub(super) const RULES: &[Rule] = &[
     ("beyond-travel-of", Error, "3.8.3"),
     ("span-beyond-travel", Error, "3.8.3"),
     ("not-homed", Error, "4.2.5 (4)"),
+    ("no-length-offset", Wrong, "3.11.3*"),
+    ("length-by-hand", Warning, "3.11.3*"),
+    ("offset-of-other-tool", Wrong, "3.11.3*"),
+    ("offset-of-other-number", Warning, "3.11.3*"),
+    ("dwell-unit", Wrong, "3.10.6*"),
+    ("dwell-odd", Warning, "3.10.6*"),
     // Motions.
     ("arc-without-centre", Error, "3.10.4"),
     ("arc-without-radius", Error, "3.10.4*"),

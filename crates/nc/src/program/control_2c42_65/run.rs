@@ -53,7 +53,7 @@ pub fn check_within<S: Sink>(
             state: ControlState::power_on(control, setting),
             holes: Holes::new(),
             steps: Vec::new(),
-            running: Running::new(sink, fault, budget),
+            running: Running::new(sink, fault, control.habits, budget),
         };
         run.program(programs.main.clone(), 0);
         faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));

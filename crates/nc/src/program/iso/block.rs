@@ -227,6 +227,7 @@ impl Maker<'_> {
                 if function.code == 19 {
                     self.take(words, 'R');
                 }
+                self.state.tap_prepared |= self.control.tap_preparation.map(i64::from) == Some(function.code);
                 self.push(Motion::Auxiliary { word: format!("M{}", function.code) });
             }
             Action::OptionalStop | Action::End | Action::Return => {}
@@ -258,6 +259,11 @@ impl Maker<'_> {
             );
         }
         if self.state.turning != Turning::Stopped {
+            // By hand it is told as that.
+            if self.control.changes_tools() {
+                let stops = self.control.is(Q::ChangeStopsSpindle);
+                self.fault(if stops { "change-stops-spindle" } else { "turning-at-change" }, function.span);
+            }
             self.spindle(Turning::Stopped);
         }
         self.state.height_known = true;
@@ -312,6 +318,9 @@ impl Maker<'_> {
         if self.offset_by_value(words) {
             self.offset_of(function, words);
             return;
+        }
+        if function.code == 490 && words.get('H').is_some_and(|given| given.millionths == 0) {
+            self.take(words, 'H');
         }
         if function.code == 430 {
             let given =

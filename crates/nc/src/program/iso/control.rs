@@ -6,6 +6,7 @@ use technolog_note::note;
 use crate::error::KnowledgeError;
 use crate::knowledge::contract::Named;
 use crate::knowledge::{Knowledge, RowRef};
+use crate::program::alone::Habits;
 use crate::program::letters;
 use crate::program::setting::Limits;
 use crate::tables::controls::Acts;
@@ -107,6 +108,7 @@ pub struct Control {
     pub(super) m_written: usize,
     /// The M function that is written before a tapping cycle.
     pub(super) tap_preparation: Option<u32>,
+    pub(super) habits: Habits,
     setting: Limits,
 }
 
@@ -161,6 +163,7 @@ impl Control {
             number_digits: any(Q::ProgramNumberDigits) as usize,
             m_written: (any(Q::MFunctionsWritten) as usize).max(1),
             tap_preparation: Some(any(Q::TapPreparation) as u32).filter(|code| *code > 0),
+            habits: Habits::read(knowledge)?,
             setting: Limits {
                 correctors: need(Q::Correctors)? as i64,
                 feed_overrides: steps(figures(Q::FeedOverride)),
@@ -222,6 +225,11 @@ impl Control {
     /// Whether it taps: a spindle and a feed that go together.
     pub(in crate::program) fn taps(&self) -> bool {
         self.cycles.values().any(|cycle| cycle.bottom == Bottom::Reversed)
+    }
+
+    /// The machine function that a tapping cycle needs before it.
+    pub(in crate::program) fn tap_word(&self) -> Option<String> {
+        self.tap_preparation.map(|code| format!("M{code}"))
     }
 
     /// The parts of a setting that this control has.

@@ -38,6 +38,7 @@ impl Maker<'_> {
     pub(super) fn cycle_off(&mut self) {
         self.state.set(Group::Cycle, None);
         self.state.initial = None;
+        self.state.tap_prepared = false;
         self.forget();
     }
 
@@ -171,6 +172,9 @@ impl Maker<'_> {
             }
             if self.state.turning == Turning::Stopped && !self.control.is(Q::TapStartsSpindle) {
                 self.fault("tap-without-spindle", span);
+            }
+            if let Some(code) = self.control.tap_preparation.filter(|_| !self.state.tap_prepared) {
+                self.report("tap-not-rigid", span, &[("word", format!("M{code}").into_figure())]);
             }
         }
         !self.broken()

@@ -143,10 +143,24 @@ impl Maker<'_> {
         self.state.lost = target.lost;
     }
 
+    /// The second reference point: of the setting, or else, where the builder of the machine sets it, the place of its
+    /// tool change, which the run has to assume.
+    fn second_point(&mut self, function: Function) -> Option<Position> {
+        let known = self.setting.fixed_point;
+        if known.is_none() && self.control.is(Q::ReturnNumber) {
+            let (x, y) = self.machine.tool_change_at;
+            let place = Position::of([x, y, self.machine.tool_change_z]);
+            let shown = crate::motion::trace::position(place).into_figure();
+            self.report("fixed-point-assumed", function.span, &[("place", shown)]);
+            return Some(place);
+        }
+        known
+    }
+
     /// G28, G30: at rapid through the point of the words, then along their axes to the machine zero or to the fixed
     /// point of the setting. Without words some controls move every axis.
     fn returning(&mut self, function: Function, words: &BlockWords) {
-        let goal = if function.code == 280 { Some(Position::default()) } else { self.setting.fixed_point };
+        let goal = if function.code == 280 { Some(Position::default()) } else { self.second_point(function) };
         // P2 means the same point as G30 alone.
         let second = function.code == 280
             || !self.control.is(Q::ReturnNumber)

@@ -22,6 +22,7 @@ pub(super) const RULES: &[Rule] = &[
     ("number-out-of-range", Error, "text"),
     ("number-without-point", Remark, "text"),
     ("point-missing", Error, "text"),
+    ("peck-in-increments", Warning, "text"),
     ("comment-open", Error, "text"),
     ("active-comment", Warning, "text"),
     ("message-comment", Remark, "text"),
@@ -40,6 +41,7 @@ pub(super) const RULES: &[Rule] = &[
     ("program-without-end", Error, "calls"),
     // The run.
     ("return-without-call", Error, "calls"),
+    ("main-begins-anew", Warning, "calls"),
     ("calls-too-deep", Error, "calls"),
     ("run-too-long", Error, "calls"),
     // The limits of the machine. What the control carries out all the same is wrong and traced.
@@ -59,6 +61,15 @@ pub(super) const RULES: &[Rule] = &[
     ("beyond-travel-of", Error, "machine"),
     ("span-beyond-travel", Wrong, "machine"),
     ("cannot-tap", Error, "machine"),
+    ("turning-at-change", Wrong, "machine"),
+    ("change-stops-spindle", Remark, "machine"),
+    ("no-length-offset", Wrong, "machine"),
+    ("length-by-hand", Warning, "machine"),
+    ("offset-of-other-tool", Wrong, "machine"),
+    ("offset-of-other-number", Warning, "machine"),
+    ("offset-of-tool-before", Wrong, "machine"),
+    ("dwell-unit", Wrong, "machine"),
+    ("dwell-odd", Warning, "machine"),
     ("zero-not-set", Remark, "machine"),
     // Motions.
     ("motion-missing", Error, "motions"),
@@ -66,6 +77,7 @@ pub(super) const RULES: &[Rule] = &[
     ("axes-missing", Error, "motions"),
     ("axes-taken-twice", Error, "motions"),
     ("fixed-point-unknown", Error, "motions"),
+    ("fixed-point-assumed", Warning, "motions"),
     ("dwell-time-missing", Error, "motions"),
     ("corrector-missing", Error, "motions"),
     ("corrector-unknown", Remark, "motions"),
@@ -83,6 +95,7 @@ pub(super) const RULES: &[Rule] = &[
     ("cycle-plane", Error, "cycles"),
     ("tap-counterclockwise", Error, "cycles"),
     ("tap-without-spindle", Error, "cycles"),
+    ("tap-not-rigid", Warning, "cycles"),
 ];
 
 /// A broken rule.

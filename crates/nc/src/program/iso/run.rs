@@ -54,7 +54,7 @@ pub fn check_within<S: Sink>(
             closed,
             state: ControlState::power_on(control, setting),
             parameters: parameters(&blocks, control),
-            running: Running::new(sink, fault, budget),
+            running: Running::new(sink, fault, control.habits, budget),
         };
         run.main();
         faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));
@@ -180,7 +180,16 @@ impl<S: Sink> ProgramRun<'_, S> {
         self.state = state;
         match (after, &block.label) {
             (After::End, _) => BlockOutcome::Out,
-            (After::Return(span), _) if depth == 0 => self.running.nowhere_to_return(span, block.number),
+            (After::Return(span), _) if depth == 0 && self.control.is(Q::OWords) => {
+                self.running.nowhere_to_return(span, block.number)
+            }
+            (After::Return(span), _) if depth == 0 => {
+                // The main program begins anew: the operator stops it, once it is traced.
+                self.running.report(fault("main-begins-anew", span, block.number));
+                let block = BlockRef { line: block.span.line, number: block.number };
+                self.running.take(&MotionStep { motion: Motion::End, at: self.state.at, block });
+                BlockOutcome::Out
+            }
             (After::Return(_), _) | (_, Some(Label::EndSub(_) | Label::Return(_))) => BlockOutcome::Back,
             (After::Next, _) => self.call(block, words, depth),
         }

@@ -18,6 +18,8 @@ pub(super) struct ControlState {
     pub height_known: bool,
     /// Whether motions are not carried out until the next function of motion or cycle.
     pub passes: bool,
+    /// Whether the M function before a tapping cycle acts.
+    pub tap_prepared: bool,
     /// F, mm/min.
     pub feed: f64,
     /// S, 1/min.
@@ -51,6 +53,7 @@ impl ControlState {
             own: [setting.as_powered_on; Group::NAMES.len()],
             height_known: setting.as_powered_on,
             passes: false,
+            tap_prepared: false,
             feed: 0.0,
             speed: 0.0,
             turning: Turning::Stopped,

@@ -191,6 +191,10 @@ impl SourceLine<'_> {
             }
         }
         while let Some(&(column, character)) = characters.get(at) {
+            if let Some(end) = self.program_name(&characters, at, &mut block) {
+                at = end;
+                continue;
+            }
             if character == 'O' && self.control.is(Q::OWords) && block.words.is_empty() {
                 self.label(&characters[at..], &mut block);
                 break;
@@ -289,6 +293,16 @@ impl SourceLine<'_> {
         let code = if active.act == CommentAct::Shows { "message-comment" } else { "active-comment" };
         let begins = active.begins.trim_end_matches(',').to_owned();
         self.faults.push(word_fault(code, self.span(from, to), None, begins));
+    }
+
+    /// A program name in place of a number, `O<PLATE>`, of controls without o-words; where it ends.
+    fn program_name(&self, characters: &[(usize, char)], at: usize, block: &mut Block) -> Option<usize> {
+        let first = block.words.is_empty() && block.label.is_none() && !self.control.is(Q::OWords);
+        let named = matches!(characters.get(at..at + 2), Some([(_, 'O'), (_, '<')]));
+        let name = characters.get(at + 2..).filter(|_| first && named)?;
+        let length = name.iter().position(|(_, c)| *c == '>').filter(|length| *length > 0)?;
+        block.label = Some(Label::Number(name.iter().take(length).map(|(_, c)| *c).collect()));
+        Some(at + length + 3)
     }
 
     /// An o-word of LinuxCNC: its name or number, then its keyword.
@@ -426,6 +440,14 @@ impl SourceLine<'_> {
         }
         // K may be a number of repeats, and 0 is 0 in every unit.
         let length = known == Written::Length && !matches!(address, 'K' | 'F') && millionths != 0;
+        // A peck is never so long: without a point it counts increments, as the control always reads it.
+        let peck = length && address == 'Q' && !written.contains('.') && self.control.is(Q::DecimalOfSetting);
+        let peck = peck && self.points.decimal.is_none() && millionths >= self.control.habits.peck_most();
+        if peck {
+            self.faults
+                .push(fault("peck-in-increments", span, None).with("step", Micrometres::new(millionths / 1_000_000)));
+            return Some(Word { address, millionths, increments: true, point: false, span });
+        }
         let pointless = length && !written.contains('.');
         self.points.pointed |= length && !pointless;
         if pointless {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::cuts::{Descent, TOLERANCE, same_position};
 use super::matching::{Matched, TaskIndex};
 use super::tools::Tools;
-use super::walk::{TipMotion, TipMove};
+use super::walk::{Event, TipMotion, TipMove};
 use super::{Code, DeviationFigure, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask, milled};
 use crate::job::{Cycle, CycleKind};
 use crate::motion::Turning;
@@ -54,6 +54,7 @@ pub(super) fn all(
         }
         levels(&say, input, findings);
         conditions(&say, input, findings);
+        tap(&say, made, input, findings);
         match &task.cycle.kind {
             CycleKind::Circles { levels, radii, sense, .. } => milled::circles(&say, levels, radii, *sense, findings),
             _ => {
@@ -64,6 +65,17 @@ pub(super) fn all(
         way_out(&say, input, findings);
     }
     missing(matched, tasks, findings);
+}
+
+/// Before a tap the function acts by which the spindle follows the feed, given since the tool came.
+fn tap(say: &CutAtStop<'_, '_>, made: &ObservedCuts, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
+    let Some(word) = input.tap_word.filter(|_| matches!(say.task.cycle.kind, CycleKind::Tap { .. })) else { return };
+    let changes = made.walk.events.iter().filter(|(_, _, event)| matches!(event, Event::Change { .. }));
+    let changed = changes.map(|(order, ..)| *order).filter(|order| *order < say.cut.order).max().unwrap_or_default();
+    let acts = |(order, given): &(usize, String)| (changed..say.cut.order).contains(order) && given == word;
+    if !made.walk.functions.iter().any(acts) {
+        findings.push(say.finding(Code::TapNotFollowed, Severity::Wrong).with(Name::Word, word.to_owned()));
+    }
 }
 
 /// A cut and its stop, for the findings about them.

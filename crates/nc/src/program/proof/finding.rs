@@ -68,6 +68,9 @@ named! {
         WrongOrder = "wrong-order",
         RapidAcross = "rapid-across",
         ThroughObstacle = "through-obstacle",
+        HolderThroughObstacle = "holder-through-obstacle",
+        HolderUnknown = "holder-unknown",
+        HolderIntoPart = "holder-into-part",
         RapidIntoPart = "rapid-into-part",
         NotMade = "not-made",
         RapidIntoMetal = "rapid-into-metal",
@@ -95,6 +98,7 @@ named! {
         OutTurning = "out-turning",
         OutStanding = "out-standing",
         SpindleStands = "spindle-stands",
+        TapNotFollowed = "tap-not-followed",
         WrongTurn = "wrong-turn",
         LessOverrun = "less-overrun",
         TooShallow = "too-shallow",
@@ -151,6 +155,7 @@ named! {
         Way = "way",
         Whose = "whose",
         Diameter = "diameter",
+        Word = "word",
     }
 }
 

@@ -63,6 +63,9 @@ pub struct ProofInput<'a> {
     pub start: Position,
     /// What may differ from the job.
     pub tolerated: Tolerated,
+    /// The machine function that must act before a tap, where the control has one: without it the spindle does not
+    /// follow the feed.
+    pub tap_word: Option<&'a str>,
     /// Whether the operator uses offset registers of his own: then numbers and values may differ from the plan's.
     pub own_correctors: bool,
 }

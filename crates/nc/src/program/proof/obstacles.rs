@@ -1,33 +1,84 @@
-//! Checks every motion against what stands over the face of the part: clamps and obstacles, by their outlines and heights.
+//! Checks every motion against what stands over the face of the part: clamps and obstacles, by their outlines and heights;
+//! with the cutter, its holder and the nose of the spindle.
 
+use super::cuts::same_position;
 use super::tools::Tools;
-use super::walk::{TipMotion, TipMove};
+use super::walk::{PointVisit, TipMotion, TipMove};
 use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput};
+use crate::job::{Body, BodyKind, Envelope};
 use crate::note::Severity;
 use crate::part::{Point, Standing};
 use crate::units::Micrometres;
 
-/// A motion of a tool through a clamp or an obstacle, each told once for a block.
+/// A motion of a tool through a clamp or an obstacle, or of its holder into one or into the part, each told once for a
+/// block.
 pub(super) fn all(made: &ObservedCuts, tools: &Tools, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let face = input.plan.part.datum.top;
     for stay in &made.walk.visits {
-        let Some(setup) = input.job.setups.get(stay.setup).filter(|setup| !setup.standing.is_empty()) else { continue };
-        let tool = tools.of_section(stay.section);
-        let tool = tool.and_then(|number| input.plan.tools.iter().find(|tool| tool.number == number));
+        let Some(setup) = input.job.setups.get(stay.setup) else { continue };
+        let number = tools.of_section(stay.section);
+        let tool = number.and_then(|number| input.plan.tools.iter().find(|tool| tool.number == number));
         let radius = tool.map(|tool| tool.diameter_mm.half()).unwrap_or_default();
+        let envelope = number.and_then(|number| input.job.envelopes.iter().find(|one| one.tool == number));
         for motion in stay.travel.iter().chain(&stay.moves).filter(|motion| motion.moves()) {
             let low = motion.from[2].min(motion.to[2]);
             let hit = |one: &&Standing| low < face + one.height && hits(motion, one, radius);
-            let Some(one) = setup.standing.iter().find(hit) else { continue };
-            findings.push(
-                ProgramFinding::new(Code::ThroughObstacle, Severity::Error, motion.block)
-                    .with(Name::At, [one.at.x, one.at.y])
-                    .with(Name::To, [motion.to[0], motion.to[1]])
-                    .with(Name::Made, low)
-                    .with(Name::Needed, face + one.height),
-            );
+            if let Some(one) = setup.standing.iter().find(hit) {
+                findings.push(
+                    ProgramFinding::new(Code::ThroughObstacle, Severity::Error, motion.block)
+                        .with(Name::At, [one.at.x, one.at.y])
+                        .with(Name::To, [motion.to[0], motion.to[1]])
+                        .with(Name::Made, low)
+                        .with(Name::Needed, face + one.height),
+                );
+                continue;
+            }
+            if let Some(envelope) = envelope {
+                findings.extend(holder(envelope, motion, stay, &setup.standing, input));
+            }
         }
     }
+}
+
+/// The holder, its collar or the nose of the spindle in a clamp, in an obstacle or in the part.
+fn holder(
+    envelope: &Envelope,
+    motion: &TipMove,
+    stay: &PointVisit,
+    standing: &[Standing],
+    input: &ProofInput<'_>,
+) -> Option<ProgramFinding> {
+    let face = input.plan.part.datum.top;
+    let low = motion.from[2].min(motion.to[2]);
+    let say = |code, body: &Body, at: [Micrometres; 2], needed: Micrometres| {
+        ProgramFinding::new(code, if body.known { Severity::Error } else { Severity::Wrong }, motion.block)
+            .with(Name::Tool, envelope.tool)
+            .with(Name::Whose, body.kind.name().to_owned())
+            .with(Name::Own, envelope.holder.clone())
+            .with(Name::Diameter, body.diameter)
+            .with(Name::At, at)
+            .with(Name::Made, low + body.from)
+            .with(Name::Needed, needed)
+    };
+    for body in &envelope.bodies {
+        let hit = |one: &&Standing| low + body.from < face + one.height && hits(motion, one, body.diameter.half());
+        if let Some(one) = standing.iter().find(hit) {
+            let code = if body.known { Code::HolderThroughObstacle } else { Code::HolderUnknown };
+            return Some(say(code, body, [one.at.x, one.at.y], face + one.height));
+        }
+    }
+    // An opening wider than the holder lets it in.
+    let body = envelope.bodies.iter().find(|body| body.kind == BodyKind::Holder && low + body.from < face)?;
+    (widest(stay, input) <= body.diameter).then(|| say(Code::HolderIntoPart, body, stay.at, face))
+}
+
+/// The widest that the hole at a point is made by the plan.
+fn widest(stay: &PointVisit, input: &ProofInput<'_>) -> Micrometres {
+    let setup = input.job.setups.get(stay.setup);
+    let stops = setup.into_iter().flat_map(|setup| &setup.works).flat_map(|work| &work.stops);
+    let here = stops.filter(|stop| same_position(stop.at.x, stay.at[0]) && same_position(stop.at.y, stay.at[1]));
+    let holes = here.filter_map(|stop| input.plan.holes.iter().find(|hole| hole.name == stop.hole));
+    holes.flat_map(|hole| &hole.transitions).map(|made| made.diameter_mm).max().unwrap_or_default()
 }
 
 fn hits(motion: &TipMove, one: &Standing, radius: Micrometres) -> bool {

@@ -22,6 +22,7 @@ pub struct PlannedJob {
     /// Its job.
     pub job: Job,
     tolerated: Tolerated,
+    tap_word: Option<String>,
     own_correctors: bool,
 }
 
@@ -35,7 +36,8 @@ impl PlannedJob {
         let shop = Shop::new(&plan.part, plan.cutting, knowledge)?;
         let job = job::make(&plan, &shop)?;
         let tolerated = Tolerated::read(&plan.part, knowledge)?;
-        Ok(Self { plan, job, tolerated, own_correctors: false })
+        let tap_word = language.tap_word();
+        Ok(Self { plan, job, tolerated, tap_word, own_correctors: false })
     }
 
     /// Zeros and offset registers missing in the setting become those of the job; operators with registers of their
@@ -83,6 +85,7 @@ impl PlannedJob {
                 zeros: &zeros,
                 start: setting.start,
                 tolerated: self.tolerated,
+                tap_word: self.tap_word.as_deref(),
                 own_correctors: self.own_correctors,
             },
         )

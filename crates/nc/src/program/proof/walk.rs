@@ -130,6 +130,8 @@ pub(super) enum Event {
 #[derive(Clone, Debug, Default)]
 pub(super) struct TipHistory {
     pub visits: Vec<PointVisit>,
+    /// Machine functions that move nothing, with their place among the steps.
+    pub functions: Vec<(usize, String)>,
     /// With their place among the steps, and the stay they happened at.
     pub events: Vec<(usize, BlockRef, Event)>,
 }
@@ -278,7 +280,11 @@ fn take(
             }
             return;
         }
-        Motion::LengthCorrection { .. } | Motion::Auxiliary { .. } => return,
+        Motion::Auxiliary { word } => {
+            walk.functions.push((order, word.clone()));
+            return;
+        }
+        Motion::LengthCorrection { .. } => return,
     };
     let (from, to) = (tip(state.at, state, frame), tip(step.at, state, frame));
     let made = TipMove {

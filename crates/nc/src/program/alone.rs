@@ -1,0 +1,233 @@
+//! What a program tells against itself, without a part: whose length offset acts while a tool cuts, and dwells that are
+//! likely meant in another unit of time.
+//!
+//! It sees the steps of a run, so it is the same for every control. Which tool is how long nobody knows here; but two
+//! tools are not of one length, and a program that corrects one tool has to correct the others.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::error::KnowledgeError;
+use crate::job::convention;
+use crate::knowledge::Knowledge;
+use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning};
+use crate::note::Note;
+use crate::tables::controls::Convention;
+use crate::units::Micrometres;
+
+/// Figures of `program-conventions` that a run is watched by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Habits {
+    /// The part of a turn that the spindle must make in a dwell in the hole, 1.
+    dwell_turns: f64,
+    /// The longest dwell in a hole, s.
+    dwell_in_hole_s: f64,
+    /// The shortest and the longest dwell elsewhere, s.
+    dwell_s: (f64, f64),
+    /// The longest step of deep drilling, mm.
+    peck_mm: f64,
+}
+
+impl Habits {
+    /// Reads them.
+    ///
+    /// # Errors
+    /// A figure is missing.
+    pub fn read(knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        let figure = |name| convention(name, knowledge).map(|(value, _)| value);
+        Ok(Self {
+            dwell_turns: figure(Convention::DwellTurnsLeast)?,
+            dwell_in_hole_s: figure(Convention::DwellInHoleMost)?,
+            dwell_s: (figure(Convention::DwellLeast)?, figure(Convention::DwellMost)?),
+            peck_mm: figure(Convention::PeckMost)?,
+        })
+    }
+
+    /// The longest step of deep drilling, in millionths of a millimetre.
+    pub fn peck_most(&self) -> i64 {
+        libm::round(self.peck_mm * 1e6) as i64
+    }
+}
+
+/// The offset that acts: its register, none where the program gives the value, and what it adds.
+type Offset = (Option<u32>, Micrometres);
+
+/// Cuts of a tool with an offset: the first of them, whether the offset was set before the tool came, and whether the
+/// program stopped between the change and the cut.
+#[derive(Clone, Copy, Debug)]
+struct Cut {
+    tool: u32,
+    section: usize,
+    block: BlockRef,
+    offset: Offset,
+    /// Whether it was set since the tool came: a value that the program gives itself is else that of the tool before.
+    own: bool,
+    /// Whether the operator could set the zero anew.
+    stopped: bool,
+}
+
+/// A finding: its block, its code, and the same with its figures.
+pub(super) type Told = (BlockRef, &'static str, Note);
+
+/// Watches the steps of a run.
+#[derive(Clone, Debug)]
+pub(super) struct Watch {
+    habits: Habits,
+    at: Position,
+    /// Whether the last motion was a feed straight down.
+    down: bool,
+    turning: Turning,
+    speed: f64,
+    tool: u32,
+    section: usize,
+    offset: Offset,
+    /// Whether the offset was set since the tool came.
+    own: bool,
+    stopped: bool,
+    cuts: Vec<Cut>,
+    told: Vec<Told>,
+}
+
+impl Watch {
+    pub const fn new(habits: Habits) -> Self {
+        Self {
+            habits,
+            at: Position { x: Micrometres::ZERO, y: Micrometres::ZERO, z: Micrometres::ZERO },
+            down: false,
+            turning: Turning::Stopped,
+            speed: 0.0,
+            tool: 0,
+            section: 0,
+            offset: (Some(0), Micrometres::ZERO),
+            own: false,
+            stopped: false,
+            cuts: Vec::new(),
+            told: Vec::new(),
+        }
+    }
+
+    /// One more step.
+    pub fn take(&mut self, step: &MotionStep) {
+        let from = std::mem::replace(&mut self.at, step.at);
+        match &step.motion {
+            Motion::Rapid => self.down = false,
+            Motion::Feed { .. } => {
+                self.down = from.x == step.at.x && from.y == step.at.y && step.at.z < from.z;
+                self.cuts_with(step.block);
+            }
+            Motion::Arc { .. } => {
+                self.down = false;
+                self.cuts_with(step.block);
+            }
+            Motion::Dwell { seconds } => self.dwell(*seconds, step.block),
+            Motion::Spindle { turning, speed_rpm } => (self.turning, self.speed) = (*turning, speed_rpm.0),
+            Motion::ToolChange { tool } => {
+                self.tool = *tool;
+                self.section += 1;
+                (self.own, self.stopped, self.down) = (false, false, false);
+            }
+            Motion::LengthCorrection { axis: Axis::Z, corrector, value } => {
+                self.offset = (*corrector, *value);
+                self.own = true;
+            }
+            Motion::Stop { .. } => self.stopped = true,
+            _ => {}
+        }
+    }
+
+    /// Takes the first cut of a tool with every offset.
+    fn cuts_with(&mut self, block: BlockRef) {
+        let known = self.cuts.iter().rev().take_while(|cut| cut.section == self.section);
+        if self.tool == 0 || known.into_iter().any(|cut| cut.offset == self.offset) {
+            return;
+        }
+        self.cuts.push(Cut {
+            tool: self.tool,
+            section: self.section,
+            block,
+            offset: self.offset,
+            own: self.own,
+            stopped: self.stopped,
+        });
+    }
+
+    /// At the bottom of a feed the tool turns at least a part of a turn, and does not rub for long.
+    fn dwell(&mut self, seconds: f64, block: BlockRef) {
+        let Habits { dwell_turns, dwell_in_hole_s, dwell_s: (least, most), .. } = self.habits;
+        if seconds <= 0.0 {
+            return;
+        }
+        let turns = seconds * self.speed / 60.0;
+        let cutting = self.down && self.turning != Turning::Stopped;
+        let note = |code: &'static str, needed: f64, limit: &'static str| {
+            let shown = crate::units::round_to(needed, 3);
+            (code, Note::new(code).with("seconds", seconds).with("needed", shown).with("limit", limit.to_owned()))
+        };
+        let told = if cutting && turns < dwell_turns {
+            note("dwell-unit", dwell_turns * 60.0 / self.speed, "least")
+        } else if cutting && seconds > dwell_in_hole_s {
+            note("dwell-unit", dwell_in_hole_s, "most")
+        } else if seconds < least {
+            note("dwell-odd", least, "least")
+        } else if seconds > most {
+            note("dwell-odd", most, "most")
+        } else {
+            return;
+        };
+        // A block may be repeated many times.
+        let (code, note) = told;
+        if self.told.last().is_none_or(|(last, known, _)| (*last, *known) != (block, code)) {
+            self.told.push((block, code, note));
+        }
+    }
+
+    /// What is told of the run, in no order.
+    pub fn finish(mut self) -> Vec<Told> {
+        self.offsets();
+        self.told
+    }
+
+    /// Cuts without an offset where others have one, and with that of another tool.
+    fn offsets(&mut self) {
+        let none = |cut: &Cut| match cut.offset {
+            (Some(number), _) => number == 0,
+            (None, value) => !cut.own && value == Micrometres::ZERO,
+        };
+        let tools: BTreeSet<u32> = self.cuts.iter().map(|cut| cut.tool).collect();
+        let any = self.cuts.iter().any(|cut| !none(cut));
+        let mut owners: BTreeMap<u32, u32> = BTreeMap::new();
+        // A register with the number of the tool is its own, whoever used it first.
+        let with_register = |cut: &Cut| cut.offset.0.filter(|number| *number > 0).map(|number| (number, cut.tool));
+        let pairs: Vec<(u32, u32)> = self.cuts.iter().filter_map(with_register).collect();
+        let by_number = pairs.iter().any(|(number, tool)| number == tool);
+        owners.extend(pairs.iter().copied().filter(|(number, tool)| number == tool));
+        for (number, tool) in &pairs {
+            owners.entry(*number).or_insert(*tool);
+        }
+        for cut in &self.cuts {
+            let told = if none(cut) {
+                if tools.len() < 2 {
+                    continue;
+                }
+                let code = if any || !cut.stopped { "no-length-offset" } else { "length-by-hand" };
+                (code, Note::new(code).with("tool", cut.tool))
+            } else if cut.offset.0.is_none() && !cut.own {
+                let code = "offset-of-tool-before";
+                (code, Note::new(code).with("tool", cut.tool).with("value", cut.offset.1))
+            } else if let Some((number, tool)) = with_register(cut) {
+                let owner = owners.get(&number).copied().filter(|owner| *owner != tool);
+                // A program whose tools have the registers of their numbers has confused this one.
+                let named = (by_number && tools.contains(&number)).then_some(number);
+                let (code, other) = match owner.or(named.filter(|named| *named != tool)) {
+                    Some(other) => ("offset-of-other-tool", other),
+                    None if number != tool && tools.contains(&number) => ("offset-of-other-number", number),
+                    None => continue,
+                };
+                (code, Note::new(code).with("tool", tool).with("corrector", number).with("other", other))
+            } else {
+                continue;
+            };
+            let (code, note) = told;
+            self.told.push((cut.block, code, note));
+        }
+    }
+}
