@@ -5,6 +5,7 @@
     python3 tests/oracles/linuxcnc.py target/debug/technolog a.ngc folder    # these files, and the .ngc of this folder
     python3 tests/oracles/linuxcnc.py target/debug/technolog --write         # writes `rs274` beside every test program
     python3 tests/oracles/linuxcnc.py target/debug/technolog --random 500    # programs of random words, by --seed
+    python3 tests/oracles/linuxcnc.py target/debug/technolog --survey folder # a table: which of these we trace as rs274 does
 
 Options: --setting FILE.yaml and --machine ID for programs that have none beside them.
 
@@ -27,6 +28,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 NEAR = 0.0011  # mm: a micrometre, and the rounding of the fourth place that rs274 prints
 
@@ -96,12 +98,16 @@ class Machine:
 
 def of_rs274(program, setting, skip):
     """The records of rs274, or what it refuses."""
+    return of_rs274_text(program.read_text(errors="replace"), setting, skip)
+
+
+def of_rs274_text(program, setting, skip):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         write_tables(setting, folder)
         command = ["rs274", "-g", "-n", "2", "-t", "tool.tbl", "-v", "rs274.var"] + (["-b"] if skip else [])
         # Under its own folder: rs274 writes beside itself.
-        (folder / "program.ngc").write_text(program.read_text())
+        (folder / "program.ngc").write_text(program)
         try:
             answer = subprocess.run(command + ["program.ngc"], capture_output=True, text=True, cwd=folder, timeout=5)
         except subprocess.TimeoutExpired:
@@ -205,15 +211,21 @@ def of_technolog(technolog, program, setting_file, machine_id):
             record["line"] = step["line"]
     # What is not carried out is told, and the rest is traced without it.
     refused = [it for it in answer["findings"] if it["severity"] == "error" or it["code"] == "not-carried-out"]
-    return machine.records, [f"{it['code']} line {it['line']}" for it in refused]
+    word = lambda it: str(it.get("params", {}).get("word", "")) if it["code"] == "not-carried-out" else ""
+    return machine.records, [" ".join(filter(None, [it["code"], word(it), f"line {it['line']}"])) for it in refused]
 
 
-def close(a, b):
+def close(a, b, near=NEAR):
     if isinstance(a, float) or isinstance(b, float):
-        return math.isclose(a, b, abs_tol=NEAR)
+        return math.isclose(a, b, abs_tol=near)
     if isinstance(a, (list, tuple)):
-        return len(a) == len(b) and all(close(float(x), float(y)) for x, y in zip(a, b))
+        return len(a) == len(b) and all(close(float(x), float(y), near) for x, y in zip(a, b))
     return a == b
+
+
+def alike(a, b, near=NEAR):
+    """Whether two records say the same."""
+    return all(key in a and key in b and close(a[key], b[key], near) for key in (a.keys() | b.keys()) - {"line"})
 
 
 def line_of(record):
@@ -245,8 +257,7 @@ def compare(technolog, program, setting_file, machine_id, write):
     if errors:
         return None, 0, "we alone refuse: " + ", ".join(errors)
     for index, (a, b) in enumerate(zip(theirs, ours)):
-        keys = (a.keys() | b.keys()) - {"line"}
-        if not all(key in a and key in b and close(a[key], b[key]) for key in keys):
+        if not alike(a, b):
             return f"motion {index + 1}\n    rs274: {line_of(a)}\n    ours:  {line_of(b)}", index, ""
     if len(theirs) != len(ours):
         return f"rs274 makes {len(theirs)} motions, we {len(ours)}", 0, ""
@@ -274,14 +285,90 @@ def parts_of(root):
     return [file for file in files if re.search(r"^part:", file.read_text(), re.M)]
 
 
+# Before a call: what the user interfaces that make such calls write first.
+PREAMBLE = "G17 G21 G40 G49 G54 G80 G90 G94 F100 S500 M3\n"
+
+
+def subprogram(text, name):
+    """Whether a file holds the subprogram of its own name, without what ends the file."""
+    if not re.search(r"^[^(;]*?o<" + re.escape(name) + r">\s*sub\b", text, re.M | re.I):
+        return None
+    return re.sub(r"^\s*(m0*2|m30|%)\s*$", "", text, flags=re.M | re.I)
+
+
+def called(name, subprograms):
+    """A program that calls a subprogram by the defaults its comments give, `#<x> = #1 (=0.5)`, all that it calls before it."""
+    needed, texts = [name], []
+    for one in needed:
+        texts.append(subprograms[one])
+        calls = re.findall(r"o<([^>]+)>\s*call", subprograms[one], re.I)
+        needed += [call.lower() for call in calls if call.lower() in subprograms and call.lower() not in needed]
+    given = dict(re.findall(r"=\s*#(\d+)\s*\(=\s*([-+.\d]+)", subprograms[name]))
+    last = max(map(int, given), default=0)
+    arguments = " ".join(f"[{given.get(str(number), '0')}]" for number in range(1, last + 1))
+    return "\n".join(texts) + f"\n{PREAMBLE}o<{name}> call {arguments}\nM2\n"
+
+
+def programs_of(folders):
+    """Every program of the folders; of a file that is a subprogram, a call of it instead."""
+    for folder in folders:
+        files = sorted(folder.rglob("*.ngc")) if folder.is_dir() else [folder]
+        texts = {file: file.read_text(errors="replace") for file in files}
+        found = {file: subprogram(text, file.stem) for file, text in texts.items()}
+        subprograms = {file.stem.lower(): text for file, text in found.items() if text}
+        for file, text in texts.items():
+            name = str(file.relative_to(folder)) if folder.is_dir() else str(file)
+            if found[file]:
+                yield f"{name} (called)", called(file.stem.lower(), subprograms | {file.stem.lower(): found[file]})
+            else:
+                yield name, text
+
+
+def survey(technolog, folders):
+    """Which of the programs that rs274 accepts are traced with its motions, and of the others why not."""
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "program.ngc"
+        for name, text in programs_of(folders):
+            theirs, refused = of_rs274_text(text, {}, False)
+            if refused:
+                rows.append(("rs274 refuses", name, refused))
+                continue
+            file.write_text(text)
+            begin = time.monotonic()
+            ours, errors = of_technolog(technolog, file, None, "ir500pmf4")
+            took = time.monotonic() - begin
+            inches = re.search(r"G20", text, re.I)
+            differ = next((f"motion {index + 1} line {b.get('line')}: rs274 {line_of(a)} | we {line_of(b)}"
+                           for index, (a, b) in enumerate(zip(theirs, ours)) if not alike(a, b, 0.0031 if inches else NEAR)), None)
+            if not differ and len(theirs) != len(ours):
+                differ = f"rs274 makes {len(theirs)} motions, we {len(ours)}"
+            named = [error for error in errors if error.startswith("not-carried-out")]
+            others = [error for error in errors if error not in named]
+            about = f"{len(theirs)} motions, {took:.1f} s"
+            if others:
+                rows.append(("refused", name, f"{', '.join(others[:3])} ({about})"))
+            elif named:
+                rows.append(("named", name, f"{', '.join(named)} ({about}{'' if differ else ', the same'})"))
+            elif differ:
+                rows.append(("different", name, differ))
+            else:
+                rows.append(("same" if theirs else "same, nothing moves", name, about))
+    for row in sorted(rows):
+        print(": ".join(row))
+    for kind in sorted({row[0] for row in rows}):
+        print(f"{sum(row[0] == kind for row in rows):4} {kind}")
+    return 1 if any(row[0] == "different" for row in rows) else 0
+
+
 def main(arguments):
     if not shutil.which("rs274"):
         print("rs274 is not installed (Debian package linuxcnc-uspace): nothing compared")
         return 0
-    write = "--write" in arguments
+    write, survey_only = "--write" in arguments, "--survey" in arguments
     options = {"--setting": None, "--machine": None, "--random": None, "--seed": "1"}
     names = []
-    rest = iter(argument for argument in arguments if argument != "--write")
+    rest = iter(argument for argument in arguments if argument not in ("--write", "--survey"))
     for argument in rest:
         if argument in options:
             options[argument] = next(rest)
@@ -293,6 +380,8 @@ def main(arguments):
     technolog, names = str(pathlib.Path(names[0]).resolve()), names[1:]
     if options["--random"]:
         return compare_random(technolog, int(options["--random"]), int(options["--seed"]))
+    if survey_only:
+        return survey(technolog, [pathlib.Path(name) for name in names])
     root = pathlib.Path(__file__).resolve().parents[2]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

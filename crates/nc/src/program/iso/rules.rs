@@ -40,6 +40,7 @@ pub(super) const RULES: &[Rule] = &[
     ("program-without-end", Error, "calls"),
     // The run.
     ("return-without-call", Error, "calls"),
+    ("branch-unknown", Error, "calls"),
     ("calls-too-deep", Error, "calls"),
     ("run-too-long", Error, "calls"),
     // The limits of the machine. What the control carries out all the same is wrong and traced.

@@ -108,10 +108,15 @@ impl ControlState {
         }
     }
 
+    /// The function of the program's system: 54 to 59.
+    pub(super) fn system(&self) -> u8 {
+        u8::try_from(self.mode(Group::System).unwrap_or(540) / 10).unwrap_or(54)
+    }
+
     /// The zero of the program's system along an axis, machine coordinates, with length correction, and whether it
     /// was set.
     pub(super) fn origin(&self, axis: Axis, setting: &Setting) -> (Micrometres, Floating) {
-        let system = u8::try_from(self.mode(Group::System).unwrap_or(540) / 10).unwrap_or(54);
+        let system = self.system();
         let zero = setting.zeros.get(usize::from(system.saturating_sub(54))).and_then(|it| it[axis.index()]);
         let length = if axis == Axis::Z { self.length } else { Micrometres::ZERO };
         (zero.unwrap_or_default() + length, zero.is_none().then_some(system))

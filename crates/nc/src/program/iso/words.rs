@@ -89,6 +89,8 @@ pub(super) struct BlockWords {
     pub passed: bool,
     /// Whether that holds for the blocks behind it.
     pub passes_on: bool,
+    /// What of it is not carried out: told when the run comes to the block.
+    pub told: Vec<Fault>,
 }
 
 impl BlockWords {
@@ -135,6 +137,9 @@ impl BlockWords {
             }
         }
         words.pass(block, control, faults);
+        for fault in &mut words.told {
+            fault.block = block.number;
+        }
         if let Some(many) = words.m.get(control.m_per_block) {
             let problem = fault("too-many-m", many.span, None).with("count", words.m.len());
             faults.push(problem.with("limit", control.m_per_block));
@@ -171,7 +176,7 @@ impl BlockWords {
                 name.push_str(&format!(" {by}{}", given.millionths / 1_000_000));
             }
             let code = if passed.harmless { "passed-over" } else { "not-carried-out" };
-            faults.push(word_fault(code, word.span, None, name));
+            self.told.push(word_fault(code, word.span, None, name));
             self.passes_on |= passed.goes_on;
             for address in passed.takes.iter().copied().chain(Some(word.address)) {
                 self.values[place(address)] = None;

@@ -1,0 +1,119 @@
+//! The parameters of a run: those of the program, and those of the control that follow from its state.
+
+use std::collections::BTreeMap;
+
+use super::control::Group;
+use super::state::ControlState;
+use crate::motion::{Axis, Turning};
+use crate::program::Setting;
+use crate::program::expression::Lookup;
+
+/// The parameters that each called o-word of LinuxCNC has for itself.
+const LOCAL: u32 = 30;
+
+/// The last parameter of LinuxCNC that belongs to programs; those above are the control's own.
+const FREE: u32 = 5000;
+
+/// What the program has set. A value that is not known is kept as none.
+#[derive(Debug, Default)]
+pub(super) struct Values {
+    shared: BTreeMap<String, Option<f64>>,
+    local: Locals,
+    /// Whether those that were never set are 0.
+    zero: bool,
+}
+
+/// The parameters that a called o-word has for itself: `#1` to `#30` and names that do not begin with `_`.
+pub(super) type Locals = BTreeMap<String, Option<f64>>;
+
+impl Values {
+    pub(super) fn new(zero: bool) -> Self {
+        Self { zero, ..Self::default() }
+    }
+
+    pub(super) fn set(&mut self, name: String, value: Option<f64>) {
+        let owner = if self.zero && is_local(&name) { &mut self.local } else { &mut self.shared };
+        owner.insert(name, value);
+    }
+
+    /// Begins a called o-word with its arguments; what the caller had.
+    pub(super) fn enter(&mut self, arguments: impl Iterator<Item = Option<f64>>) -> Locals {
+        let given = (1..=LOCAL).zip(arguments).map(|(number, value)| (format!("#{number}"), value));
+        std::mem::replace(&mut self.local, given.collect())
+    }
+
+    /// Goes back to the caller.
+    pub(super) fn leave(&mut self, before: Locals) {
+        self.local = before;
+    }
+}
+
+fn is_local(name: &str) -> bool {
+    match number(name) {
+        Some(number) => number <= LOCAL,
+        None => !name.starts_with("#_"),
+    }
+}
+
+fn number(name: &str) -> Option<u32> {
+    name.strip_prefix('#')?.parse().ok()
+}
+
+/// The parameters as a block sees them.
+pub(super) struct Seen<'a> {
+    pub values: &'a Values,
+    pub state: &'a ControlState,
+    pub setting: &'a Setting,
+    pub line: u32,
+    /// How deep the block is in calls.
+    pub depth: usize,
+}
+
+impl Seen<'_> {
+    /// A parameter of LinuxCNC itself; none where the state does not say it.
+    fn of_control(&self, name: &str) -> Option<f64> {
+        let whether = |yes: bool| Some(f64::from(u8::from(yes)));
+        let state = self.state;
+        let mode = |group: Group, power_on: i64| Some(state.mode(group).unwrap_or(power_on) as f64);
+        match name {
+            "#5220" => Some(f64::from(state.system()) - 53.0),
+            "#5400" | "#_CURRENT_TOOL" => Some(f64::from(state.tool)),
+            "#_SELECTED_TOOL" => Some(f64::from(state.wanted)),
+            "#5420" | "#_X" => Some(self.position(Axis::X)),
+            "#5421" | "#_Y" => Some(self.position(Axis::Y)),
+            "#5422" | "#_Z" => Some(self.position(Axis::Z)),
+            "#_LINE" => Some(f64::from(self.line)),
+            "#_METRIC" => whether(!state.inches()),
+            "#_IMPERIAL" => whether(state.inches()),
+            "#_ABSOLUTE" => whether(state.absolute()),
+            "#_INCREMENTAL" => whether(!state.absolute()),
+            "#_PLANE" => mode(Group::Plane, 170),
+            "#_COORD_SYSTEM" => mode(Group::System, 540),
+            "#_RPM" => Some(state.speed),
+            "#_SPINDLE_ON" => whether(state.turning != Turning::Stopped),
+            "#_SPINDLE_CW" => whether(state.turning == Turning::Clockwise),
+            "#_CALL_LEVEL" => Some(self.depth as f64),
+            _ => None,
+        }
+    }
+
+    /// Where an axis is in the program's system, in the program's unit.
+    fn position(&self, axis: Axis) -> f64 {
+        let here = self.state.at.get(axis) - self.state.origin(axis, self.setting).0;
+        (here.to_mm() + self.state.lost[axis.index()]) / if self.state.inches() { 25.4 } else { 1.0 }
+    }
+}
+
+impl Lookup for Seen<'_> {
+    fn value_of(&self, name: &str) -> Option<f64> {
+        let Values { shared, local, zero } = self.values;
+        if let Some(value) = local.get(name).or_else(|| shared.get(name)) {
+            return *value;
+        }
+        match number(name) {
+            _ if !zero => None,
+            Some(number) if number <= FREE => Some(0.0),
+            _ => self.of_control(name),
+        }
+    }
+}
