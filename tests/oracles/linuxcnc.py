@@ -116,7 +116,7 @@ def of_rs274_text(program, setting, skip):
     start = setting.get("start", {})
     machine.at = tuple(start.get(letter, 0.0) for letter in "xyz")
     scale, g5x, g92, length = 1.0, [0.0] * 3, [0.0] * 3, [0.0] * 3
-    plane, feed, ended = "XY", 0.0, False
+    plane, feed, per_turn, pitch, turned = "XY", 0.0, False, None, 0.0
     numbers = lambda text: [float(number) for number in re.findall(r"-?\d+\.?\d*", text)]
     for line in answer.stdout.splitlines():
         found = re.match(r"\s*\d+ N\S+\s+(\w+)\((.*)\)", line)
@@ -124,8 +124,14 @@ def of_rs274_text(program, setting, skip):
             continue
         name, text = found.groups()
         values = numbers(text)
-        on_machine = lambda three: tuple(
-            value * scale + a + b + c for value, a, b, c in zip(three, g5x, g92, length))
+        def on_machine(three):
+            x, y, z = (value * scale + shift for value, shift in zip(three, g92))
+            x, y = x * math.cos(turned) - y * math.sin(turned), x * math.sin(turned) + y * math.cos(turned)
+            return tuple(value + a + b for value, a, b in zip((x, y, z), g5x, length))
+
+        def pace():
+            return pitch * machine.speed if pitch is not None else feed * machine.speed if per_turn else feed
+
         if name == "USE_LENGTH_UNITS":
             scale = 25.4 if "INCHES" in text else 1.0
         elif name == "SET_G5X_OFFSET":
@@ -134,6 +140,16 @@ def of_rs274_text(program, setting, skip):
             g92 = [value * scale for value in values[:3]]
         elif name == "USE_TOOL_LENGTH_OFFSET":
             length = [value * scale for value in values[:3]]
+        elif name == "SET_XY_ROTATION":
+            turned = math.radians(values[0])
+        elif name == "SET_FEED_MODE":
+            per_turn = values[1] == 1
+        elif name == "START_SPEED_FEED_SYNC":
+            pitch = values[0] * scale
+        elif name == "STOP_SPEED_FEED_SYNCH":
+            pitch = None
+        elif name == "CHANGE_TOOL_NUMBER":
+            machine.tool = int(values[0])
         elif name == "SET_FEED_RATE":
             feed = values[0] * scale
         elif name == "SELECT_PLANE":
@@ -141,6 +157,14 @@ def of_rs274_text(program, setting, skip):
         elif name == "STRAIGHT_TRAVERSE":
             machine.go("rapid", on_machine(values[:3]))
         elif name == "STRAIGHT_FEED":
+            machine.go("feed", on_machine(values[:3]), feed=pace())
+        elif name == "RIGID_TAP":
+            start, way = machine.at, machine.turning
+            machine.go("feed", on_machine(values[:3]), feed=pace())
+            machine.turning = "counterclockwise" if way == "clockwise" else "clockwise"
+            machine.go("feed", start, feed=pace())
+            machine.turning = way
+        elif name == "STRAIGHT_PROBE":
             machine.go("feed", on_machine(values[:3]), feed=feed)
         elif name == "ARC_FEED":
             axes = [0, 1, 2] if plane == "XY" else [2, 0, 1] if plane == "ZX" else [1, 2, 0]
@@ -149,7 +173,7 @@ def of_rs274_text(program, setting, skip):
                 end[axis], middle[axis] = value, centre
             turn = int(values[4])
             middle = on_machine(middle)
-            machine.go("arc", on_machine(end), feed=feed, plane=plane, turns=abs(turn) - 1,
+            machine.go("arc", on_machine(end), feed=pace(), plane=plane, turns=abs(turn) - 1,
                        sense="counterclockwise" if turn > 0 else "clockwise",
                        centre=[middle[axes[0]], middle[axes[1]]])
         elif name == "DWELL":
@@ -207,6 +231,8 @@ def of_technolog(technolog, program, setting_file, machine_id):
         elif kind == "tool-change":
             machine.tool = step["tool"]
             machine.put(kind)
+        elif kind == "auxiliary" and step["word"].startswith("M61 Q"):
+            machine.tool = int(step["word"].removeprefix("M61 Q"))
         for record in machine.records[before:]:
             record["line"] = step["line"]
     # What is not carried out is told, and the rest is traced without it.
@@ -298,11 +324,12 @@ def subprogram(text, name):
 
 def called(name, subprograms):
     """A program that calls a subprogram by the defaults its comments give, `#<x> = #1 (=0.5)`, all that it calls before it."""
-    needed, texts = [name], []
-    for one in needed:
-        texts.append(subprograms[one])
-        calls = re.findall(r"o<([^>]+)>\s*call", subprograms[one], re.I)
-        needed += [call.lower() for call in calls if call.lower() in subprograms and call.lower() not in needed]
+    needed, texts = {name: None}, []
+    while len(texts) < len(needed):
+        text = subprograms[list(needed)[len(texts)]]
+        texts.append(text)
+        calls = [call.lower() for call in re.findall(r"o<([^>]+)>\s*call", text, re.I)]
+        needed |= {call: None for call in calls if call in subprograms}
     given = dict(re.findall(r"=\s*#(\d+)\s*\(=\s*([-+.\d]+)", subprograms[name]))
     last = max(map(int, given), default=0)
     arguments = " ".join(f"[{given.get(str(number), '0')}]" for number in range(1, last + 1))

@@ -147,7 +147,9 @@ pub(super) fn jumps(blocks: &[Block], faults: &mut Vec<Fault>) -> BTreeMap<usize
                 }
             }
             (Flow::Break | Flow::Continue, _) => {
-                match open.iter_mut().rev().find(|one| one.name == name && one.flow != Flow::If) {
+                // LinuxCNC knows them in `while` and `do` only: in a `repeat` it stops.
+                let around = |one: &&mut Open<'_>| one.name == name && matches!(one.flow, Flow::While | Flow::Do);
+                match open.iter_mut().rev().find(around) {
                     Some(around) => around.lines.push(index),
                     None => unpaired(index),
                 }

@@ -11,7 +11,7 @@ use super::rules::{fault, word_fault};
 use super::state::ControlState;
 use super::text::{self, Block, Label, UNREAD, Word};
 use super::values::{Seen, Values};
-use super::words::BlockWords;
+use super::words::{ADDRESSES, BlockWords};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, MotionStep, Sink};
 use crate::program::expression::Expression;
@@ -59,6 +59,7 @@ pub fn check_within<S: Sink>(
             closed,
             state: ControlState::power_on(control, setting),
             values: Values::new(control.is(Q::OWords)),
+            broke: false,
             running: Running::new(sink, fault, budget),
         };
         run.main();
@@ -101,6 +102,8 @@ struct ProgramRun<'a, S> {
     closed: bool,
     state: ControlState,
     values: Values,
+    /// Whether a `while` was left by `break`: LinuxCNC 2.9 (seen in rs274) then leaves the next `do` after its first round.
+    broke: bool,
     running: Running<'a, S>,
 }
 
@@ -164,24 +167,15 @@ impl<S: Sink> ProgramRun<'_, S> {
         let calculated = self.calculated(block, depth);
         let words = calculated.as_ref().unwrap_or(words);
         words.told.iter().cloned().for_each(|fault| self.running.report(fault));
-        let mut maker = Maker {
-            control: self.control,
-            machine: self.machine,
-            setting: self.setting,
-            state: self.state.clone(),
-            steps: Vec::new(),
-            faults: Vec::new(),
-            block: BlockRef { line: block.span.line, number: block.number },
-            span: block.span,
-            spans: &mut self.running.spans,
-            budget: self.running.left,
-            used: [false; 26],
-        };
+        let mut maker = self.maker(block, depth);
         let after = maker.make(words);
         let Maker { state, steps, faults, .. } = maker;
         // Of a block with an error only the modal functions are kept.
         self.running.carry_out(&steps, faults, steps.len());
         self.state = state;
+        if words.function(Group::Motion).is_some_and(|function| (382..=385).contains(&function.code)) {
+            self.values.forget_probe();
+        }
         match (after, &block.label) {
             (After::End, _) => BlockOutcome::Out,
             (After::Return(span), _) if depth == 0 => self.running.nowhere_to_return(span, block.number),
@@ -193,6 +187,23 @@ impl<S: Sink> ProgramRun<'_, S> {
                 BlockOutcome::Back
             }
             (After::Next, _) => self.call(block, words, depth),
+        }
+    }
+
+    fn maker(&mut self, block: &Block, depth: usize) -> Maker<'_> {
+        Maker {
+            control: self.control,
+            machine: self.machine,
+            setting: self.setting,
+            state: self.state.clone(),
+            steps: Vec::new(),
+            faults: Vec::new(),
+            block: BlockRef { line: block.span.line, number: block.number },
+            depth,
+            span: block.span,
+            spans: &mut self.running.spans,
+            budget: self.running.left,
+            used: [false; ADDRESSES],
         }
     }
 
@@ -253,8 +264,13 @@ impl<S: Sink> ProgramRun<'_, S> {
         Some(match flow {
             Flow::If => return self.branch(index, depth),
             // Reached from the blocks before it: another branch was run.
-            Flow::ElseIf | Flow::Else | Flow::Break => jump.end + 1,
+            Flow::ElseIf | Flow::Else => jump.end + 1,
+            Flow::Break => {
+                self.broke = self.loops_back(jump.start);
+                jump.end + 1
+            }
             Flow::EndIf | Flow::Do => index + 1,
+            Flow::While if jump.closes && std::mem::take(&mut self.broke) => index + 1,
             Flow::While if jump.closes => {
                 if self.decided(block, *flow, depth)? != 0.0 {
                     jump.start + 1
@@ -280,6 +296,7 @@ impl<S: Sink> ProgramRun<'_, S> {
                 *left -= 1;
                 if *left > 0 { jump.start + 1 } else { index + 1 }
             }
+            // At the first line of a `while` or at the last one of a `do`.
             Flow::Continue if self.loops_back(jump.start) => jump.start,
             Flow::Continue => jump.end,
         })
@@ -335,7 +352,15 @@ impl<S: Sink> ProgramRun<'_, S> {
             self.values.enter(given.into_iter())
         });
         for _ in 0..call.repeats {
+            self.state.kept.truncate(depth + 1);
             match self.program(range.clone(), depth + 1) {
+                BlockOutcome::Back if self.state.brings_back(depth + 1) => {
+                    let mut maker = self.maker(block, depth + 1);
+                    maker.bring_back();
+                    let Maker { state, steps, faults, .. } = maker;
+                    self.running.carry_out(&steps, faults, steps.len());
+                    self.state = state;
+                }
                 BlockOutcome::Back => {}
                 BlockOutcome::On => {
                     // The run reached the next program or the end of the text.

@@ -301,13 +301,6 @@ impl SourceLine<'_> {
             block.unread = true;
             return Calculated::Unread;
         }
-        // Polar words of LinuxCNC.
-        if text.starts_with(['@', '^']) && !fanuc {
-            let word = text.chars().take(1).collect::<String>();
-            self.faults.push(word_fault("not-carried-out", self.span(here, here + 1), None, word));
-            block.expressions.push((UNREAD, Expression::Parameter(String::new()), self.span(here, here + 1)));
-            return Calculated::Unread;
-        }
         let sets = text.starts_with('#');
         let sign = usize::from(!sets);
         let behind = &text[text.chars().take(sign).map(char::len_utf8).sum::<usize>()..];
@@ -417,13 +410,14 @@ impl SourceLine<'_> {
 }
 
 /// Least and greatest number of an address, in millionths: wide enough for every machine, and narrow enough that no
-/// sum overflows. Only positions, distances and the radius of an arc may be negative.
+/// sum overflows. Only positions, distances, angles and the radius of an arc may be negative.
 const fn limits(address: char, written: Written) -> (i64, i64) {
     const MANY: i64 = 99_999_999_999;
     match address {
         // A call of Fanuc has eight digits.
         'P' => (0, 99_999_999_000_000),
         'F' => (0, MANY),
+        '^' => (-MANY, MANY),
         _ if matches!(written, Written::Length) => (-MANY, MANY),
         _ => (0, MANY),
     }

@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 
 use super::control::Group;
 use super::state::ControlState;
+use super::zeros::SYSTEMS;
 use crate::motion::{Axis, Turning};
 use crate::program::Setting;
 use crate::program::expression::Lookup;
+use crate::units::Micrometres;
 
 /// The parameters that each called o-word of LinuxCNC has for itself.
 const LOCAL: u32 = 30;
@@ -34,6 +36,11 @@ impl Values {
     pub(super) fn set(&mut self, name: String, value: Option<f64>) {
         let owner = if self.zero && is_local(&name) { &mut self.local } else { &mut self.shared };
         owner.insert(name, value);
+    }
+
+    /// Where the probe touched, and whether, only the machine knows.
+    pub(super) fn forget_probe(&mut self) {
+        self.shared.retain(|name, _| !number(name).is_some_and(|number| (5061..=5070).contains(&number)));
     }
 
     /// Begins a called o-word with its arguments; what the caller had.
@@ -76,12 +83,13 @@ impl Seen<'_> {
         let state = self.state;
         let mode = |group: Group, power_on: i64| Some(state.mode(group).unwrap_or(power_on) as f64);
         match name {
-            "#5220" => Some(f64::from(state.system()) - 53.0),
+            "#5220" => Some(state.system_index() as f64 + 1.0),
             "#5400" | "#_CURRENT_TOOL" => Some(f64::from(state.tool)),
             "#_SELECTED_TOOL" => Some(f64::from(state.wanted)),
             "#5420" | "#_X" => Some(self.position(Axis::X)),
             "#5421" | "#_Y" => Some(self.position(Axis::Y)),
             "#5422" | "#_Z" => Some(self.position(Axis::Z)),
+            "#5210" => whether(state.shift_kept.iter().any(|shift| *shift != Micrometres::ZERO)),
             "#_LINE" => Some(f64::from(self.line)),
             "#_METRIC" => whether(!state.inches()),
             "#_IMPERIAL" => whether(state.inches()),
@@ -93,8 +101,25 @@ impl Seen<'_> {
             "#_SPINDLE_ON" => whether(state.turning != Turning::Stopped),
             "#_SPINDLE_CW" => whether(state.turning == Turning::Clockwise),
             "#_CALL_LEVEL" => Some(self.depth as f64),
-            _ => None,
+            // These count the unit of the machine, which a program does not say.
+            _ => self.of_machine(name).filter(|value| *value == 0.0),
         }
+    }
+
+    /// A parameter in the unit of the machine: the point of G28, the shift, the zeros; mm.
+    fn of_machine(&self, name: &str) -> Option<f64> {
+        let number = number(name)?;
+        let along = |first: u32| Axis::ALL.get(usize::try_from(number.checked_sub(first)?).ok()?).copied();
+        if let Some(axis) = along(5211) {
+            return Some(self.state.shift_kept[axis.index()].to_mm());
+        }
+        if along(5161).is_some() {
+            return Some(0.0);
+        }
+        let system = usize::try_from(number.checked_sub(5221)? / 20).ok().filter(|system| *system < SYSTEMS)?;
+        let axis = along(5221 + 20 * u32::try_from(system).ok()?)?;
+        let (zero, floating) = self.state.zero(system, axis, self.setting)?;
+        floating.is_none().then(|| zero.to_mm())
     }
 
     /// Where an axis is in the program's system, in the program's unit.
