@@ -5,6 +5,7 @@
     python3 tests/oracles/linuxcnc.py target/debug/technolog a.ngc folder    # these files, and the .ngc of this folder
     python3 tests/oracles/linuxcnc.py target/debug/technolog --write         # writes `rs274` beside every test program
     python3 tests/oracles/linuxcnc.py target/debug/technolog --random 500    # programs of random words, by --seed
+    python3 tests/oracles/linuxcnc.py target/debug/technolog --survey folder # a table: which of these we trace as rs274 does
 
 Options: --setting FILE.yaml and --machine ID for programs that have none beside them.
 
@@ -27,6 +28,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 NEAR = 0.0011  # mm: a micrometre, and the rounding of the fourth place that rs274 prints
 
@@ -96,12 +98,16 @@ class Machine:
 
 def of_rs274(program, setting, skip):
     """The records of rs274, or what it refuses."""
+    return of_rs274_text(program.read_text(errors="replace"), setting, skip)
+
+
+def of_rs274_text(program, setting, skip):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         write_tables(setting, folder)
         command = ["rs274", "-g", "-n", "2", "-t", "tool.tbl", "-v", "rs274.var"] + (["-b"] if skip else [])
         # Under its own folder: rs274 writes beside itself.
-        (folder / "program.ngc").write_text(program.read_text())
+        (folder / "program.ngc").write_text(program)
         try:
             answer = subprocess.run(command + ["program.ngc"], capture_output=True, text=True, cwd=folder, timeout=5)
         except subprocess.TimeoutExpired:
@@ -110,7 +116,7 @@ def of_rs274(program, setting, skip):
     start = setting.get("start", {})
     machine.at = tuple(start.get(letter, 0.0) for letter in "xyz")
     scale, g5x, g92, length = 1.0, [0.0] * 3, [0.0] * 3, [0.0] * 3
-    plane, feed, ended = "XY", 0.0, False
+    plane, feed, per_turn, pitch, turned = "XY", 0.0, False, None, 0.0
     numbers = lambda text: [float(number) for number in re.findall(r"-?\d+\.?\d*", text)]
     for line in answer.stdout.splitlines():
         found = re.match(r"\s*\d+ N\S+\s+(\w+)\((.*)\)", line)
@@ -118,8 +124,14 @@ def of_rs274(program, setting, skip):
             continue
         name, text = found.groups()
         values = numbers(text)
-        on_machine = lambda three: tuple(
-            value * scale + a + b + c for value, a, b, c in zip(three, g5x, g92, length))
+        def on_machine(three):
+            x, y, z = (value * scale + shift for value, shift in zip(three, g92))
+            x, y = x * math.cos(turned) - y * math.sin(turned), x * math.sin(turned) + y * math.cos(turned)
+            return tuple(value + a + b for value, a, b in zip((x, y, z), g5x, length))
+
+        def pace():
+            return pitch * machine.speed if pitch is not None else feed * machine.speed if per_turn else feed
+
         if name == "USE_LENGTH_UNITS":
             scale = 25.4 if "INCHES" in text else 1.0
         elif name == "SET_G5X_OFFSET":
@@ -128,6 +140,16 @@ def of_rs274(program, setting, skip):
             g92 = [value * scale for value in values[:3]]
         elif name == "USE_TOOL_LENGTH_OFFSET":
             length = [value * scale for value in values[:3]]
+        elif name == "SET_XY_ROTATION":
+            turned = math.radians(values[0])
+        elif name == "SET_FEED_MODE":
+            per_turn = values[1] == 1
+        elif name == "START_SPEED_FEED_SYNC":
+            pitch = values[0] * scale
+        elif name == "STOP_SPEED_FEED_SYNCH":
+            pitch = None
+        elif name == "CHANGE_TOOL_NUMBER":
+            machine.tool = int(values[0])
         elif name == "SET_FEED_RATE":
             feed = values[0] * scale
         elif name == "SELECT_PLANE":
@@ -135,6 +157,14 @@ def of_rs274(program, setting, skip):
         elif name == "STRAIGHT_TRAVERSE":
             machine.go("rapid", on_machine(values[:3]))
         elif name == "STRAIGHT_FEED":
+            machine.go("feed", on_machine(values[:3]), feed=pace())
+        elif name == "RIGID_TAP":
+            start, way = machine.at, machine.turning
+            machine.go("feed", on_machine(values[:3]), feed=pace())
+            machine.turning = "counterclockwise" if way == "clockwise" else "clockwise"
+            machine.go("feed", start, feed=pace())
+            machine.turning = way
+        elif name == "STRAIGHT_PROBE":
             machine.go("feed", on_machine(values[:3]), feed=feed)
         elif name == "ARC_FEED":
             axes = [0, 1, 2] if plane == "XY" else [2, 0, 1] if plane == "ZX" else [1, 2, 0]
@@ -143,7 +173,7 @@ def of_rs274(program, setting, skip):
                 end[axis], middle[axis] = value, centre
             turn = int(values[4])
             middle = on_machine(middle)
-            machine.go("arc", on_machine(end), feed=feed, plane=plane, turns=abs(turn) - 1,
+            machine.go("arc", on_machine(end), feed=pace(), plane=plane, turns=abs(turn) - 1,
                        sense="counterclockwise" if turn > 0 else "clockwise",
                        centre=[middle[axes[0]], middle[axes[1]]])
         elif name == "DWELL":
@@ -201,19 +231,27 @@ def of_technolog(technolog, program, setting_file, machine_id):
         elif kind == "tool-change":
             machine.tool = step["tool"]
             machine.put(kind)
+        elif kind == "auxiliary" and step["word"].startswith("M61 Q"):
+            machine.tool = int(step["word"].removeprefix("M61 Q"))
         for record in machine.records[before:]:
             record["line"] = step["line"]
     # What is not carried out is told, and the rest is traced without it.
     refused = [it for it in answer["findings"] if it["severity"] == "error" or it["code"] == "not-carried-out"]
-    return machine.records, [f"{it['code']} line {it['line']}" for it in refused]
+    word = lambda it: str(it.get("params", {}).get("word", "")) if it["code"] == "not-carried-out" else ""
+    return machine.records, [" ".join(filter(None, [it["code"], word(it), f"line {it['line']}"])) for it in refused]
 
 
-def close(a, b):
+def close(a, b, near=NEAR):
     if isinstance(a, float) or isinstance(b, float):
-        return math.isclose(a, b, abs_tol=NEAR)
+        return math.isclose(a, b, abs_tol=near)
     if isinstance(a, (list, tuple)):
-        return len(a) == len(b) and all(close(float(x), float(y)) for x, y in zip(a, b))
+        return len(a) == len(b) and all(close(float(x), float(y), near) for x, y in zip(a, b))
     return a == b
+
+
+def alike(a, b, near=NEAR):
+    """Whether two records say the same."""
+    return all(key in a and key in b and close(a[key], b[key], near) for key in (a.keys() | b.keys()) - {"line"})
 
 
 def line_of(record):
@@ -245,8 +283,7 @@ def compare(technolog, program, setting_file, machine_id, write):
     if errors:
         return None, 0, "we alone refuse: " + ", ".join(errors)
     for index, (a, b) in enumerate(zip(theirs, ours)):
-        keys = (a.keys() | b.keys()) - {"line"}
-        if not all(key in a and key in b and close(a[key], b[key]) for key in keys):
+        if not alike(a, b):
             return f"motion {index + 1}\n    rs274: {line_of(a)}\n    ours:  {line_of(b)}", index, ""
     if len(theirs) != len(ours):
         return f"rs274 makes {len(theirs)} motions, we {len(ours)}", 0, ""
@@ -274,14 +311,91 @@ def parts_of(root):
     return [file for file in files if re.search(r"^part:", file.read_text(), re.M)]
 
 
+# Before a call: what the user interfaces that make such calls write first.
+PREAMBLE = "G17 G21 G40 G49 G54 G80 G90 G94 F100 S500 M3\n"
+
+
+def subprogram(text, name):
+    """Whether a file holds the subprogram of its own name, without what ends the file."""
+    if not re.search(r"^[^(;]*?o<" + re.escape(name) + r">\s*sub\b", text, re.M | re.I):
+        return None
+    return re.sub(r"^\s*(m0*2|m30|%)\s*$", "", text, flags=re.M | re.I)
+
+
+def called(name, subprograms):
+    """A program that calls a subprogram by the defaults its comments give, `#<x> = #1 (=0.5)`, all that it calls before it."""
+    needed, texts = {name: None}, []
+    while len(texts) < len(needed):
+        text = subprograms[list(needed)[len(texts)]]
+        texts.append(text)
+        calls = [call.lower() for call in re.findall(r"o<([^>]+)>\s*call", text, re.I)]
+        needed |= {call: None for call in calls if call in subprograms}
+    given = dict(re.findall(r"=\s*#(\d+)\s*\(=\s*([-+.\d]+)", subprograms[name]))
+    last = max(map(int, given), default=0)
+    arguments = " ".join(f"[{given.get(str(number), '0')}]" for number in range(1, last + 1))
+    return "\n".join(texts) + f"\n{PREAMBLE}o<{name}> call {arguments}\nM2\n"
+
+
+def programs_of(folders):
+    """Every program of the folders; of a file that is a subprogram, a call of it instead."""
+    for folder in folders:
+        files = sorted(folder.rglob("*.ngc")) if folder.is_dir() else [folder]
+        texts = {file: file.read_text(errors="replace") for file in files}
+        found = {file: subprogram(text, file.stem) for file, text in texts.items()}
+        subprograms = {file.stem.lower(): text for file, text in found.items() if text}
+        for file, text in texts.items():
+            name = str(file.relative_to(folder)) if folder.is_dir() else str(file)
+            if found[file]:
+                yield f"{name} (called)", called(file.stem.lower(), subprograms | {file.stem.lower(): found[file]})
+            else:
+                yield name, text
+
+
+def survey(technolog, folders):
+    """Which of the programs that rs274 accepts are traced with its motions, and of the others why not."""
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "program.ngc"
+        for name, text in programs_of(folders):
+            theirs, refused = of_rs274_text(text, {}, False)
+            if refused:
+                rows.append(("rs274 refuses", name, refused))
+                continue
+            file.write_text(text)
+            begin = time.monotonic()
+            ours, errors = of_technolog(technolog, file, None, "ir500pmf4")
+            took = time.monotonic() - begin
+            inches = re.search(r"G20", text, re.I)
+            differ = next((f"motion {index + 1} line {b.get('line')}: rs274 {line_of(a)} | we {line_of(b)}"
+                           for index, (a, b) in enumerate(zip(theirs, ours)) if not alike(a, b, 0.0031 if inches else NEAR)), None)
+            if not differ and len(theirs) != len(ours):
+                differ = f"rs274 makes {len(theirs)} motions, we {len(ours)}"
+            named = [error for error in errors if error.startswith("not-carried-out")]
+            others = [error for error in errors if error not in named]
+            about = f"{len(theirs)} motions, {took:.1f} s"
+            if others:
+                rows.append(("refused", name, f"{', '.join(others[:3])} ({about})"))
+            elif named:
+                rows.append(("named", name, f"{', '.join(named)} ({about}{'' if differ else ', the same'})"))
+            elif differ:
+                rows.append(("different", name, differ))
+            else:
+                rows.append(("same" if theirs else "same, nothing moves", name, about))
+    for row in sorted(rows):
+        print(": ".join(row))
+    for kind in sorted({row[0] for row in rows}):
+        print(f"{sum(row[0] == kind for row in rows):4} {kind}")
+    return 1 if any(row[0] == "different" for row in rows) else 0
+
+
 def main(arguments):
     if not shutil.which("rs274"):
         print("rs274 is not installed (Debian package linuxcnc-uspace): nothing compared")
         return 0
-    write = "--write" in arguments
+    write, survey_only = "--write" in arguments, "--survey" in arguments
     options = {"--setting": None, "--machine": None, "--random": None, "--seed": "1"}
     names = []
-    rest = iter(argument for argument in arguments if argument != "--write")
+    rest = iter(argument for argument in arguments if argument not in ("--write", "--survey"))
     for argument in rest:
         if argument in options:
             options[argument] = next(rest)
@@ -293,6 +407,8 @@ def main(arguments):
     technolog, names = str(pathlib.Path(names[0]).resolve()), names[1:]
     if options["--random"]:
         return compare_random(technolog, int(options["--random"]), int(options["--seed"]))
+    if survey_only:
+        return survey(technolog, [pathlib.Path(name) for name in names])
     root = pathlib.Path(__file__).resolve().parents[2]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -56,6 +56,10 @@ impl Lines {
                 self.tool = *tool;
                 self.line("tool-change", String::new());
             }
+            Motion::Auxiliary { word } => {
+                let named = word.strip_prefix("M61 Q").and_then(|number| number.parse().ok());
+                self.tool = named.unwrap_or(self.tool);
+            }
             _ => {}
         }
     }

@@ -1,5 +1,6 @@
 //! Numbers of programs: figures, parameters and the four arithmetic operations in brackets (LinuxCNC, Fanuc) or after
-//! an equals sign (Sinumerik). Functions (SIN, ATAN and others), powers and remainders are read for mills only.
+//! an equals sign (Sinumerik). Functions (SIN, ATAN and others), powers, remainders and comparisons are read for mills
+//! only.
 
 use std::collections::BTreeMap;
 
@@ -14,6 +15,10 @@ pub(super) enum Expression {
     Minus(Box<Self>),
     /// `^` is `**`, `%` is `MOD`.
     Of(char, Box<Self>, Box<Self>),
+    /// `a LT b`, `a AND b`: 1 or 0.
+    Whether(Relation, Box<Self>, Box<Self>),
+    /// `EXISTS[#<name>]`: 1 or 0.
+    Exists(String),
     Function(Function, Box<Self>),
     /// `ATAN[a]/[b]`, degrees.
     Atan(Box<Self>, Box<Self>),
@@ -73,19 +78,73 @@ impl Function {
     }
 }
 
+/// What may hold between two numbers, and between what holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Relation {
+    Equal,
+    NotEqual,
+    Greater,
+    GreaterEqual,
+    Less,
+    LessEqual,
+    And,
+    Or,
+    Xor,
+}
+
+impl Relation {
+    const COMPARISONS: [(&'static str, Self); 6] = [
+        ("EQ", Self::Equal),
+        ("NE", Self::NotEqual),
+        ("GT", Self::Greater),
+        ("GE", Self::GreaterEqual),
+        ("LT", Self::Less),
+        ("LE", Self::LessEqual),
+    ];
+    const LOGICAL: [(&'static str, Self); 3] = [("AND", Self::And), ("OR", Self::Or), ("XOR", Self::Xor)];
+
+    /// LinuxCNC takes numbers for equal that differ by less than 0.0001 (`TOLERANCE_EQUAL` of `interp_internal.hh`).
+    fn holds(self, a: f64, b: f64) -> bool {
+        let equal = (a - b).abs() < 0.0001;
+        match self {
+            Self::Equal => equal,
+            Self::NotEqual => !equal,
+            Self::Greater => a > b,
+            Self::GreaterEqual => a >= b,
+            Self::Less => a < b,
+            Self::LessEqual => a <= b,
+            Self::And => a != 0.0 && b != 0.0,
+            Self::Or => a != 0.0 || b != 0.0,
+            Self::Xor => (a != 0.0) != (b != 0.0),
+        }
+    }
+}
+
+/// Where the values of parameters are looked up.
+pub(super) trait Lookup {
+    /// The value of a parameter by its name, `#5`; none where it is not known.
+    fn value_of(&self, name: &str) -> Option<f64>;
+}
+
 /// Parameters with their values.
 pub(super) type Parameters = BTreeMap<String, f64>;
+
+impl Lookup for Parameters {
+    fn value_of(&self, name: &str) -> Option<f64> {
+        self.get(name).copied()
+    }
+}
 
 /// The deepest nesting of brackets.
 const DEPTH: usize = 20;
 
 impl Expression {
     /// Its value; none where a parameter has none, or for a division by 0.
-    pub fn value(&self, parameters: &Parameters) -> Option<f64> {
+    pub fn value(&self, parameters: &impl Lookup) -> Option<f64> {
         let value = match self {
             Self::Number(number) => *number,
-            Self::Parameter(name) => *parameters.get(name)?,
-            Self::Indirect(number) => *parameters.get(&format!("#{}", libm::round(number.value(parameters)?)))?,
+            Self::Parameter(name) => parameters.value_of(name)?,
+            Self::Indirect(number) => parameters.value_of(&format!("#{}", libm::round(number.value(parameters)?)))?,
             Self::Minus(of) => -of.value(parameters)?,
             Self::Function(function, of) => function.of(of.value(parameters)?),
             Self::Atan(a, b) => libm::atan2(a.value(parameters)?, b.value(parameters)?).to_degrees(),
@@ -100,6 +159,10 @@ impl Expression {
                     _ => a / b,
                 }
             }
+            Self::Whether(relation, a, b) => {
+                f64::from(u8::from(relation.holds(a.value(parameters)?, b.value(parameters)?)))
+            }
+            Self::Exists(name) => f64::from(u8::from(parameters.value_of(name).is_some())),
         };
         value.is_finite().then_some(value)
     }
@@ -128,6 +191,30 @@ impl<'a> Reader<'a> {
         let is = self.peek() == Some(wanted);
         self.at += usize::from(is);
         is
+    }
+
+    /// What stands in brackets: sums, compared and joined by AND, OR and XOR, which bind less than comparisons.
+    fn logical(&mut self, depth: usize) -> Option<Expression> {
+        let mut left = self.comparison(depth)?;
+        while let Some(relation) = self.relation(&Relation::LOGICAL) {
+            left = Expression::Whether(relation, Box::new(left), Box::new(self.comparison(depth)?));
+        }
+        Some(left)
+    }
+
+    fn comparison(&mut self, depth: usize) -> Option<Expression> {
+        let mut left = self.sum(depth)?;
+        while let Some(relation) = self.relation(&Relation::COMPARISONS) {
+            left = Expression::Whether(relation, Box::new(left), Box::new(self.sum(depth)?));
+        }
+        Some(left)
+    }
+
+    fn relation(&mut self, known: &[(&str, Relation)]) -> Option<Relation> {
+        if !self.functions {
+            return None;
+        }
+        known.iter().find(|(word, _)| self.next_word(word)).map(|(_, relation)| *relation)
     }
 
     /// A sum. `open` is the bracket that began it, if any.
@@ -180,12 +267,17 @@ impl<'a> Reader<'a> {
             let below = if self.next_is('/') { self.bracket(depth)? } else { return None };
             return Some(Expression::Atan(Box::new(above), Box::new(below)));
         }
+        if self.next_word("EXISTS") {
+            let named = self.next_is('[') && self.next_is('#');
+            let name = if named { self.parameter("#")? } else { return None };
+            return self.next_is(']').then_some(Expression::Exists(name));
+        }
         let named = Function::NAMES.iter().find(|(name, _)| self.next_word(name))?.1;
         Some(Expression::Function(named, Box::new(self.bracket(depth)?)))
     }
 
     fn bracket(&mut self, depth: usize) -> Option<Expression> {
-        let inner = if self.next_is('[') { self.sum(depth + 1)? } else { return None };
+        let inner = if self.next_is('[') { self.logical(depth + 1)? } else { return None };
         self.next_is(']').then_some(inner)
     }
 
@@ -205,7 +297,7 @@ impl<'a> Reader<'a> {
             }
             open @ ('[' | '(') => {
                 self.at += 1;
-                let inner = self.sum(depth + 1)?;
+                let inner = self.logical(depth + 1)?;
                 self.next_is(if open == '[' { ']' } else { ')' }).then_some(inner)
             }
             '#' => {

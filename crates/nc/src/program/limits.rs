@@ -50,7 +50,7 @@ pub(super) fn beyond_travel(
                 let (needed, travel) = (entry.1 - entry.0, most - least);
                 if needed > travel {
                     let code = "span-beyond-travel";
-                    let note = Note::new(code).with("axis", axis.letter()).with("system", format!("G{system}"));
+                    let note = Note::new(code).with("axis", axis.letter()).with("system", system_name(system));
                     notes.push((code, note.with("needed", needed).with("travel", travel)));
                 }
             }
@@ -66,7 +66,15 @@ pub(super) fn without_zero(spans: &Spans) -> Vec<(String, String)> {
         let used = Axis::ALL.into_iter().filter(|axis| spans.contains_key(&(system, axis.index())));
         used.map(|axis| axis.letter().to_string()).collect()
     };
-    systems.into_iter().map(|system| (format!("G{system}"), axes(system).join(", "))).collect()
+    systems.into_iter().map(|system| (system_name(system), axes(system).join(", "))).collect()
+}
+
+/// The function of a system by its number: 54 to 59, and 60 to 62 for G59.1 to G59.3.
+fn system_name(system: u8) -> String {
+    match system.checked_sub(59) {
+        Some(more @ 1..) => format!("G59.{more}"),
+        _ => format!("G{system}"),
+    }
 }
 
 /// The range of an axis, machine coordinates.

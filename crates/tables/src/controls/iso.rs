@@ -29,6 +29,8 @@ vocabulary! {
         ArcDistance = "arc-distance",
         FeedMode = "feed-mode",
         Retract = "retract",
+        /// What X counts.
+        Diameter = "diameter",
     }
 
     /// The effect of a G function.
@@ -41,6 +43,17 @@ vocabulary! {
         MachinePosition = "machine-position",
         /// A length offset by the value of Z, which moves nothing.
         OffsetValue = "offset-value",
+        /// A length offset that is added to the one in force.
+        OffsetAdded = "offset-added",
+        /// Zeros and lengths of tools are set.
+        Data = "data",
+        /// A zero beside that of the system.
+        LocalZero = "local-zero",
+        /// A zero by the present place.
+        Shift = "shift",
+        ShiftOff = "shift-off",
+        ShiftWaits = "shift-waits",
+        ShiftAgain = "shift-again",
         Noted = "noted",
     }
 
@@ -55,6 +68,13 @@ vocabulary! {
         SpindleCounterclockwise = "spindle-counterclockwise",
         SpindleStop = "spindle-stop",
         ToolChange = "tool-change",
+        /// The tool in the spindle is named.
+        ToolNamed = "tool-named",
+        /// Modes are kept, forgotten, brought back, kept for the end of the subprogram.
+        KeepModes = "keep-modes",
+        ForgetModes = "forget-modes",
+        BringModes = "bring-modes",
+        KeepForReturn = "keep-for-return",
         CoolantOn = "coolant-on",
         CoolantOff = "coolant-off",
         Auxiliary = "auxiliary",
@@ -142,6 +162,7 @@ vocabulary! {
         CycleBeginsAnew = "cycle-begins-anew",
         CycleNeedsAxes = "cycle-needs-axes",
         CycleRises = "cycle-rises",
+        CyclesInEveryPlane = "cycles-in-every-plane",
         RepeatsInL = "repeats-in-l",
         RepeatsNone = "repeats-none",
         RepeatsInP = "repeats-in-p",

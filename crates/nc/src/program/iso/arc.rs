@@ -11,7 +11,7 @@ use crate::units::Micrometres;
 
 impl Maker<'_> {
     /// An arc in the active plane; with a word across the plane a helix. I, J, K are relative to the start; a missing
-    /// one is 0. Without an axis of the plane it is a full circle. Some controls make P turns of it.
+    /// one is 0. Behind G90.1 they are a position, and both must be there. Without an axis of the plane it is a full circle. Some controls make P turns of it.
     pub(super) fn arc(&mut self, words: &BlockWords) {
         let plane = self.state.plane();
         let [a, b, _] = plane.axes();
@@ -20,7 +20,7 @@ impl Maker<'_> {
         let target = self.target(words, false);
         let given = centre.iter().flatten().next().or(radius.as_ref()).map(|word| word.span);
         let Some(span) = target.span.or(given) else { return };
-        let named = [a, b].iter().any(|axis| words.get(axis.letter()).is_some());
+        let named = [a, b].into_iter().any(|axis| words.names(axis));
         if !named && self.control.is(Q::ArcNamesEnd) {
             self.fault("arc-without-end", span);
             return;
@@ -47,7 +47,10 @@ impl Maker<'_> {
             self.report("number-out-of-range", given.span, &figures);
         }
         let turns = turns.map_or(0, |given| u32::try_from(given.millionths / 1_000_000 - 1).unwrap_or_default());
-        let feed_mm_per_min = self.feed(span);
+        let across = plane.axes()[2];
+        let rise = (target.at.get(across) - self.state.at.get(across)).to_mm();
+        let length = middle.map_or(0.0, |middle| arc_length([start, end], middle, sense, turns, rise));
+        let feed_mm_per_min = self.feed_along(Some(length), span);
         let Some(middle) = middle else {
             // The run continues as if the position had been reached.
             self.state.at = target.at;
@@ -62,6 +65,14 @@ impl Maker<'_> {
     fn by_centre(&mut self, start: Point, end: Point, centre: [Option<WordValue>; 2], span: TextSpan) -> Option<Point> {
         let inches = self.state.inches();
         let mut middle = start;
+        if self.state.mode(Group::ArcDistance) == Some(901) {
+            if centre.iter().any(Option::is_none) {
+                self.fault("arc-without-centre", span);
+                return None;
+            }
+            let [a, b, _] = self.state.plane().axes();
+            middle = [a, b].map(|axis| self.state.origin(axis, self.setting).0.to_mm());
+        }
         for (value, given) in middle.iter_mut().zip(centre) {
             *value += given.map(|word| word.exact_mm(inches)).unwrap_or_default();
         }
@@ -112,6 +123,17 @@ impl Maker<'_> {
         let [dx, dy] = [(end[0] - start[0]) / chord, (end[1] - start[1]) / chord];
         Some([(start[0] + end[0]) / 2.0 + dy * side, (start[1] + end[1]) / 2.0 - dx * side])
     }
+}
+
+/// The length of an arc or a helix about a centre, mm.
+fn arc_length([start, end]: [Point; 2], middle: Point, sense: Sense, turns: u32, rise: f64) -> f64 {
+    let angle = |point: Point| libm::atan2(point[1] - middle[1], point[0] - middle[0]);
+    let swept = if sense == Sense::Counterclockwise { angle(end) - angle(start) } else { angle(start) - angle(end) };
+    let turn = std::f64::consts::TAU;
+    let swept = swept - turn * libm::floor(swept / turn);
+    // A full circle ends where it begins.
+    let swept = (if swept < 1e-9 { turn } else { swept }) + turn * f64::from(turns);
+    libm::hypot(swept * distance(start, middle), rise)
 }
 
 /// A position in a plane before it was rounded.

@@ -8,7 +8,7 @@
 use super::control::{Action, Characteristic as Q, Control, Effect, Group};
 use super::rules::fault;
 use super::state::ControlState;
-use super::words::{BlockWords, Function, WordValue, place};
+use super::words::{ADDRESSES, BlockWords, Function, WordValue, place};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning, geometry};
 use crate::note::{Figure, IntoFigure, Note};
@@ -26,13 +26,15 @@ pub(super) struct Maker<'a> {
     pub steps: Vec<MotionStep>,
     pub faults: Vec<Fault>,
     pub block: BlockRef,
+    /// How deep it is in calls.
+    pub depth: usize,
     /// The whole block, for faults that belong to no single word.
     pub span: TextSpan,
     pub spans: &'a mut Spans,
     /// The most steps that may be made.
     pub budget: usize,
     /// The letters of used words. Other words would be ignored silently, so they are reported.
-    pub used: [bool; 26],
+    pub used: [bool; ADDRESSES],
 }
 
 /// What a block requests besides its steps.
@@ -105,7 +107,7 @@ impl Maker<'_> {
             self.state.passes = false;
         }
         self.state.passes |= words.passes_on;
-        let moves = Axis::ALL.into_iter().any(|axis| words.get(axis.letter()).is_some());
+        let moves = words.names_any();
         words.passed || (self.state.passes && moves && words.function(Group::OneShot).is_none())
     }
 
@@ -129,10 +131,13 @@ impl Maker<'_> {
 
     /// F, S, T, compared with the machine.
     fn numbers(&mut self, words: &BlockWords) {
+        self.feed_mode(words);
+        let per_minute = self.state.mode(Group::FeedMode).is_none_or(|mode| mode == 940);
+        let by_time = self.state.mode(Group::FeedMode) == Some(930);
         if let Some(feed) = self.take(words, 'F') {
-            self.state.feed = feed.value() * if self.state.inches() { 25.4 } else { 1.0 };
+            self.state.feed = feed.value() * if self.state.inches() && !by_time { 25.4 } else { 1.0 };
             let limit = self.machine.feed_max.0;
-            if self.state.feed > limit {
+            if per_minute && self.state.feed > limit {
                 self.report("feed-beyond-machine", feed.span, &[("limit", limit.into_figure())]);
             }
         }
@@ -156,6 +161,18 @@ impl Maker<'_> {
                 let subject = Subject::Tool(usize::try_from(number).unwrap_or_default());
                 self.faults.push(fault.with("places", places).about(subject));
             }
+        }
+    }
+
+    /// The feed of one mode means nothing in another; G93 needs it in every block.
+    fn feed_mode(&mut self, words: &BlockWords) {
+        let before = self.state.mode(Group::FeedMode);
+        if let Some(function) = words.function(Group::FeedMode) {
+            self.state.set(Group::FeedMode, Some(function.code));
+        }
+        let now = self.state.mode(Group::FeedMode);
+        if now != before || now == Some(930) {
+            self.state.feed = 0.0;
         }
     }
 
@@ -210,8 +227,13 @@ impl Maker<'_> {
                 self.spindle(if clockwise { Turning::Clockwise } else { Turning::Counterclockwise });
             }
             Action::SpindleStop => self.spindle(Turning::Stopped),
-            Action::CoolantOn => self.push(Motion::Coolant { on: true }),
-            Action::CoolantOff => self.push(Motion::Coolant { on: false }),
+            Action::CoolantOn | Action::CoolantOff => {
+                self.state.coolant = action == Action::CoolantOn;
+                self.push(Motion::Coolant { on: self.state.coolant });
+            }
+            Action::KeepModes | Action::ForgetModes | Action::BringModes | Action::KeepForReturn => {
+                self.keep(action, function.span);
+            }
             // Where there is no M6, the operator changes the tool that T names at the stop.
             Action::Stop if words.get('T').is_some() && !self.control.changes_tools() => self.change_by_hand(function),
             Action::Stop => self.push(Motion::Stop { optional: false }),
@@ -221,6 +243,15 @@ impl Maker<'_> {
             Action::Call => {
                 self.take(words, 'P');
                 self.take(words, 'L');
+            }
+            Action::ToolNamed => {
+                let Some(given) = self.take(words, 'Q') else {
+                    self.fault("no-tool", function.span);
+                    return;
+                };
+                self.state.tool = u32::try_from(given.millionths / 1_000_000).unwrap_or_default();
+                self.state.tool_named = true;
+                self.push(Motion::Auxiliary { word: format!("M61 Q{}", self.state.tool) });
             }
             Action::Auxiliary => {
                 // The angle of M19.
@@ -322,23 +353,32 @@ impl Maker<'_> {
         if function.code == 490 && words.get('H').is_some_and(|given| given.millionths == 0) {
             self.take(words, 'H');
         }
+        if self.control.g.get(&function.code).is_some_and(|known| known.effect == Effect::OffsetAdded) {
+            return self.add_length(function, words);
+        }
         if function.code == 430 {
             let given =
                 self.take(words, 'H').map(|given| u32::try_from(given.millionths / 1_000_000).unwrap_or_default());
-            let tool = Some(self.state.tool).filter(|tool| self.control.is(Q::LengthOfToolInSpindle) && *tool > 0);
+            let named = self.state.tool > 0 || self.state.tool_named;
+            let tool = Some(self.state.tool).filter(|_| self.control.is(Q::LengthOfToolInSpindle) && named);
             let Some(number) = given.or(tool) else {
                 self.fault("corrector-missing", function.span);
                 return;
             };
             corrector = number;
-            match self.setting.correctors.get(&number) {
-                Some(known) => value = *known,
-                None if number == 0 => {}
-                None => self.report("corrector-unknown", function.span, &[("number", number.into_figure())]),
-            }
+            value = self.corrector(number, function).unwrap_or_default();
         }
         self.state.length = value;
         self.push(Motion::LengthCorrection { axis: Axis::Z, corrector: Some(corrector), value });
+    }
+
+    /// The length of a tool; none, and told, where it is not given.
+    pub(super) fn corrector(&mut self, number: u32, function: Function) -> Option<Micrometres> {
+        let known = self.state.correctors.get(&number).copied().or((number == 0).then_some(Micrometres::ZERO));
+        if known.is_none() {
+            self.report("corrector-unknown", function.span, &[("number", number.into_figure())]);
+        }
+        known
     }
 
     /// Whether the block sets the length offset by a value: Z is no way then.
@@ -350,11 +390,19 @@ impl Maker<'_> {
     /// G43.1 Z: the offset is the value of Z. GRBL takes it only while a function of motion acts. Where the lengths of the
     /// tools are known, it must be that of one of them: which one the program does not say.
     fn offset_of(&mut self, function: Function, words: &BlockWords) {
+        // LinuxCNC has offsets along X and Y, too.
+        let sideways = self.control.is(Q::OWords);
+        if sideways && ['X', 'Y'].into_iter().any(|axis| self.take(words, axis).is_some_and(|it| it.millionths != 0)) {
+            self.not_carried_out(function, "G43.1 X, Y");
+        }
         let Some(given) = self.take(words, 'Z') else {
             self.report("axes-missing", function.span, &[("function", function.name().into_figure())]);
             return;
         };
-        if self.state.mode(Group::Motion).is_none() && words.function(Group::Motion).is_none() {
+        if !self.control.is(Q::OWords)
+            && self.state.mode(Group::Motion).is_none()
+            && words.function(Group::Motion).is_none()
+        {
             self.fault("motion-missing", function.span);
         }
         let value = given.length(self.state.inches());
@@ -366,14 +414,31 @@ impl Maker<'_> {
         self.push(Motion::LengthCorrection { axis: Axis::Z, corrector: None, value });
     }
 
-    /// The feed by F and the operator's switch; reported when there is none, or when the spindle does not turn.
+    /// The feed of a cycle, which cannot have it as the inverse of time.
     pub(super) fn feed(&mut self, span: TextSpan) -> MillimetresPerMinute {
+        self.feed_along(None, span)
+    }
+
+    /// The feed by F and the operator's switch along a way, mm; reported when there is none, or when the spindle does not
+    /// turn. G93: F ways in a minute; G95: F for each turn.
+    pub(super) fn feed_along(&mut self, length: Option<f64>, span: TextSpan) -> MillimetresPerMinute {
         if self.state.turning == Turning::Stopped {
             self.fault("feed-without-spindle", span);
         }
-        let feed = self.state.feed * self.setting.feed_override as f64 / 100.0;
-        if feed <= 0.0 {
+        let times = match self.state.mode(Group::FeedMode) {
+            Some(930) => length.unwrap_or_default(),
+            Some(950) => self.state.speed * self.setting.speed_override as f64 / 100.0,
+            _ => 1.0,
+        };
+        let feed = self.state.feed * times * self.setting.feed_override as f64 / 100.0;
+        // A way that goes nowhere has no feed by time, and needs none.
+        let nowhere = times == 0.0 && length == Some(0.0) && self.state.feed > 0.0;
+        if feed <= 0.0 && !nowhere {
             self.fault("feed-zero", span);
+        }
+        let limit = self.machine.feed_max.0;
+        if self.state.mode(Group::FeedMode).is_some_and(|mode| mode != 940) && feed > limit {
+            self.report("feed-beyond-machine", span, &[("limit", limit.into_figure())]);
         }
         MillimetresPerMinute(feed)
     }
@@ -403,9 +468,10 @@ impl Maker<'_> {
         self.steps.push(step);
     }
 
-    /// A motion along Z to a level.
-    pub(super) fn climb(&mut self, motion: Motion, z: Micrometres, span: TextSpan) {
-        let (at, floating) = (self.state.at.with(Axis::Z, z), self.state.floating);
+    /// A motion across the plane to a level.
+    pub(super) fn climb(&mut self, motion: Motion, level: Micrometres, span: TextSpan) {
+        let across = self.state.plane().axes()[2];
+        let (at, floating) = (self.state.at.with(across, level), self.state.floating);
         self.go(motion, at, floating, span);
     }
 }

@@ -1,4 +1,4 @@
-//! The fixed cycles G73 and G81 to G89, along Z.
+//! The fixed cycles G73 and G81 to G89, along the axis across the plane; Z stands for it here.
 //!
 //! ```text
 //! initial  where Z was when the first of a row of cycles began
@@ -62,7 +62,7 @@ impl Maker<'_> {
             self.state.set(Group::Motion, None);
         }
         self.state.set(Group::Cycle, Some(code));
-        let hole = Axis::ALL.iter().any(|axis| words.get(axis.letter()).is_some());
+        let hole = words.names_any();
         if !hole && self.control.is(Q::CycleNeedsAxes) {
             if given.is_some() {
                 self.report("axes-missing", span, &[("function", format!("G{}", code / 10).into_figure())]);
@@ -78,15 +78,15 @@ impl Maker<'_> {
         }
         // Before what else may be wrong with it: a cycle without a feed must not be overlooked.
         self.feed(span);
-        let missing: Vec<String> =
-            cycle.required.iter().filter(|sign| self.parameter(**sign).is_none()).map(ToString::to_string).collect();
+        let missing = cycle.required.iter().copied().filter(|sign| self.parameter(*sign).is_none());
+        let missing: Vec<String> = missing.map(|sign| self.written(sign).to_string()).collect();
         if !missing.is_empty() {
             let figures =
                 [("cycle", format!("G{}", code / 10).into_figure()), ("words", missing.join(", ").into_figure())];
             self.report("cycle-parameter-missing", span, &figures);
             return;
         }
-        if self.state.mode(Group::Plane) != Some(170) {
+        if self.state.mode(Group::Plane) != Some(170) && !self.control.is(Q::CyclesInEveryPlane) {
             self.fault("cycle-plane", span);
             return;
         }
@@ -95,10 +95,20 @@ impl Maker<'_> {
         }
     }
 
+    /// The axis along which the cycles of the plane drill.
+    fn along(&self) -> Axis {
+        self.state.plane().axes()[2]
+    }
+
+    /// The address that a parameter of a cycle has in the plane: of the depth the letter of the axis.
+    fn written(&self, address: char) -> char {
+        if address == 'Z' { self.along().letter() } else { address }
+    }
+
     /// Z at the start of the first cycle of the row, machine coordinates.
     fn initial(&mut self) -> Micrometres {
-        let origin = self.state.origin(Axis::Z, self.setting).0;
-        let here = self.state.at.get(Axis::Z) - origin;
+        let origin = self.state.origin(self.along(), self.setting).0;
+        let here = self.state.at.get(self.along()) - origin;
         origin + *self.state.initial.get_or_insert(here)
     }
 
@@ -111,7 +121,7 @@ impl Maker<'_> {
             if called && matches!(address, 'P' | 'L') {
                 continue;
             }
-            if let Some(given) = self.take(words, address) {
+            if let Some(given) = self.take(words, self.written(address)) {
                 let value = if address == 'P' {
                     libm::round(given.dwell_s(self.control) * 1e6) as i64
                 } else {
@@ -146,7 +156,7 @@ impl Maker<'_> {
 
     fn levels(&mut self, initial: Micrometres, span: TextSpan) -> Option<CycleLevels> {
         let [r, z] = ['R', 'Z'].map(|address| Micrometres::new(self.parameter(address).unwrap_or_default()));
-        let origin = self.state.origin(Axis::Z, self.setting).0;
+        let origin = self.state.origin(self.along(), self.setting).0;
         let (r, bottom) = if self.state.absolute() { (origin + r, origin + z) } else { (initial + r, initial + r + z) };
         if bottom > r {
             let shown = |level: Micrometres| (level - origin).to_string();
@@ -191,16 +201,18 @@ impl Maker<'_> {
             self.target(words, false);
         }
         for _ in 0..repeats {
-            let here = self.state.at.get(Axis::Z);
+            let along = self.along();
+            let here = self.state.at.get(along);
             let low = self.control.is(Q::CycleRises) && here <= levels.r;
             let crossing = if low { levels.clear } else { here };
             let target = self.target(words, false);
             self.set_floating();
             let mut floating = target.floating;
-            floating[2] = self.state.floating[2];
-            let over: Position = target.at.with(Axis::Z, crossing);
+            floating[along.index()] = self.state.floating[along.index()];
+            let over: Position = target.at.with(along, crossing);
             self.go(Motion::Rapid, over, floating, target.span.unwrap_or(span));
-            self.state.lost = [target.lost[0], target.lost[1], 0.0];
+            self.state.lost = target.lost;
+            self.state.lost[along.index()] = 0.0;
             self.climb(Motion::Rapid, levels.r, span);
             self.hole(cycle, levels, &feed, span);
             // A block with an error makes no steps, and the budget ends endless repeats.
@@ -213,7 +225,8 @@ impl Maker<'_> {
     /// With G90 the levels of a cycle are relative to the zero of the system.
     fn set_floating(&mut self) {
         if self.state.absolute() {
-            self.state.floating[2] = self.state.origin(Axis::Z, self.setting).1;
+            let along = self.along();
+            self.state.floating[along.index()] = self.state.origin(along, self.setting).1;
         }
     }
 

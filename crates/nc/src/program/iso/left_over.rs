@@ -15,7 +15,7 @@ impl Maker<'_> {
         }
         // A function of motion ends a cycle.
         self.state.own[Group::Cycle as usize] |= words.function(Group::Motion).is_some();
-        let names = |axis: Axis| words.get(axis.letter()).is_some();
+        let names = |axis: Axis| words.names(axis);
         let motion = words.function(Group::Motion).map(|function| function.code).or(self.state.mode(Group::Motion));
         let cycle = words.function(Group::Cycle).map(|function| function.code).or(self.state.mode(Group::Cycle));
         let cycle = cycle.is_some_and(|code| self.control.cycles.contains_key(&code));
@@ -23,7 +23,8 @@ impl Maker<'_> {
         let time = words.one_shot(Effect::Dwell, self.control).is_some();
         // A full circle may name no axis.
         let circle = arc && ['I', 'J', 'K'].into_iter().any(|address| words.get(address).is_some());
-        let moves = (Axis::ALL.into_iter().any(names) || circle) && !time && !self.offset_by_value(words);
+        let moves = (words.names_any() || circle) && !time && !self.offset_by_value(words);
+        let moves = moves && self.sets_zero(words).is_none();
         if !moves {
             return;
         }

@@ -3,12 +3,12 @@
 
 use super::block::Maker;
 use super::control::{Characteristic as Q, Effect, Group};
-use super::words::{BlockWords, Function};
+use super::words::{BlockWords, Function, WordValue};
 use crate::motion::{Axis, Motion, Position};
 use crate::note::IntoFigure;
 use crate::program::TextSpan;
 use crate::program::limits::Floating;
-use crate::units::Micrometres;
+use crate::units::{Micrometres, MillimetresPerMinute};
 
 /// The target position of a block.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,8 @@ impl Maker<'_> {
         }
         if off {
             self.cycle_off();
-            if self.control.is(Q::CyclesAreMotions) {
+            // G80 beside a function of motion only ends the cycle.
+            if self.control.is(Q::CyclesAreMotions) && words.function(Group::Motion).is_none() {
                 self.state.set(Group::Motion, None);
             }
         }
@@ -56,6 +57,9 @@ impl Maker<'_> {
         if self.offset_by_value(words) {
             return;
         }
+        if let Some((function, effect)) = self.sets_zero(words) {
+            return self.set_zero(function, effect, words);
+        }
         if let Some(function) = words.one_shot(Effect::MachinePosition, self.control) {
             return self.on_machine(function, words);
         }
@@ -67,6 +71,8 @@ impl Maker<'_> {
         }
         match self.state.mode(Group::Motion) {
             Some(20 | 30) => self.arc(words),
+            Some(330 | 331) => self.thread(words, self.state.mode(Group::Motion) == Some(331)),
+            Some(382..=385) => self.probe(words),
             Some(code) => self.line(code, words),
             None => {
                 if let Some(span) = self.target(words, false).span {
@@ -79,9 +85,17 @@ impl Maker<'_> {
     fn line(&mut self, code: i64, words: &BlockWords) {
         let target = self.target(words, false);
         let Some(span) = target.span else { return };
-        let motion = if code == 0 { Motion::Rapid } else { Motion::Feed { feed_mm_per_min: self.feed(span) } };
+        let motion =
+            if code == 0 { Motion::Rapid } else { Motion::Feed { feed_mm_per_min: self.line_feed(target.at, span) } };
         self.go(motion, target.at, target.floating, span);
         self.state.lost = target.lost;
+    }
+
+    /// The feed of a line from where the axes are.
+    fn line_feed(&mut self, to: Position, span: TextSpan) -> MillimetresPerMinute {
+        let along = Axis::ALL.map(|axis| (to.get(axis) - self.state.at.get(axis)).to_mm());
+        let length = libm::sqrt(along.iter().map(|part| part * part).sum());
+        self.feed_along(Some(length), span)
     }
 
     /// The target of the words: positions in the active system (G90), or distances (G91). In machine coordinates
@@ -89,8 +103,11 @@ impl Maker<'_> {
     pub(super) fn target(&mut self, words: &BlockWords, on_machine: bool) -> Target {
         let Maker { state, .. } = self;
         let mut target = Target { at: state.at, lost: state.lost, floating: state.floating, span: None };
+        if !on_machine {
+            self.polar(words, &mut target);
+        }
         for axis in Axis::ALL {
-            let Some(word) = self.take(words, axis.letter()) else { continue };
+            let Some(word) = self.take_axis(words, axis) else { continue };
             let inches = self.state.inches();
             let value = word.length(inches);
             self.finer_than_machine(value, word.span);
@@ -114,6 +131,39 @@ impl Maker<'_> {
         target
     }
 
+    /// The word of an axis; behind G7 X counts diameters.
+    pub(super) fn take_axis(&mut self, words: &BlockWords, axis: Axis) -> Option<WordValue> {
+        let half = axis == Axis::X && self.state.mode(Group::Diameter) == Some(70);
+        let word = self.take(words, axis.letter())?;
+        Some(if half { WordValue { millionths: word.millionths / 2, ..word } } else { word })
+    }
+
+    /// `@` and `^`: the distance from the zero and the angle, degrees; one that is missing is that of the present place.
+    fn polar(&mut self, words: &BlockWords, target: &mut Target) {
+        let [distance, angle] = ['@', '^'].map(|address| self.take(words, address));
+        let Some(span) = distance.or(angle).map(|word| word.span) else { return };
+        let origins = [Axis::X, Axis::Y].map(|axis| self.state.origin(axis, self.setting));
+        let mm = |axis: Axis| self.state.at.get(axis).to_mm() - origins[axis.index()].0.to_mm();
+        let [x, y] = [Axis::X, Axis::Y].map(|axis| mm(axis) + self.state.lost[axis.index()]);
+        let (mut radius, mut degrees) = (libm::hypot(x, y), libm::atan2(y, x).to_degrees());
+        let add = !self.state.absolute();
+        if let Some(given) = distance {
+            radius = given.exact_mm(self.state.inches()) + if add { radius } else { 0.0 };
+        }
+        if let Some(given) = angle {
+            degrees = given.value() + if add { degrees } else { 0.0 };
+        }
+        let turned = degrees.to_radians();
+        for (axis, exact) in [(Axis::X, radius * libm::cos(turned)), (Axis::Y, radius * libm::sin(turned))] {
+            let whole = Micrometres::from_mm_rounded(exact);
+            let (origin, floating) = origins[axis.index()];
+            target.at = target.at.with(axis, origin + whole);
+            target.lost[axis.index()] = exact - whole.to_mm();
+            target.floating[axis.index()] = floating;
+        }
+        target.span = Some(span);
+    }
+
     /// The control resolves thousandths, perhaps finer than the machine. Inches are rounded anyway.
     fn finer_than_machine(&mut self, value: crate::units::Micrometres, span: TextSpan) {
         let step = self.machine.resolution.micrometres().max(1);
@@ -133,7 +183,7 @@ impl Maker<'_> {
         let code = if self.control.is(Q::MachinePositionAtRapid) { Some(0) } else { self.state.mode(Group::Motion) };
         let motion = match code.filter(|_| words.function(Group::Cycle).is_none()) {
             Some(0) => Motion::Rapid,
-            Some(10) => Motion::Feed { feed_mm_per_min: self.feed(span) },
+            Some(10) => Motion::Feed { feed_mm_per_min: self.line_feed(target.at, span) },
             _ => {
                 self.fault("motion-missing", function.span);
                 return;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::control::{Action, Characteristic as Q, Control};
+use super::owords::{self, Jump};
 use super::rules::fault;
 use super::text::{Block, Label};
 use super::words::{BlockWords, Function};
@@ -18,6 +19,8 @@ pub(super) struct Programs {
     pub main: Range<usize>,
     /// For every `o… sub`, the block after its `o… endsub`, where the main program continues.
     pub passed: BTreeMap<usize, usize>,
+    /// Where branches and loops go on, by the places of their lines.
+    pub jumps: BTreeMap<usize, Jump>,
 }
 
 /// The arguments of a call.
@@ -50,6 +53,7 @@ pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control
     let second = starts.iter().copied().find(|start| *start > 0);
     programs.main = 0..second.filter(|_| !control.is(Q::OWords)).unwrap_or(blocks.len());
     subs(blocks, &mut programs, faults);
+    programs.jumps = owords::jumps(blocks, faults);
     // A name that could not be read may be the called one; a number may be that of the call.
     let headless = blocks.iter().any(|block| block.unread && block.words.is_empty() && block.label.is_none());
     for (block, words) in blocks.iter().zip(words) {
@@ -57,7 +61,8 @@ pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control
         if let Some(function) = calls(words, control).filter(|_| called.is_none() && !block.unread) {
             faults.push(fault("call-without-number", function.span, block.number));
         }
-        if let Some(call) = called
+        // O-words are looked for when the run comes to them.
+        if let Some(call) = called.filter(|_| !matches!(block.label, Some(Label::Call(_))))
             && !headless
             && !programs.named.contains_key(&call.name)
         {
@@ -92,7 +97,8 @@ fn subs(blocks: &[Block], programs: &mut Programs, faults: &mut Vec<Fault>) {
                 insert_program(programs, name.clone(), start + 1..index + 1, blocks, faults);
                 open = None;
             }
-            (Some(Label::Return(name)), Some((_, opened))) if name == opened => {}
+            // The label of a return is not looked at.
+            (Some(Label::Return(_)), Some(_)) => {}
             (Some(Label::Sub(_) | Label::EndSub(_) | Label::Return(_)), _) => {
                 faults.push(fault("sub-without-pair", block.span, block.number));
             }

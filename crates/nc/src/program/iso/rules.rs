@@ -42,6 +42,8 @@ pub(super) const RULES: &[Rule] = &[
     // The run.
     ("return-without-call", Error, "calls"),
     ("main-begins-anew", Warning, "calls"),
+    ("branch-unknown", Error, "calls"),
+    ("modes-not-kept", Error, "calls"),
     ("calls-too-deep", Error, "calls"),
     ("run-too-long", Error, "calls"),
     // The limits of the machine. What the control carries out all the same is wrong and traced.

@@ -5,14 +5,16 @@ use std::ops::Range;
 
 use super::block::{After, Maker};
 use super::control::{Characteristic as Q, Control, Group};
+use super::owords::{Flow, Jump};
 use super::programs::{self, Programs};
 use super::rules::{fault, word_fault};
 use super::state::ControlState;
 use super::text::{self, Block, Label, UNREAD, Word};
-use super::words::BlockWords;
+use super::values::{Seen, Values};
+use super::words::{ADDRESSES, BlockWords};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, MotionStep, Sink};
-use crate::program::expression::{Expression, Parameters};
+use crate::program::expression::Expression;
 use crate::program::running::{BUDGET, BlockOutcome, Running};
 use crate::program::{Fault, Setting, Subject, TextSpan};
 
@@ -43,7 +45,10 @@ pub fn check_within<S: Sink>(
     let (blocks, closed, mut faults) = text::blocks(text, control, setting.decimal);
     let words: Vec<BlockWords> = blocks.iter().map(|block| BlockWords::read(block, control, &mut faults)).collect();
     let programs = programs::programs(&blocks, &words, control, &mut faults);
-    if !faults.iter().any(Fault::is_error) {
+    if faults.iter().any(Fault::is_error) {
+        // The run would tell it of the blocks it comes to.
+        faults.extend(words.iter().flat_map(|words| words.told.iter().cloned()));
+    } else {
         let mut run = ProgramRun {
             blocks: &blocks,
             words: &words,
@@ -53,7 +58,8 @@ pub fn check_within<S: Sink>(
             setting,
             closed,
             state: ControlState::power_on(control, setting),
-            parameters: parameters(&blocks, control),
+            values: Values::new(control.is(Q::OWords)),
+            broke: false,
             running: Running::new(sink, fault, control.habits, budget),
         };
         run.main();
@@ -85,20 +91,6 @@ fn once(faults: Vec<Fault>) -> Vec<Fault> {
     faults.into_iter().filter_map(told).collect()
 }
 
-/// The parameters before a run: those that a program of LinuxCNC has not set are 0, those of Fanuc are empty.
-fn parameters(blocks: &[Block], control: &Control) -> Parameters {
-    let calculates = |block: &Block| !block.expressions.is_empty() || !block.sets.is_empty();
-    let used = blocks.iter().any(|block| calculates(block) || !block.arguments.is_empty());
-    let last = if used && control.is(Q::OWords) { FREE_PARAMETERS } else { 0 };
-    (1..=last).map(|number| (format!("#{number}"), 0.0)).collect()
-}
-
-/// The parameters that each called o-word of LinuxCNC has for itself.
-const LOCAL_PARAMETERS: usize = 30;
-
-/// The last parameter of LinuxCNC that belongs to programs; those above are the control's own.
-const FREE_PARAMETERS: u32 = 5000;
-
 struct ProgramRun<'a, S> {
     blocks: &'a [Block],
     words: &'a [BlockWords],
@@ -109,7 +101,9 @@ struct ProgramRun<'a, S> {
     /// Whether a second `%` closes the text, which also ends a LinuxCNC program.
     closed: bool,
     state: ControlState,
-    parameters: Parameters,
+    values: Values,
+    /// Whether a `while` was left by `break`: LinuxCNC 2.9 (seen in rs274) then leaves the next `do` after its first round.
+    broke: bool,
     running: Running<'a, S>,
 }
 
@@ -134,10 +128,22 @@ impl<S: Sink> ProgramRun<'_, S> {
 
     fn program(&mut self, range: Range<usize>, depth: usize) -> BlockOutcome {
         let mut index = range.start;
+        // How often each `repeat` still goes on.
+        let mut rounds = BTreeMap::new();
         while index < range.end {
             // A subprogram between the blocks is skipped.
             if let Some(behind) = self.programs.passed.get(&index) {
                 index = *behind;
+                continue;
+            }
+            if let (Some(jump), Some(block)) = (self.programs.jumps.get(&index), self.blocks.get(index)) {
+                if !self.running.spend(block.span, block.number) {
+                    return BlockOutcome::Out;
+                }
+                match self.flow(index, *jump, depth, &mut rounds) {
+                    Some(next) => index = next,
+                    None => return BlockOutcome::Out,
+                }
                 continue;
             }
             match self.block(index, depth) {
@@ -158,26 +164,18 @@ impl<S: Sink> ProgramRun<'_, S> {
         if !self.running.spend(block.span, block.number) {
             return BlockOutcome::Out;
         }
-        let calculated = self.calculated(block);
+        let calculated = self.calculated(block, depth);
         let words = calculated.as_ref().unwrap_or(words);
-        let mut maker = Maker {
-            control: self.control,
-            machine: self.machine,
-            setting: self.setting,
-            state: self.state.clone(),
-            steps: Vec::new(),
-            faults: Vec::new(),
-            block: BlockRef { line: block.span.line, number: block.number },
-            span: block.span,
-            spans: &mut self.running.spans,
-            budget: self.running.left,
-            used: [false; 26],
-        };
+        words.told.iter().cloned().for_each(|fault| self.running.report(fault));
+        let mut maker = self.maker(block, depth);
         let after = maker.make(words);
         let Maker { state, steps, faults, .. } = maker;
         // Of a block with an error only the modal functions are kept.
         self.running.carry_out(&steps, faults, steps.len());
         self.state = state;
+        if words.function(Group::Motion).is_some_and(|function| (382..=385).contains(&function.code)) {
+            self.values.forget_probe();
+        }
         match (after, &block.label) {
             (After::End, _) => BlockOutcome::Out,
             (After::Return(span), _) if depth == 0 && self.control.is(Q::OWords) => {
@@ -190,13 +188,39 @@ impl<S: Sink> ProgramRun<'_, S> {
                 self.running.take(&MotionStep { motion: Motion::End, at: self.state.at, block });
                 BlockOutcome::Out
             }
-            (After::Return(_), _) | (_, Some(Label::EndSub(_) | Label::Return(_))) => BlockOutcome::Back,
+            (After::Return(_), _) => BlockOutcome::Back,
+            (_, Some(Label::EndSub(_) | Label::Return(_))) => {
+                let given = block.arguments.first().map(|value| value.value(&self.seen(block, depth)));
+                self.values.set("#_VALUE_RETURNED".to_owned(), Some(f64::from(u8::from(given.is_some()))));
+                self.values.set("#_VALUE".to_owned(), given.unwrap_or(Some(0.0)));
+                BlockOutcome::Back
+            }
             (After::Next, _) => self.call(block, words, depth),
         }
     }
 
+    fn maker(&mut self, block: &Block, depth: usize) -> Maker<'_> {
+        Maker {
+            control: self.control,
+            machine: self.machine,
+            setting: self.setting,
+            state: self.state.clone(),
+            steps: Vec::new(),
+            faults: Vec::new(),
+            block: BlockRef { line: block.span.line, number: block.number },
+            depth,
+            span: block.span,
+            spans: &mut self.running.spans,
+            budget: self.running.left,
+            used: [false; ADDRESSES],
+        }
+    }
+
     /// The words of a block with numbers that depend on parameters, none if it has none; and the parameters it sets.
-    fn calculated(&mut self, block: &Block) -> Option<BlockWords> {
+    fn calculated(&mut self, block: &Block, depth: usize) -> Option<BlockWords> {
+        if block.expressions.is_empty() && block.sets.is_empty() {
+            return None;
+        }
         let mut faults = Vec::new();
         let mut read = None;
         let unknown = |span| word_fault("not-carried-out", span, block.number, "#");
@@ -204,7 +228,7 @@ impl<S: Sink> ProgramRun<'_, S> {
             let mut words = Block { words: block.words.clone(), number: block.number, ..Block::default() };
             let mut known = true;
             for (address, expression, span) in &block.expressions {
-                let value = expression.value(&self.parameters).filter(|value| value.abs() < 1e9);
+                let value = expression.value(&self.seen(block, depth)).filter(|value| value.abs() < 1e9);
                 known &= value.is_some();
                 let Some(value) = value else {
                     // What could not be read has been told.
@@ -222,44 +246,130 @@ impl<S: Sink> ProgramRun<'_, S> {
             read = Some(carried);
         }
         // LinuxCNC sets parameters when the whole block is read.
-        let set: Vec<_> = block.sets.iter().map(|(name, value)| self.set(name, value)).collect();
+        let seen = self.seen(block, depth);
+        let set: Vec<_> = block.sets.iter().map(|(name, value)| (target(name, &seen), value.value(&seen))).collect();
         for (name, value) in set {
-            match (name, value) {
-                (Some(name), Some(value)) => {
-                    self.parameters.insert(name, value);
-                }
-                (Some(name), None) => {
-                    self.parameters.remove(&name);
-                    faults.push(unknown(block.span));
-                }
-                _ => faults.push(unknown(block.span)),
+            if name.is_none() || value.is_none() {
+                faults.push(unknown(block.span));
+            }
+            if let Some(name) = name {
+                self.values.set(name, value);
             }
         }
         faults.into_iter().for_each(|fault| self.running.report(fault));
         read
     }
 
-    /// The name of a parameter that a block sets, and its value.
-    fn set(&self, name: &Expression, value: &Expression) -> (Option<String>, Option<f64>) {
-        let name = match name {
-            Expression::Parameter(name) => Some(name.clone()),
-            Expression::Indirect(number) => {
-                number.value(&self.parameters).map(|number| format!("#{}", libm::round(number)))
+    /// The parameters as a block sees them.
+    fn seen(&self, block: &Block, depth: usize) -> Seen<'_> {
+        let (values, state, setting) = (&self.values, &self.state, self.setting);
+        Seen { values, state, setting, line: block.span.line, depth }
+    }
+
+    /// The block behind a line of a branch or a loop; none where what decides it is not known.
+    fn flow(&mut self, index: usize, jump: Jump, depth: usize, rounds: &mut BTreeMap<usize, i64>) -> Option<usize> {
+        let block = self.blocks.get(index)?;
+        let Some(Label::Flow(flow, _)) = &block.label else { return Some(index + 1) };
+        Some(match flow {
+            Flow::If => return self.branch(index, depth),
+            // Reached from the blocks before it: another branch was run.
+            Flow::ElseIf | Flow::Else => jump.end + 1,
+            Flow::Break => {
+                self.broke = self.loops_back(jump.start);
+                jump.end + 1
             }
-            _ => None,
-        };
-        (name, value.value(&self.parameters))
+            Flow::EndIf | Flow::Do => index + 1,
+            Flow::While if jump.closes && std::mem::take(&mut self.broke) => index + 1,
+            Flow::While if jump.closes => {
+                if self.decided(block, *flow, depth)? != 0.0 {
+                    jump.start + 1
+                } else {
+                    index + 1
+                }
+            }
+            Flow::While => {
+                if self.decided(block, *flow, depth)? != 0.0 {
+                    index + 1
+                } else {
+                    jump.end + 1
+                }
+            }
+            Flow::EndWhile => jump.start,
+            Flow::Repeat => {
+                let times = libm::round(self.decided(block, *flow, depth)?) as i64;
+                rounds.insert(index, times);
+                if times > 0 { index + 1 } else { jump.end + 1 }
+            }
+            Flow::EndRepeat => {
+                let left = rounds.entry(jump.start).or_default();
+                *left -= 1;
+                if *left > 0 { jump.start + 1 } else { index + 1 }
+            }
+            // At the first line of a `while` or at the last one of a `do`.
+            Flow::Continue if self.loops_back(jump.start) => jump.start,
+            Flow::Continue => jump.end,
+        })
+    }
+
+    /// Whether a loop asks its question at its first line.
+    fn loops_back(&self, start: usize) -> bool {
+        matches!(self.blocks.get(start).map(|block| &block.label), Some(Some(Label::Flow(Flow::While, _))))
+    }
+
+    /// The first block of the branch that is run.
+    fn branch(&mut self, first: usize, depth: usize) -> Option<usize> {
+        let mut at = first;
+        loop {
+            let (block, jump) = (self.blocks.get(at)?, self.programs.jumps.get(&at)?);
+            match &block.label {
+                Some(Label::Flow(flow @ (Flow::If | Flow::ElseIf), _)) => {
+                    if self.decided(block, *flow, depth)? != 0.0 {
+                        return Some(at + 1);
+                    }
+                    at = jump.next;
+                }
+                _ => return Some(at + 1),
+            }
+        }
+    }
+
+    /// The value behind a line of a branch or a loop. What the check does not know ends the run: which blocks come is not
+    /// known either.
+    fn decided(&mut self, block: &Block, flow: Flow, depth: usize) -> Option<f64> {
+        let value = block.arguments.first().and_then(|value| value.value(&self.seen(block, depth)));
+        if value.is_none() {
+            self.running.report(word_fault("branch-unknown", block.span, block.number, flow.word()));
+        }
+        value
     }
 
     fn call(&mut self, block: &Block, words: &BlockWords, depth: usize) -> BlockOutcome {
         let Some(call) = programs::call(block, words, self.control) else { return BlockOutcome::On };
-        let Some(range) = self.programs.named.get(&call.name).cloned() else { return BlockOutcome::On };
+        let Some(range) = self.programs.named.get(&call.name).cloned() else {
+            // An o-word may be the file of another subprogram; only a call that the run comes to is wrong.
+            self.running.report(fault("subprogram-missing", call.span, block.number).with("number", call.name));
+            return BlockOutcome::Out;
+        };
         if self.running.too_deep(depth, self.control.depth, call.span, block.number) {
             return BlockOutcome::Out;
         }
-        let before = self.hand_over(block);
+        // A called o-word has the parameters 1 to 30 for itself, its arguments among them.
+        let own = matches!(block.label, Some(Label::Call(_)));
+        let before = own.then(|| {
+            let seen = self.seen(block, depth);
+            let given: Vec<_> = block.arguments.iter().map(|given| given.value(&seen)).collect();
+            self.values.enter(given.into_iter())
+        });
         for _ in 0..call.repeats {
+            self.state.kept.truncate(depth + 1);
             match self.program(range.clone(), depth + 1) {
+                BlockOutcome::Back if self.state.brings_back(depth + 1) => {
+                    let mut maker = self.maker(block, depth + 1);
+                    maker.bring_back();
+                    let Maker { state, steps, faults, .. } = maker;
+                    self.running.carry_out(&steps, faults, steps.len());
+                    self.state = state;
+                }
                 BlockOutcome::Back => {}
                 BlockOutcome::On => {
                     // The run reached the next program or the end of the text.
@@ -270,28 +380,18 @@ impl<S: Sink> ProgramRun<'_, S> {
                 BlockOutcome::Out => return BlockOutcome::Out,
             }
         }
-        for (name, value) in before {
-            match value {
-                Some(value) => self.parameters.insert(name, value),
-                None => self.parameters.remove(&name),
-            };
+        if let Some(before) = before {
+            self.values.leave(before);
         }
         BlockOutcome::On
     }
+}
 
-    /// Gives the arguments of `o… call` to parameters 1 to 30, which a called o-word has for itself; what they were.
-    fn hand_over(&mut self, block: &Block) -> Vec<(String, Option<f64>)> {
-        if self.parameters.is_empty() || !matches!(block.label, Some(Label::Call(_))) {
-            return Vec::new();
-        }
-        let given: Vec<Option<f64>> = block.arguments.iter().map(|given| given.value(&self.parameters)).collect();
-        let names = (1..=LOCAL_PARAMETERS).map(|number| format!("#{number}"));
-        let before: Vec<_> = names.map(|name| (name.clone(), self.parameters.remove(&name))).collect();
-        for (index, (name, _)) in before.iter().enumerate() {
-            if let Some(value) = given.get(index).copied().unwrap_or(Some(0.0)) {
-                self.parameters.insert(name.clone(), value);
-            }
-        }
-        before
+/// The name of a parameter that a block sets.
+fn target(name: &Expression, seen: &Seen<'_>) -> Option<String> {
+    match name {
+        Expression::Parameter(name) => Some(name.clone()),
+        Expression::Indirect(number) => number.value(seen).map(|number| format!("#{}", libm::round(number))),
+        _ => None,
     }
 }

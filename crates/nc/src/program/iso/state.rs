@@ -1,17 +1,25 @@
 //! The state kept from block to block: the modal functions and the positions of the axes.
 
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
 use super::control::{Control, Effect, Group};
+use super::kept::Kept;
+use super::zeros::SYSTEMS;
 use crate::motion::{Axis, Plane, Position, Turning};
 use crate::program::Setting;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
+
+/// The function in force in every group.
+pub(super) type Modes = [Option<i64>; Group::NAMES.len()];
 
 /// The state of the control. Copied before every block, and kept only if the block has no error.
 #[derive(Clone, Debug)]
 pub(super) struct ControlState {
     /// The function in force in every group, in tenths; none for cycles when no cycle is active, and none for motions
     /// where G80 cancels those too.
-    modes: [Option<i64>; Group::NAMES.len()],
+    modes: Modes,
     /// The groups whose function the program has set itself.
     pub own: [bool; Group::NAMES.len()],
     /// Whether the program itself has brought Z somewhere: until then the quill may be down.
@@ -25,6 +33,10 @@ pub(super) struct ControlState {
     /// S, 1/min.
     pub speed: f64,
     pub turning: Turning,
+    /// Whether the coolant flows.
+    pub coolant: bool,
+    /// What M70 and M73 have kept, by the depth of calls.
+    pub kept: Vec<Option<Kept>>,
     /// T: the tool that the next M6 brings.
     pub wanted: u32,
     /// Whether a T has named it; T0 of LinuxCNC takes the tool out.
@@ -33,6 +45,13 @@ pub(super) struct ControlState {
     pub tool: u32,
     /// What G43 adds to Z.
     pub length: Micrometres,
+    /// The zeros of the systems, G54 to G59.3, machine coordinates, and by which zero that is not known they are counted.
+    pub zeros: [[Option<(Micrometres, Floating)>; 3]; SYSTEMS],
+    /// What G52 and G92 add to every zero, and what G92.3 brings back.
+    pub shift: [Micrometres; 3],
+    pub shift_kept: [Micrometres; 3],
+    /// The lengths of the tools.
+    pub correctors: Rc<BTreeMap<u32, Micrometres>>,
     /// The last parameters of cycles, by their letters: lengths in micrometres, P in millionths of a second.
     pub parameters: [Option<i64>; 26],
     /// Z at the start of the first of several cycles, in the program's system.
@@ -57,10 +76,16 @@ impl ControlState {
             feed: 0.0,
             speed: 0.0,
             turning: Turning::Stopped,
+            coolant: false,
+            kept: Vec::new(),
             wanted: 0,
             tool_named: false,
             tool: 0,
             length: Micrometres::ZERO,
+            zeros: [[None; 3]; SYSTEMS],
+            shift: [Micrometres::ZERO; 3],
+            shift_kept: [Micrometres::ZERO; 3],
+            correctors: Rc::new(setting.correctors.clone()),
             parameters: [None; 26],
             initial: None,
             at: setting.start,
@@ -78,6 +103,10 @@ impl ControlState {
     /// The function in force in a group.
     pub(super) const fn mode(&self, group: Group) -> Option<i64> {
         self.modes[group as usize]
+    }
+
+    pub(super) const fn modes(&self) -> Modes {
+        self.modes
     }
 
     pub(super) const fn set(&mut self, group: Group, code: Option<i64>) {
@@ -111,12 +140,29 @@ impl ControlState {
         }
     }
 
-    /// The zero of the program's system along an axis, machine coordinates, with length correction, and whether it
-    /// was set.
+    /// The place of the program's system: 0 for G54, 8 for G59.3.
+    pub(super) fn system_index(&self) -> usize {
+        let code = usize::try_from(self.mode(Group::System).unwrap_or(540)).unwrap_or(540);
+        if code > 590 { code - 585 } else { code.saturating_sub(540) / 10 }
+    }
+
+    /// The zero of a system along an axis, machine coordinates, where it is set.
+    pub(super) fn zero(&self, system: usize, axis: Axis, setting: &Setting) -> Option<(Micrometres, Floating)> {
+        let own = self.zeros.get(system).and_then(|zero| zero[axis.index()]);
+        own.or_else(|| setting.zeros.get(system)?[axis.index()].map(|zero| (zero, None)))
+    }
+
+    /// What the length offset adds along an axis.
+    pub(super) const fn length_along(&self, axis: Axis) -> Micrometres {
+        if matches!(axis, Axis::Z) { self.length } else { Micrometres::ZERO }
+    }
+
+    /// The zero of the program's system along an axis, machine coordinates, with shift and length correction, and
+    /// whether it was set.
     pub(super) fn origin(&self, axis: Axis, setting: &Setting) -> (Micrometres, Floating) {
-        let system = u8::try_from(self.mode(Group::System).unwrap_or(540) / 10).unwrap_or(54);
-        let zero = setting.zeros.get(usize::from(system.saturating_sub(54))).and_then(|it| it[axis.index()]);
-        let length = if axis == Axis::Z { self.length } else { Micrometres::ZERO };
-        (zero.unwrap_or_default() + length, zero.is_none().then_some(system))
+        let system = self.system_index();
+        let unknown = (Micrometres::ZERO, u8::try_from(system + 54).ok());
+        let (zero, floating) = self.zero(system, axis, setting).unwrap_or(unknown);
+        (zero + self.shift[axis.index()] + self.length_along(axis), floating)
     }
 }

@@ -2,6 +2,7 @@
 //! recovers from errors: a word that cannot be read is reported and skipped.
 
 use super::control::{ActiveComment, Characteristic as Q, CommentAct, Control, Written};
+use super::owords::{self, Flow};
 use super::rules::{fault, word_fault};
 use crate::program::control_2c42_65::{comma_places, decimal_comma, latin};
 use crate::program::expression::{Expression, Reader};
@@ -35,6 +36,8 @@ pub(super) enum Label {
     Return(String),
     /// `o… call`.
     Call(String),
+    /// A line of a branch or a loop.
+    Flow(Flow, String),
 }
 
 /// A line of the program.
@@ -55,7 +58,7 @@ pub(super) struct Block {
     pub expressions: Vec<(char, Expression, TextSpan)>,
     /// Parameters that it sets.
     pub sets: Vec<(Expression, Expression)>,
-    /// What is handed to the called subprogram: `o100 call [1] [2]`.
+    /// What stands behind an o-word: handed to a called subprogram (`o100 call [1] [2]`), or decided by, or given back.
     pub arguments: Vec<Expression>,
 }
 
@@ -144,23 +147,8 @@ enum Calculated {
 /// The address of what could not be read and whose value is not known therefore.
 pub(super) const UNREAD: char = '#';
 
-/// What decides which blocks are run: macros of Fanuc, o-words of LinuxCNC with their values.
+/// What decides which blocks are run in macros of Fanuc.
 const MACRO_WORDS: [&str; 5] = ["IF", "WHILE", "GOTO", "DO", "END"];
-const FLOW_WORDS: [&str; 13] = [
-    "IF",
-    "ELSEIF",
-    "ELSE",
-    "ENDIF",
-    "WHILE",
-    "ENDWHILE",
-    "DO",
-    "REPEAT",
-    "ENDREPEAT",
-    "BREAK",
-    "CONTINUE",
-    "ENDSUB[",
-    "RETURN[",
-];
 
 struct SourceLine<'a> {
     control: &'a Control,
@@ -307,44 +295,12 @@ impl SourceLine<'_> {
 
     /// An o-word of LinuxCNC: its name or number, then its keyword.
     fn label(&mut self, characters: &[(usize, char)], block: &mut Block) {
-        let text: String = characters.iter().skip(1).map(|(_, c)| *c).collect();
-        let (name, rest) = match text.strip_prefix('<').and_then(|text| text.split_once('>')) {
-            Some((name, rest)) => (name.to_owned(), rest),
+        match owords::label(characters) {
+            Some((label, values)) => (block.label, block.arguments) = (Some(label), values),
             None => {
-                let digits = text.chars().take_while(char::is_ascii_digit).count();
-                // Digits are one byte each.
-                let (number, rest) = text.split_at(digits);
-                (number.trim_start_matches('0').to_owned(), rest)
+                let text: String = characters.iter().map(|(_, c)| c.to_ascii_lowercase()).collect();
+                self.faults.push(fault("unknown-word", block.span, None).with("word", text));
             }
-        };
-        let span = block.span;
-        block.label = match rest {
-            _ if name.is_empty() && !text.starts_with('0') => None,
-            "" => Some(Label::Number(name)),
-            "SUB" => Some(Label::Sub(name)),
-            "ENDSUB" => Some(Label::EndSub(name)),
-            "RETURN" => Some(Label::Return(name)),
-            "CALL" => Some(Label::Call(name)),
-            _ if rest.starts_with("CALL[") => {
-                let mut reader = Reader::new(characters, characters.len() + "CALL".len() - rest.chars().count(), false);
-                reader.functions = true;
-                while reader.at < characters.len()
-                    && let Some(argument) = reader.operand(0)
-                {
-                    block.arguments.push(argument);
-                }
-                (reader.at == characters.len()).then_some(Label::Call(name))
-            }
-            _ => None,
-        };
-        let flow = FLOW_WORDS.iter().find(|word| rest.starts_with(**word));
-        if let Some(word) = flow.filter(|_| block.label.is_none()) {
-            block.unread = true;
-            self.faults.push(word_fault("macro-not-run", span, None, word.to_ascii_lowercase()));
-            return;
-        }
-        if block.label.is_none() {
-            self.faults.push(fault("unknown-word", span, None).with("word", format!("o{}", text.to_ascii_lowercase())));
         }
     }
 
@@ -357,13 +313,6 @@ impl SourceLine<'_> {
         if let Some(word) = known.filter(|word| fanuc && text[word.len()..].starts_with(['[', '#', '1', '2', '3'])) {
             self.faults.push(word_fault("macro-not-run", self.span(here, here + word.len()), None, *word));
             block.unread = true;
-            return Calculated::Unread;
-        }
-        // Polar words of LinuxCNC.
-        if text.starts_with(['@', '^']) && !fanuc {
-            let word = text.chars().take(1).collect::<String>();
-            self.faults.push(word_fault("not-carried-out", self.span(here, here + 1), None, word));
-            block.expressions.push((UNREAD, Expression::Parameter(String::new()), self.span(here, here + 1)));
             return Calculated::Unread;
         }
         let sets = text.starts_with('#');
@@ -483,13 +432,14 @@ impl SourceLine<'_> {
 }
 
 /// Least and greatest number of an address, in millionths: wide enough for every machine, and narrow enough that no
-/// sum overflows. Only positions, distances and the radius of an arc may be negative.
+/// sum overflows. Only positions, distances, angles and the radius of an arc may be negative.
 const fn limits(address: char, written: Written) -> (i64, i64) {
     const MANY: i64 = 99_999_999_999;
     match address {
         // A call of Fanuc has eight digits.
         'P' => (0, 99_999_999_000_000),
         'F' => (0, MANY),
+        '^' => (-MANY, MANY),
         _ if matches!(written, Written::Length) => (-MANY, MANY),
         _ => (0, MANY),
     }

@@ -3,6 +3,7 @@
 use super::control::{Characteristic as Q, Control, Effect, Group};
 use super::rules::{fault, word_fault};
 use super::text::{Block, Word};
+use crate::motion::Axis;
 use crate::program::{Fault, TextSpan};
 use crate::units::Micrometres;
 
@@ -84,11 +85,13 @@ pub(super) struct BlockWords {
     /// The M functions, as they stand.
     pub m: Vec<Function>,
     /// Every other address, by its letter.
-    values: [Option<WordValue>; 26],
+    values: [Option<WordValue>; ADDRESSES],
     /// Whether nothing of the block is carried out but modes and machine functions.
     pub passed: bool,
     /// Whether that holds for the blocks behind it.
     pub passes_on: bool,
+    /// What of it is not carried out: told when the run comes to the block.
+    pub told: Vec<Fault>,
 }
 
 impl BlockWords {
@@ -108,9 +111,20 @@ impl BlockWords {
         self.values[place(address)]
     }
 
+    /// Whether a word names an axis: its letter, or `@` and `^`, which name X and Y.
+    pub(super) fn names(&self, axis: Axis) -> bool {
+        let polar = axis != Axis::Z && (self.get('@').is_some() || self.get('^').is_some());
+        self.get(axis.letter()).is_some() || polar
+    }
+
+    /// Whether a word names any axis.
+    pub(super) fn names_any(&self) -> bool {
+        Axis::ALL.into_iter().any(|axis| self.names(axis))
+    }
+
     /// Every such word with its letter.
     pub(super) fn all(&self) -> impl Iterator<Item = (char, WordValue)> + '_ {
-        ('A'..='Z').zip(&self.values).filter_map(|(letter, given)| given.map(|given| (letter, given)))
+        ('A'..='Z').chain(['@', '^']).zip(&self.values).filter_map(|(letter, given)| given.map(|given| (letter, given)))
     }
 
     /// Reads a block.
@@ -135,6 +149,9 @@ impl BlockWords {
             }
         }
         words.pass(block, control, faults);
+        for fault in &mut words.told {
+            fault.block = block.number;
+        }
         if let Some(many) = words.m.get(control.m_per_block) {
             let problem = fault("too-many-m", many.span, None).with("count", words.m.len());
             faults.push(problem.with("limit", control.m_per_block));
@@ -171,7 +188,7 @@ impl BlockWords {
                 name.push_str(&format!(" {by}{}", given.millionths / 1_000_000));
             }
             let code = if passed.harmless { "passed-over" } else { "not-carried-out" };
-            faults.push(word_fault(code, word.span, None, name));
+            self.told.push(word_fault(code, word.span, None, name));
             self.passes_on |= passed.goes_on;
             for address in passed.takes.iter().copied().chain(Some(word.address)) {
                 self.values[place(address)] = None;
@@ -203,7 +220,9 @@ impl BlockWords {
         };
         let Some(first) = self.g[known.group as usize].replace(function) else {
             let pair = [Group::Motion, Group::Cycle].map(|group| self.function(group));
+            let off = |it: Function| control.g.get(&it.code).is_some_and(|known| known.effect == Effect::CycleOff);
             if let [Some(motion), Some(cycle)] = pair
+                && !off(cycle)
                 && control.is(Q::CyclesAreMotions)
                 && matches!(known.group, Group::Motion | Group::Cycle)
             {
@@ -240,8 +259,15 @@ fn twice(code: &'static str, first: Function, second: Function, span: TextSpan) 
     fault(code, span, None).with("first", first.name()).with("second", second.name())
 }
 
-/// The place of a letter in an array of 26.
+/// The letters, `@` and `^`.
+pub(super) const ADDRESSES: usize = 28;
+
+/// The place of an address in an array of all.
 pub(super) const fn place(address: char) -> usize {
-    let code = address as usize;
-    if code >= 65 && code <= 90 { code - 65 } else { 0 }
+    match address {
+        'A'..='Z' => address as usize - 65,
+        '@' => 26,
+        '^' => 27,
+        _ => 0,
+    }
 }

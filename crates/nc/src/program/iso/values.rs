@@ -1,0 +1,144 @@
+//! The parameters of a run: those of the program, and those of the control that follow from its state.
+
+use std::collections::BTreeMap;
+
+use super::control::Group;
+use super::state::ControlState;
+use super::zeros::SYSTEMS;
+use crate::motion::{Axis, Turning};
+use crate::program::Setting;
+use crate::program::expression::Lookup;
+use crate::units::Micrometres;
+
+/// The parameters that each called o-word of LinuxCNC has for itself.
+const LOCAL: u32 = 30;
+
+/// The last parameter of LinuxCNC that belongs to programs; those above are the control's own.
+const FREE: u32 = 5000;
+
+/// What the program has set. A value that is not known is kept as none.
+#[derive(Debug, Default)]
+pub(super) struct Values {
+    shared: BTreeMap<String, Option<f64>>,
+    local: Locals,
+    /// Whether those that were never set are 0.
+    zero: bool,
+}
+
+/// The parameters that a called o-word has for itself: `#1` to `#30` and names that do not begin with `_`.
+pub(super) type Locals = BTreeMap<String, Option<f64>>;
+
+impl Values {
+    pub(super) fn new(zero: bool) -> Self {
+        Self { zero, ..Self::default() }
+    }
+
+    pub(super) fn set(&mut self, name: String, value: Option<f64>) {
+        let owner = if self.zero && is_local(&name) { &mut self.local } else { &mut self.shared };
+        owner.insert(name, value);
+    }
+
+    /// Where the probe touched, and whether, only the machine knows.
+    pub(super) fn forget_probe(&mut self) {
+        self.shared.retain(|name, _| !number(name).is_some_and(|number| (5061..=5070).contains(&number)));
+    }
+
+    /// Begins a called o-word with its arguments; what the caller had.
+    pub(super) fn enter(&mut self, arguments: impl Iterator<Item = Option<f64>>) -> Locals {
+        let given = (1..=LOCAL).zip(arguments).map(|(number, value)| (format!("#{number}"), value));
+        std::mem::replace(&mut self.local, given.collect())
+    }
+
+    /// Goes back to the caller.
+    pub(super) fn leave(&mut self, before: Locals) {
+        self.local = before;
+    }
+}
+
+fn is_local(name: &str) -> bool {
+    match number(name) {
+        Some(number) => number <= LOCAL,
+        None => !name.starts_with("#_"),
+    }
+}
+
+fn number(name: &str) -> Option<u32> {
+    name.strip_prefix('#')?.parse().ok()
+}
+
+/// The parameters as a block sees them.
+pub(super) struct Seen<'a> {
+    pub values: &'a Values,
+    pub state: &'a ControlState,
+    pub setting: &'a Setting,
+    pub line: u32,
+    /// How deep the block is in calls.
+    pub depth: usize,
+}
+
+impl Seen<'_> {
+    /// A parameter of LinuxCNC itself; none where the state does not say it.
+    fn of_control(&self, name: &str) -> Option<f64> {
+        let whether = |yes: bool| Some(f64::from(u8::from(yes)));
+        let state = self.state;
+        let mode = |group: Group, power_on: i64| Some(state.mode(group).unwrap_or(power_on) as f64);
+        match name {
+            "#5220" => Some(state.system_index() as f64 + 1.0),
+            "#5400" | "#_CURRENT_TOOL" => Some(f64::from(state.tool)),
+            "#_SELECTED_TOOL" => Some(f64::from(state.wanted)),
+            "#5420" | "#_X" => Some(self.position(Axis::X)),
+            "#5421" | "#_Y" => Some(self.position(Axis::Y)),
+            "#5422" | "#_Z" => Some(self.position(Axis::Z)),
+            "#5210" => whether(state.shift_kept.iter().any(|shift| *shift != Micrometres::ZERO)),
+            "#_LINE" => Some(f64::from(self.line)),
+            "#_METRIC" => whether(!state.inches()),
+            "#_IMPERIAL" => whether(state.inches()),
+            "#_ABSOLUTE" => whether(state.absolute()),
+            "#_INCREMENTAL" => whether(!state.absolute()),
+            "#_PLANE" => mode(Group::Plane, 170),
+            "#_COORD_SYSTEM" => mode(Group::System, 540),
+            "#_RPM" => Some(state.speed),
+            "#_SPINDLE_ON" => whether(state.turning != Turning::Stopped),
+            "#_SPINDLE_CW" => whether(state.turning == Turning::Clockwise),
+            "#_CALL_LEVEL" => Some(self.depth as f64),
+            // These count the unit of the machine, which a program does not say.
+            _ => self.of_machine(name).filter(|value| *value == 0.0),
+        }
+    }
+
+    /// A parameter in the unit of the machine: the point of G28, the shift, the zeros; mm.
+    fn of_machine(&self, name: &str) -> Option<f64> {
+        let number = number(name)?;
+        let along = |first: u32| Axis::ALL.get(usize::try_from(number.checked_sub(first)?).ok()?).copied();
+        if let Some(axis) = along(5211) {
+            return Some(self.state.shift_kept[axis.index()].to_mm());
+        }
+        if along(5161).is_some() {
+            return Some(0.0);
+        }
+        let system = usize::try_from(number.checked_sub(5221)? / 20).ok().filter(|system| *system < SYSTEMS)?;
+        let axis = along(5221 + 20 * u32::try_from(system).ok()?)?;
+        let (zero, floating) = self.state.zero(system, axis, self.setting)?;
+        floating.is_none().then(|| zero.to_mm())
+    }
+
+    /// Where an axis is in the program's system, in the program's unit.
+    fn position(&self, axis: Axis) -> f64 {
+        let here = self.state.at.get(axis) - self.state.origin(axis, self.setting).0;
+        (here.to_mm() + self.state.lost[axis.index()]) / if self.state.inches() { 25.4 } else { 1.0 }
+    }
+}
+
+impl Lookup for Seen<'_> {
+    fn value_of(&self, name: &str) -> Option<f64> {
+        let Values { shared, local, zero } = self.values;
+        if let Some(value) = local.get(name).or_else(|| shared.get(name)) {
+            return *value;
+        }
+        match number(name) {
+            _ if !zero => None,
+            Some(number) if number <= FREE => Some(0.0),
+            _ => self.of_control(name),
+        }
+    }
+}
