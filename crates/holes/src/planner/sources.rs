@@ -238,6 +238,12 @@ impl Finder<'_, '_> {
 
     /// Files a route as feasible, unless the same route is there already.
     fn file(&self, choice: Choice, options: &mut Options) {
+        let twin = options.choices.iter_mut().find(|known| same_route(known, &choice));
+        // A scheme of a finer cell that another source has too need not be quicker.
+        if let Some(twin) = twin.filter(|twin| twin.ranked_after.is_some()) {
+            *twin = choice;
+            return;
+        }
         let twin = options.choices.iter().find(|known| same_route(known, &choice));
         let Some(twin) = twin else {
             options.choices.push(choice);
