@@ -41,6 +41,8 @@ pub(super) struct Choice {
     pub borrowed: Option<Micrometres>,
     /// The drill without which this route drills in one pass; with it the rule requires two passes.
     pub instead_of: Option<Micrometres>,
+    /// The scheme that the tables rank before it, where that can be carried out too.
+    pub ranked_after: Option<String>,
 }
 
 impl Choice {
@@ -265,6 +267,7 @@ fn options_as_drawn(
         options.refused.push(no_candidate(RouteSource::Search, "next-transition", why));
     }
     finder.exclude_by_boring_rule(&mut options)?;
+    finder.only_quicker(&mut options);
     if let Some((_, because)) = rough_face {
         for choice in &mut options.choices {
             choice.candidate.because.push(because.clone());

@@ -1,7 +1,5 @@
 //! The three sources of routes. Each candidate is tried and filed as feasible or refused.
 
-use std::ops::Range;
-
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Note, Severity};
 use crate::plan::{Feature, Operation, Preference, RouteSource, Transition};
@@ -93,8 +91,7 @@ impl Finder<'_, '_> {
             }
         }
         let mut taken: Option<String> = None;
-        let before = options.choices.len();
-        let mut own = before;
+        let mut own = options.choices.len();
         for candidate in found.into_iter().flatten() {
             let beside = self.preference == Preference::Best && !candidate.finish_elsewhere && !candidate.last_resort;
             if let Some(first) = taken.as_ref().filter(|_| !beside) {
@@ -111,25 +108,30 @@ impl Finder<'_, '_> {
             }
         }
         if let Some(first) = taken {
-            self.only_quicker(&first, before..own, options);
+            for choice in &mut options.choices[own..] {
+                choice.ranked_after = Some(first.clone());
+            }
         }
         Ok(())
     }
 
-    /// Takes back the schemes of finer cells that are not quicker than those of the table's own choice, as far as that holds what
-    /// is asked: it is what the table says.
-    fn only_quicker(&self, first: &str, own: Range<usize>, options: &mut Options) {
+    /// Takes back the schemes of finer cells that are not quicker than the best of all other routes, or not as sure: the tables
+    /// rank others before them.
+    pub fn only_quicker(&self, options: &mut Options) {
         let change = self.shop.machine.tool_change.0;
+        let sure = |choice: &Choice| (!choice.meets_requirements(), choice.at_best.len());
         let whole = |choice: &Choice| choice.own_time.0 + change * choice.steps.len() as f64;
-        let taken = options.choices[own.clone()].iter().filter(|choice| choice.meets_requirements()).map(whole);
-        let Some(time) = taken.min_by(f64::total_cmp) else { return };
-        let later = options.choices.split_off(own.end);
-        for choice in later {
-            if whole(&choice) < time {
+        let others = options.choices.iter().filter(|choice| choice.ranked_after.is_none());
+        let best = others.map(|choice| (sure(choice), whole(choice)));
+        let best = best.min_by(|one, other| one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)));
+        let Some((as_sure, time)) = best else { return };
+        for choice in std::mem::take(&mut options.choices) {
+            let Some(first) = choice.ranked_after.clone().filter(|_| sure(&choice) > as_sure || whole(&choice) >= time)
+            else {
                 options.choices.push(choice);
                 continue;
-            }
-            let later = refused(&choice.candidate, Reason::RankedLater { first: first.to_owned() });
+            };
+            let later = refused(&choice.candidate, Reason::RankedLater { first });
             if !options.refused.contains(&later) {
                 options.refused.push(later);
             }
@@ -236,6 +238,12 @@ impl Finder<'_, '_> {
 
     /// Files a route as feasible, unless the same route is there already.
     fn file(&self, choice: Choice, options: &mut Options) {
+        let twin = options.choices.iter_mut().find(|known| same_route(known, &choice));
+        // A scheme of a finer cell that another source has too need not be quicker.
+        if let Some(twin) = twin.filter(|twin| twin.ranked_after.is_some()) {
+            *twin = choice;
+            return;
+        }
         let twin = options.choices.iter().find(|known| same_route(known, &choice));
         let Some(twin) = twin else {
             options.choices.push(choice);
@@ -262,6 +270,7 @@ impl Finder<'_, '_> {
             own_time: Minutes(own),
             borrowed,
             instead_of: None,
+            ranked_after: None,
         })
     }
 

@@ -22,8 +22,9 @@ use crate::units::{ItGrade, Micrometres, Minutes};
 use super::fit::{Fitted, Fitting};
 
 /// What makes one way to open a cylinder worse than another, in this order: a good part left unfinished over the shoulder, a last
-/// resort, finished here where the tables leave it to another machine, bored without need, its time.
-type Worse = (bool, bool, bool, bool, Minutes);
+/// resort, finished here where the tables leave it to another machine, anything left unfinished over the shoulder, bored without
+/// need, its time.
+type Worse = (bool, bool, bool, bool, bool, Minutes);
 
 /// The steps that open a wider cylinder, or why there are none.
 type OpeningSteps = Result<Vec<RouteStep>, Reason>;
@@ -301,7 +302,9 @@ impl Finder<'_, '_> {
                         for step in &steps {
                             short |= step.leaves_unfinished(bore.diameter.it, self.shop)?.is_some();
                         }
-                        let worse: Worse = (short, last, here, bores, minutes);
+                        let above = |remark: &Remark| matches!(remark, Remark::EndsAboveFloor(_));
+                        let left = steps.iter().any(|step| step.remarks.iter().any(above));
+                        let worse: Worse = (short, last, here, left, bores, minutes);
                         if best.as_ref().is_none_or(|(least, _)| worse < *least) {
                             if let Some(first) = steps.first_mut() {
                                 first.because.extend(candidate.because.clone());

@@ -89,6 +89,8 @@ pub struct RouteStep {
     pub nominal: Micrometres,
     /// The diameter before it; zero in solid metal.
     pub from: Micrometres,
+    /// The hole that its cutter can enter, where that is not the one it widens: a mill finishes what it has roughed itself.
+    pub entered: Option<Micrometres>,
     /// Passes of the same tool.
     pub passes: u32,
     /// Pitch of a thread.
@@ -157,6 +159,7 @@ impl RouteStep {
             diameter,
             nominal: diameter,
             from,
+            entered: None,
             passes: 1,
             pitch: None,
             angle_millideg: None,

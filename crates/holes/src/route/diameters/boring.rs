@@ -114,6 +114,6 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
         }
         let note = Note::new("milling-finish-round").with("stock", round.stock);
         let because = vec![Because::row(round.row, note)];
-        Ok(vec![rough.step(from), RouteStep { because, ..self.step(roughed) }])
+        Ok(vec![rough.step(from), RouteStep { because, entered: Some(from), ..self.step(roughed) }])
     }
 }
