@@ -10,8 +10,9 @@ use crate::tables::cutting::{
     CentringFeedFor, CoreDrillingFeedFor, CounterboringFeedFor, DrillingFeedFor, FeedCondition, FeedFactor, FeedStep,
     ReamingFeedFor,
 };
+use crate::tables::practice::{PracticeFeed, PracticeFeedFor, PracticeWork};
 use crate::tables::rules::{FeedChoice, FeedChoiceFor, FeedTable};
-use crate::units::{Micrometres, MillimetresPerRev};
+use crate::units::{Micrometres, MillimetresPerRev, round_to};
 
 use super::card::CardDoubt;
 use super::factors::ByDepth;
@@ -49,6 +50,19 @@ pub(super) fn tabulated<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Un
     }
     let (mut because, mut doubts) = (figures.because(note), Vec::new());
     because.push(Because::row(choice.row, Note::new("feed-choice")));
+    if choice.within_practice {
+        let question = PracticeFeedFor { operation: PracticeWork::Drill, material_group, diameter: cut.diameter };
+        let practice = knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten();
+        let most = |row: &PracticeFeed<'_>| row.feed_high.0 * multiple;
+        if let Some(row) = practice.filter(|row| most(row) < feed) {
+            let note = Note::new("feed-within-practice")
+                .with("table", round_to(feed, 3))
+                .with("practice", row.feed_high.0)
+                .with("multiple", multiple);
+            feed = most(&row);
+            because.push(Because::row(row.row, note));
+        }
+    }
     // The cards give the feed of the point itself, too; their factor of the material follows in `card`.
     if matches!(cut.operation, Operation::Drill | Operation::DrillOut) {
         let ByDepth { factor: (factor, reason), left_out } = factors::feed_by_depth(cut, shop)?;

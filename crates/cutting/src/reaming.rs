@@ -94,6 +94,7 @@ pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Fee
     let rule = knowledge.ask(&ReamingFeedConditionFor {
         tool_material: cut.tool_material,
         material_group: shop.material().group,
+        diameter: cut.diameter,
         final_: cut.roughness.map(|_| true),
         roughness: cut.roughness,
     })?;

@@ -137,6 +137,7 @@ rows! {
         feed_table: FeedTable,
         multiple: FeedMultiple,
         eased: bool,
+        within_practice: bool,
     }
 
     /// Which holder takes a shank.
@@ -264,6 +265,7 @@ rows! {
     pub struct ReamingFeedCondition of One("reaming-feed-condition") asked by ReamingFeedConditionFor<'t> {
         tool_material: ToolMaterial,
         material_group: &'t str,
+        diameter: Micrometres,
         final_ as "final": Option<bool>,
         roughness: Option<Roughness>,
     } {

@@ -151,6 +151,25 @@ fn no_leap_of_speed_at_550_mpa() {
     assert!(falling.windows(2).all(|pair| pair[1] <= pair[0] * 1.333), "{falling:?}");
 }
 
+/// Д16, Ø20 drilled out to Ø40: the handbook allows twice 1.19 mm/rev; practice feeds drills above an inch at 0.015 to 0.025
+/// inch, 0.635 mm/rev, so twice 0.635 is the most.
+#[test]
+fn a_drill_that_opens_a_hole_is_fed_twice_as_in_practice_at_most() {
+    let found = conditions(&cut(Operation::DrillOut, 20.0, 40.0), "aluminium-d16");
+    assert!(found.feed_mm_per_rev.0 <= 1.27 && found.feed_mm_per_rev.0 > 1.2, "{:?}", found.feed_mm_per_rev);
+}
+
+/// A reamer of 2.9 mm is no reamer of 10: the pages feed it at 0.05 to 0.08 mm a flute in steel (PC), 0.15 at most in iron, and
+/// it has four.
+#[test]
+fn a_thin_rough_reamer_is_fed_as_in_practice() {
+    for (material, most) in [("steel-45", 0.305), ("cast-iron-sch20", 0.61), ("bronze-bro10f1", 0.61)] {
+        let found = conditions(&cut(Operation::RoughReam, 2.7, 2.9), material);
+        near(found.feed_mm_per_rev.0, most);
+    }
+    near(conditions(&cut(Operation::RoughReam, 9.8, 9.96), "steel-45").feed_mm_per_rev.0, 0.8);
+}
+
 /// Ø18 counterbored from Ø11: t = 3.5, s = 0.28, T = 30.
 ///
 /// - V = 16.3·18^0.3 / (30^0.3·3.5^0.2·0.28^0.5)·1.2224 = 16.3·2.380 / (2.774·1.285·0.5292)·1.2224
