@@ -75,10 +75,11 @@ fn envelope(tool: &ToolPlan, nose: Option<&SpindleNose>, shop: &Shop<'_>) -> Res
     }
     let mut bodies = Vec::new();
     let collar = nose.map(|nose| nose.collar_diameter);
-    if let Some(diameter) = thick.or(collar) {
+    // A plan that somebody wrote may say nothing of its holders.
+    if let Some(diameter) = thick.or(collar).filter(|_| tool.overhang_mm > Micrometres::ZERO) {
         bodies.push(Body { kind: BodyKind::Holder, from: tool.overhang_mm, diameter, known: thick.is_some() });
     }
-    if let Some(nose) = nose {
+    if let Some(nose) = nose.filter(|_| tool.length_mm > Micrometres::ZERO) {
         // A collar that the holder is too short for begins with it.
         let from = (tool.length_mm - nose.collar_length).max(tool.overhang_mm);
         bodies.push(Body { kind: BodyKind::Collar, from, diameter: nose.collar_diameter, known: true });

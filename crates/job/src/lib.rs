@@ -110,6 +110,9 @@ pub struct ToolWork {
     pub operation: Operation,
     /// Its diameter.
     pub diameter_mm: Micrometres,
+    /// The wide diameter of a step drill, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub also_diameter_mm: Option<Micrometres>,
     /// What the operator has to do before it.
     pub pauses: Vec<Pause>,
     /// Whether the coolant flows.

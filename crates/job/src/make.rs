@@ -109,6 +109,7 @@ fn rounds(
         let first = stops.first().and_then(|(index, _)| visit.stops.get(*index));
         let first = first.and_then(|stop| transition_of(plan, &stop.hole, stop.transition));
         let Some(operation) = first.map(|transition| transition.operation) else { continue };
+        let also = first.and_then(|transition| transition.also_diameter_mm);
         let mut work = ToolWork {
             visit: number,
             tool: tool.number,
@@ -117,6 +118,7 @@ fn rounds(
             designation: tool.designation.clone(),
             operation,
             diameter_mm: tool.diameter_mm,
+            also_diameter_mm: also,
             pauses: std::mem::take(&mut pauses),
             coolant: false,
             because: Vec::new(),

@@ -154,6 +154,8 @@ word-threading = threading tool
 word-surface-without-name = a surface without a name
 # Types of machines and names of controls, by their ids.
 machine-gf2171 = GF2171
+machine-gf2171-linuxcnc = GF2171 with LinuxCNC
+machine-haas-vf5-50 = Haas VF-5/50
 machine-ir500pmf4 = IR500PMF4
 machine-16a20f3 = 16A20F3
 machine-16b16t1 = 16B16T1

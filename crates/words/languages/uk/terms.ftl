@@ -154,6 +154,8 @@ word-threading = різевий різець
 word-surface-without-name = поверхня без назви
 # Types of machines and names of controls, by their ids.
 machine-gf2171 = ГФ2171
+machine-gf2171-linuxcnc = ГФ2171 з LinuxCNC
+machine-haas-vf5-50 = Haas VF-5/50
 machine-ir500pmf4 = ИР500ПМФ4
 machine-16a20f3 = 16А20Ф3
 machine-16b16t1 = 16Б16Т1

@@ -99,7 +99,12 @@ pub fn write(job: &Job, control: &Control, form: Form) -> WrittenProgram {
 fn named(work: &ToolWork) -> String {
     let name = work.operation.name().to_ascii_uppercase().replace('-', " ");
     let ToolWork { tool, diameter_mm, corrector, .. } = work;
-    format!("T{tool} {name} D{diameter_mm} H{corrector} {}", ascii(&work.designation))
+    // A step drill makes two diameters with one stroke.
+    let (step, also) = match work.also_diameter_mm {
+        Some(also) => ("STEP ", format!("/D{also}")),
+        None => ("", String::new()),
+    };
+    format!("T{tool} {step}{name} D{diameter_mm}{also} H{corrector} {}", ascii(&work.designation))
 }
 
 /// What the operator does, in letters that every control can show.
