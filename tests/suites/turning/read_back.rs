@@ -264,3 +264,42 @@ fn a_thread_by_a_tool_that_cuts_none_is_told() {
     let found = new_in_fanuc(&operation, &text, &stopped);
     assert!(found.iter().all(|one| !["turned-no-threading-tool", "turned-no-stop"].contains(&one.0)), "{found:?}");
 }
+
+/// The finishing pass of the cone as a person writes it, along the drawing with G42: a control with the tool of the plan makes the way
+/// of our own pass, which the planner has from an offset of its own. The drawn sizes are those of `examples/turned-cone.yaml`.
+#[test]
+fn a_finishing_pass_under_g42_is_followed() {
+    let operation = planned(&example("turned-cone"));
+    for (control, reader) in [("fanuc", "fanuc-lathe"), ("sinumerik", "sinumerik")] {
+        let written = programs(&operation, control, Form::Motions, None, &KNOWLEDGE).unwrap();
+        let text = written[0].files.as_ref().unwrap()[0].text.clone();
+        let finish = text.find("finish").unwrap();
+        let from = finish + text[finish..].find("X19.428").unwrap();
+        let to = from + text[from..].find("G0 X73").unwrap();
+        let radius = |size: &str| if control == "fanuc" { format!("R{size}.") } else { format!("CR={size}") };
+        let drawn = format!(
+            "G0 X-1.6\nG0 G42 X0. Z0.\nG1 X12. F0.15\nG3 X24. Z-6. {}\nG1 X44. Z-46.\nZ-56.\nG2 X56. Z-62. {}\n\
+             G1 X70.\nX72. Z-63.\nZ-102.\nG40 X73.\n",
+            radius("6"),
+            radius("6")
+        );
+        let by_hand = format!("{}{drawn}{}", &text[..from], &text[to..]);
+        let language = LatheLanguage::read(reader, &KNOWLEDGE).unwrap();
+        let found = |text: &str| {
+            let run = read(text, &language, &[] as &[Subprogram<'_>]);
+            compare_with_part(&operation, 1, text, &run, &KNOWLEDGE).unwrap()
+        };
+        let codes = |faults: &[Fault]| faults.iter().map(|one| (one.code, one.severity)).collect::<Vec<_>>();
+        let same = codes(&found(&text));
+        let faults = found(&by_hand);
+        assert!(faults.iter().any(|one| one.code == "turned-nose-taken"), "{faults:?}");
+        let others: Vec<_> = codes(&faults).into_iter().filter(|one| one.0 != "turned-nose-taken").collect();
+        assert_eq!(others, same, "{control}: {faults:?}");
+        // The other side cuts into the part; without a correction metal is left on the cone.
+        for (wrong, code) in
+            [(by_hand.replace("G42", "G41"), "swept-gouge"), (by_hand.replace("G0 G42", "G0"), "swept-stands")]
+        {
+            assert!(codes(&found(&wrong)).contains(&(code, Severity::Wrong)), "{control}");
+        }
+    }
+}

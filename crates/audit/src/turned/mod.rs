@@ -6,12 +6,14 @@
 //! text does not name is the program's tool at that place of the turret; then no finding is worse than doubtful.
 
 mod calls;
+mod compensated;
 mod lathe;
 mod pace;
 
 use technolog_turning_proof::{At, Block, Indexed, Mm, Motion, MotionKind, Piece, Sense};
 
 use calls::{CalledTool, exchanges, tools};
+use compensated::TipOfNose;
 pub use lathe::against_lathe;
 
 use crate::error::KnowledgeError;
@@ -20,17 +22,18 @@ use crate::knowledge::contract::Word;
 use crate::motion;
 use crate::note::{Note, Severity};
 use crate::program::lathe::{
-    LatheAct, LatheFeed, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheRun, LatheTool, Subprogram,
-    is_serious, read,
+    LatheAct, LatheFeed, LatheLanguage, LatheMotion, LathePlace, LathePoint, LatheReader, LatheRun, LatheTool,
+    Subprogram, is_serious, read,
 };
 use crate::program::{Fault, TextSpan};
 use crate::tables::audit::AuditTurretClearFor;
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
+use crate::turning::jobs::Body;
 use crate::turning::operation::beside::beside;
 use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told_of_program};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::turning::program::ProgramFile;
-use crate::turning::tooling::Lathe;
+use crate::turning::tooling::{Lathe, ToolKind};
 use crate::units::{Micrometres, round_to};
 
 /// The assumed position of a tool that is not known, mm from the axis and from the face.
@@ -54,6 +57,12 @@ pub fn compare_with_part(
     };
     let taken: Vec<&CalledTool> = tools.iter().filter(|tool| !tool.is_named).collect();
     let mut faults: Vec<Fault> = taken.iter().map(|tool| tool.taken(work)).collect();
+    let under = run.motions.iter().filter(|one| one.act.cuts() && one.modes.compensation != motion::Side::Off);
+    for tool in tools.iter().filter(|tool| under.clone().any(|one| one.modes.tool == Some(tool.called))) {
+        let name = work.jobs.get(tool.job).map_or("", |job| &*job.tool.designation);
+        let note = Note::new("turned-nose-taken").with("tool", name.to_owned());
+        faults.push(fault("turned-nose-taken", Severity::Note, note, tool.line));
+    }
     let end = run.motions.last().map_or(1, |motion| motion.line);
     let proof = match &proven.proof {
         Ok(proof) => proof,
@@ -200,9 +209,27 @@ fn compared<'o>(operation: &'o Operation, set_up: u8, text: &str, run: &LatheRun
         return Err(Box::new(fault("turned-not-carried-out", Severity::Doubtful, note, passed.span.line)));
     }
     let tools = tools(operation, work, text, run);
-    let (motions, indexed) = motions(&run.motions, &tools)
-        .map_err(|why| Box::new(fault(why.code(), Severity::Doubtful, why.note(), why.line())))?;
+    let told = |why: NotHeld| Box::new(fault(why.code(), Severity::Doubtful, why.note(), why.line()));
+    let followed = match run.control {
+        Some(LatheReader::Fanuc | LatheReader::Sinumerik) => {
+            let nose = |motion: &LatheMotion| nose_of(motion, &tools, work);
+            compensated::followed(&run.motions, nose).map_err(|line| told(NotHeld::Compensated { line }))?
+        }
+        _ => run.motions.clone(),
+    };
+    let (motions, indexed) = motions(&followed, &tools).map_err(told)?;
     Ok(Compared { work, proven: prove_set_up(operation, &operation.proven, work, motions, indexed), tools })
+}
+
+/// The nose of the tool of a motion; none of one that no round nose turns with.
+fn nose_of(motion: &LatheMotion, tools: &[CalledTool], work: &SetUpWork) -> Option<TipOfNose> {
+    let called = tools.iter().find(|tool| Some(tool.called) == motion.modes.tool)?;
+    let tool = &work.jobs.get(called.job)?.tool;
+    let Body::Insert { kind: ToolKind::Turning | ToolKind::Boring, nose_radius_mm, .. } = tool.body else {
+        return None;
+    };
+    let tip = tool.tip()?;
+    Some(TipOfNose { radius: nose_radius_mm.to_mm(), z: -f64::from(tip.axial), r: f64::from(tip.radial) })
 }
 
 /// The id of these findings in the list of rules: docs/lathe-programs-read.md.

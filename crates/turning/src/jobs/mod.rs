@@ -18,6 +18,8 @@ mod clock;
 pub mod groove;
 pub mod hole;
 pub(crate) mod limits;
+#[cfg(test)]
+mod made;
 pub mod pace;
 pub mod part_off;
 mod refused;
@@ -37,7 +39,7 @@ use crate::turning::length::Half;
 use crate::turning::point::Vector;
 use crate::turning::tooling::{Hand, Place, Shank, ToolKind, TurningTool};
 use crate::turning::toolpath::Toolpath;
-use crate::units::{Decimal, Degrees, Micrometres, Minutes, NewtonMetres};
+use crate::units::{Decimal, Degrees, Micrometres, MillimetresPerMinute, Minutes, NewtonMetres};
 pub use pace::Pace;
 
 /// The work of a job.
@@ -162,6 +164,33 @@ pub struct Job {
 }
 
 impl Job {
+    /// A job of a toolpath, with nothing said of it. `rapid` is the rate of its rapids.
+    pub(super) fn of(
+        work: Work,
+        side: Side,
+        tool: JobTool,
+        path: Toolpath,
+        pace: Pace,
+        rapid: MillimetresPerMinute,
+    ) -> Self {
+        Self {
+            work,
+            side,
+            tool,
+            surfaces: Vec::new(),
+            time_min: pace.time(&path, rapid),
+            path,
+            pace,
+            conditions: None,
+            thread: None,
+            torque_n_m: None,
+            dry: false,
+            zone: None,
+            notes: Vec::new(),
+            because: Vec::new(),
+        }
+    }
+
     /// The diameter that a centre drill opens on a face at `face`: its cone of 60° (ГОСТ 14034) behind the pilot. None for another
     /// tool, and where only the pilot enters.
     pub fn spot_diameter(&self, face: Half) -> Option<Micrometres> {

@@ -14,7 +14,6 @@ use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Micrometres, MillimetresPerRev, round_to};
 use technolog_cutting::speed_at;
 
-use super::clock::time;
 use super::groove::blade_pace;
 use super::limits::Limits;
 use super::refused::NoJob;
@@ -103,22 +102,8 @@ pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         notes.push(Note::new("part-off-pip").with("beyond", nose));
     }
     because.extend(limits.because);
-    Ok(Job {
-        dry: false,
-        work: Work::PartOff,
-        side: Side::Outer,
-        tool: JobTool::of(&tool),
-        surfaces: parting.surfaces.clone(),
-        time_min: time(&path, speed, &feeds, rapid),
-        path,
-        pace: Pace::PerRev { speed, feeds },
-        conditions: None,
-        thread: None,
-        torque_n_m: None,
-        zone: None,
-        notes,
-        because,
-    })
+    let (surfaces, tool, pace) = (parting.surfaces.clone(), JobTool::of(&tool), Pace::PerRev { speed, feeds });
+    Ok(Job { surfaces, notes, because, ..Job::of(Work::PartOff, Side::Outer, tool, path, pace, rapid) })
 }
 
 /// The narrowest blade that is wide enough for the bar and long enough for its wall.
@@ -158,31 +143,9 @@ fn blade<'k>(
 #[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests {
     use super::*;
-    use crate::material::Material;
-    use crate::shipped;
-    use crate::turning::tooling::Lathe;
-    use crate::turning::workpiece::read_workpiece;
+    use crate::turning::jobs::made::{at_bench, plain};
 
     fn job(bar: i64, bore: i64, jaws: f64) -> Result<Job, NoJob> {
-        let knowledge = shipped::knowledge().unwrap();
-        let text = "shaft: P\nmaterial: steel-45\nblank: {kind: bar, diameter: 120, length: 130, face: 1}\nmachine: 16k20f3\n\
-                    outer:\n  - {from: {d: 0, z: 0}}\n  - {face: 30}\n  - {cylinder: -40}\n";
-        let workpiece = read_workpiece("part", text, &knowledge).unwrap();
-        let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
-        let material = Material::find(&knowledge, &workpiece.material).unwrap();
-        let bench = Bench {
-            workpiece: &workpiece,
-            lathe: Some(&lathe),
-            material,
-            elsewhere: &[],
-            sizes: &crate::turning::operation::Sizes::default(),
-            held: None,
-            grip: None,
-            through: None,
-            opened: Micrometres::ZERO,
-            barred: Vec::new(),
-            knowledge: &knowledge,
-        };
         let parting = Parting {
             bar: Micrometres::from_mm(bar),
             bore: Micrometres::from_mm(bore),
@@ -191,7 +154,7 @@ mod tests {
             clear: Half::from(20.0),
             surfaces: Vec::new(),
         };
-        Refusal::split(part_off(&parting, &bench)).unwrap()
+        at_bench(&plain("steel-45"), |bench| Refusal::split(part_off(&parting, bench)).unwrap())
     }
 
     /// By hand: a bar of 28 mm takes a blade of 3 mm (r 0.4), whose corner towards the chuck is 40.5 + 3 = 43.5 behind

@@ -295,24 +295,13 @@ impl<'a> Finishing<'a> {
             }
         }
         let chosen = tools::chosen(&tool, 1, bench)?;
+        because.extend([chosen.because, chosen.because_order]);
         Ok(Some(Job {
-            dry: false,
-            work: JobWork::Finish,
-            side: self.side,
-            tool: made,
             surfaces: self.surfaces.iter().map(|surface| surface.name.clone()).collect::<Vec<SurfaceName>>(),
-            time_min: pace.time(&path, paced.feeds.rapid),
-            path,
             conditions: paced.conditions.clone(),
-            pace,
-            thread: None,
-            torque_n_m: None,
-            zone: None,
             notes,
-            because: {
-                because.extend([chosen.because, chosen.because_order]);
-                because
-            },
+            because,
+            ..Job::of(JobWork::Finish, self.side, made, path, pace, paced.feeds.rapid)
         }))
     }
 

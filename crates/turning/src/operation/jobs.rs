@@ -191,21 +191,12 @@ fn rough(
     if is_face || widest_to_narrowest(&path) >= spread {
         pace = constant_speed(pace, work.pace.conditions.as_ref(), bench);
     }
+    let kind = if is_face { JobWork::Face } else { JobWork::Rough };
     Ok(Some(Job {
-        dry: false,
-        work: if is_face { JobWork::Face } else { JobWork::Rough },
-        side,
-        tool: JobTool::of(&tool),
-        surfaces: Vec::new(),
-        time_min: pace.time(&path, work.pace.feeds.rapid),
-        path,
         conditions: work.pace.conditions.clone(),
-        pace,
-        thread: None,
-        torque_n_m: None,
         zone: place,
-        notes: Vec::new(),
         because: vec![chosen.because.clone(), transition.because.clone()],
+        ..Job::of(kind, side, JobTool::of(&tool), path, pace, work.pace.feeds.rapid)
     }))
 }
 

@@ -212,7 +212,7 @@ pub enum MethodFile {
 
 #[cfg(test)]
 mod tests {
-    use super::super::groove::GrooveForm;
+    use super::super::item_file::GrooveKind;
     use super::super::items::MOST_ITEMS;
     use super::*;
     use crate::knowledge::Word;
@@ -245,7 +245,7 @@ mod tests {
             let choices = schema.as_value().pointer(&format!("/$defs/{name}/oneOf")).unwrap();
             choices.as_array().unwrap().iter().map(|one| one["const"].as_str().unwrap().to_owned()).collect()
         };
-        assert_eq!(words("GrooveKind"), GrooveForm::NAMES.map(|(name, _)| name));
+        assert_eq!(words("GrooveKind"), GrooveKind::NAMES.map(|(name, _)| name));
         assert_eq!(words("StockKind"), StockKind::WORDS);
         assert_eq!(words("Scheme"), Scheme::WORDS);
         assert_eq!(words("HeatTreatment"), HeatTreatment::WORDS);

@@ -2,30 +2,12 @@
 //!
 //! A groove is made in a frame of its own, `along` its mouth and `into` the metal, and then placed on the contour.
 
+use super::item_file::GrooveKind;
 use crate::turning::contour::{Curve, Piece, SurfaceKind, Turn};
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
-/// Kinds of grooves, as files name them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum GrooveForm {
-    /// In a cylinder, for the grinding wheel: 45° on the side of the cylinder, upright at the shoulder.
-    GrindingRelief,
-    /// In the corner of a cylinder and a face, under both, with 45° at both mouths.
-    Corner,
-    /// At the end of a thread: 45° on the side of the thread, upright at the shoulder.
-    ThreadRelief,
-    /// Upright walls.
-    Rectangular,
-    /// Slanting walls.
-    Trapezoid,
-    /// For a belt: slanting walls, rounded corners.
-    Pulley,
-    /// In a face.
-    Face,
-}
-
-impl GrooveForm {
+impl GrooveKind {
     /// Every one, as files name it.
     pub const NAMES: [(&'static str, Self); 7] = [
         ("grinding-relief", Self::GrindingRelief),
@@ -68,7 +50,7 @@ impl GrooveForm {
 /// The sizes of a groove.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sizes {
-    pub kind: GrooveForm,
+    pub kind: GrooveKind,
     pub width: Half,
     pub depth: Half,
     /// Rounding of the corners of the floor; if none, they are sharp.
@@ -111,7 +93,7 @@ pub(super) fn pieces(sizes: Sizes, frame: GrooveFrame) -> Result<Vec<Piece>, &'s
     let at = |along, into| frame.place(along, into);
     let start = at(Half::ZERO, Half::ZERO);
     let (corners, end) = match sizes.kind {
-        GrooveForm::Corner => {
+        GrooveKind::Corner => {
             if depth >= width {
                 return Err("groove-walls-meet");
             }
@@ -122,10 +104,10 @@ pub(super) fn pieces(sizes: Sizes, frame: GrooveFrame) -> Result<Vec<Piece>, &'s
         }
         kind => {
             let inset = match kind {
-                GrooveForm::GrindingRelief | GrooveForm::ThreadRelief => depth,
+                GrooveKind::GrindingRelief | GrooveKind::ThreadRelief => depth,
                 _ => Half::from(depth.to_mm() * sizes.slant),
             };
-            let relief = matches!(kind, GrooveForm::GrindingRelief | GrooveForm::ThreadRelief);
+            let relief = matches!(kind, GrooveKind::GrindingRelief | GrooveKind::ThreadRelief);
             let first = if relief && sizes.shoulder_first { Half::ZERO } else { inset };
             let last = if relief && !sizes.shoulder_first { Half::ZERO } else { inset };
             if first + last > width {
@@ -181,7 +163,7 @@ mod tests {
         Point { radius: Half::from(radius), z: Half::from(z) }
     }
 
-    fn sizes(kind: GrooveForm, width: f64, depth: f64) -> Sizes {
+    fn sizes(kind: GrooveKind, width: f64, depth: f64) -> Sizes {
         Sizes {
             kind,
             width: Half::from(width),
@@ -205,16 +187,16 @@ mod tests {
     #[test]
     fn walls_and_floors_stand_where_the_sizes_say() {
         let drawn = |sizes| corners(&pieces(sizes, outside()).unwrap());
-        let rectangular = sizes(GrooveForm::Rectangular, 5.0, 3.0);
+        let rectangular = sizes(GrooveKind::Rectangular, 5.0, 3.0);
         assert_eq!(drawn(rectangular), [at(20.0, 10.0), at(17.0, 10.0), at(17.0, 15.0), at(20.0, 15.0)]);
         // Walls at 45°: on each side the floor is narrower by the depth of the groove.
-        let trapezoid = Sizes { slant: 1.0, ..sizes(GrooveForm::Trapezoid, 8.0, 3.0) };
+        let trapezoid = Sizes { slant: 1.0, ..sizes(GrooveKind::Trapezoid, 8.0, 3.0) };
         assert_eq!(drawn(trapezoid), [at(20.0, 10.0), at(17.0, 13.0), at(17.0, 15.0), at(20.0, 18.0)]);
-        let relief = sizes(GrooveForm::GrindingRelief, 3.0, 0.25);
+        let relief = sizes(GrooveKind::GrindingRelief, 3.0, 0.25);
         assert_eq!(drawn(relief), [at(20.0, 10.0), at(19.75, 10.25), at(19.75, 13.0), at(20.0, 13.0)]);
         let mirrored = Sizes { shoulder_first: true, ..relief };
         assert_eq!(drawn(mirrored), [at(20.0, 10.0), at(19.75, 10.0), at(19.75, 12.75), at(20.0, 13.0)]);
-        let corner = sizes(GrooveForm::Corner, 2.0, 0.5);
+        let corner = sizes(GrooveKind::Corner, 2.0, 0.5);
         // A depth below the cylinder, a depth behind the face, and out of the face 2 above the cylinder.
         let expected = [at(20.0, 10.0), at(19.5, 10.5), at(19.5, 12.5), at(21.5, 12.5), at(22.0, 12.0)];
         assert_eq!(drawn(corner), expected);
@@ -223,14 +205,14 @@ mod tests {
     #[test]
     fn a_face_is_grooved_along_the_axis() {
         let frame = GrooveFrame { at: at(10.0, 0.0), on_cylinder: false, radial: 1, axial: 1, hollow: Turn::Left };
-        let drawn = corners(&pieces(sizes(GrooveForm::Face, 4.0, 2.0), frame).unwrap());
+        let drawn = corners(&pieces(sizes(GrooveKind::Face, 4.0, 2.0), frame).unwrap());
         assert_eq!(drawn, [at(10.0, 0.0), at(10.0, 2.0), at(14.0, 2.0), at(14.0, 0.0)]);
     }
 
     /// Upright walls: the arc is a quarter, and takes its radius off the wall and off the floor.
     #[test]
     fn corners_are_rounded_by_tangent_arcs() {
-        let round = Sizes { radius: Some(Half::from(1.0)), ..sizes(GrooveForm::Rectangular, 5.0, 3.0) };
+        let round = Sizes { radius: Some(Half::from(1.0)), ..sizes(GrooveKind::Rectangular, 5.0, 3.0) };
         let drawn = pieces(round, outside()).unwrap();
         assert_eq!(
             corners(&drawn),
@@ -241,7 +223,7 @@ mod tests {
         assert_eq!(pieces(full, outside()).unwrap().len(), 4, "the two arcs meet, no floor is left");
         let large = Sizes { radius: Some(Half::from(2.6)), ..round };
         assert_eq!(pieces(large, outside()), Err("groove-radius-too-large"));
-        let shallow = Sizes { slant: 2.0, ..sizes(GrooveForm::Trapezoid, 8.0, 3.0) };
+        let shallow = Sizes { slant: 2.0, ..sizes(GrooveKind::Trapezoid, 8.0, 3.0) };
         assert_eq!(pieces(shallow, outside()), Err("groove-walls-meet"));
     }
 
@@ -249,7 +231,7 @@ mod tests {
     #[test]
     fn arcs_are_tangent_to_slanting_walls() {
         let slant = libm::tan(17.0_f64.to_radians());
-        let belt = Sizes { radius: Some(Half::from(1.0)), slant, ..sizes(GrooveForm::Pulley, 13.0, 10.8) };
+        let belt = Sizes { radius: Some(Half::from(1.0)), slant, ..sizes(GrooveKind::Pulley, 13.0, 10.8) };
         let drawn = pieces(belt, outside()).unwrap();
         for pair in drawn.windows(2) {
             let (out, into) = (pair[0].direction_at_end(), pair[1].direction_at_start());

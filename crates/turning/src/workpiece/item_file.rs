@@ -201,7 +201,7 @@ pub enum Bulge {
 }
 
 /// Kinds of grooves.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum GrooveKind {
     /// For the grinding wheel, in a cylinder.

@@ -10,7 +10,7 @@ use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
 use technolog_core::part::Deviations;
 
 use super::grade;
-use super::groove::GrooveForm;
+use super::item_file::GrooveKind;
 use super::item_file::{
     ArcItem, ChamferItem, ConeItem, CylinderItem, FaceItem, FromItem, GrooveItem, LimitsFile, PointFile, Stretch,
     Surface, ThreadItem,
@@ -124,7 +124,7 @@ pub(super) enum Along {
 
 /// A groove as written.
 pub(super) struct GrooveValues {
-    pub kind: GrooveForm,
+    pub kind: GrooveKind,
     pub width: Measure,
     pub depth: Measure,
     pub radius: Measure,
@@ -409,7 +409,7 @@ impl Reader<'_> {
             unreadable |= angle.is_none();
             Some((angle?, node.place.clone()))
         });
-        let kind = self.choice(node?, &GrooveForm::NAMES)?;
+        let kind = self.choice(node?, &GrooveKind::NAMES)?;
         Some(GrooveValues { kind, width, depth, radius, angle, unreadable })
     }
 }

@@ -13,7 +13,7 @@ use technolog_core::part::Deviations;
 use crate::units::Micrometres;
 
 use super::Thread;
-use super::groove::GrooveForm;
+use super::item_file::GrooveKind;
 use super::items::{Along, ContourItem, GrooveValues, ItemShape, Measure};
 use super::thread::ThreadSize;
 use super::thread_limits::{self, longest_run_out};
@@ -328,7 +328,7 @@ impl Walk<'_, '_, '_> {
             }
             (None, values) => {
                 // A groove in a cylinder ends at the diameter of the cylinder, even if that is not known.
-                if values.is_none_or(|values| matches!(values.kind, GrooveForm::Face | GrooveForm::Corner)) {
+                if values.is_none_or(|values| matches!(values.kind, GrooveKind::Face | GrooveKind::Corner)) {
                     self.radius = None;
                 }
                 self.z = None;

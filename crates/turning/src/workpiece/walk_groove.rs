@@ -7,7 +7,8 @@ use crate::turning::point::Point;
 use crate::turning::reading::mistake;
 use crate::units::{Decimal, Micrometres};
 
-use super::groove::{self, GrooveForm, GrooveFrame, Sizes};
+use super::groove::{self, GrooveFrame, Sizes};
+use super::item_file::GrooveKind;
 use super::items::{ContourItem, GrooveValues, ItemShape, Measure};
 use super::relief;
 use super::walk::Walk;
@@ -43,10 +44,10 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    fn frame(&self, index: usize, here: Point, kind: GrooveForm) -> Option<GrooveFrame> {
+    fn frame(&self, index: usize, here: Point, kind: GrooveKind) -> Option<GrooveFrame> {
         let outer = self.walked.side == Side::Outer;
         let hollow = self.hollow(true);
-        if kind != GrooveForm::Face {
+        if kind != GrooveKind::Face {
             let radial = if outer { -1 } else { 1 };
             return Some(GrooveFrame { at: here, on_cylinder: true, radial, axial: 1, hollow });
         }
@@ -109,12 +110,12 @@ impl Walk<'_, '_, '_> {
         &self,
         index: usize,
         here: Point,
-        kind: GrooveForm,
+        kind: GrooveKind,
         width: Option<Micrometres>,
     ) -> Option<relief::Relief> {
         match kind {
-            GrooveForm::GrindingRelief => relief::grinding(here.radius.diameter(), width, self.reader.knowledge),
-            GrooveForm::ThreadRelief => {
+            GrooveKind::GrindingRelief => relief::grinding(here.radius.diameter(), width, self.reader.knowledge),
+            GrooveKind::ThreadRelief => {
                 let before = self.last().filter(|last| last.kind == SurfaceKind::Thread);
                 let before = before.and(self.walked.threads.last()).map(|thread| thread.pitch);
                 let after = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.shape) {

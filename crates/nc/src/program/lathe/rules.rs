@@ -55,7 +55,7 @@ pub(super) const RULES: &[Rule] = &[
     ("arc-radius-alone", Error, "motions"),
     ("arc-radius-short", Error, "motions"),
     ("lathe-no-lead", Error, "motions"),
-    ("lathe-compensation", Doubtful, "motions"),
+    ("lathe-compensation", Note, "motions"),
     ("lathe-corner-alone", Error, "motions"),
     ("lathe-corner-long", Error, "motions"),
     // Cycles.

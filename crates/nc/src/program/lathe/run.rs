@@ -39,6 +39,8 @@ pub struct LatheRun {
     pub motions: Vec<LatheMotion>,
     /// What is wrong, by place.
     pub faults: Vec<Fault>,
+    /// The control that it was read for.
+    pub control: Option<LatheReader>,
 }
 
 /// Reads a program and runs it.
@@ -77,7 +79,7 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
     }
     faults.append(&mut run.faults);
     faults.sort_by_key(|fault| fault.span);
-    LatheRun { motions: run.motions, faults }
+    LatheRun { motions: run.motions, faults, control: Some(language.kind) }
 }
 
 /// The largest number of a tool.

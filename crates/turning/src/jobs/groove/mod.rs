@@ -31,7 +31,6 @@ use crate::turning::tooling::TurningTool;
 use crate::turning::toolpath::{Move, Purpose, Toolpath};
 use crate::units::round_to;
 
-use super::clock::time;
 use super::limits::Limits;
 use super::refused::NoJob;
 use super::site::{self, Site};
@@ -122,22 +121,8 @@ fn groove_by(site: Site<'_>, surface: &Surface, only: Option<&str>, bench: &Benc
     if surface.grade.is_some() && ways.at_once {
         notes.push(Note::new("groove-width-of-blade").with("surface", name));
     }
-    Ok(Job {
-        dry: false,
-        work: Work::Groove,
-        side: site.side(),
-        tool: JobTool::of(&tool),
-        surfaces: vec![name.clone()],
-        time_min: time(&path, speed, &feeds, rapid),
-        path,
-        pace: Pace::PerRev { speed, feeds },
-        conditions: None,
-        thread: None,
-        torque_n_m: None,
-        zone: None,
-        notes,
-        because,
-    })
+    let (surfaces, tool, pace) = (vec![name.clone()], JobTool::of(&tool), Pace::PerRev { speed, feeds });
+    Ok(Job { surfaces, notes, because, ..Job::of(Work::Groove, site.side(), tool, path, pace, rapid) })
 }
 
 /// The note about the cutting of the groove. Plunges stand where the operator sees them: along Z, or at a diameter of a face.

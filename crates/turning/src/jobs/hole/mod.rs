@@ -28,7 +28,6 @@ use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Degrees, Micrometres};
 use technolog_cutting::Cut;
 
-use super::clock::time;
 use super::limits::Limits;
 use super::refused::NoJob;
 use super::site;
@@ -277,22 +276,8 @@ impl Stroke {
         let AxialConditions { speed, feed, torque, because: of_pace } = conditions;
         let because = [row].into_iter().chain(of_pace).chain(of_path).collect();
         let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
-        Job {
-            dry: false,
-            work,
-            side: Side::Inner,
-            tool,
-            surfaces,
-            time_min: time(&path, speed, &feed, rapid),
-            path,
-            pace: super::Pace::PerRev { speed, feeds: feed },
-            conditions: None,
-            thread: None,
-            torque_n_m: torque,
-            zone: None,
-            notes,
-            because,
-        }
+        let pace = super::Pace::PerRev { speed, feeds: feed };
+        Job { surfaces, torque_n_m: torque, notes, because, ..Job::of(work, Side::Inner, tool, path, pace, rapid) }
     }
 }
 

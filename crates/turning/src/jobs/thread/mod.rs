@@ -30,7 +30,6 @@ use crate::turning::workpiece::{Thread, ThreadLimits, ToleranceRow, longest_run_
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
 use technolog_cutting::{rpm_at, speed_at};
 
-use super::clock::time;
 use super::limits::Limits;
 use super::refused::{NoJob, Operation, no_figure};
 use super::site::{self, Site};
@@ -134,22 +133,9 @@ pub fn thread(
     notes.push(flanks(thread, &surface.name));
     because.extend(of_flanks(thread, bench));
     because.extend(limits.because);
-    Ok(Job {
-        dry: false,
-        work: Work::Thread,
-        side,
-        tool: JobTool::of(&tool),
-        surfaces: vec![surface.name.clone()],
-        time_min: time(&path, speed, &feeds, rapid),
-        path,
-        pace: Pace::PerRev { speed, feeds },
-        conditions: None,
-        thread: Some(cut),
-        torque_n_m: None,
-        zone: None,
-        notes,
-        because,
-    })
+    let (surfaces, tool, pace) = (vec![surface.name.clone()], JobTool::of(&tool), Pace::PerRev { speed, feeds });
+    let job = Job::of(Work::Thread, side, tool, path, pace, rapid);
+    Ok(Job { surfaces, thread: Some(cut), notes, because, ..job })
 }
 
 /// An insert for a pitch that works there: of full profile first, because its tip is as round as the root
