@@ -86,7 +86,9 @@ impl Maker<'_> {
             self.report("cycle-parameter-missing", span, &figures);
             return;
         }
-        if self.state.mode(Group::Plane) != Some(170) && !self.control.is(Q::CyclesInEveryPlane) {
+        // LinuxCNC 2.9 taps outside G17 with its axes exchanged, as rs274 shows: nothing to be traced as right.
+        let every = self.control.is(Q::CyclesInEveryPlane) && cycle.bottom != Bottom::Reversed;
+        if self.state.mode(Group::Plane) != Some(170) && !every {
             self.fault("cycle-plane", span);
             return;
         }

@@ -14,6 +14,8 @@ pub(super) struct Kept {
     speed: f64,
     turning: Turning,
     coolant: bool,
+    /// Whether the shift of G52 and G92 acted; its values are not kept.
+    shifted: bool,
     /// Whether the end of the subprogram brings it back.
     at_return: bool,
 }
@@ -54,6 +56,7 @@ impl Maker<'_> {
                     speed: state.speed,
                     turning: state.turning,
                     coolant: state.coolant,
+                    shifted: state.shifted,
                     at_return,
                 });
             }
@@ -79,6 +82,11 @@ impl Maker<'_> {
         }
         for group in GROUPS {
             self.state.set(group, kept.modes[group as usize]);
+        }
+        if self.state.shifted != kept.shifted {
+            // G92.3 or G92.2.
+            self.state.shifted = kept.shifted;
+            self.state.shift = if kept.shifted { self.state.shift_kept } else { Default::default() };
         }
         self.state.feed = kept.feed;
         self.state.speed = kept.speed;

@@ -142,6 +142,17 @@ impl Maker<'_> {
     fn polar(&mut self, words: &BlockWords, target: &mut Target) {
         let [distance, angle] = ['@', '^'].map(|address| self.take(words, address));
         let Some(span) = distance.or(angle).map(|word| word.span) else { return };
+        if self.state.mode(Group::Plane) != Some(170) {
+            self.fault("polar-plane", span);
+        }
+        if let Some(other) = words.get('X').or(words.get('Y')) {
+            let sign = if distance.is_some() { "@" } else { "^" };
+            self.report(
+                "axes-taken-twice",
+                other.span,
+                &[("first", sign.into_figure()), ("second", "X, Y".into_figure())],
+            );
+        }
         let origins = [Axis::X, Axis::Y].map(|axis| self.state.origin(axis, self.setting));
         let mm = |axis: Axis| self.state.at.get(axis).to_mm() - origins[axis.index()].0.to_mm();
         let [x, y] = [Axis::X, Axis::Y].map(|axis| mm(axis) + self.state.lost[axis.index()]);

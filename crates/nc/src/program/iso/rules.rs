@@ -95,6 +95,7 @@ pub(super) const RULES: &[Rule] = &[
     ("cycle-step-not-positive", Error, "cycles"),
     ("cycle-levels", Error, "cycles"),
     ("cycle-plane", Error, "cycles"),
+    ("polar-plane", Error, "motions"),
     ("tap-counterclockwise", Error, "cycles"),
     ("tap-without-spindle", Error, "cycles"),
     ("tap-not-rigid", Warning, "cycles"),

@@ -50,6 +50,8 @@ pub(super) struct ControlState {
     /// What G52 and G92 add to every zero, and what G92.3 brings back.
     pub shift: [Micrometres; 3],
     pub shift_kept: [Micrometres; 3],
+    /// Whether the shift acts.
+    pub shifted: bool,
     /// The lengths of the tools.
     pub correctors: Rc<BTreeMap<u32, Micrometres>>,
     /// The last parameters of cycles, by their letters: lengths in micrometres, P in millionths of a second.
@@ -85,6 +87,7 @@ impl ControlState {
             zeros: [[None; 3]; SYSTEMS],
             shift: [Micrometres::ZERO; 3],
             shift_kept: [Micrometres::ZERO; 3],
+            shifted: false,
             correctors: Rc::new(setting.correctors.clone()),
             parameters: [None; 26],
             initial: None,

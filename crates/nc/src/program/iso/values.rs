@@ -8,7 +8,6 @@ use super::zeros::SYSTEMS;
 use crate::motion::{Axis, Turning};
 use crate::program::Setting;
 use crate::program::expression::Lookup;
-use crate::units::Micrometres;
 
 /// The parameters that each called o-word of LinuxCNC has for itself.
 const LOCAL: u32 = 30;
@@ -89,7 +88,7 @@ impl Seen<'_> {
             "#5420" | "#_X" => Some(self.position(Axis::X)),
             "#5421" | "#_Y" => Some(self.position(Axis::Y)),
             "#5422" | "#_Z" => Some(self.position(Axis::Z)),
-            "#5210" => whether(state.shift_kept.iter().any(|shift| *shift != Micrometres::ZERO)),
+            "#5210" => whether(state.shifted),
             "#_LINE" => Some(f64::from(self.line)),
             "#_METRIC" => whether(!state.inches()),
             "#_IMPERIAL" => whether(state.inches()),

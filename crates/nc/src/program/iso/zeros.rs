@@ -37,6 +37,11 @@ impl Maker<'_> {
     /// Carries it out.
     pub(super) fn set_zero(&mut self, function: Function, effect: Effect, words: &BlockWords) {
         match effect {
+            Effect::ShiftOff | Effect::ShiftWaits => self.state.shifted = false,
+            Effect::LocalZero | Effect::Shift | Effect::ShiftAgain => self.state.shifted = true,
+            _ => {}
+        }
+        match effect {
             Effect::Data => self.data(function, words),
             Effect::ShiftOff => (self.state.shift, self.state.shift_kept) = Default::default(),
             Effect::ShiftWaits => self.state.shift = Default::default(),
