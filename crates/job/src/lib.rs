@@ -104,6 +104,9 @@ pub struct ToolWork {
     pub operation: Operation,
     /// Its diameter.
     pub diameter_mm: Micrometres,
+    /// The diameter of the catalog that it is ground down from, where it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ground_from_mm: Option<Micrometres>,
     /// What the operator has to do before it.
     pub pauses: Vec<Pause>,
     /// Whether the coolant flows.

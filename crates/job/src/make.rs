@@ -115,6 +115,7 @@ fn rounds(
             designation: tool.designation.clone(),
             operation,
             diameter_mm: tool.diameter_mm,
+            ground_from_mm: tool.ground_from_mm,
             pauses: std::mem::take(&mut pauses),
             coolant: false,
             because: Vec::new(),

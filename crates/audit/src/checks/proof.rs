@@ -40,6 +40,7 @@ pub(super) fn check<'a>(
                 | Fault::BarSlender { .. }
                 | Fault::ThinFloor { .. }
                 | Fault::MeetsFloor { .. }
+                | Fault::MiddleInMetal { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Wanting { .. } | Fault::UnderSkin { .. } => fault.severity(),
                 Fault::Enters { .. } | Fault::Gouges { .. } | Fault::TapHole { .. } => Severity::Wrong,

@@ -7,6 +7,7 @@ use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::scheme;
 use crate::route::{Candidate, RouteStep, complex, search};
+use crate::tables::holes::HoleDefault;
 use crate::tables::practice::{ProofLimit, ProofLimits};
 use crate::tables::rules::NextTransition;
 use crate::units::{Micrometres, Minutes};
@@ -198,7 +199,11 @@ impl Finder<'_, '_> {
         // A shortfall that the proof finds too is told by the proof alone, with its severity.
         let untold = misses.iter().filter(|miss| !faults.iter().any(|fault| miss.is_told_by(fault)));
         let untold = untold.map(|miss| miss.note.clone()).collect();
-        let misses = misses.into_iter().map(|miss| miss.note).collect();
+        let mut misses: Vec<Note> = misses.into_iter().map(|miss| miss.note).collect();
+        // What stays unfinished above a floor is a remark of its step; a route without it goes first.
+        let unfinished = self.shop.share(HoleDefault::UnfinishedShare)?;
+        let left = |fitted: &&Fitted| fitted.step.leaves_unfinished(unfinished);
+        misses.extend(steps.iter().find(left).map(|_| Note::new("misses-floor")));
         Ok(Some(Choice { at_best, misses, untold, ..self.choice(candidate, steps)? }))
     }
 

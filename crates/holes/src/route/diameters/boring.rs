@@ -55,9 +55,9 @@ impl BackwardStep<'_, '_> {
     }
 
     /// Milling of the contour: after a drill, from the largest one that leaves the mill some stock; as the first
-    /// transition, from the existing hole.
+    /// transition, from the existing hole. On a flat floor it makes that, too.
     pub(super) fn mill(self) -> Tried<RouteStep> {
         let from = if self.after_drill() { self.drill_to_open()? } else { self.start()? };
-        Ok(self.step(from))
+        Ok(RouteStep { levels: self.sizes.level_floor && self.bore.has_floor(), ..self.step(from) })
     }
 }

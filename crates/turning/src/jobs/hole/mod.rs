@@ -321,6 +321,7 @@ fn cut(
         surface: Surface::None,
         it: None,
         pitch: None,
+        around: None,
         plunges: false,
         cutter: None,
     }

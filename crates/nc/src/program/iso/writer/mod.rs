@@ -95,11 +95,12 @@ pub fn write(job: &Job, control: &Control, form: Form) -> WrittenProgram {
     sheet.finish(&ascii(&job.part), unfinished)
 }
 
-/// A tool for people: its number, name, diameter, offset register and designation.
+/// A tool for people: its number, name, diameter, offset register and designation, and what it is ground from.
 fn named(work: &ToolWork) -> String {
     let name = work.operation.name().to_ascii_uppercase().replace('-', " ");
     let ToolWork { tool, diameter_mm, corrector, .. } = work;
-    format!("T{tool} {name} D{diameter_mm} H{corrector} {}", ascii(&work.designation))
+    let ground = work.ground_from_mm.map(|from| format!(" GROUND FROM D{from}")).unwrap_or_default();
+    format!("T{tool} {name} D{diameter_mm} H{corrector} {}{ground}", ascii(&work.designation))
 }
 
 /// What the operator does, in letters that every control can show.
