@@ -116,6 +116,15 @@ impl<'a> Context<'a> {
         self.same_transition(row).filter(alike)
     }
 
+    /// Whether the countersink of a row goes round its edge, as that of the program's plan does: it is narrower than the edge.
+    pub fn goes_round(&self, row: usize) -> bool {
+        let Some(own) = self.stated.rows.get(row).filter(|own| own.operation.value.is_of_edge()) else { return false };
+        let rounds = self.same_transition(row).is_some_and(|ours| ours.conditions.rounds.is_some());
+        let cutter = self.stated.tool_of(own).and_then(|tool| self.cutter(tool)?.row.diameter);
+        let edge = own.figures.get(&Quantity::Diameter).map(|figure| figure.value);
+        rounds && cutter.zip(edge).is_some_and(|(cutter, edge)| cutter.to_mm() < edge)
+    }
+
     /// As `reference`, but of any diameter.
     pub fn same_transition(&self, row: usize) -> Option<&'a Transition> {
         let own = self.stated.rows.get(row)?;

@@ -83,6 +83,8 @@ pub struct Cut {
     pub pitch: Option<Micrometres>,
     /// The mill, for milling.
     pub cutter: Option<CutterShape>,
+    /// The diameter of a countersink at the face, where it goes round the edge instead of being sunk into it.
+    pub around: Option<Micrometres>,
     /// Whether the mill cuts on its way down.
     pub plunges: bool,
 }

@@ -61,7 +61,9 @@ pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Res
     let solid = transition.operation == Operation::Drill && transition.from == Micrometres::ZERO;
     let depth = if solid { transition.depth - transition.start } else { Micrometres::ZERO };
     let ratio = depth.to_mm() / transition.diameter.to_mm();
-    let operation = transition.operation;
+    // A countersink that goes round an edge moves as a mill does.
+    let goes_round = transition.conditions.rounds.is_some();
+    let operation = if goes_round { Operation::Mill } else { transition.operation };
     let question = MachiningCycleFor { operation, depth_ratio: ratio, material_group: shop.material.group };
     let answer = shop.knowledge.ask(&question)?;
     let rule = answer.need(operation.name())?;

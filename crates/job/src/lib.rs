@@ -113,6 +113,9 @@ pub struct ToolWork {
     /// The wide diameter of a step drill, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub also_diameter_mm: Option<Micrometres>,
+    /// The diameter of the catalog that it is ground down from, where it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ground_from_mm: Option<Micrometres>,
     /// What the operator has to do before it.
     pub pauses: Vec<Pause>,
     /// Whether the coolant flows.

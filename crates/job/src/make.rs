@@ -119,6 +119,7 @@ fn rounds(
             operation,
             diameter_mm: tool.diameter_mm,
             also_diameter_mm: also,
+            ground_from_mm: tool.ground_from_mm,
             pauses: std::mem::take(&mut pauses),
             coolant: false,
             because: Vec::new(),

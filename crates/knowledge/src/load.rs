@@ -175,8 +175,12 @@ impl Loader<'_> {
         let material: Option<ToolMaterial> = fields.need("material", self.problems).and_then(|node| self.word(node));
         let point_angle = fields.take("point_angle").and_then(|node| self.problems.scalar(node));
         let teeth = fields.take("teeth").and_then(|node| self.problems.scalar(node));
-        fields.finish(&["operations", "shank", "material", "point_angle", "teeth"], self.problems);
-        Some(ToolHead { operations: operations?, shank: shank?, material: material?, point_angle, teeth })
+        let centre_cutting =
+            fields.take("centre_cutting").and_then(|node| self.problems.boolean(node)).unwrap_or(false);
+        let known = ["operations", "shank", "material", "point_angle", "teeth", "centre_cutting"];
+        fields.finish(&known, self.problems);
+        let (operations, shank, material) = (operations?, shank?, material?);
+        Some(ToolHead { operations, shank, material, point_angle, teeth, centre_cutting })
     }
 
     fn operations(&mut self, node: &Node) -> Vec<Operation> {

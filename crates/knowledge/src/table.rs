@@ -167,6 +167,8 @@ pub struct ToolHead {
     pub point_angle: Option<Decimal>,
     /// Number of teeth, where all have the same.
     pub teeth: Option<i64>,
+    /// Whether the end teeth of a mill reach its middle, so that it cuts straight down into metal.
+    pub centre_cutting: bool,
 }
 
 /// A table of the knowledge base.

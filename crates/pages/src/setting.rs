@@ -17,7 +17,7 @@ pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
             "setting-tool",
             place = place(tool, job),
             corrector = tool.corrector,
-            designation = tool.designation.as_str(),
+            designation = super::sheet::named(tool, "", lang),
             diameter = tool.diameter_mm,
             length = tool.length_mm
         )
@@ -60,7 +60,7 @@ fn tools(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Table {
     for (tool, ((diameter, length), correction)) in plan.tools.iter().zip(figures) {
         let (number, register) = (format!("T{}", tool.number), format!("H{:02}", tool.corrector));
         let place = Inlines::number(place(tool, job).to_string());
-        let designation = tool.designation.as_str().into();
+        let designation = super::sheet::named(tool, "", lang).into();
         table.row([number.into(), place, register.into(), designation, diameter, length, correction]);
     }
     table.notes.push(say!(lang, "setting-places").into());

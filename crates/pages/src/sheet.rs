@@ -18,6 +18,8 @@ mod conditions;
 pub(crate) mod route;
 mod tools;
 
+pub(crate) use tools::named;
+
 /// The mark of a figure from an unconfirmed row.
 pub(super) const MARK: &str = "*";
 /// The content of a cell without a figure.

@@ -58,6 +58,8 @@ pub enum Fault {
     Enters { operation: Operation, tool: Micrometres, limit: Micrometres },
     /// The point of a drill cuts a crater into a flat shoulder, wider than the hole below it.
     Gouges { operation: Operation, crater: Micrometres, shoulder: Micrometres, below: Micrometres },
+    /// A mill goes straight down where its middle, which has no teeth, meets metal.
+    MiddleInMetal { operation: Operation, tool: Micrometres, middle: Micrometres, open: Micrometres },
     /// A centring spot remains visible around the finished hole.
     SpotStays { spot: Micrometres, limit: Micrometres },
     /// The full diameter ends before the drawing's depth.
@@ -103,7 +105,7 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// What is reached only at best, a thin floor, a tool that just meets a flat one, and what the blank does not hold are doubtful; everything else damages the part or the tool.
+    /// What is reached only at best, a thin floor, a tool that just meets a flat one, a mill that may have no teeth where it needs them, and what the blank does not hold are doubtful; everything else damages the part or the tool.
     pub fn severity(&self) -> Severity {
         match self {
             Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
@@ -111,6 +113,7 @@ impl Fault {
             Self::ThinFloor { floor, least, .. } if *floor + *floor < *least => Severity::Error,
             Self::ThinFloor { .. }
             | Self::MeetsFloor { .. }
+            | Self::MiddleInMetal { .. }
             | Self::Wall { .. }
             | Self::CastStock { .. }
             | Self::UnderSkin { .. }
@@ -145,6 +148,10 @@ impl Fault {
             }
             Self::Gouges { operation, crater, shoulder, below } => {
                 of("proof-gouges", operation).with("crater", crater).with("shoulder", shoulder).with("below", below)
+            }
+            Self::MiddleInMetal { operation, tool, middle, open } => {
+                let code = if *open > Micrometres::ZERO { "proof-middle-over-hole" } else { "proof-middle-in-metal" };
+                of(code, operation).with("tool", tool).with("middle", middle).with("open", open)
             }
             Self::SpotStays { spot, limit } => Note::new("proof-spot-stays").with("spot", spot).with("limit", limit),
             Self::TooShallow { operation, depth, required } => {

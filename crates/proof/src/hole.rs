@@ -13,7 +13,7 @@ use crate::units::Micrometres;
 
 use super::cylinder::{CylinderId, CylinderRequirements};
 use super::reach::{Both, MethodKey, Reach, drift, oversize};
-use super::{Fault, Shortfall, loads, shoulder, tool};
+use super::{Fault, Shortfall, loads, middle, shoulder, tool};
 
 /// The current state of a cylinder.
 #[derive(Clone, Copy, Debug)]
@@ -92,6 +92,8 @@ impl Walk<'_, '_> {
             self.faults.extend(loads::faults(transition, self.shop)?);
             self.faults.extend(tool::faults(transition, self.shop)?);
             self.faults.extend(shoulder::gouged(transition, self.hole, self.shop)?);
+            let opened = self.states.get(&CylinderId::Main).map_or(Micrometres::ZERO, |state| state.depth);
+            self.faults.extend(middle::in_metal(transition, self.hole, opened, self.shop)?);
         }
         if transition.operation == Operation::CentreDrill {
             self.centred = true;

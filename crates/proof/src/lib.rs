@@ -18,6 +18,7 @@ mod cylinder;
 mod fault;
 mod hole;
 mod loads;
+mod middle;
 mod reach;
 mod reamer;
 mod shoulder;

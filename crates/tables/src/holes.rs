@@ -67,6 +67,7 @@ vocabulary! {
         FaceStock = "face-stock-mm",
         CutterGrindLimit = "cutter-grind-limit-mm",
         MillCoreShare = "mill-core-share",
+        EdgeClearance = "edge-clearance-mm",
         ReamerLeastShare = "reamer-least-share",
         FinestBoughtGrade = "finest-bought-grade",
         CoarsestBoughtGrade = "coarsest-bought-grade",

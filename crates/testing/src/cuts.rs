@@ -22,6 +22,7 @@ pub fn plain_cut(operation: Operation, from: Micrometres, diameter: Micrometres)
         surface: Surface::None,
         it: None,
         pitch: None,
+        around: None,
         plunges: false,
         cutter: None,
         feed_diameter: None,

@@ -33,6 +33,24 @@ fn a_plan_clamped_against_sliding_is_right_when_it_is_written_by_hand() {
     assert_eq!(found(part), [""; 0]);
 }
 
+/// A countersink that goes round a wide edge is narrower than it, and bars end above a flat floor.
+#[test]
+fn a_wide_edge_and_a_flat_floor_are_right_when_they_are_written_by_hand() {
+    for keys in [
+        "diameter: 60H9, roughness: Ra 3.2, through: true, chamfer: 2",
+        "diameter: 26H9, roughness: Ra 3.2, depth: 6, bottom: flat",
+        "diameter: 30H14, roughness: Ra 12.5, depth: 8, bottom: flat",
+        "diameter: 3.4H14, roughness: Ra 12.5, through: true, counterbore: {diameter: 6.5, depth: 3.4}",
+        "diameter: 6.6H14, roughness: Ra 12.5, through: true, face: 11",
+    ] {
+        let part = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 200, width: 150, thickness: 40}}\n\
+             holes:\n  - {{name: A, {keys}, centre_tolerance: 0.2, at: [[0, 0]]}}\n"
+        );
+        assert_eq!(found(&part), [""; 0], "{keys}");
+    }
+}
+
 #[test]
 fn what_we_plan_is_right_when_it_is_written_by_hand() {
     let (mut wrong, mut cases) = (Vec::new(), Vec::new());

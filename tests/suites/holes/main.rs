@@ -14,6 +14,7 @@ mod cells;
 mod cutting;
 mod every_hole;
 mod extremes;
+mod floors;
 mod given;
 mod laws;
 mod many_holes;

@@ -195,6 +195,30 @@ fn programs_of_what_laws_found_make_their_stops() {
     }
 }
 
+/// A countersink that goes round a wide edge: its circle by hand (`holes::floors`), and no figure of it altered unnoticed. Tools that
+/// are ground say so where the operator changes them.
+#[test]
+fn a_countersink_goes_round_a_wide_edge() {
+    let bench = ProofBench::new("tests/written/floors-and-wide-edge.yaml");
+    holds(&bench).unwrap();
+    for (name, language) in &*LANGUAGES {
+        let text = bench.written(language);
+        let round = text.lines().find(|line| line.contains("I-27.4")).unwrap_or_else(|| panic!("{name}: {text}"));
+        for (from, to) in [("I-27.4", "I-27.3"), ("G3", "G2")] {
+            let altered = text.replace(round, &round.replace(from, to));
+            assert!(altered == text || !bench.codes(language, &altered).is_empty(), "{name}: {from} {to}");
+        }
+    }
+    let reamed = ProofBench::of(&read(
+        "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {kind: plate, length: 200, width: 150, thickness: 20}\nholes:\n  - \
+         {name: A, diameter: 20H7, roughness: Ra 0.8, through: true, centre_tolerance: 0.2, at: [[0, 0]]}\n",
+    ));
+    let text = reamed.written(&language("fanuc"));
+    let ground = |line: &&str| line.contains("ROUGH REAM") && line.contains("GROUND FROM D20");
+    assert!(text.lines().find(ground).is_some(), "{text}");
+    assert!(!text.lines().any(|line| line.contains("FINISH REAM") && line.contains("GROUND")), "{text}");
+}
+
 /// The part that is to have every cycle has it, and both set-ups.
 #[test]
 fn the_part_of_every_cycle_has_them_all() {

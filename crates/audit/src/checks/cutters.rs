@@ -6,8 +6,8 @@ use crate::part::Hole;
 use crate::plan::Operation;
 use crate::reason::{OfOther, Unfit};
 use crate::tables::holes::HoleDefault;
-use crate::tooling::CutterNeed;
 use crate::tooling::named;
+use crate::tooling::{CutterNeed, Plunging};
 use crate::units::Micrometres;
 
 use super::super::context::Context;
@@ -112,14 +112,27 @@ fn need<'a>(
             _ => None,
         },
         clearance: Micrometres::ZERO,
-        plunges: (operation == Operation::Mill && !row.opens_main_cylinder()).then(|| over_hole(context, enters)),
+        // One that goes round is wider than its front by the cone at least.
+        round: context.goes_round(at).then(|| diameter - enters),
+        plunges: (operation == Operation::Mill).then(|| plunging(context, row, hole, diameter, enters)).flatten(),
         grind_limit: context.shop.grind_limit(diameter).unwrap_or_default(),
         ..CutterNeed::plain(operation, diameter)
     }
 }
 
-/// The widest mill that may cut its way down over a hole of that diameter: its middle, which has no teeth, must lie over the hole.
-fn over_hole(context: &Context<'_>, hole: Micrometres) -> Micrometres {
+/// How wide a mill may be that cuts its way down. Over a hole the middle of one without teeth there must lie over it; whether one
+/// may go down to a flat floor is judged by the proof of plans. Elsewhere in the main cylinder a mill goes into the hole.
+fn plunging(
+    context: &Context<'_>,
+    row: &Row,
+    hole: &Hole,
+    diameter: Micrometres,
+    enters: Micrometres,
+) -> Option<Plunging> {
+    if row.opens_main_cylinder() {
+        let floor = !hole.through && hole.thread.is_none();
+        return floor.then_some(Plunging { widest: diameter, without_middle: diameter });
+    }
     let core = context.shop.share(HoleDefault::MillCoreShare).unwrap_or(1.0);
-    Micrometres::from_mm_rounded(hole.to_mm() / core)
+    Some(Plunging { widest: diameter, without_middle: Micrometres::from_mm_rounded(enters.to_mm() / core) })
 }

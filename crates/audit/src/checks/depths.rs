@@ -66,13 +66,19 @@ pub(super) fn check<'a>(
         // A later mill makes the flat bottom, and the point of the drill stays above it.
         let milled = context.stated.mill_follows(&hole.name, at) && !hole.through;
         let plain = plain && !milled;
-        // Before a reamer a blind hole is drilled deeper, for its lead and for chips; over a flat floor the reamer ends above it.
+        // Before a reamer a blind hole is drilled deeper, for its lead and for chips; over a flat floor the reamer ends above it, and a
+        // boring bar, too.
         let stated = Micrometres::from_mm_rounded(figure.value);
         let room = hole.diameter.nominal.half() + context.shop.convention(HoleDefault::ReamerChipRoom)?;
         let deeper = context.stated.reamer_follows(&hole.name, at) && !hole.through;
-        let above = row.operation.value.is_reaming() && hole.bottom == Bottom::Flat && !hole.through;
+        let floor = hole.bottom == Bottom::Flat && !hole.through;
+        let above = match row.operation.value {
+            operation if floor && operation.is_reaming() => room,
+            operation if floor && operation.is_boring() => context.shop.convention(HoleDefault::FlatFloorGap)?,
+            _ => Micrometres::ZERO,
+        };
         let most = if deeper { hole.depth + room } else { hole.depth };
-        let least = if above { hole.depth - room } else { hole.depth };
+        let least = hole.depth - above;
         if plain && !(least..=most).contains(&stated) {
             let finding =
                 say(Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", Figure::called(&hole.name)));

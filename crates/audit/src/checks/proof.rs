@@ -42,6 +42,7 @@ pub(super) fn check<'a>(
                 | Fault::MeetsFloor { .. }
                 | Fault::BarOutOfRange { .. }
                 | Fault::BarEnters { .. }
+                | Fault::MiddleInMetal { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Wanting { .. } | Fault::UnderSkin { .. } => fault.severity(),
                 Fault::Enters { .. } | Fault::Gouges { .. } | Fault::TapHole { .. } => Severity::Wrong,

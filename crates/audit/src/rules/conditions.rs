@@ -57,7 +57,8 @@ fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) 
     let of_row = |quantity| Id::new(Scope::Row(first), quantity);
     let has = |id: Id| context.stated.figure(id).is_some();
 
-    let axial = !conditions.rounds && !matches!(operation, Operation::Mill | Operation::Tap);
+    let rounds = conditions.rounds || context.goes_round(first);
+    let axial = !rounds && !matches!(operation, Operation::Mill | Operation::Tap);
     if axial {
         depth_of_cut(context, graph, at, first, operation);
     }
@@ -66,7 +67,7 @@ fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) 
     by_factors(context, graph, at, (Q::CardForce, Q::FactorForce, Q::Force), &FORCE, true);
     by_factors(context, graph, at, (Q::CardPower, Q::FactorPower, Q::Power), &POWER, true);
     graph.add(equal_figures(&TAKEN, id(Q::FeedTaken), id(Q::Feed)));
-    if !conditions.rounds && operation != Operation::Mill {
+    if !rounds && operation != Operation::Mill {
         let inputs = vec![id(Q::Speed), PI, id(Q::Diameter)];
         let rpm = |values: &[f64]| Some(1000.0 * values.first()? / (values.get(1)? * values.get(2)?));
         graph.add(formula(&COMPUTED, id(Q::RpmComputed), inputs, "1000·{0}/({1}·{2})", rpm));
@@ -167,7 +168,8 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let shop = &context.shop;
     let is_limited = conditions.is_limited;
     // In a plan of the program, a speed limited by something else than the cutting speed has no step of its own here.
-    if is_limited && context.stated.is_own || conditions.rounds {
+    let rounds = conditions.rounds || conditions.rows.first().is_some_and(|first| context.goes_round(*first));
+    if is_limited && context.stated.is_own || rounds {
         return Ok(());
     }
     if context.stated.rows[conditions.rows[0]].operation.value == Operation::Tap {

@@ -113,7 +113,11 @@ fn by_law(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micro
 fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> {
     let stated = context.stated;
     let conditions = &stated.conditions[at];
-    let Some(first) = conditions.rows.first().copied().filter(|_| !conditions.rounds) else { return Ok(None) };
+    let Some(first) =
+        conditions.rows.first().copied().filter(|first| !conditions.rounds && !context.goes_round(*first))
+    else {
+        return Ok(None);
+    };
     let row = &stated.rows[first];
     let cutter = stated.tool_of(row).and_then(|tool| context.cutter(tool));
     let (Some(cutter), Some(hole)) = (cutter.filter(|_| !row.elsewhere), context.hole(row)) else { return Ok(None) };
@@ -148,6 +152,7 @@ fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> 
         it: None,
         pitch: None,
         cutter: None,
+        around: None,
         plunges: false,
     }))
 }

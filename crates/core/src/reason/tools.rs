@@ -63,6 +63,8 @@ pub enum CutterFault {
     PilotWider { pilot: Micrometres, hole: Micrometres },
     /// The bar does not enter.
     BarDoesNotEnter { bar: Micrometres, hole: Micrometres },
+    /// Its end teeth do not reach its middle, which would meet metal on the way down: only narrower mills of its kind go down there.
+    NoTeethInMiddle { diameter: Micrometres, widest: Micrometres },
     /// It is too short.
     DoesNotReach { reach: Micrometres, needed: Micrometres },
 }
@@ -202,6 +204,10 @@ impl CutterFault {
             }
             Self::PilotWider { pilot, hole } => new("pilot-wider-than-hole").with("pilot", pilot).with("hole", hole),
             Self::BarDoesNotEnter { bar, hole } => new("bar-does-not-enter").with("bar", bar).with("hole", hole),
+            Self::NoTeethInMiddle { diameter, widest } if *widest > Micrometres::ZERO => {
+                new("no-teeth-over-hole").with("diameter", diameter).with("widest", widest)
+            }
+            Self::NoTeethInMiddle { diameter, .. } => new("no-teeth-in-middle").with("diameter", diameter),
             Self::DoesNotReach { reach, needed } => new("does-not-reach").with("reach", reach).with("needed", needed),
         }
     }

@@ -1,6 +1,7 @@
 //! Finds cutter, holder and cutting conditions for each step of one hole, or says why there are none.
 
 mod centring;
+mod mills;
 mod one_drill;
 mod reach;
 
@@ -27,7 +28,6 @@ use crate::units::{ItGrade, Micrometres, Roughness};
 
 pub(super) use centring::widest_spot;
 use one_drill::{SingleDrill, SingleKey};
-use reach::beyond_cone;
 
 /// A step with its tool and cutting conditions.
 #[derive(Clone, Debug)]
@@ -99,6 +99,8 @@ pub(super) struct FittedTool {
     pub size: Micrometres,
     /// The catalog diameter, where the cutter is ground down from it.
     pub ground_from: Option<Micrometres>,
+    /// Whether it is a mill whose end teeth reach its middle.
+    pub centre_cutting: bool,
     /// The assembly; its reasons are among those below.
     pub assembly: Assembly,
     pub because: Vec<Because>,
@@ -128,6 +130,8 @@ struct StepKey {
     passes: u32,
     pitch: Option<Micrometres>,
     also: Option<Micrometres>,
+    levels: bool,
+    goes_round: bool,
     angle: Option<u32>,
     within: Option<Micrometres>,
     elsewhere: bool,
@@ -154,6 +158,8 @@ pub(super) struct Fitting<'p, 'k> {
     floor_clearance: Micrometres,
     /// The lead of a reamer as a multiple of the lead that its stock requires.
     reamer_lead_share: f64,
+    /// How far the front of a countersink that goes round an edge stays from the wall below.
+    edge_clearance: Micrometres,
     /// The widest mill for a floor over the diameter of the hole, if there is one.
     floor_mill_share: f64,
     /// The middle of an end mill that has no teeth, over its diameter.
@@ -208,6 +214,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             clearance: shop.convention(HoleDefault::MillClearance)?,
             floor_clearance: shop.convention(HoleDefault::FloorClearance)?,
             reamer_lead_share: shop.share(HoleDefault::ReamerLeadShare)?,
+            edge_clearance: shop.convention(HoleDefault::EdgeClearance)?,
             floor_mill_share: shop.share(HoleDefault::FloorMillShare)?,
             mill_core_share: shop.share(HoleDefault::MillCoreShare)?,
             flat_floor_gap: shop.convention(HoleDefault::FlatFloorGap)?,
@@ -257,6 +264,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             passes: step.passes,
             pitch: step.pitch,
             also: step.also,
+            levels: step.levels,
+            goes_round: step.goes_round,
             angle: step.angle_millideg,
             within: step.entry_cylinder,
             elsewhere: step.elsewhere,
@@ -282,7 +291,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
-        because.extend(self.conventions(&step, tool.diameter)?);
+        because.extend(self.conventions(&step, &tool)?);
         let (tool, approach) = (Some(tool), *approach);
         Ok(Fitted { step, tool, travel, approach, conditions, pass_time, doubts, makes_edge: false, because })
     }
@@ -311,7 +320,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// The conventions on which the lengths of a step rest.
-    fn conventions(&self, step: &RouteStep, tool: Micrometres) -> Result<Vec<Because>, KnowledgeError> {
+    fn conventions(&self, step: &RouteStep, tool: &FittedTool) -> Result<Vec<Because>, KnowledgeError> {
         let mut because = Vec::new();
         let mut cite = |name, note: Note| -> Result<(), KnowledgeError> {
             because.push(Because::row(self.shop.default_row(name)?.row, note));
@@ -320,15 +329,23 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let main = step.place.feature == Feature::Bore && step.place.step.is_none();
         match step.operation {
             Operation::Tap => cite(HoleDefault::TapLeadPitches, Note::new("tap-lead").with("lead", self.lead(step)))?,
-            Operation::Mill if tool >= step.from => {
+            Operation::Mill if tool.centre_cutting && (step.levels || tool.diameter >= step.from) => {
+                let note = Note::new("mill-cuts-down").with("percent", self.floor_mill_share * 100.0);
+                cite(HoleDefault::FloorMillShare, note)?;
+            }
+            Operation::Mill if tool.diameter >= step.from => {
                 let note = Note::new("mill-over-hole").with("hole", step.from);
                 cite(HoleDefault::MillCoreShare, note.with("percent", self.mill_core_share * 100.0))?;
             }
             Operation::Mill => {
-                let floor = step.from == step.diameter;
+                let floor = step.levels;
                 let name = if floor { HoleDefault::FloorClearance } else { HoleDefault::MillClearance };
                 let clearance = if floor { self.floor_clearance } else { self.clearance };
                 cite(name, Note::new("mill-clearance").with("clearance", clearance))?;
+            }
+            Operation::Countersink | Operation::Chamfer if step.goes_round => {
+                let note = Note::new("countersink-goes-round").with("clearance", self.edge_clearance);
+                cite(HoleDefault::EdgeClearance, note)?;
             }
             Operation::Drill | Operation::DrillOut if main && self.hole.thread.is_some() && !step.place.through => {
                 let run_out = step.place.depth - self.hole.depth;
@@ -372,8 +389,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
             angle_millideg: step.angle_millideg,
             entry_cylinder: step.entry_cylinder,
             hole_above: self.step_above(step),
-            clearance: if step.from == step.diameter { self.floor_clearance } else { self.clearance },
-            plunges: (step.place.feature == Feature::Face).then(|| self.widest_to_plunge(step)),
+            clearance: if step.levels { self.floor_clearance } else { self.clearance },
+            round: step.goes_round.then(|| self.wider_than_front(step)),
+            plunges: (step.operation == Operation::Counterbore).then(|| self.plunging(step, 0.0)),
             grind_limit: self.shop.grind_limit(step.diameter)?,
         };
         let found = match step.also {
@@ -383,36 +401,18 @@ impl<'p, 'k> Fitting<'p, 'k> {
                     if self.flat_opening_depth().is_some() { Operation::Counterbore } else { Operation::Chamfer };
                 tooling::find_step_drill(&need, wide, pilot, opening, shop)?
             }
-            // A wide mill on a floor is the last choice.
-            None if step.operation == Operation::Mill && step.from == step.diameter => {
-                let clearance = self
-                    .floor_clearance
-                    .max(Micrometres::from_mm_rounded((1.0 - self.floor_mill_share) * step.diameter.to_mm()));
-                match tooling::find_tool(&CutterNeed { clearance, ..need }, shop)? {
-                    Ok(found) => Ok(found),
-                    Err(_) => tooling::find_tool(&need, shop)?,
-                }
-            }
-            // A mill that does not enter the hole cuts its way down on the rim of it.
-            None if step.operation == Operation::Mill && step.place.feature != Feature::Bore => {
-                match tooling::find_tool(&need, shop)? {
-                    Ok(found) => Ok(found),
-                    Err(why) => {
-                        let plunges = Some(self.widest_to_plunge(step));
-                        tooling::find_tool(&CutterNeed { plunges, ..need }, shop)?.map_err(|_| why)
-                    }
-                }
-            }
+            None if step.operation == Operation::Mill => self.find_mill(step, &need, shop)?,
             None => tooling::find_tool(&need, shop)?,
         };
         let (cutter, mut assembly) = found.map_err(|why| Refusal::Not(Reason::no_tool(step.operation, why)))?;
         // A step drill continues until its wide part is as deep as the opening.
         let travel = match (step.also, cutter.row.step_length) {
             (Some(_), Some(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
-            _ => travel + beyond_cone(step, cutter.row.tip_diameter),
+            _ => travel + self.beyond_cone(step, cutter.row.tip_diameter),
         };
         let roughness = left_by(step, last).map(|(_, roughness)| roughness);
         let cut = Cut {
+            around: cutter.row.tip_diameter.filter(|_| step.goes_round).map(|tip| tip + self.wider_than_front(step)),
             nose_radius: cutter.row.nose_radius,
             roughness,
             cutter: cutter_shape(&cutter),
@@ -420,9 +420,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let own = cutter.diameter + Micrometres::new(1);
         let cut = match step.operation {
-            // On a floor the mill cuts as far as its own radius.
-            Operation::Mill if step.from == step.diameter => {
-                Cut { from: (step.diameter - cutter.diameter).max(own), plunges: true, it: None, ..cut }
+            // It goes down in the middle and cuts the cone of the drill as far as its own radius.
+            Operation::Mill if step.levels => {
+                Cut { from: own, plunges: true, it: cut.it.filter(|_| step.from < step.diameter), ..cut }
             }
             Operation::Mill if step.from < own => Cut { from: own, plunges: true, ..cut },
             _ => cut,
@@ -446,41 +446,12 @@ impl<'p, 'k> Fitting<'p, 'k> {
             front: cutter.row.tip_diameter,
             size: if fixed_size(step.operation) { cutter.diameter } else { step.diameter },
             ground_from: (grinds && cutter.diameter > step.diameter.min(step.nominal)).then_some(cutter.diameter),
+            centre_cutting: cutter.head.centre_cutting,
             assembly,
             because,
         };
         let pass_time = self.pass_time(step, travel, self.travels(step.place.through).0, &conditions)?;
         Ok(ToolAndConditions { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), pass_time, doubts })
-    }
-
-    /// The widest mill that may cut its way down over a hole: its teeth do not reach its middle, so that must lie over the hole;
-    /// and its circles must not be so small that its centre hardly moves.
-    fn widest_to_plunge(&self, step: &RouteStep) -> Micrometres {
-        let over_hole = step.from.to_mm() / self.mill_core_share;
-        let share = if step.place.feature == Feature::Face { self.floor_mill_share } else { 1.0 };
-        Micrometres::from_mm_rounded(over_hole.min(step.diameter.to_mm() * share))
-            .min(step.diameter - Micrometres::new(1))
-    }
-
-    /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.
-    fn round_enough(&self, step: &RouteStep) -> Tried<()> {
-        let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
-        let tolerance = match step.place.step {
-            Some(number) => self.hole.steps.get(number - 1).map(|step| (&step.diameter.upper, &step.diameter.lower)),
-            None if step.place.feature == Feature::Bore => Some((&self.hole.diameter.upper, &self.hole.diameter.lower)),
-            None => None,
-        };
-        let target = match step.place.step {
-            Some(number) => self.hole.steps.get(number - 1).map(|step| step.diameter.target()),
-            None => Some(self.hole.diameter.target()),
-        };
-        let Some((upper, lower)) = tolerance.filter(|_| target == Some(step.diameter)) else { return Ok(()) };
-        let share = self.shop.share(HoleDefault::MilledRoundnessShare)?;
-        let most = Micrometres::from_mm_rounded((*upper - *lower).to_mm() * share);
-        if roundness > most {
-            return Err(Refusal::Not(Reason::MilledNotRound { roundness, most, diameter: step.diameter }));
-        }
-        Ok(())
     }
 
     fn cut(&self, step: &RouteStep, follows: Option<Operation>, material: ToolMaterial, travel: Micrometres) -> Cut {
@@ -502,6 +473,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             it: step.required_finish.map(|(grade, _)| grade),
             feed_diameter: step.also.map(|_| step.diameter),
             tool_diameter: step.also.map(|_| step.diameter),
+            around: None,
             plunges: false,
         }
     }

@@ -56,6 +56,7 @@ pub(super) fn choose_centre_drill(
             diameter: cutter.diameter,
             front: cutter.row.tip_diameter,
             ground_from: None,
+            centre_cutting: false,
             size: cutter.diameter,
             assembly,
             because,

@@ -203,6 +203,7 @@ fn options_as_drawn(
         start: hole.state.diameter(),
         single_drill: false,
         bore_large: false,
+        level_floor: true,
     };
     let mut finder = Finder {
         hole,
@@ -218,7 +219,6 @@ fn options_as_drawn(
         rapids_between: rapids_between(hole, shop),
         hands: Hands::read(shop.knowledge)?,
         drilled: accuracy::drilled(shop)?,
-        level_floor: true,
         edges: edges_with_reasons(&task, &fitting, shop)?,
         centred_edge: fitting.edge_by_centring()?,
     };
@@ -249,7 +249,7 @@ fn options_as_drawn(
         // Where no mill can make the floor flat, the hole is planned with the cone of the drill, and the plan says
         // why.
         let why = options.refused.iter().map(|other| &other.why).find(|why| why.is_of_milled_floor()).map(Reason::note);
-        finder.level_floor = false;
+        finder.sizes.level_floor = false;
         let refused = std::mem::take(&mut options.refused);
         finder.try_all_sources(kind, &mut options)?;
         if options.choices.is_empty() {

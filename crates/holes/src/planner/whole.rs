@@ -49,8 +49,6 @@ pub(super) struct Finder<'a, 'k> {
     pub edges: Vec<Result<RouteStep, Reason>>,
     /// The finest grade that drilling holds, by table A.1.
     pub drilled: ItGrade,
-    /// Whether a required flat floor is made; no where no mill can make it.
-    pub level_floor: bool,
     /// The edge that centring makes.
     pub centred_edge: Option<bores::EdgeCut>,
 }
@@ -135,7 +133,7 @@ impl Finder<'_, '_> {
         }
         let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
         accuracy::write(&mut steps, main, promise, self.position, self.shop)?;
-        if self.level_floor {
+        if self.sizes.level_floor {
             self.flat_floor(&mut steps)?;
         }
         self.fitting.room_for_leads(&mut steps, main.flat);
@@ -209,7 +207,7 @@ impl Finder<'_, '_> {
     }
 
     /// A flat floor: drills stop where their points touch it, core drills where the drill's cone begins, because they do not cut
-    /// in the middle; an end mill then levels the floor.
+    /// in the middle; an end mill then levels the floor, the one that opens the cylinder where there is one.
     fn flat_floor(&self, steps: &mut Vec<RouteStep>) -> Tried<()> {
         if !self.task.main.flat {
             return Ok(());
@@ -230,13 +228,15 @@ impl Finder<'_, '_> {
         }
         let stop = steps[..=last].iter().filter(|step| pointed(step)).map(|step| step.place.depth).min();
         let stop = stop.unwrap_or(depth);
-        let mut floor = RouteStep::plain(Operation::Mill, whole, diameter, diameter);
-        floor.place.start = stop;
-        floor.because.push(Because::table(
+        if steps.get(last + 1).is_none_or(|next| !next.levels) {
+            let mut floor = RouteStep { levels: true, ..RouteStep::plain(Operation::Mill, whole, diameter, diameter) };
+            floor.place.start = stop;
+            steps.insert(last + 1, floor);
+        }
+        steps[last + 1].because.push(Because::table(
             self.shop.knowledge.table_of::<TransitionOrder<'_>>()?,
             Note::new("flat-floor").with("stop", stop).with("depth", depth),
         ));
-        steps.insert(last + 1, floor);
         Ok(())
     }
 
@@ -324,7 +324,7 @@ impl Finder<'_, '_> {
 }
 
 /// The step that cuts each edge of a hole, or why there is none; a face for which the catalogs have no counterbore is
-/// milled.
+/// milled, and round an edge that is wider than every countersink one goes.
 pub(super) fn edges(
     task: &Task,
     fitting: &Fitting<'_, '_>,
@@ -332,15 +332,19 @@ pub(super) fn edges(
 ) -> Result<Vec<Result<RouteStep, Reason>>, KnowledgeError> {
     let mut steps = Vec::with_capacity(task.edges.len());
     for edge in &task.edges {
-        let cut = |operation: Option<Operation>| -> Tried<RouteStep> {
-            let mut step = openings::edge(edge, edge.cylinder_diameter, shop)?;
+        let cut = |operation: Option<Operation>, goes_round: bool| -> Tried<RouteStep> {
+            let mut step = RouteStep { goes_round, ..openings::edge(edge, edge.cylinder_diameter, shop)? };
             step.operation = operation.unwrap_or(step.operation);
             fitting.fit_step(step.clone(), None, false)?;
             Ok(step)
         };
-        let mut found = Refusal::split(cut(None))?;
+        let mut found = Refusal::split(cut(None, false))?;
         if edge.feature == Feature::Face && found.is_err() {
-            found = Refusal::split(cut(Some(Operation::Mill)))?;
+            found = Refusal::split(cut(Some(Operation::Mill), false))?;
+        }
+        // Where no countersink is wide enough to be sunk, one goes round; if that fails too, the first reason is told.
+        if edge.feature != Feature::Face && found.is_err() && shop.machine.contouring {
+            found = Refusal::split(cut(None, true))?.or(found);
         }
         steps.push(found);
     }

@@ -329,6 +329,11 @@ fn thread_chamfer(thread: Option<&Thread>, shop: &Shop<'_>) -> Result<Option<Mic
 }
 
 impl Bore {
+    /// Whether it has a flat floor of its own, made in solid metal; a flat shoulder has a hole in its middle.
+    pub fn has_floor(&self) -> bool {
+        self.flat && !self.place.through && self.before.is_solid()
+    }
+
     /// The grade and roughness required of its own surface: under a thread what drilling leaves, as A.10 drills it.
     ///
     /// # Errors

@@ -43,6 +43,8 @@ pub struct Sizes<'a> {
     pub single_drill: bool,
     /// Whether to bore although the rule `mill-or-bore` prefers milling.
     pub bore_large: bool,
+    /// Whether a flat floor is made; otherwise the cone of the drill stays there.
+    pub level_floor: bool,
 }
 
 /// The steps of a candidate for a cylinder, first to last; centring gets its spot later, when the drill is known.
@@ -251,12 +253,13 @@ impl BackwardStep<'_, '_> {
     }
 
     /// The largest drill that leaves some stock for a mill or counterbore. Over a flat shoulder the part of its point that cuts
-    /// must fit above the shoulder: lower, it leaves a crater round the hole below.
+    /// must fit above the shoulder: lower, it leaves a crater round the hole below; over a flat floor all of its point.
     fn drill_to_open(self) -> Tried<Micrometres> {
         let largest = self.leaves - self.shop.convention(HoleDefault::MillClearance)?;
         let start = self.sizes.start.unwrap_or_default();
         let angle = point_angle(self.shop.knowledge, Operation::Drill);
-        let shoulder = self.bore.flat && self.sizes.start.is_some();
+        let shoulder =
+            self.bore.flat && (self.sizes.start.is_some() || (self.sizes.level_floor && self.bore.has_floor()));
         let above = |drill: Micrometres| cone(drill, angle) - cone(start, angle) < self.bore.place.depth;
         let fits = |drill: &Micrometres| *drill <= largest && *drill > start && (!shoulder || above(*drill));
         let drill = self.sizes.drills.iter().rev().copied().find(fits);
@@ -302,7 +305,7 @@ impl BackwardStep<'_, '_> {
             None => final_drill(&self.bore.diameter, drills, self.shop)?,
         };
         let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
-        Ok(RouteStep::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
+        self.drilled(diameter)
     }
 
     /// A drill of exactly the size that the next transition requires; under a thread, one within the tolerance.
@@ -312,6 +315,16 @@ impl BackwardStep<'_, '_> {
             found = final_drill(&self.bore.diameter, self.sizes.drills, self.shop)?;
         }
         let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
+        self.drilled(diameter)
+    }
+
+    /// The step of a drill; its point must have room above a flat floor.
+    fn drilled(self, diameter: Micrometres) -> Tried<RouteStep> {
+        let depth = self.bore.place.depth;
+        let point = cone(diameter, point_angle(self.shop.knowledge, Operation::Drill));
+        if self.sizes.level_floor && self.bore.has_floor() && point >= depth {
+            return Err(Refusal::Not(Reason::TooShallowForFlat { depth, diameter }));
+        }
         Ok(RouteStep::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
     }
 

@@ -101,6 +101,10 @@ pub struct RouteStep {
     pub entry_cylinder: Option<Micrometres>,
     /// The diameter that a step drill makes in the same stroke.
     pub also: Option<Micrometres>,
+    /// Whether its mill makes a flat floor: it goes down into the cone that the drill left.
+    pub levels: bool,
+    /// Whether its countersink goes round the edge, because none is wide enough to be sunk into it.
+    pub goes_round: bool,
     /// Whether it is done on another machine.
     pub elsewhere: bool,
     /// Whether its drill is used here only because another hole has it in the magazine.
@@ -165,6 +169,8 @@ impl RouteStep {
             angle_millideg: None,
             entry_cylinder: None,
             also: None,
+            levels: false,
+            goes_round: false,
             elsewhere: false,
             borrowed: false,
             required_finish: None,

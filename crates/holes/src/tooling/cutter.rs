@@ -130,10 +130,21 @@ pub struct CutterNeed<'a> {
     pub hole_above: Option<(Micrometres, Micrometres)>,
     /// Clearance between an end mill and the hole in which it moves round.
     pub clearance: Micrometres,
-    /// The widest mill that may cut its way down, where it need not enter the hole.
-    pub plunges: Option<Micrometres>,
+    /// How much wider than its front a countersink must be to go round the edge; absent where it is sunk.
+    pub round: Option<Micrometres>,
+    /// How wide a mill may be that cuts its way down; absent where it only goes into the hole.
+    pub plunges: Option<Plunging>,
     /// By how much a reamer or core drill of the catalog may be ground down.
     pub grind_limit: Micrometres,
+}
+
+/// How wide a mill may be that cuts its way straight down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Plunging {
+    /// The widest that need not enter the hole; zero where every mill must enter it.
+    pub widest: Micrometres,
+    /// The widest whose end teeth do not reach its middle: that must lie over the hole. Zero where there is metal.
+    pub without_middle: Micrometres,
 }
 
 impl CutterNeed<'_> {
@@ -158,6 +169,7 @@ impl CutterNeed<'_> {
             entry_cylinder: None,
             hole_above: None,
             clearance: Micrometres::ZERO,
+            round: None,
             plunges: None,
             grind_limit: Micrometres::ZERO,
         }
@@ -187,7 +199,9 @@ pub(super) fn cutters<'s, 'k>(
     let ground = is_grindable(need.operation) && tables.iter().all(|(_, rows)| fitting(rows, need, false).is_empty());
     let (mut cutters, mut rejected) = (Vec::new(), Vec::new());
     for (head, rows) in &tables {
-        if !head.operations.contains(&need.operation) {
+        // A slot mill has two teeth and short ones: it is taken only to go down.
+        let goes_down = need.operation != Operation::Mill || need.plunges.is_some();
+        if !head.operations.contains(&need.operation) || (head.centre_cutting && !goes_down) {
             continue;
         }
         for candidate in fitting(rows, need, ground) {

@@ -16,7 +16,7 @@ use crate::reason::Unfit;
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
-pub use cutter::{Cutter, CutterNeed};
+pub use cutter::{Cutter, CutterNeed, Plunging};
 pub use holder::Assembly;
 pub use sizes::{DrillSize, drill_sizes};
 

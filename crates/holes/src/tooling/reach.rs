@@ -31,10 +31,20 @@ fn fault(row: &CutterRow<'_>, head: &ToolHead, need: &CutterNeed<'_>, machine: &
     {
         return Some(CutterFault::MillTooLarge { diameter, limit: machine.end_mill_max });
     }
+    if let (Some(down), Some(diameter)) = (need.plunges, row.diameter)
+        && head.operations.contains(&Operation::Mill)
+        && !head.centre_cutting
+        && diameter > down.without_middle
+    {
+        return Some(CutterFault::NoTeethInMiddle { diameter, widest: down.without_middle });
+    }
     if let Some(diameter) = row.diameter.filter(|own| *own > machine.tool_diameter_max) {
         return Some(CutterFault::TooWide { diameter, limit: machine.tool_diameter_max });
     }
-    if let (Some(diameter), Some(within)) = (row.diameter, need.entry_cylinder)
+    // What goes round sweeps the circle of its middle beside its own.
+    let circle = need.round.map(|wider| need.diameter - row.tip_diameter.unwrap_or_default() - wider);
+    let swept = row.diameter.map(|own| own + circle.unwrap_or_default());
+    if let (Some(diameter), Some(within)) = (swept, need.entry_cylinder)
         && diameter >= within
     {
         return Some(CutterFault::DoesNotPass { diameter, within });

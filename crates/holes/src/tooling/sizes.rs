@@ -47,13 +47,15 @@ fn is_of_size(row: &CutterRow<'_>, need: &CutterNeed<'_>, ground: bool) -> bool 
         Operation::CentreDrill => own >= need.diameter,
         Operation::Mill => {
             let enters = own + need.clearance <= need.enters;
-            own > Micrometres::ZERO && (enters || need.plunges.is_some_and(|widest| own <= widest))
+            own > Micrometres::ZERO && (enters || need.plunges.is_some_and(|down| own <= down.widest))
         }
         Operation::Countersink | Operation::Chamfer => {
             let angle = f64::from(need.angle_millideg.unwrap_or_default());
-            own >= need.diameter
-                && row.cone_angle.is_some_and(|own| (own.0 * 1000.0 - angle).abs() < 0.5)
-                && row.tip_diameter.is_some_and(|tip| tip < need.enters)
+            let fits = |tip: Micrometres| match need.round {
+                Some(wider) => tip + wider <= own && tip + wider < need.enters,
+                None => own >= need.diameter && tip < need.enters,
+            };
+            row.cone_angle.is_some_and(|own| (own.0 * 1000.0 - angle).abs() < 0.5) && row.tip_diameter.is_some_and(fits)
         }
         Operation::Tap => row.thread == need.thread,
         _ if ground => own > need.nominal && own - need.diameter <= need.grind_limit,

@@ -149,6 +149,9 @@ fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lan
     } else if transition.feature != Feature::Bore && transition.operation != Operation::Tap {
         clauses.push(say!(lang, "plan-step-depth", depth = transition.depth_mm));
     }
+    if transition.operation != Operation::Mill && transition.conditions.rounds.is_some() {
+        clauses.push(say!(lang, "plan-step-round").to_owned());
+    }
     if transition.face == Face::Back {
         clauses.push(say!(lang, "plan-step-back").to_owned());
     }

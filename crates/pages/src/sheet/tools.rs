@@ -45,7 +45,7 @@ pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
 }
 
 /// A tool as ordered, and the size to which it is ground where no catalog has its size.
-fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
+pub(crate) fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
     let designation = format!("{}{mark}", tool.designation);
     match tool.ground_from_mm {
         // A new one is wider than its size by a part of the field H that it is for.

@@ -168,6 +168,7 @@ characteristic-cutter-grind-share = share that may be ground off a cutter
 characteristic-reamer-least-share = share of its hole's field that a reamer has at least
 characteristic-finest-bought-grade = finest field of bought reamers
 characteristic-coarsest-bought-grade = coarsest field of bought reamers
+characteristic-edge-clearance-mm = clearance of a countersink that goes round an edge
 characteristic-mill-core-share = share of an end mill without teeth
 characteristic-mill-clearance-mm = room for an end mill, mm
 characteristic-milled-roundness-share = share of the tolerance for the roundness of milling

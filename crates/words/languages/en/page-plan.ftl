@@ -45,6 +45,7 @@ plan-step-passes = { $count } { $count ->
     [one] pass
    *[other] passes
 }
+plan-step-round = round the edge
 plan-step-stock = stock { $stock } mm, down to the machined face
 plan-step-depth = depth { $depth } mm
 plan-step-back = from the back

@@ -168,6 +168,7 @@ characteristic-cutter-grind-share = частка перешліфовуванн�
 characteristic-reamer-least-share = найменша частка поля отвору в розмірі розвертки
 characteristic-finest-bought-grade = найточніше поле покупних розверток
 characteristic-coarsest-bought-grade = найгрубіше поле покупних розверток
+characteristic-edge-clearance-mm = запас зенківки, що обходить край
 characteristic-mill-core-share = частка фрези без зубів посередині
 characteristic-mill-clearance-mm = зазор кінцевої фрези, мм
 characteristic-milled-roundness-share = частка допуску на круглість після фрезерування

@@ -34,6 +34,7 @@ plan-step-passes = { $count } { $count ->
     [few] робочі ходи
    *[many] робочих ходів
 }
+plan-step-round = обходячи край по колу
 plan-step-stock = припуск { $stock } мм, до обробленого торця
 plan-step-depth = глибина { $depth } мм
 plan-step-back = зі зворотного боку

@@ -156,11 +156,13 @@ impl Fitting<'_, '_> {
             None => (!self.hole.through).then_some(self.hole.depth),
         }
     }
-}
 
-/// How far the flat front of a countersink stands beyond the drawn cone, in the hole below it.
-pub(super) fn beyond_cone(step: &RouteStep, front: Option<Micrometres>) -> Micrometres {
-    let (Some(angle), Some(front)) = (step.angle_millideg, front) else { return Micrometres::ZERO };
-    let slope = libm::tan((f64::from(angle) / 2000.0).to_radians());
-    Micrometres::from_mm_rounded((step.from - front).max(Micrometres::ZERO).to_mm() / 2.0 / slope)
+    /// How far the flat front of a countersink stands beyond the drawn cone, in the hole below it.
+    pub(super) fn beyond_cone(&self, step: &RouteStep, front: Option<Micrometres>) -> Micrometres {
+        let (Some(angle), Some(front)) = (step.angle_millideg, front) else { return Micrometres::ZERO };
+        let slope = libm::tan((f64::from(angle) / 2000.0).to_radians());
+        let half =
+            if step.goes_round { self.edge_clearance.to_mm() } else { (step.from - front).to_mm().max(0.0) / 2.0 };
+        Micrometres::from_mm_rounded(half / slope)
+    }
 }

@@ -100,20 +100,23 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
 
     /// Milling of the contour: after a drill, from the largest one that leaves the mill some stock; as the first
     /// transition, from the existing hole. A cylinder that ends with it is roughed first, and finished by a round of its own
-    /// where the rule `milling-finish-round` asks for one: the feed of that round would make all others slow.
+    /// where the rule `milling-finish-round` asks for one: the feed of that round would make all others slow. On a flat floor
+    /// it makes that, too.
     pub(super) fn mill(self) -> Tried<Vec<RouteStep>> {
         let from = if self.after_drill() { self.drill_to_open()? } else { self.start()? };
-        let last = self.leaves == self.bore.diameter.target() && self.bore.thread.is_none();
+        let last = self.leaves == super::aimed(&self.bore.diameter, self.shop)? && self.bore.thread.is_none();
         let (it, roughness) = (self.bore.diameter.it, self.bore.roughness);
         let round = self.shop.knowledge.ask(&MillingFinishRoundFor { it, roughness })?.need(&format!("IT {it}"))?;
         let roughed = self.leaves - round.stock - round.stock;
         let rough = Self { leaves: roughed, ..self };
         let least = self.shop.convention(HoleDefault::LeastStockMill)?;
+        let levels = self.sizes.level_floor && self.bore.has_floor();
         if !last || round.stock == Micrometres::ZERO || roughed - from < least {
-            return Ok(vec![self.step(from)]);
+            return Ok(vec![RouteStep { levels, ..self.step(from) }]);
         }
         let note = Note::new("milling-finish-round").with("stock", round.stock);
         let because = vec![Because::row(round.row, note)];
-        Ok(vec![rough.step(from), RouteStep { because, entered: Some(from), ..self.step(roughed) }])
+        let rough = RouteStep { levels, ..rough.step(from) };
+        Ok(vec![rough, RouteStep { because, entered: Some(from), ..self.step(roughed) }])
     }
 }

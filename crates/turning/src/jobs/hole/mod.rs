@@ -306,6 +306,7 @@ fn cut(
         surface: Surface::None,
         it: None,
         pitch: None,
+        around: None,
         plunges: false,
         cutter: None,
     }

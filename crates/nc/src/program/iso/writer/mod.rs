@@ -95,7 +95,7 @@ pub fn write(job: &Job, control: &Control, form: Form) -> WrittenProgram {
     sheet.finish(&ascii(&job.part), unfinished)
 }
 
-/// A tool for people: its number, name, diameter, offset register and designation.
+/// A tool for people: its number, name, diameter, offset register and designation, and what it is ground from.
 fn named(work: &ToolWork) -> String {
     let name = work.operation.name().to_ascii_uppercase().replace('-', " ");
     let ToolWork { tool, diameter_mm, corrector, .. } = work;
@@ -104,7 +104,8 @@ fn named(work: &ToolWork) -> String {
         Some(also) => ("STEP ", format!("/D{also}")),
         None => ("", String::new()),
     };
-    format!("T{tool} {step}{name} D{diameter_mm}{also} H{corrector} {}", ascii(&work.designation))
+    let ground = work.ground_from_mm.map(|from| format!(" GROUND FROM D{from}")).unwrap_or_default();
+    format!("T{tool} {step}{name} D{diameter_mm}{also} H{corrector} {}{ground}", ascii(&work.designation))
 }
 
 /// What the operator does, in letters that every control can show.

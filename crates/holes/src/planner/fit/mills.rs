@@ -1,0 +1,100 @@
+//! Mills that go down and round, and countersinks that go round an edge.
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::plan::Feature;
+use crate::reason::{Reason, Unfit};
+use crate::route::RouteStep;
+use crate::shop::Shop;
+use crate::tables::holes::HoleDefault;
+use crate::tooling::{self, Assembly, Cutter, CutterNeed, Plunging};
+use crate::units::Micrometres;
+
+use super::Fitting;
+
+/// A cutter in its holder, or why none of those of its size is right.
+type FoundTool<'s, 'k> = Result<Result<(Cutter<'s, 'k>, Assembly), Vec<Unfit>>, KnowledgeError>;
+
+impl<'k> Fitting<'_, 'k> {
+    /// The mill of a step: the first that is found by these wishes, in this order. One that makes a floor cuts down to its middle
+    /// and leaves itself room to move; one that opens a hole enters it, or cuts its way down on the rim of it.
+    pub(super) fn find_mill<'s>(
+        &self,
+        step: &RouteStep,
+        need: &CutterNeed<'_>,
+        shop: &'s Shop<'k>,
+    ) -> FoundTool<'s, 'k> {
+        let share = self.floor_mill_share;
+        let room = Micrometres::from_mm_rounded((1.0 - share) * step.diameter.to_mm()).max(need.clearance);
+        let any = Plunging { widest: Micrometres::ZERO, without_middle: step.diameter };
+        let in_metal = Plunging { widest: Micrometres::ZERO, without_middle: Micrometres::ZERO };
+        let wishes = match (step.levels, step.from == step.diameter) {
+            (true, true) => vec![
+                CutterNeed { clearance: room, plunges: Some(in_metal), ..*need },
+                CutterNeed { plunges: Some(in_metal), ..*need },
+                CutterNeed { clearance: room, plunges: Some(any), ..*need },
+                CutterNeed { plunges: Some(any), ..*need },
+            ],
+            (true, false) => {
+                let within = CutterNeed { enters: step.diameter, clearance: room, ..*need };
+                vec![
+                    CutterNeed { plunges: Some(in_metal), ..within },
+                    CutterNeed { clearance: need.clearance, plunges: Some(in_metal), ..within },
+                    CutterNeed { plunges: Some(any), ..within },
+                ]
+            }
+            (false, _) if step.place.feature == Feature::Bore => vec![*need],
+            (false, _) => {
+                let down = |share| CutterNeed { plunges: Some(self.plunging(step, share)), ..*need };
+                // On a face a mill that enters the hole is small for its work.
+                let face = step.place.feature == Feature::Face;
+                if face { vec![down(share)] } else { vec![*need, down(share), down(1.0)] }
+            }
+        };
+        let mut first = None;
+        for wish in &wishes {
+            match tooling::find_tool(wish, shop)? {
+                Ok(found) => return Ok(Ok(found)),
+                // On a floor the last wish is the least.
+                Err(why) if step.levels => first = Some(why),
+                Err(why) => drop(first.get_or_insert(why)),
+            }
+        }
+        Ok(Err(first.unwrap_or_default()))
+    }
+
+    /// How wide a mill may be that cuts its way down over a hole: so that its circles are not so small that its centre hardly
+    /// moves, and where its teeth do not reach its middle, so that this lies over the hole.
+    pub(super) fn plunging(&self, step: &RouteStep, share: f64) -> Plunging {
+        let widest =
+            Micrometres::from_mm_rounded(step.diameter.to_mm() * share).min(step.diameter - Micrometres::new(1));
+        let without_middle = Micrometres::from_mm_rounded(step.from.to_mm() / self.mill_core_share);
+        Plunging { widest, without_middle }
+    }
+
+    /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.
+    pub(super) fn round_enough(&self, step: &RouteStep) -> Tried<()> {
+        let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
+        let tolerance = match step.place.step {
+            Some(number) => self.hole.steps.get(number - 1).map(|step| (&step.diameter.upper, &step.diameter.lower)),
+            None if step.place.feature == Feature::Bore => Some((&self.hole.diameter.upper, &self.hole.diameter.lower)),
+            None => None,
+        };
+        let target = match step.place.step {
+            Some(number) => self.hole.steps.get(number - 1).map(|step| step.diameter.target()),
+            None => Some(self.hole.diameter.target()),
+        };
+        let Some((upper, lower)) = tolerance.filter(|_| target == Some(step.diameter)) else { return Ok(()) };
+        let share = self.shop.share(HoleDefault::MilledRoundnessShare)?;
+        let most = Micrometres::from_mm_rounded((*upper - *lower).to_mm() * share);
+        if roundness > most {
+            return Err(Refusal::Not(Reason::MilledNotRound { roundness, most, diameter: step.diameter }));
+        }
+        Ok(())
+    }
+
+    /// How much wider a countersink that goes round an edge is at its face than at its front: the cone of the drawing, and
+    /// beside it the room of its front.
+    pub(super) fn wider_than_front(&self, step: &RouteStep) -> Micrometres {
+        step.diameter - step.from + self.edge_clearance + self.edge_clearance
+    }
+}
