@@ -140,21 +140,13 @@ fn circles(
     shop: &Shop<'_>,
 ) -> Result<CycleKind, KnowledgeError> {
     let resolution = shop.machine.resolution;
-    let (levels, passes) = (i64::from(rounds.levels.max(1)), i64::from(rounds.passes.max(1)));
+    let levels = i64::from(rounds.levels.max(1));
     let depth = transition.depth - transition.start;
     let level = |number: i64| match number == levels {
         true => top - transition.end,
         false => top - transition.start - depth.ratio(number, levels),
     };
-    // A thin last pass is not one of the equal ones.
-    let finish = rounds.finish_mm.filter(|_| passes > 1);
-    let (equal, thin) = finish.map_or((passes, Micrometres::ZERO), |finish| (passes - 1, finish + finish));
-    let stock = transition.diameter - thin - rounds.from_diameter_mm;
-    let after = |pass: i64| match pass > equal {
-        true => transition.diameter,
-        false => rounds.from_diameter_mm + stock.ratio(pass, equal),
-    };
-    let radius = |pass: i64| (after(pass) - rounds.mill_diameter_mm).half();
+    let radius = |pass: u32| (rounds.after(pass, transition.diameter) - rounds.mill_diameter_mm).half();
     let round = feed(transition, shop)?;
     let plunge_mm_per_min = match rounds.plunge_feed_mm_per_min {
         Some(planned) => Some(in_steps(planned, shop)?).filter(|plunge| *plunge != round),
@@ -163,7 +155,7 @@ fn circles(
     Ok(CycleKind::Circles {
         plunge_mm_per_min,
         levels: (1..=levels).map(|number| level(number).on_grid(resolution)).collect(),
-        radii: (1..=passes).map(|pass| radius(pass).on_grid(resolution)).collect(),
+        radii: (1..=rounds.passes.max(1)).map(|pass| radius(pass).on_grid(resolution)).collect(),
         sense,
     })
 }

@@ -33,7 +33,7 @@ use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
 pub use cycle::{Feeding, convention, cycle};
 pub use make::make;
-pub use time::{Duration, Hands, times};
+pub use time::{Duration, Hands, timed};
 pub use unfinished::{Left, Unfinished};
 
 /// Everything that a machine does for a part.

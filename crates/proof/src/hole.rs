@@ -273,8 +273,8 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// The first cut in a cast hole, of each pass, at the place where radius and axis of the hole leave the least: it
-    /// must get under the skin. Where the drawing leaves too little for any cut, the fault is that of the blank.
+    /// The first pass in a cast hole, at the place where radius and axis of the hole leave the least: it must get under
+    /// the skin. Where the drawing leaves too little for any cut, the fault is that of the blank.
     fn under_skin(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
         let BlankHole::Cast(cast) = self.hole.state else { return Ok(()) };
         if before.made_by != MadeBy::BlankHole || transition.elsewhere {
@@ -285,9 +285,12 @@ impl Walk<'_, '_> {
             return Ok(());
         }
         let (place, least) = (mm(ProofLimit::CastHolePlace)?, mm(ProofLimit::CastSkin)?);
-        let rounds = transition.conditions.rounds.map_or(1, |rounds| rounds.passes);
-        let passes = i64::from(transition.passes.max(1) * rounds.max(1));
-        let depth = (transition.diameter_mm - before.largest).half().ratio(1, passes);
+        let after = match transition.conditions.rounds {
+            Some(rounds) => rounds.after(1, transition.diameter_mm),
+            None => before.largest
+                + (transition.diameter_mm - before.largest).ratio(1, i64::from(transition.passes.max(1))),
+        };
+        let depth = (after - before.largest).half();
         if depth < place + least {
             self.faults.push(Fault::UnderSkin { operation: transition.operation, depth, place, least });
         }

@@ -17,11 +17,11 @@ mod running;
 pub mod setting;
 pub mod written;
 
-use std::collections::BTreeSet;
 
 use serde::Serialize;
 use technolog_note::note;
 
+pub use expression::MOST_OPERATIONS;
 pub use setting::Setting;
 
 use crate::error::KnowledgeError;
@@ -77,24 +77,12 @@ impl Language {
     }
 
     /// Leaves to another machine what the control cannot do of a plan: taps, where its spindle does not go with the feed.
-    pub fn leave(&self, plan: &mut Plan) {
-        let Self::Iso(control) = self else { return };
-        if control.taps() {
-            return;
+    /// Returns whether anything was left.
+    pub fn leave(&self, plan: &mut Plan) -> bool {
+        match self {
+            Self::Iso(control) if !control.taps() => plan.leave(Operation::Tap),
+            _ => false,
         }
-        let mut left = BTreeSet::new();
-        for hole in &mut plan.holes {
-            for (index, transition) in hole.transitions.iter_mut().enumerate() {
-                if transition.operation == Operation::Tap {
-                    transition.elsewhere = true;
-                    left.insert((hole.name.clone(), index));
-                }
-            }
-        }
-        for visit in &mut plan.sequence {
-            visit.stops.retain(|stop| !left.contains(&(stop.hole.clone(), stop.transition)));
-        }
-        plan.sequence.retain(|visit| !visit.stops.is_empty());
     }
 
     /// The program of a job.

@@ -1,6 +1,6 @@
 //! The execution of a program: its blocks, calls and repeats.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::block::{After, Maker};
@@ -205,7 +205,11 @@ impl<S: Sink> ProgramRun<'_, S> {
                 let millionths = libm::round(value * 1e6) as i64;
                 words.words.push(Word { address: *address, millionths, increments: false, point: true, span: *span });
             }
-            let mut carried = BlockWords::read(&words, self.control, &mut Vec::new());
+            // What is wrong with the other words has been told.
+            let mut told = Vec::new();
+            let mut carried = BlockWords::read(&words, self.control, &mut told);
+            let own: BTreeSet<TextSpan> = block.expressions.iter().map(|(.., span)| *span).collect();
+            faults.extend(told.into_iter().filter(|fault| own.contains(&fault.span)));
             if !known {
                 carried.passed = true;
                 carried.passes_on |= carried.function(Group::Cycle).is_some();
@@ -214,14 +218,15 @@ impl<S: Sink> ProgramRun<'_, S> {
         }
         // LinuxCNC sets parameters when the whole block is read.
         let set: Vec<_> = block.sets.iter().map(|(name, value)| self.set(name, value)).collect();
-        for (name, value) in set {
+        for ((name, value), (_, written)) in set.into_iter().zip(&block.sets) {
             match (name, value) {
                 (Some(name), Some(value)) => {
                     self.parameters.insert(name, value);
                 }
                 (Some(name), None) => {
                     self.parameters.remove(&name);
-                    faults.push(unknown(block.span));
+                    // What could not be read has been told.
+                    faults.extend(Some(unknown(block.span)).filter(|_| *written != Expression::unread()));
                 }
                 _ => faults.push(unknown(block.span)),
             }
