@@ -3,16 +3,18 @@
 use std::sync::Arc;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Knowledge;
+use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::material::Material;
 use crate::note::{Because, Figure, Note};
 use crate::part::Part;
 use crate::plan::{CuttingMethod, Operation};
 use crate::shelf::Shelf;
+use crate::tables::controls::{Convention, ProgramConventions};
 use crate::tables::holes::{HoleConvention, HoleDefault};
 use crate::tables::rules::CoolantFor;
-use crate::units::{Kilowatts, Micrometres, Microns, NewtonMetres, Roughness};
+use crate::units::{Kilowatts, Micrometres, Microns, MillimetresPerMinute, NewtonMetres, Roughness};
+use technolog_note::note;
 
 /// The knowledge, the machine at hand and the material.
 #[derive(Clone, Debug)]
@@ -119,4 +121,29 @@ impl<'k> Shop<'k> {
     pub fn with(machine: Machine<'k>, material: Material<'k>, method: CuttingMethod, knowledge: &'k Knowledge) -> Self {
         Self { knowledge, machine, material, method, shelf: Arc::new(Shelf::new(knowledge)) }
     }
+}
+
+/// A figure of the table `program-conventions`, in the unit of its name, and the row.
+///
+/// # Errors
+/// The table lacks the figure, or has it in another unit.
+pub fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRef<'_>), KnowledgeError> {
+    let found = knowledge.need(name.name(), |row: &ProgramConventions<'_>| row.name == name)?;
+    if found.unit != name.unit() {
+        let problem = note!("nc-must", value = name.name(), unit = name.unit());
+        return Err(KnowledgeError::missing(&found.row.table.id, problem));
+    }
+    Ok((found.value, found.row))
+}
+
+/// A feed in the steps of programs, rounded down so that no load grows; at least one step.
+///
+/// # Errors
+/// The table `program-conventions` does not name the step.
+pub fn programmed_feed(
+    planned: MillimetresPerMinute,
+    knowledge: &Knowledge,
+) -> Result<MillimetresPerMinute, KnowledgeError> {
+    let step = convention(Convention::FeedStep, knowledge)?.0;
+    Ok(MillimetresPerMinute(libm::floor(planned.0 / step).max(1.0) * step))
 }

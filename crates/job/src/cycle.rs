@@ -1,12 +1,11 @@
 //! The cycle of one transition, by the rule `machining-cycle`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef};
 use crate::motion::Sense;
 use crate::note::{Because, Note};
 use crate::plan::{Conditions, Operation, Rounds, Transition};
-use crate::shop::Shop;
-use crate::tables::controls::{Convention, ProgramConventions};
+use crate::shop::{Shop, convention, programmed_feed};
+use crate::tables::controls::Convention;
 use crate::tables::rules::{HoleCycle, MachiningCycle, MachiningCycleFor, MillingDirection};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 use technolog_note::note;
@@ -149,7 +148,7 @@ fn circles(
     let radius = |pass: u32| (rounds.after(pass, transition.diameter) - rounds.mill_diameter_mm).half();
     let round = feed(transition, shop)?;
     let plunge_mm_per_min = match rounds.plunge_feed_mm_per_min {
-        Some(planned) => Some(in_steps(planned, shop)?).filter(|plunge| *plunge != round),
+        Some(planned) => Some(programmed_feed(planned, shop.knowledge)?).filter(|plunge| *plunge != round),
         None => None,
     };
     Ok(CycleKind::Circles {
@@ -166,12 +165,7 @@ fn feed(transition: &Feeding<'_>, shop: &Shop<'_>) -> Result<MillimetresPerMinut
     if transition.operation == Operation::Tap {
         return Ok(planned);
     }
-    in_steps(planned, shop)
-}
-
-fn in_steps(planned: MillimetresPerMinute, shop: &Shop<'_>) -> Result<MillimetresPerMinute, KnowledgeError> {
-    let step = convention(Convention::FeedStep, shop.knowledge)?.0;
-    Ok(MillimetresPerMinute(libm::floor(planned.0 / step).max(1.0) * step))
+    programmed_feed(planned, shop.knowledge)
 }
 
 /// The height above the entry face at which a tool moves from point to point.
@@ -179,17 +173,4 @@ fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError>
     let (value, row) = convention(Convention::Withdrawal, shop.knowledge)?;
     let height = Micrometres::from_mm_rounded(value);
     Ok((height, Because::row(row, Note::new("withdrawal").with("height", height))))
-}
-
-/// A figure of the table `program-conventions`, in the unit of its name, and the row.
-///
-/// # Errors
-/// The table lacks the figure, or has it in another unit.
-pub fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRef<'_>), KnowledgeError> {
-    let found = knowledge.need(name.name(), |row: &ProgramConventions<'_>| row.name == name)?;
-    if found.unit != name.unit() {
-        let problem = note!("nc-must", value = name.name(), unit = name.unit());
-        return Err(KnowledgeError::missing(&found.row.table.id, problem));
-    }
-    Ok((found.value, found.row))
 }

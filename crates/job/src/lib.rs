@@ -31,7 +31,8 @@ use crate::part::{Face, Point, Standing};
 use crate::plan::Operation;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
-pub use cycle::{Feeding, convention, cycle};
+pub use cycle::{Feeding, cycle};
+pub use shop::convention;
 pub use make::make;
 pub use time::{Duration, Hands, timed};
 pub use unfinished::{Left, Unfinished};

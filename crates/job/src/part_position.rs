@@ -11,7 +11,7 @@ use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 use crate::zone::Stroke;
 
-use super::cycle::convention;
+use crate::shop::convention;
 use super::{SetUp, ToolWork};
 
 /// The position of the part on the machine.

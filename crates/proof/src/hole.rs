@@ -214,7 +214,9 @@ impl Walk<'_, '_> {
         } else if tip >= thickness {
             self.faults.push(Fault::BreaksThrough { operation, tip, thickness });
         } else if floor < least && matches!(operation, Operation::Drill | Operation::DrillOut) {
-            self.faults.push(Fault::ThinFloor { operation, tip, floor, least });
+            let share = tool::limit(ProofLimit::LeastFloorShare, self.shop)?;
+            let bursts = floor.to_mm() < share * least.to_mm();
+            self.faults.push(Fault::ThinFloor { operation, tip, floor, least, bursts });
         }
         let main = CylinderId::of(transition) == Some(CylinderId::Main);
         let floored = main && required.flat && !self.hole.through && !transition.elsewhere;

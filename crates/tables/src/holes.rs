@@ -86,6 +86,7 @@ vocabulary! {
         UnfinishedShare = "unfinished-share",
         ReamerChipRoom = "reamer-chip-room-mm",
         NearTieShare = "near-tie-share",
+        FinestCentres = "finest-centres-mm",
     }
 }
 

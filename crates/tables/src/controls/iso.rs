@@ -157,6 +157,8 @@ vocabulary! {
         ToolTakenOut = "tool-taken-out",
         ArcToleranceInches = "arc-tolerance-inches",
         ArcReach = "arc-reach",
+        LocalParameters = "local-parameters",
+        FreeParameters = "free-parameters",
     }
 }
 

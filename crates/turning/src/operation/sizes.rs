@@ -9,8 +9,12 @@ use technolog_core::part::Deviations;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::Elsewhere;
-use crate::turning::contour::{Contour, Piece, Profile, Resized, Side, Surface, SurfaceKind, SurfaceName, resized};
+use crate::turning::contour::{
+    Contour, Piece, Profile, Resized, Side, Slopes, Surface, SurfaceKind, SurfaceName, resized,
+};
+use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
 use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::SetUp;
@@ -68,6 +72,7 @@ pub struct Sizes {
     pub surfaces: Vec<Sized>,
     outer: Vec<Resized>,
     inner: Vec<Resized>,
+    slopes: Slopes,
     length: Half,
 }
 
@@ -83,7 +88,13 @@ impl Sizes {
         axials: &[Option<Axial>],
         knowledge: &Knowledge,
     ) -> Result<(Self, Vec<Finding>), KnowledgeError> {
-        let mut sizes = Self { length: workpiece.length(), ..Self::default() };
+        let mut limits = Limits::of(knowledge);
+        let slopes = Slopes {
+            rise: limits.ratio(JobLimit::FitRise)?,
+            fall: limits.ratio(JobLimit::FitFall)?,
+            far: limits.length(JobLimit::FitSlopeFar)?.to_mm(),
+        };
+        let mut sizes = Self { length: workpiece.length(), slopes, ..Self::default() };
         let mut findings = Vec::new();
         for profile in std::iter::once(&workpiece.outer).chain(&workpiece.inner) {
             let blank = match profile.side {
@@ -132,7 +143,7 @@ impl Sizes {
             return contour;
         }
         let marked = contour.pieces.into_iter().map(|piece| (piece, ())).collect();
-        let pieces = resized(marked, contour.side, &all).into_iter().map(|(piece, ())| piece).collect();
+        let pieces = resized(marked, contour.side, &all, self.slopes).into_iter().map(|(piece, ())| piece).collect();
         Contour { side: contour.side, pieces }
     }
 
@@ -144,7 +155,7 @@ impl Sizes {
         }
         let marked = profile.surfaces.iter().enumerate();
         let marked = marked.flat_map(|(index, surface)| surface.pieces.iter().map(move |piece| (*piece, index)));
-        let made = resized(marked.collect(), profile.side, &all);
+        let made = resized(marked.collect(), profile.side, &all, self.slopes);
         let own = |index| made.iter().filter(|(_, of)| *of == index).map(|(piece, _)| *piece).collect();
         let surfaces = profile.surfaces.iter().enumerate();
         let surfaces = surfaces.map(|(index, surface)| Surface { pieces: own(index), ..surface.clone() }).collect();

@@ -89,15 +89,8 @@ fn once(faults: Vec<Fault>) -> Vec<Fault> {
 fn parameters(blocks: &[Block], control: &Control) -> Parameters {
     let calculates = |block: &Block| !block.expressions.is_empty() || !block.sets.is_empty();
     let used = blocks.iter().any(|block| calculates(block) || !block.arguments.is_empty());
-    let last = if used && control.is(Q::OWords) { FREE_PARAMETERS } else { 0 };
-    (1..=last).map(|number| (format!("#{number}"), 0.0)).collect()
+    (1..=control.free_parameters).take_while(|_| used).map(|number| (format!("#{number}"), 0.0)).collect()
 }
-
-/// The parameters that each called o-word of LinuxCNC has for itself.
-const LOCAL_PARAMETERS: usize = 30;
-
-/// The last parameter of LinuxCNC that belongs to programs; those above are the control's own.
-const FREE_PARAMETERS: u32 = 5000;
 
 struct ProgramRun<'a, S> {
     blocks: &'a [Block],
@@ -275,13 +268,13 @@ impl<S: Sink> ProgramRun<'_, S> {
         BlockOutcome::On
     }
 
-    /// Gives the arguments of `o… call` to parameters 1 to 30, which a called o-word has for itself; what they were.
+    /// Gives the arguments of `o… call` to the parameters that a called o-word has for itself; what they were.
     fn hand_over(&mut self, block: &Block) -> Vec<(String, Option<f64>)> {
         if self.parameters.is_empty() || !matches!(block.label, Some(Label::Call(_))) {
             return Vec::new();
         }
         let given: Vec<Option<f64>> = block.arguments.iter().map(|given| given.value(&self.parameters)).collect();
-        let names = (1..=LOCAL_PARAMETERS).map(|number| format!("#{number}"));
+        let names = (1..=self.control.local_parameters).map(|number| format!("#{number}"));
         let before: Vec<_> = names.map(|name| (name.clone(), self.parameters.remove(&name))).collect();
         for (index, (name, _)) in before.iter().enumerate() {
             if let Some(value) = given.get(index).copied().unwrap_or(Some(0.0)) {
