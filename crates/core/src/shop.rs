@@ -68,15 +68,12 @@ impl<'k> Shop<'k> {
         Ok(Micrometres::from_mm_rounded(self.share(name)?))
     }
 
-    /// By how much a reamer or core drill of the catalogs may be ground down to that diameter: by a length and by a share of its
-    /// own diameter, whichever is less.
+    /// As [`grind_limit`].
     ///
     /// # Errors
     /// The table `hole-defaults` does not name them.
     pub fn grind_limit(&self, diameter: Micrometres) -> Result<Micrometres, KnowledgeError> {
-        let (limit, share) =
-            (self.convention(HoleDefault::CutterGrindLimit)?, self.share(HoleDefault::CutterGrindShare)?);
-        Ok(limit.min(Micrometres::from_mm_rounded(diameter.to_mm() * share / (1.0 - share))))
+        grind_limit(diameter, self.knowledge)
     }
 
     /// Whether an operation uses coolant where its speed does not say so, by the rule `coolant`.
@@ -134,6 +131,23 @@ pub fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRe
         return Err(KnowledgeError::missing(&found.row.table.id, problem));
     }
     Ok((found.value, found.row))
+}
+
+/// By how much a reamer or core drill of the catalogs may be ground down to that diameter: by a length and by a share of its own
+/// diameter, whichever is less.
+///
+/// # Errors
+/// The table `hole-defaults` does not name them.
+pub fn grind_limit(diameter: Micrometres, knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    let figure = |name| HoleConvention::of(name, knowledge).map(|row| row.value);
+    let (limit, share) = (figure(HoleDefault::CutterGrindLimit)?, figure(HoleDefault::CutterGrindShare)?);
+    Ok(Micrometres::from_mm_rounded(limit.min(diameter.to_mm() * share / (1.0 - share))))
+}
+
+/// The widest mill that may cut its way down over a hole: its middle, which has no teeth and is `core` of its diameter
+/// (`mill-core-share` of `hole-defaults`), must lie over the hole.
+pub fn widest_over_hole(hole: Micrometres, core: f64) -> Micrometres {
+    Micrometres::from_mm_rounded(hole.to_mm() / core)
 }
 
 /// A feed in the steps of programs, rounded down so that no load grows; at least one step.

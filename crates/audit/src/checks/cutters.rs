@@ -5,6 +5,7 @@ use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::reason::{OfOther, Unfit};
+use crate::shop::widest_over_hole;
 use crate::tables::holes::HoleDefault;
 use crate::tooling::CutterNeed;
 use crate::tooling::named;
@@ -112,14 +113,9 @@ fn need<'a>(
             _ => None,
         },
         clearance: Micrometres::ZERO,
-        plunges: (operation == Operation::Mill && !row.opens_main_cylinder()).then(|| over_hole(context, enters)),
+        plunges: (operation == Operation::Mill && !row.opens_main_cylinder())
+            .then(|| widest_over_hole(enters, context.shop.share(HoleDefault::MillCoreShare).unwrap_or(1.0))),
         grind_limit: context.shop.grind_limit(diameter).unwrap_or_default(),
         ..CutterNeed::plain(operation, diameter)
     }
-}
-
-/// The widest mill that may cut its way down over a hole of that diameter: its middle, which has no teeth, must lie over the hole.
-fn over_hole(context: &Context<'_>, hole: Micrometres) -> Micrometres {
-    let core = context.shop.share(HoleDefault::MillCoreShare).unwrap_or(1.0);
-    Micrometres::from_mm_rounded(hole.to_mm() / core)
 }

@@ -1,5 +1,8 @@
 //! The limits of a tolerance field, `f7` or `P7`, from the nominal size (ISO 286-1).
 
+use std::fmt;
+use std::ops::RangeInclusive;
+
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, QueryError};
 use crate::tables::rules::{FieldBegins, FieldPositionFor};
@@ -15,6 +18,15 @@ pub struct Deviations {
     pub lower: Micrometres,
 }
 
+/// As drawings have them: each with its sign, zero without, the upper one first.
+impl fmt::Display for Deviations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = |deviation: Micrometres| if deviation > Micrometres::ZERO { "+" } else { "" };
+        let Self { upper, lower } = *self;
+        write!(f, "{}{upper}/{}{lower}", sign(upper), sign(lower))
+    }
+}
+
 impl Deviations {
     /// The width between the limits.
     pub fn width(self) -> Micrometres {
@@ -26,7 +38,28 @@ impl Deviations {
         self.upper + self.lower
     }
 
-    /// The coarsest grade that is no wider, at a size; the finest of the tables if all are.
+    /// The coarsest grade of some whose tolerance is within the limits, at a size.
+    ///
+    /// # Errors
+    /// The size is outside the table of tolerances, or the knowledge base is broken.
+    pub fn grade_among(
+        self,
+        grades: RangeInclusive<u8>,
+        size: Micrometres,
+        knowledge: &Knowledge,
+    ) -> Result<Option<ItGrade>, KnowledgeError> {
+        for it in grades.rev().filter_map(ItGrade::new) {
+            let tolerance = knowledge.ask(&ItGradesFor { it, diameter: size })?.need("it")?.tolerance;
+            // JS of an odd width is rounded down to whole micrometres on each side (ISO 286-1), and remains of its grade.
+            let js = self.upper == -self.lower && self.upper == tolerance.half();
+            if js || tolerance <= self.width() {
+                return Ok(Some(it));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The coarsest grade of the tables that is within the limits, at a size; the finest if all are wider.
     ///
     /// # Errors
     /// The knowledge base is broken.
@@ -34,13 +67,7 @@ impl Deviations {
         if size <= Micrometres::ZERO || size > LARGEST {
             return Ok(None);
         }
-        for it in (FINEST..=COARSEST).rev().filter_map(ItGrade::new) {
-            let asked = knowledge.ask(&ItGradesFor { it, diameter: size })?;
-            if asked.need("it")?.tolerance <= self.width() {
-                return Ok(Some(it));
-            }
-        }
-        Ok(ItGrade::new(FINEST))
+        Ok(self.grade_among(FINEST..=COARSEST, size, knowledge)?.or(ItGrade::new(FINEST)))
     }
 
     /// The deviations of a field by its letters and grade; none where the tables do not tell them. The half of an odd

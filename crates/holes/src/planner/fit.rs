@@ -19,7 +19,7 @@ use crate::reason::Reason;
 use crate::route::bores::EdgeCut;
 use crate::route::point::point_angle;
 use crate::route::{RouteStep, StepLocation};
-use crate::shop::Shop;
+use crate::shop::{Shop, widest_over_hole};
 use crate::tables::holes::HoleDefault;
 use crate::tables::rules::{Lead, ReamerLeadFor};
 use crate::tooling::{self, Assembly, CutterNeed};
@@ -453,9 +453,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
     /// The widest mill that may cut its way down over a hole: its teeth do not reach its middle, so that must lie over the hole;
     /// and its circles must not be so small that its centre hardly moves.
     fn widest_to_plunge(&self, step: &RouteStep) -> Micrometres {
-        let over_hole = step.from.to_mm() / self.mill_core_share;
         let share = if step.place.feature == Feature::Face { self.floor_mill_share } else { 1.0 };
-        Micrometres::from_mm_rounded(over_hole.min(step.diameter.to_mm() * share))
+        widest_over_hole(step.from, self.mill_core_share)
+            .min(Micrometres::from_mm_rounded(step.diameter.to_mm() * share))
             .min(step.diameter - Micrometres::new(1))
     }
 

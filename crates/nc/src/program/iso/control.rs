@@ -114,13 +114,10 @@ pub struct Control {
     setting: Limits,
 }
 
-/// The first words of the ids of records.
-const RECORD: &str = "control-";
-
 impl Control {
     /// The controls that have a record.
     pub fn names(knowledge: &Knowledge) -> impl Iterator<Item = &str> {
-        knowledge.tables_of::<Record<'_>>().filter_map(|table| table.id.strip_prefix(RECORD))
+        Record::names(knowledge)
     }
 
     /// Reads the language from the tables.
@@ -129,7 +126,7 @@ impl Control {
     /// There is no such control, or a table lacks what is needed.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let known = Self::names(knowledge).any(|name| name == control);
-        let table = knowledge.table(&format!("{RECORD}{control}"))?;
+        let table = Record::table(control, knowledge)?;
         if !known {
             return Err(KnowledgeError::missing(&table.id, note!("nc-interpreter", control = control)));
         }
