@@ -62,7 +62,11 @@ impl<'k> PracticeSpeed<'k> {
         material: &Material<'k>,
         of: impl Fn(&Material<'k>) -> Result<Option<Self>, KnowledgeError>,
     ) -> Result<Option<Self>, KnowledgeError> {
-        let at = |hardness: i64| of(&Material { hardness: Decimal::from_millionths(hardness), ..material.clone() });
+        let at = |hardness: i64| {
+            let mut softer = material.clone();
+            softer.hardness = Decimal::from_millionths(hardness);
+            of(&softer)
+        };
         let own = material.hardness.millionths();
         let (mut known, mut found) = (own, at(own)?);
         while found.is_none() && known > 0 {

@@ -228,9 +228,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
     };
     let plunge_feed = match draft.plunge {
         // In the steps of programs, so that plan and program take as long.
-        Some(Plunge { share, .. }) => {
-            Some(programmed_feed(MillimetresPerMinute(feed_rate.0 * share), shop.knowledge)?)
-        }
+        Some(Plunge { share, .. }) => Some(programmed_feed(MillimetresPerMinute(feed_rate.0 * share), shop.knowledge)?),
         None => None,
     };
     let down = draft.plunge.zip(plunge_feed).map_or(0.0, |(plunge, feed)| plunge.travel / feed.0);
@@ -252,10 +250,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         tool_life_min: tool_life.rounded(0),
         coolant: Some(coolant),
         computed_speed_m_per_min: lives_at.rounded(2),
-        rounds: draft.rounds.map(|rounds| crate::plan::Rounds {
-            plunge_feed_mm_per_min: plunge_feed,
-            ..rounds
-        }),
+        rounds: draft.rounds.map(|rounds| crate::plan::Rounds { plunge_feed_mm_per_min: plunge_feed, ..rounds }),
         card: draft.card,
         because,
     };

@@ -9,8 +9,8 @@ use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
-use crate::shop::convention;
 use super::{SetUp, ToolWork};
+use crate::shop::convention;
 
 /// A tool change above the part: the tools are not higher above it than during their motions.
 pub(super) fn change_over_part(

@@ -32,8 +32,8 @@ use crate::plan::Operation;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
 pub use cycle::{Feeding, cycle};
-pub use shop::convention;
 pub use make::make;
+pub use shop::convention;
 pub use time::{Duration, Hands, timed};
 pub use unfinished::{Left, Unfinished};
 

@@ -289,8 +289,9 @@ impl Walk<'_, '_> {
         let (place, least) = (mm(ProofLimit::CastHolePlace)?, mm(ProofLimit::CastSkin)?);
         let after = match transition.conditions.rounds {
             Some(rounds) => rounds.after(1, transition.diameter_mm),
-            None => before.largest
-                + (transition.diameter_mm - before.largest).ratio(1, i64::from(transition.passes.max(1))),
+            None => {
+                before.largest + (transition.diameter_mm - before.largest).ratio(1, i64::from(transition.passes.max(1)))
+            }
         };
         let depth = (after - before.largest).half();
         if depth < place + least {

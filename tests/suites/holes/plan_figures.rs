@@ -415,8 +415,14 @@ fn clamps_that_cannot_hold_a_part_are_told() {
              centre_tolerance: 0.5, at: [[0, 0]]}}\n"
         );
         let plan = planned(&read(&text), CuttingMethod::Formula);
-        let codes =
-            ["clamps-overlap", "clamp-outlines-overlap", "one-clamp-turns", "clamps-turn", "clamps-tip", "clamps-one-side"];
+        let codes = [
+            "clamps-overlap",
+            "clamp-outlines-overlap",
+            "one-clamp-turns",
+            "clamps-turn",
+            "clamps-tip",
+            "clamps-one-side",
+        ];
         let found = plan.findings.iter().filter(|finding| codes.contains(&finding.note.code()));
         let found = found.map(|finding| {
             let figure = |name| finding.note.figure_text(name).and_then(|text| text.parse::<f64>().ok());

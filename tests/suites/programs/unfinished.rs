@@ -86,7 +86,8 @@ fn tools_and_time_are_those_of_a_program_that_leaves_taps() {
         let taps = !["grbl", "mach3"].contains(&control);
         let planned = PlannedJob::of(plan.clone(), &language, &KNOWLEDGE).unwrap();
         let tools = &planned.plan.tools;
-        let tapping = |hole: &HolePlan| hole.transitions.iter().any(|it| it.operation == Operation::Tap && !it.elsewhere);
+        let tapping =
+            |hole: &HolePlan| hole.transitions.iter().any(|it| it.operation == Operation::Tap && !it.elsewhere);
         assert_eq!(planned.plan.holes.iter().any(tapping), taps);
         assert_eq!(tools.len(), whole.len() - usize::from(!taps), "{control}");
         let works = planned.job.setups.iter().flat_map(|setup| &setup.works);

@@ -119,3 +119,30 @@ impl Deviations {
 const FINEST: u8 = 5;
 const COARSEST: u8 = 14;
 const LARGEST: Micrometres = Micrometres::from_mm(500);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shipped;
+
+    /// IT8 of 20 is 33: js8 is ±16.5, which ISO 286-1 lets be ±16, and finer than that is js7, ±10. IT6 and IT7 of 40: 16, 25.
+    #[test]
+    fn limits_of_js_are_of_its_grade() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (upper, lower, size, grade) in [
+            (16, -16, 20, 8),
+            (15, -15, 20, 7),
+            (32, 0, 20, 7),
+            (33, 0, 20, 8),
+            (8, -8, 40, 6),
+            (12, -12, 40, 7),
+            (1, -1, 40, FINEST),
+        ] {
+            let limits = Deviations { upper: Micrometres::new(upper), lower: Micrometres::new(lower) };
+            let found = limits.grade(Micrometres::from_mm(size), &knowledge).unwrap();
+            assert_eq!(found, ItGrade::new(grade), "{size} {limits}");
+        }
+        let limits = Deviations { upper: Micrometres::new(16), lower: Micrometres::ZERO };
+        assert_eq!(limits.to_string(), "+0.016/0");
+    }
+}

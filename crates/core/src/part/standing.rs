@@ -30,9 +30,10 @@ impl Part {
     /// What stands over the face in a set-up, from 1. The clamps of the file are those of the first, and without an outline
     /// as wide as `foot` about the point where they press; one without a height is not known to be in the way.
     pub fn standing(&self, set_up: u32, foot: Micrometres) -> Vec<Standing> {
-        let clamps = self.fixture.clamps.iter().filter(|_| set_up == 1).filter_map(|clamp| {
-            Some(Standing { at: clamp.at, outline: clamp.outline(foot), height: clamp.height? })
-        });
+        let clamps =
+            self.fixture.clamps.iter().filter(|_| set_up == 1).filter_map(|clamp| {
+                Some(Standing { at: clamp.at, outline: clamp.outline(foot), height: clamp.height? })
+            });
         let obstacles = self.fixture.obstacles.iter().filter(|obstacle| obstacle.set_up == set_up).map(|obstacle| {
             let [a, b] = obstacle.outline.map(|corner| if set_up == 2 { self.turned_over(corner) } else { corner });
             let (low, high) = (Point { x: a.x.min(b.x), y: a.y.min(b.y) }, Point { x: a.x.max(b.x), y: a.y.max(b.y) });
@@ -138,7 +139,9 @@ mod tests {
         let square = |x, y| Outline::Box(point(x, y), point(x + 40, y + 40));
         assert!(!round(0, 0).overlaps(&round(30, 30)) && round(0, 0).overlaps(&round(30, 26)));
         assert!(!square(0, 0).overlaps(&square(40, 0)) && square(0, 0).overlaps(&square(39, 39)));
-        for (near, at) in [(true, square(14, 14)), (false, square(15, 15)), (false, square(-60, 0)), (true, square(-59, 0))] {
+        for (near, at) in
+            [(true, square(14, 14)), (false, square(15, 15)), (false, square(-60, 0)), (true, square(-59, 0))]
+        {
             assert_eq!([round(0, 0).overlaps(&at), at.overlaps(&round(0, 0))], [near, near], "{at:?}");
         }
     }

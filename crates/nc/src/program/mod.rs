@@ -17,7 +17,6 @@ mod running;
 pub mod setting;
 pub mod written;
 
-
 use serde::Serialize;
 use technolog_note::note;
 

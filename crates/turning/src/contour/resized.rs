@@ -43,12 +43,7 @@ impl Resized {
 
 /// Pieces, each with a mark, with their cylinders as made; what is beside them meets them there. Metal that a cylinder of the
 /// drawing has beyond them is made like its neighbour.
-pub fn resized<T: Copy>(
-    pieces: Vec<(Piece, T)>,
-    side: Side,
-    all: &[Resized],
-    slopes: Slopes,
-) -> Vec<(Piece, T)> {
+pub fn resized<T: Copy>(pieces: Vec<(Piece, T)>, side: Side, all: &[Resized], slopes: Slopes) -> Vec<(Piece, T)> {
     let mut made: Vec<(Piece, T)> = Vec::with_capacity(pieces.len());
     let mut moved = Vec::new();
     for (piece, mark) in pieces {
