@@ -116,7 +116,7 @@ fn mistakes_of_points_have_a_place_in_their_own_file() {
     let one = "0\nLWPOLYLINE\n8\nA\n70\n0\n10\n0\n20\n0\n10\n0\n20\n9\n10\n-80\n20\n9\n";
     assert_eq!(drawing(&format!("{one}{one}"), ""), ["dxf-many-polylines part.yaml:5:14"]);
     let round = "0\nLWPOLYLINE\n8\nA\n70\n0\n10\n0\n20\n0\n10\n0\n20\n9\n42\n1.5\n10\n-80\n20\n9\n";
-    assert_eq!(drawing(round, ""), ["dxf-arc-over-half d.dxf:17:1"]);
+    assert_eq!(drawing(round, ""), ["dxf-arc-over-half d.dxf:18:1"]);
     assert_eq!(drawing(one, ", layer: B"), ["dxf-no-polyline part.yaml:5:14"]);
     assert_eq!(drawing(&one.replace("70\n0", "70\n1"), ""), ["dxf-closed part.yaml:5:14"]);
     assert_eq!(drawing("0\nSECTION\n9\n$INSUNITS\n70\n1\n0\nENDSEC\n", ""), ["dxf-other-units part.yaml:5:14"]);

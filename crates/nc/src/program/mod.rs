@@ -32,6 +32,7 @@ use crate::motion::{BlockRef, MotionStep, Sink};
 use crate::note::{IntoFigure, Note, Severity};
 use crate::plan::{Operation, Plan};
 use crate::tables::controls::Letter;
+use running::BUDGET;
 use written::{Form, WrittenProgram};
 
 /// The name of 2С42-65.
@@ -106,8 +107,8 @@ impl Language {
     /// returned, sorted by place.
     pub fn check<S: Sink>(&self, text: &str, machine: &Machine<'_>, setting: &Setting, sink: &mut S) -> Vec<Fault> {
         match self {
-            Self::Control2c42(control) => control_2c42_65::check(text, control, machine, setting, sink),
-            Self::Iso(control) => iso::check(text, control, machine, setting, sink),
+            Self::Control2c42(control) => control_2c42_65::check_within(BUDGET, text, control, machine, setting, sink),
+            Self::Iso(control) => iso::check_within(BUDGET, text, control, machine, setting, sink),
         }
     }
 }

@@ -18,6 +18,8 @@ mod clock;
 pub mod groove;
 pub mod hole;
 pub(crate) mod limits;
+#[cfg(test)]
+pub(crate) mod on_bench;
 pub mod pace;
 pub mod part_off;
 mod refused;

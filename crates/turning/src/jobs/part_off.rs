@@ -158,31 +158,9 @@ fn blade<'k>(
 #[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests {
     use super::*;
-    use crate::material::Material;
-    use crate::shipped;
-    use crate::turning::tooling::Lathe;
-    use crate::turning::workpiece::read_workpiece;
+    use crate::turning::jobs::on_bench::{PLAIN, on_bench, part};
 
     fn job(bar: i64, bore: i64, jaws: f64) -> Result<Job, NoJob> {
-        let knowledge = shipped::knowledge().unwrap();
-        let text = "shaft: P\nmaterial: steel-45\nblank: {kind: bar, diameter: 120, length: 130, face: 1}\nmachine: 16k20f3\n\
-                    outer:\n  - {from: {d: 0, z: 0}}\n  - {face: 30}\n  - {cylinder: -40}\n";
-        let workpiece = read_workpiece("part", text, &knowledge).unwrap();
-        let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
-        let material = Material::find(&knowledge, &workpiece.material).unwrap();
-        let bench = Bench {
-            workpiece: &workpiece,
-            lathe: Some(&lathe),
-            material,
-            elsewhere: &[],
-            sizes: &crate::turning::operation::Sizes::default(),
-            held: None,
-            grip: None,
-            through: None,
-            opened: Micrometres::ZERO,
-            barred: Vec::new(),
-            knowledge: &knowledge,
-        };
         let parting = Parting {
             bar: Micrometres::from_mm(bar),
             bore: Micrometres::from_mm(bore),
@@ -191,7 +169,7 @@ mod tests {
             clear: Half::from(20.0),
             surfaces: Vec::new(),
         };
-        Refusal::split(part_off(&parting, &bench)).unwrap()
+        on_bench(&part(PLAIN, "", "steel-45"), |bench| Refusal::split(part_off(&parting, bench)).unwrap())
     }
 
     /// By hand: a bar of 28 mm takes a blade of 3 mm (r 0.4), whose corner towards the chuck is 40.5 + 3 = 43.5 behind

@@ -277,19 +277,7 @@ fn plan_without(
         findings.extend(technolog_cutting::state::without_force(&material, state, by, knowledge)?);
     }
     let none = Sizes::default();
-    let bench = Bench {
-        workpiece,
-        lathe: lathe.as_ref(),
-        material,
-        held: None,
-        grip: None,
-        through: None,
-        opened: Micrometres::ZERO,
-        elsewhere: &[],
-        sizes: &none,
-        barred: Vec::new(),
-        knowledge,
-    };
+    let bench = Bench::new(workpiece, lathe.as_ref(), material, &none, knowledge);
     let tried = if parts_off { Refusal::split(Parted::of(workpiece, &bench))? } else { Err(NotParted::Hole) };
     let mut parted = tried.ok();
     let mut set_ups = zones::set_ups(

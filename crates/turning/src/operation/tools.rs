@@ -51,7 +51,30 @@ pub struct Bench<'a, 'k> {
     pub knowledge: &'k Knowledge,
 }
 
-impl Bench<'_, '_> {
+impl<'a, 'k> Bench<'a, 'k> {
+    /// The bench before anything is decided of the set-up: nothing is held, made elsewhere or barred.
+    pub const fn new(
+        workpiece: &'a Workpiece,
+        lathe: Option<&'a Lathe<'k>>,
+        material: Material<'k>,
+        sizes: &'a Sizes,
+        knowledge: &'k Knowledge,
+    ) -> Self {
+        Self {
+            workpiece,
+            lathe,
+            material,
+            held: None,
+            grip: None,
+            elsewhere: &[],
+            sizes,
+            through: None,
+            opened: Micrometres::ZERO,
+            barred: Vec::new(),
+            knowledge,
+        }
+    }
+
     /// The narrowest diameter of the bore that the blank has; zero in solid metal.
     pub fn raw_bore(&self) -> Micrometres {
         let raw = self.workpiece.blank.inner.as_ref().and_then(Contour::radii);

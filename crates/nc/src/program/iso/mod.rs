@@ -26,6 +26,6 @@ mod words;
 mod writer;
 
 pub use control::Control;
-pub use run::{check, check_within};
+pub use run::check_within;
 pub use text::MOST_BLOCKS;
 pub use writer::write;

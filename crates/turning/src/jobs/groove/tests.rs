@@ -1,40 +1,13 @@
 //! Grooves of real parts; their toolpaths are simulated by columns that know only the blade and the profile.
 
 use super::*;
-use crate::material::Material;
-use crate::shipped;
 use crate::turning::contour::{Side, SurfaceKind};
 use crate::turning::jobs::Body;
-use crate::turning::tooling::Lathe;
-use crate::turning::workpiece::{Workpiece, read_workpiece};
-
-fn part(outer: &str, inner: &str, material: &str) -> Workpiece {
-    let inner = if inner.is_empty() { String::new() } else { format!("inner:\n{inner}") };
-    let text = format!(
-        "shaft: P\nmaterial: {material}\nblank: {{kind: bar, diameter: 120, length: 130, face: 1}}\nmachine: 16k20f3\n\
-         outer:\n{outer}{inner}"
-    );
-    read_workpiece("part", &text, &shipped::knowledge().unwrap()).unwrap_or_else(|faults| panic!("{faults:?}"))
-}
+use crate::turning::jobs::on_bench::{on_bench, part};
+use crate::turning::workpiece::Workpiece;
 
 /// The job of the first groove of a part, and that groove.
 fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
-    let knowledge = shipped::knowledge().unwrap();
-    let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
-    let material = Material::find(&knowledge, &workpiece.material).unwrap();
-    let bench = Bench {
-        workpiece,
-        lathe: Some(&lathe),
-        material,
-        elsewhere: &[],
-        sizes: &crate::turning::operation::Sizes::default(),
-        held: None,
-        grip: None,
-        through: None,
-        opened: crate::units::Micrometres::ZERO,
-        barred: Vec::new(),
-        knowledge: &knowledge,
-    };
     let profile = match side {
         Side::Outer => &workpiece.outer,
         Side::Inner => workpiece.inner.as_ref().unwrap(),
@@ -43,7 +16,7 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
     let surface = profile.surfaces.iter().find(is_groove).unwrap().clone();
     let radius = if side == Side::Outer { 62.0 } else { 15.0 };
     let site = Site { profile, clear: Point { radius: Half::from(radius), z: Half::from(-2.0) } };
-    (Refusal::split(groove(site, &surface, &bench)).unwrap(), surface)
+    (on_bench(workpiece, |bench| Refusal::split(groove(site, &surface, bench)).unwrap()), surface)
 }
 
 /// Height over a place of the mouth and that place, of a point: how the columns see each kind of groove.

@@ -1,34 +1,10 @@
 //! Holes on the axis. Figures are of the tables that the sentences beside them name.
 
 use super::*;
-use crate::material::Material;
-use crate::shipped;
-use crate::turning::tooling::Lathe;
-use crate::turning::workpiece::read_workpiece;
+use crate::turning::jobs::on_bench::{PLAIN, on_bench, part};
 
 fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
-    let knowledge = shipped::knowledge().unwrap();
-    let text = format!(
-        "shaft: P\nmaterial: {material}\nblank: {{kind: bar, diameter: 120, length: 130, face: 1}}\nmachine: 16k20f3\n\
-         outer:\n  - {{from: {{d: 0, z: 0}}}}\n  - {{face: 30}}\n  - {{cylinder: -40}}\n"
-    );
-    let workpiece = read_workpiece("part", &text, &knowledge).unwrap();
-    let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
-    let material = Material::find(&knowledge, &workpiece.material).unwrap();
-    let bench = Bench {
-        workpiece: &workpiece,
-        lathe: Some(&lathe),
-        material,
-        elsewhere: &[],
-        sizes: &crate::turning::operation::Sizes::default(),
-        held: None,
-        grip: None,
-        through: None,
-        opened: Micrometres::ZERO,
-        barred: Vec::new(),
-        knowledge: &knowledge,
-    };
-    of(&bench)
+    on_bench(&part(PLAIN, "", material), of)
 }
 
 fn drilled(diameter: i64, end: HoleEnd) -> Result<Job, NoJob> {

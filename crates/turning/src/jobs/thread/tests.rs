@@ -1,37 +1,12 @@
 //! Threads of real parts. Figures are those of ISO 724 and of makers' tables of passes.
 
 use super::*;
-use crate::material::Material;
 use crate::shipped;
 use crate::turning::contour::SurfaceKind;
-use crate::turning::workpiece::{Workpiece, read_workpiece};
-
-fn part(outer: &str, inner: &str, material: &str) -> Workpiece {
-    let inner = if inner.is_empty() { String::new() } else { format!("inner:\n{inner}") };
-    let text = format!(
-        "shaft: P\nmaterial: {material}\nblank: {{kind: bar, diameter: 120, length: 130, face: 1}}\nmachine: 16k20f3\n\
-         outer:\n{outer}{inner}"
-    );
-    read_workpiece("part", &text, &shipped::knowledge().unwrap()).unwrap_or_else(|faults| panic!("{faults:?}"))
-}
+use crate::turning::jobs::on_bench::{on_bench, part};
+use crate::turning::workpiece::Workpiece;
 
 fn job(workpiece: &Workpiece, side: Side, passes: Passes) -> Result<Job, NoJob> {
-    let knowledge = shipped::knowledge().unwrap();
-    let lathe = Lathe::find(&knowledge, "16k20f3").unwrap();
-    let material = Material::find(&knowledge, &workpiece.material).unwrap();
-    let bench = Bench {
-        workpiece,
-        lathe: Some(&lathe),
-        material,
-        elsewhere: &[],
-        sizes: &crate::turning::operation::Sizes::default(),
-        held: None,
-        grip: None,
-        through: None,
-        opened: Micrometres::ZERO,
-        barred: Vec::new(),
-        knowledge: &knowledge,
-    };
     let profile = match side {
         Side::Outer => &workpiece.outer,
         Side::Inner => workpiece.inner.as_ref().unwrap(),
@@ -40,7 +15,7 @@ fn job(workpiece: &Workpiece, side: Side, passes: Passes) -> Result<Job, NoJob> 
     let thread = workpiece.threads.iter().find(|one| one.surface == surface.name.to_string()).unwrap();
     let radius = if side == Side::Outer { 62.0 } else { 12.0 };
     let site = Site { profile, clear: Point { radius: Half::from(radius), z: Half::from(-2.0) } };
-    Refusal::split(super::thread(site, surface, thread, passes, &bench)).unwrap()
+    on_bench(workpiece, |bench| Refusal::split(super::thread(site, surface, thread, passes, bench)).unwrap())
 }
 
 /// A thread from a chamfer to a relief before a shoulder.
