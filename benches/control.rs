@@ -13,8 +13,8 @@ use criterion::{Criterion, Throughput};
 use technolog::machine::Machine;
 use technolog::motion::time::Clock;
 use technolog::motion::trace::Trace;
+use technolog::program::Language;
 use technolog::program::Setting;
-use technolog::program::control_2c42_65::{Control, check};
 use technolog::shipped;
 
 const MEMORY: usize = 32 * 1024;
@@ -88,9 +88,9 @@ fn main() {
         group.throughput(Throughput::Bytes(text.len() as u64));
         group.bench_function(name, |bench| {
             bench.iter(|| {
-                let control = Control::read(&knowledge).unwrap();
+                let control = Language::read("2c42-65", &knowledge).unwrap();
                 let mut sink = (Trace::default(), Clock::new(&machine, setting.start));
-                let faults = check(black_box(&text), &control, &machine, &setting, &mut sink);
+                let faults = control.check(black_box(&text), &machine, &setting, &mut sink);
                 assert!(faults.iter().all(|fault| !fault.is_error()), "{:?}", faults.first());
                 sink
             });

@@ -16,6 +16,9 @@ use crate::units::{Brinell, Decimal, MetresPerMinute, Micrometres, round_to};
 /// By how much hardness is lessened until a table has a figure, HB: the groups of practice are 25 to 50 wide.
 const SOFTER: Decimal = Decimal::from_int(20);
 
+/// A whole HB, in millionths.
+const HB: i64 = 1_000_000;
+
 /// The speeds used in shops, m/min.
 #[derive(Clone, Copy, Debug)]
 pub struct PracticeSpeed<'k> {
@@ -59,15 +62,28 @@ impl<'k> PracticeSpeed<'k> {
         material: &Material<'k>,
         of: impl Fn(&Material<'k>) -> Result<Option<Self>, KnowledgeError>,
     ) -> Result<Option<Self>, KnowledgeError> {
-        let mut softer = material.clone();
-        while softer.hardness.millionths() > 0 {
-            if let Some(found) = of(&softer)? {
-                let softer = (softer.hardness != material.hardness).then_some(softer.hardness);
-                return Ok(Some(Self { softer, ..found }));
-            }
-            softer.hardness = Decimal::from_millionths(softer.hardness.millionths() - SOFTER.millionths());
+        let at = |hardness: i64| {
+            let mut softer = material.clone();
+            softer.hardness = Decimal::from_millionths(hardness);
+            of(&softer)
+        };
+        let own = material.hardness.millionths();
+        let (mut known, mut found) = (own, at(own)?);
+        while found.is_none() && known > 0 {
+            known -= SOFTER.millionths();
+            found = at(known)?;
         }
-        Ok(None)
+        // Back to the end of the tables, in whole HB.
+        let mut next = known;
+        while found.is_some() && next < own {
+            next = (next - next.rem_euclid(HB) + HB).min(own);
+            match at(next)? {
+                Some(harder) => (known, found) = (next, Some(harder)),
+                None => break,
+            }
+        }
+        let softer = (known < own).then(|| Decimal::from_millionths(known));
+        Ok(found.map(|found| Self { softer, ..found }))
     }
 
     /// The lower end, as far as it says something of the material: how slow a harder one may be cut nobody tells.

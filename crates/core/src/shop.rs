@@ -3,16 +3,18 @@
 use std::sync::Arc;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Knowledge;
+use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::material::Material;
 use crate::note::{Because, Figure, Note};
 use crate::part::Part;
 use crate::plan::{CuttingMethod, Operation};
 use crate::shelf::Shelf;
+use crate::tables::controls::{Convention, ProgramConventions};
 use crate::tables::holes::{HoleConvention, HoleDefault};
 use crate::tables::rules::CoolantFor;
-use crate::units::{Kilowatts, Micrometres, Microns, NewtonMetres, Roughness};
+use crate::units::{Kilowatts, Micrometres, Microns, MillimetresPerMinute, NewtonMetres, Roughness};
+use technolog_note::note;
 
 /// The knowledge, the machine at hand and the material.
 #[derive(Clone, Debug)]
@@ -66,15 +68,12 @@ impl<'k> Shop<'k> {
         Ok(Micrometres::from_mm_rounded(self.share(name)?))
     }
 
-    /// By how much a reamer or core drill of the catalogs may be ground down to that diameter: by a length and by a share of its
-    /// own diameter, whichever is less.
+    /// As [`grind_limit`].
     ///
     /// # Errors
     /// The table `hole-defaults` does not name them.
     pub fn grind_limit(&self, diameter: Micrometres) -> Result<Micrometres, KnowledgeError> {
-        let (limit, share) =
-            (self.convention(HoleDefault::CutterGrindLimit)?, self.share(HoleDefault::CutterGrindShare)?);
-        Ok(limit.min(Micrometres::from_mm_rounded(diameter.to_mm() * share / (1.0 - share))))
+        grind_limit(diameter, self.knowledge)
     }
 
     /// Whether an operation uses coolant where its speed does not say so, by the rule `coolant`.
@@ -119,4 +118,46 @@ impl<'k> Shop<'k> {
     pub fn with(machine: Machine<'k>, material: Material<'k>, method: CuttingMethod, knowledge: &'k Knowledge) -> Self {
         Self { knowledge, machine, material, method, shelf: Arc::new(Shelf::new(knowledge)) }
     }
+}
+
+/// A figure of the table `program-conventions`, in the unit of its name, and the row.
+///
+/// # Errors
+/// The table lacks the figure, or has it in another unit.
+pub fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRef<'_>), KnowledgeError> {
+    let found = knowledge.need(name.name(), |row: &ProgramConventions<'_>| row.name == name)?;
+    if found.unit != name.unit() {
+        let problem = note!("nc-must", value = name.name(), unit = name.unit());
+        return Err(KnowledgeError::missing(&found.row.table.id, problem));
+    }
+    Ok((found.value, found.row))
+}
+
+/// By how much a reamer or core drill of the catalogs may be ground down to that diameter: by a length and by a share of its own
+/// diameter, whichever is less.
+///
+/// # Errors
+/// The table `hole-defaults` does not name them.
+pub fn grind_limit(diameter: Micrometres, knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    let figure = |name| HoleConvention::of(name, knowledge).map(|row| row.value);
+    let (limit, share) = (figure(HoleDefault::CutterGrindLimit)?, figure(HoleDefault::CutterGrindShare)?);
+    Ok(Micrometres::from_mm_rounded(limit.min(diameter.to_mm() * share / (1.0 - share))))
+}
+
+/// The widest mill that may cut its way down over a hole: its middle, which has no teeth and is `core` of its diameter
+/// (`mill-core-share` of `hole-defaults`), must lie over the hole.
+pub fn widest_over_hole(hole: Micrometres, core: f64) -> Micrometres {
+    Micrometres::from_mm_rounded(hole.to_mm() / core)
+}
+
+/// A feed in the steps of programs, rounded down so that no load grows; at least one step.
+///
+/// # Errors
+/// The table `program-conventions` does not name the step.
+pub fn programmed_feed(
+    planned: MillimetresPerMinute,
+    knowledge: &Knowledge,
+) -> Result<MillimetresPerMinute, KnowledgeError> {
+    let step = convention(Convention::FeedStep, knowledge)?.0;
+    Ok(MillimetresPerMinute(libm::floor(planned.0 / step).max(1.0) * step))
 }

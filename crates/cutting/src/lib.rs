@@ -32,7 +32,7 @@ use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::Because;
 use crate::plan::{Conditions, Limit, Operation};
 use crate::reason::{Reason, Uncut};
-use crate::shop::Shop;
+use crate::shop::{Shop, programmed_feed};
 use crate::units::{
     ItGrade, Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres,
     Newtons, RevsPerMinute, Roughness,
@@ -135,13 +135,6 @@ struct Plunge {
     travel: f64,
 }
 
-impl Plunge {
-    /// Its feed, in whole mm/min as programs have it, so that plan and program take as long.
-    fn feed(self, of_circles: MillimetresPerMinute) -> MillimetresPerMinute {
-        MillimetresPerMinute(libm::floor(of_circles.0 * self.share).max(1.0))
-    }
-}
-
 /// The motion of a tool: the rotating diameter, the depth of cut and the length of the feed path.
 #[derive(Clone, Copy, Debug)]
 struct CutMotion {
@@ -236,7 +229,12 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
             cooled
         }
     };
-    let down = draft.plunge.map_or(0.0, |plunge| plunge.travel / plunge.feed(feed_rate).0);
+    let plunge_feed = match draft.plunge {
+        // In the steps of programs, so that plan and program take as long.
+        Some(Plunge { share, .. }) => Some(programmed_feed(MillimetresPerMinute(feed_rate.0 * share), shop.knowledge)?),
+        None => None,
+    };
+    let down = draft.plunge.zip(plunge_feed).map_or(0.0, |(plunge, feed)| plunge.travel / feed.0);
     let mut found = Conditions {
         depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
         feed_mm_per_rev: limited.feed.rounded(3),
@@ -255,10 +253,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         tool_life_min: tool_life.rounded(0),
         coolant: Some(coolant),
         computed_speed_m_per_min: lives_at.rounded(2),
-        rounds: draft.rounds.map(|rounds| crate::plan::Rounds {
-            plunge_feed_mm_per_min: draft.plunge.map(|plunge| plunge.feed(feed_rate)),
-            ..rounds
-        }),
+        rounds: draft.rounds.map(|rounds| crate::plan::Rounds { plunge_feed_mm_per_min: plunge_feed, ..rounds }),
         card: draft.card,
         because,
     };

@@ -9,8 +9,8 @@ use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
-use super::cycle::convention;
 use super::{SetUp, ToolWork};
+use crate::shop::convention;
 
 /// A tool change above the part: the tools are not higher above it than during their motions.
 pub(super) fn change_over_part(
@@ -46,19 +46,19 @@ pub(super) fn ways_over_clamps(
     let foot = shop.convention(HoleDefault::ClampInset)?;
     let home = Point { x: change.0 - setup.zero.x, y: change.1 - setup.zero.y };
     let unmeasured = plan.part.fixture.clamps.iter().filter(|clamp| clamp.height.is_none());
-    let unmeasured: Vec<Point> = unmeasured.map(|clamp| clamp.at).collect();
+    let unmeasured = unmeasured.map(|clamp| (clamp.at, clamp.outline(foot))).collect();
     let proposed = plan.clamping.iter().filter(|clamping| clamping.proposed).flat_map(|clamping| &clamping.clamps);
-    let proposed: Vec<Point> = proposed.copied().collect();
-    for (clamps, severity, code) in
-        [(unmeasured, Severity::Wrong, "ways-over-clamps"), (proposed, Severity::Note, "ways-over-proposed-clamps")]
-    {
+    let proposed = proposed.map(|at| (*at, Outline::Round(*at, foot))).collect();
+    let both: [(Vec<(Point, Outline)>, _, _); 2] =
+        [(unmeasured, Severity::Wrong, "ways-over-clamps"), (proposed, Severity::Note, "ways-over-proposed-clamps")];
+    for (clamps, severity, code) in both {
         let mut under: Vec<String> = Vec::new();
         let mut height = None;
         for work in &setup.works {
             let ends = std::iter::once(home).chain(work.stops.iter().map(|stop| stop.at)).chain([home]);
             let points: Vec<Point> = ends.collect();
-            for (at, pair) in clamps.iter().flat_map(|at| points.windows(2).map(move |pair| (*at, pair))) {
-                if Outline::Round(at, foot).is_hit_by_rapid(pair[0], pair[1], Micrometres::ZERO) {
+            for ((at, outline), pair) in clamps.iter().flat_map(|one| points.windows(2).map(move |pair| (one, pair))) {
+                if outline.is_hit_by_rapid(pair[0], pair[1], Micrometres::ZERO) {
                     let shown = format!("[{}; {}]", at.x, at.y);
                     under.extend(Some(shown.clone()).filter(|_| !under.contains(&shown)));
                     let out = work.cycles.iter().map(|cycle| cycle.out).min();

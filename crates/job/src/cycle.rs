@@ -1,12 +1,11 @@
 //! The cycle of one transition, by the rule `machining-cycle`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef};
 use crate::motion::Sense;
 use crate::note::{Because, Note};
 use crate::plan::{Conditions, Operation, Rounds, Transition};
-use crate::shop::Shop;
-use crate::tables::controls::{Convention, ProgramConventions};
+use crate::shop::{Shop, convention, programmed_feed};
+use crate::tables::controls::Convention;
 use crate::tables::rules::{HoleCycle, MachiningCycle, MachiningCycleFor, MillingDirection};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 use technolog_note::note;
@@ -142,30 +141,22 @@ fn circles(
     shop: &Shop<'_>,
 ) -> Result<CycleKind, KnowledgeError> {
     let resolution = shop.machine.resolution;
-    let (levels, passes) = (i64::from(rounds.levels.max(1)), i64::from(rounds.passes.max(1)));
+    let levels = i64::from(rounds.levels.max(1));
     let depth = transition.depth - transition.start;
     let level = |number: i64| match number == levels {
         true => top - transition.end,
         false => top - transition.start - depth.ratio(number, levels),
     };
-    // A thin last pass is not one of the equal ones.
-    let finish = rounds.finish_mm.filter(|_| passes > 1);
-    let (equal, thin) = finish.map_or((passes, Micrometres::ZERO), |finish| (passes - 1, finish + finish));
-    let stock = transition.diameter - thin - rounds.from_diameter_mm;
-    let after = |pass: i64| match pass > equal {
-        true => transition.diameter,
-        false => rounds.from_diameter_mm + stock.ratio(pass, equal),
-    };
-    let radius = |pass: i64| (after(pass) - rounds.mill_diameter_mm).half();
+    let radius = |pass: u32| (rounds.after(pass, transition.diameter) - rounds.mill_diameter_mm).half();
     let round = feed(transition, shop)?;
     let plunge_mm_per_min = match rounds.plunge_feed_mm_per_min {
-        Some(planned) => Some(in_steps(planned, shop)?).filter(|plunge| *plunge != round),
+        Some(planned) => Some(programmed_feed(planned, shop.knowledge)?).filter(|plunge| *plunge != round),
         None => None,
     };
     Ok(CycleKind::Circles {
         plunge_mm_per_min,
         levels: (1..=levels).map(|number| level(number).on_grid(resolution)).collect(),
-        radii: (1..=passes).map(|pass| radius(pass).on_grid(resolution)).collect(),
+        radii: (1..=rounds.passes.max(1)).map(|pass| radius(pass).on_grid(resolution)).collect(),
         sense,
     })
 }
@@ -176,12 +167,7 @@ fn feed(transition: &Feeding<'_>, shop: &Shop<'_>) -> Result<MillimetresPerMinut
     if transition.operation == Operation::Tap {
         return Ok(planned);
     }
-    in_steps(planned, shop)
-}
-
-fn in_steps(planned: MillimetresPerMinute, shop: &Shop<'_>) -> Result<MillimetresPerMinute, KnowledgeError> {
-    let step = convention(Convention::FeedStep, shop.knowledge)?.0;
-    Ok(MillimetresPerMinute(libm::floor(planned.0 / step).max(1.0) * step))
+    programmed_feed(planned, shop.knowledge)
 }
 
 /// The height above the entry face at which a tool moves from point to point.
@@ -189,17 +175,4 @@ fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError>
     let (value, row) = convention(Convention::Withdrawal, shop.knowledge)?;
     let height = Micrometres::from_mm_rounded(value);
     Ok((height, Because::row(row, Note::new("withdrawal").with("height", height))))
-}
-
-/// A figure of the table `program-conventions`, in the unit of its name, and the row.
-///
-/// # Errors
-/// The table lacks the figure, or has it in another unit.
-pub fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRef<'_>), KnowledgeError> {
-    let found = knowledge.need(name.name(), |row: &ProgramConventions<'_>| row.name == name)?;
-    if found.unit != name.unit() {
-        let problem = note!("nc-must", value = name.name(), unit = name.unit());
-        return Err(KnowledgeError::missing(&found.row.table.id, problem));
-    }
-    Ok((found.value, found.row))
 }

@@ -33,10 +33,11 @@ use crate::part::{Face, Point, Standing};
 use crate::plan::Operation;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
-pub use cycle::{Feeding, convention, cycle};
+pub use cycle::{Feeding, cycle};
 pub use envelope::{Body, BodyKind, Envelope};
 pub use make::make;
-pub use time::{Duration, Hands, times};
+pub use shop::convention;
+pub use time::{Duration, Hands, timed};
 pub use unfinished::{Left, Unfinished};
 
 /// Everything that a machine does for a part.

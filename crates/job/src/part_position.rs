@@ -11,8 +11,8 @@ use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 use crate::zone::Stroke;
 
-use super::cycle::convention;
 use super::{SetUp, ToolWork};
+use crate::shop::convention;
 
 /// The position of the part on the machine.
 #[derive(Clone, Copy, Debug)]

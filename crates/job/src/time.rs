@@ -8,7 +8,8 @@ use crate::knowledge::Knowledge;
 use crate::machine::{Machine, Rapid};
 use crate::motion::Position;
 use crate::part::Point;
-use crate::plan::{Times, ToolVisit};
+use crate::plan::{HolePlan, Plan, Times, ToolVisit};
+use crate::shop::Shop;
 use crate::tables::controls::Convention;
 use crate::units::{Micrometres, Minutes};
 
@@ -158,6 +159,23 @@ impl RapidTimes {
         let quill: Minutes = ends.into_iter().flatten().map(|out| self.down(out, correction, setup)).sum();
         across + quill
     }
+}
+
+/// Writes into a plan how its time is spent: what the programs of its job need on the machine.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn timed(plan: &mut Plan, job: &Job, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
+    let hands = Hands::read(shop.knowledge)?;
+    let mut time = times(job, &shop.machine, &hands, &mut plan.sequence);
+    // Machine time follows the conditions, as beside each transition; programs round feeds down a little.
+    let of_hole = |hole: &HolePlan| -> f64 {
+        let here = hole.transitions.iter().filter(|step| !step.elsewhere);
+        here.map(|step| step.conditions.machine_time_min.0 * hole.count as f64).sum()
+    };
+    time.machine_min = Minutes(plan.holes.iter().map(of_hole).sum());
+    plan.time = time.rounded();
+    Ok(())
 }
 
 /// The times of a job without machine time, which the plan has; they are rounded together with it. The rapids of each

@@ -139,13 +139,7 @@ fn end<'k>(control: &str, knowledge: &'k Knowledge) -> Result<&'k str, Knowledge
     if control == "2c42-65" {
         return Ok("LF");
     }
-    for row in knowledge.table(&format!("control-{control}"))?.rows() {
-        let row: Record<'k> = row?;
-        if row.name.is(Characteristic::BlockEnd) {
-            return Ok(row.text.unwrap_or_default());
-        }
-    }
-    Ok("")
+    Ok(Record::text(control, Characteristic::BlockEnd, knowledge)?.unwrap_or_default())
 }
 
 fn work_of(job: &Job, at: WorkRef) -> Option<&ToolWork> {

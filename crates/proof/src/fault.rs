@@ -67,7 +67,7 @@ pub enum Fault {
     /// The tip comes out of a blind hole's floor.
     BreaksThrough { operation: Operation, tip: Micrometres, thickness: Micrometres },
     /// The floor under the tip of a blind hole is so thin that it may burst.
-    ThinFloor { operation: Operation, tip: Micrometres, floor: Micrometres, least: Micrometres },
+    ThinFloor { operation: Operation, tip: Micrometres, floor: Micrometres, least: Micrometres, bursts: bool },
     /// A reamer or boring bar runs into a flat floor.
     MeetsFloor { operation: Operation, tip: Micrometres },
     /// The tool goes below what was opened for it.
@@ -109,8 +109,7 @@ impl Fault {
     pub fn severity(&self) -> Severity {
         match self {
             Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
-            // Neither a plate nor a tool is set to less than half of the least floor.
-            Self::ThinFloor { floor, least, .. } if *floor + *floor < *least => Severity::Error,
+            Self::ThinFloor { bursts: true, .. } => Severity::Error,
             Self::ThinFloor { .. }
             | Self::MeetsFloor { .. }
             | Self::MiddleInMetal { .. }
@@ -160,7 +159,7 @@ impl Fault {
             Self::BreaksThrough { operation, tip, thickness } => {
                 of("proof-breaks-through", operation).with("tip", tip).with("thickness", thickness)
             }
-            Self::ThinFloor { operation, tip, floor, least } => {
+            Self::ThinFloor { operation, tip, floor, least, .. } => {
                 of("proof-thin-floor", operation).with("tip", tip).with("floor", floor).with("least", least)
             }
             Self::MeetsFloor { operation, tip } => of("proof-meets-floor", operation).with("tip", tip),

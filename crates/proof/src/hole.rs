@@ -216,7 +216,9 @@ impl Walk<'_, '_> {
         } else if tip >= thickness {
             self.faults.push(Fault::BreaksThrough { operation, tip, thickness });
         } else if floor < least && matches!(operation, Operation::Drill | Operation::DrillOut) {
-            self.faults.push(Fault::ThinFloor { operation, tip, floor, least });
+            let share = tool::limit(ProofLimit::LeastFloorShare, self.shop)?;
+            let bursts = floor.to_mm() < share * least.to_mm();
+            self.faults.push(Fault::ThinFloor { operation, tip, floor, least, bursts });
         }
         let main = CylinderId::of(transition) == Some(CylinderId::Main);
         let floored = main && required.flat && !self.hole.through && !transition.elsewhere;
@@ -275,8 +277,8 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// The first cut in a cast hole, of each pass, at the place where radius and axis of the hole leave the least: it
-    /// must get under the skin. Where the drawing leaves too little for any cut, the fault is that of the blank.
+    /// The first pass in a cast hole, at the place where radius and axis of the hole leave the least: it must get under
+    /// the skin. Where the drawing leaves too little for any cut, the fault is that of the blank.
     fn under_skin(&mut self, transition: &Transition, before: State) -> Result<(), KnowledgeError> {
         let BlankHole::Cast(cast) = self.hole.state else { return Ok(()) };
         if before.made_by != MadeBy::BlankHole || transition.elsewhere {
@@ -287,9 +289,13 @@ impl Walk<'_, '_> {
             return Ok(());
         }
         let (place, least) = (mm(ProofLimit::CastHolePlace)?, mm(ProofLimit::CastSkin)?);
-        let rounds = transition.conditions.rounds.map_or(1, |rounds| rounds.passes);
-        let passes = i64::from(transition.passes.max(1) * rounds.max(1));
-        let depth = (transition.diameter_mm - before.largest).half().ratio(1, passes);
+        let after = match transition.conditions.rounds {
+            Some(rounds) => rounds.after(1, transition.diameter_mm),
+            None => {
+                before.largest + (transition.diameter_mm - before.largest).ratio(1, i64::from(transition.passes.max(1)))
+            }
+        };
+        let depth = (after - before.largest).half();
         if depth < place + least {
             self.faults.push(Fault::UnderSkin { operation: transition.operation, depth, place, least });
         }

@@ -86,6 +86,7 @@ vocabulary! {
         FlatFloorGap = "flat-floor-gap-mm",
         ReamerChipRoom = "reamer-chip-room-mm",
         NearTieShare = "near-tie-share",
+        FinestCentres = "finest-centres-mm",
     }
 }
 

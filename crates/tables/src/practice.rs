@@ -194,6 +194,7 @@ vocabulary! {
         SemiFinishBoreStock = "semi-finish-bore-stock",
         FinishBoreStock = "finish-bore-stock",
         LeastFloor = "least-floor",
+        LeastFloorShare = "least-floor-share",
         CoreDrillLips = "core-drill-lips",
         HardestForSteel = "hardest-for-high-speed-steel",
         LeastWall = "least-wall",

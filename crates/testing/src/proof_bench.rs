@@ -77,8 +77,7 @@ impl ProofBench {
     /// The plan and job for that control, where it leaves something out.
     fn planned_for(&self, language: &Language) -> Option<(Plan, Job)> {
         let mut plan = self.plan.clone();
-        language.leave(&mut plan);
-        if plan == self.plan {
+        if !language.leave(&mut plan) {
             return None;
         }
         let mut shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
@@ -103,10 +102,14 @@ impl ProofBench {
     }
 
     pub fn run(&self, language: &Language, text: &str) -> (Vec<Fault>, Proof, Run) {
-        let mut sink = (Vec::<MotionStep>::new(), Clock::new(&self.machine, self.setting.start));
-        let faults = language.check(text, &self.machine, &self.setting, &mut sink);
-        let (steps, clock) = sink;
         let own = self.planned_for(language);
+        let setting = match &own {
+            Some((_, job)) if !self.own_correctors => Setting::of_job(job),
+            _ => self.setting.clone(),
+        };
+        let mut sink = (Vec::<MotionStep>::new(), Clock::new(&self.machine, setting.start));
+        let faults = language.check(text, &self.machine, &setting, &mut sink);
+        let (steps, clock) = sink;
         let (plan, job) = own.as_ref().map_or((&self.plan, &self.job), |(plan, job)| (plan, job));
         let zeros: Vec<Position> = job.setups.iter().map(|setup| setup.zero).collect();
         let tap_word = language.tap_word();

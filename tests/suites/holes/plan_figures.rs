@@ -415,7 +415,14 @@ fn clamps_that_cannot_hold_a_part_are_told() {
              centre_tolerance: 0.5, at: [[0, 0]]}}\n"
         );
         let plan = planned(&read(&text), CuttingMethod::Formula);
-        let codes = ["clamps-overlap", "one-clamp-turns", "clamps-turn", "clamps-tip", "clamps-one-side"];
+        let codes = [
+            "clamps-overlap",
+            "clamp-outlines-overlap",
+            "one-clamp-turns",
+            "clamps-turn",
+            "clamps-tip",
+            "clamps-one-side",
+        ];
         let found = plan.findings.iter().filter(|finding| codes.contains(&finding.note.code()));
         let found = found.map(|finding| {
             let figure = |name| finding.note.figure_text(name).and_then(|text| text.parse::<f64>().ok());
@@ -435,6 +442,13 @@ fn clamps_that_cannot_hold_a_part_are_told() {
     assert_eq!(told("[{at: [-80, -50]}, {at: [-80, 50]}]"), is(&[("clamps-one-side", doubt)]));
     assert_eq!(told("[{at: [-80, 0]}, {at: [80, 0]}]"), []);
     assert_eq!(told("[{at: [-80, 10]}, {at: [80, 10]}]"), []);
+    // Round feet of 20 mm stand 42 mm apart here; squares about them would overlap.
+    let beside = "[{at: [-80, -40]}, {at: [-50, -10]}, {at: [80, 40]}]";
+    assert_eq!(told(beside), []);
+    let outlined = "[{at: [-80, 0], outline: [[-95, -20], [-60, 20]]}, {at: [-30, 0]}, {at: [80, 40]}]";
+    assert_eq!(told(outlined), []);
+    let wider = "[{at: [-80, 0], outline: [[-95, -20], [-40, 20]]}, {at: [-30, 0]}, {at: [80, 40]}]";
+    assert_eq!(told(wider), is(&[("clamp-outlines-overlap", error)]));
 }
 
 /// Kmp of the handbook by hand: bronze above HB 140 has 0.75 and below 1, duralumin of 220 MPa has 1.5 where Д16 has

@@ -349,6 +349,20 @@ fn the_first_cut_in_a_cast_hole_gets_under_its_skin() {
     assert_eq!(found("12"), []);
 }
 
+/// Ø60H11 cast to 56 may be milled: 1.5 mm a side and a last round of 0.5. Beyond the 0.95 mm of the core 0.55 are left of
+/// the first round; of two equal ones of 1 mm only 0.05 would be.
+#[test]
+fn a_thin_last_round_makes_the_first_one_deeper() {
+    let text = "part: P\nmaterial: СЧ20\nmachine: gf2171\nblank: {kind: plate, length: 200, width: 150, thickness: 40}\n\
+                holes:\n  - {name: A, diameter: 60H11, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, \
+                state: cast, state_diameter: 56, at: [[0, 0]]}\n";
+    let plan = planned(&read(text), CuttingMethod::Formula);
+    let others = &plan.holes[0].route.as_ref().unwrap().alternatives;
+    let milled = others.iter().find(|other| other.operations.iter().all(|step| step.operation == Operation::Mill));
+    let milled = milled.unwrap_or_else(|| panic!("{others:?}"));
+    assert!(milled.time_min.is_some(), "{milled:?}");
+}
+
 /// The position of a reamed Ø10 is ordinarily 0.07 mm and at best 0.04: one shortfall, told once and as doubtful, not a
 /// second time as wrong.
 #[test]

@@ -16,7 +16,7 @@ use proptest::prelude::*;
 use technolog::machine::Machine;
 use technolog::motion::MotionStep;
 use technolog::motion::trace::Trace;
-use technolog::program::{Fault, Language, Setting};
+use technolog::program::{Fault, Language, MOST_OPERATIONS, Setting};
 use technolog_testing::KNOWLEDGE;
 
 static CONTROL: LazyLock<Language> = LazyLock::new(|| Language::read("2c42-65", &KNOWLEDGE).unwrap());
@@ -105,6 +105,21 @@ fn the_memory_and_the_number_of_programs_are_limited() {
     assert!(codes(&"N1 M02\n".repeat(5000)).contains(&"memory-full"));
     let many: String = (0..=100).map(|number| format!(":{:02}\nN1 M99\n", number % 100)).collect();
     assert!(codes(&many).contains(&"too-many-programs"));
+}
+
+/// A sum of many terms is as deep as it is long: one that no control would read ended the program itself once.
+#[test]
+fn a_number_of_many_operations_is_not_carried_out() {
+    let machine = Machine::find(&KNOWLEDGE, "ir500pmf4").unwrap();
+    for control in ["fanuc", "linuxcnc"] {
+        let language = Language::read(control, &KNOWLEDGE).unwrap();
+        let codes = |terms: usize| {
+            let text = format!("%\nO1000\nG21 G17 G40 G49 G80 G90\nG0 X[{}]\nM30\n%\n", vec!["1."; terms].join("+"));
+            let faults = language.check(&text, &machine, &Setting::default(), &mut Trace::default());
+            faults.iter().map(|fault| fault.code).filter(|code| *code == "not-carried-out").count()
+        };
+        assert_eq!([MOST_OPERATIONS, MOST_OPERATIONS + 2, 200_000].map(codes), [0, 1, 1], "{control}");
+    }
 }
 
 /// Programs that would repeat for ever end by the budget, whatever they repeat.

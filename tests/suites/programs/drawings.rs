@@ -11,7 +11,6 @@ use technolog::job::{self, CycleKind, Job};
 use technolog::machine::Machine;
 use technolog::motion::{BlockRef, Motion, MotionStep, Plane, Position};
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::program::control_2c42_65::{Control, check};
 use technolog::program::written::{Form, LineRole, ProgramLine, WorkRef, WrittenProgram};
 use technolog::program::{Language, Setting};
 use technolog::report::backplot::{Frame, backplot};
@@ -91,12 +90,12 @@ fn of_job(plan: &Plan, job: &Job, lang: Lang) -> String {
 /// The steps of the worked example's program.
 fn appendix_g() -> Vec<MotionStep> {
     let folder = root().join("examples/appendix-g");
-    let control = Control::read(&KNOWLEDGE).unwrap();
+    let control = Language::read("2c42-65", &KNOWLEDGE).unwrap();
     let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
     let setting = fs::read_to_string(folder.join("setting.yaml")).unwrap();
     let setting = Language::read("2c42-65", &KNOWLEDGE).unwrap().setting("setting.yaml", &setting).unwrap();
     let mut steps = Vec::new();
-    check(&fs::read_to_string(folder.join("program.nc")).unwrap(), &control, &machine, &setting, &mut steps);
+    control.check(&fs::read_to_string(folder.join("program.nc")).unwrap(), &machine, &setting, &mut steps);
     steps
 }
 
@@ -361,9 +360,9 @@ fn programs_without_a_part_are_drawn() {
 
 fn steps_of(text: &str) -> Vec<MotionStep> {
     let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
-    let control = Control::read(&KNOWLEDGE).unwrap();
+    let control = Language::read("2c42-65", &KNOWLEDGE).unwrap();
     let mut steps = Vec::new();
-    check(text, &control, &machine, &Setting::default(), &mut steps);
+    control.check(text, &machine, &Setting::default(), &mut steps);
     steps
 }
 

@@ -1,9 +1,18 @@
 //! Parts that a program of their machine does not finish: the program says so, and is not written unless forced to.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use technolog::program::Language;
+
+use technolog::motion::time::Clock;
+use technolog::plan::{HolePlan, Operation};
+use technolog::program::proof::PlannedJob;
+use technolog::program::written::Form;
+use technolog::program::{Language, Setting};
+use technolog::shop::Shop;
+use technolog::units::Micrometres;
+use technolog_testing::KNOWLEDGE;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
@@ -60,6 +69,42 @@ fn a_control_without_a_tapping_cycle_leaves_threads_undone() {
         let read = technolog(&folder, &check);
         let page = String::from_utf8([read.stdout, read.stderr].concat()).unwrap();
         assert_eq!(read.status.code(), Some(0), "{control}: {page}");
+    }
+}
+
+/// What is left to another machine has no tool, no offset and no time in the program's set-up: the tap T3 that only the
+/// thread needs, and not the drill of both holes. The time is that of the program's own clock but for what hands do.
+#[test]
+fn tools_and_time_are_those_of_a_program_that_leaves_taps() {
+    let text = "part: Body\nmaterial: steel-45\nblank: {kind: plate, length: 240, width: 160, thickness: 30}\n\
+                machine: ir500pmf4\nfixture: {height: 60}\nholes:\n  \
+                - {name: T, thread: M10-6H, depth: 18, centre_tolerance: 0.3, at: [[0, 35], [40, 35]]}\n  \
+                - {name: A, diameter: 12H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, -40]]}\n";
+    let plan = technolog_testing::planned(&technolog_testing::read(text), Default::default());
+    let whole: Vec<u32> = plan.tools.iter().map(|tool| tool.number).collect();
+    for (control, language) in technolog_testing::languages() {
+        let taps = !["grbl", "mach3"].contains(&control);
+        let planned = PlannedJob::of(plan.clone(), &language, &KNOWLEDGE).unwrap();
+        let tools = &planned.plan.tools;
+        let tapping =
+            |hole: &HolePlan| hole.transitions.iter().any(|it| it.operation == Operation::Tap && !it.elsewhere);
+        assert_eq!(planned.plan.holes.iter().any(tapping), taps);
+        assert_eq!(tools.len(), whole.len() - usize::from(!taps), "{control}");
+        let works = planned.job.setups.iter().flat_map(|setup| &setup.works);
+        let works: BTreeSet<u32> = works.map(|work| work.tool).collect();
+        assert_eq!(works, tools.iter().map(|tool| tool.number).collect(), "{control}");
+        assert_eq!(planned.job.correctors.len(), tools.len(), "{control}");
+        assert_eq!(tools.iter().map(|tool| tool.correction_mm).max(), Some(Micrometres::ZERO), "{control}");
+
+        let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+        let text = language.write(&planned.job, Form::read(&shop).unwrap()).text();
+        let setting = Setting::of_job(&planned.job);
+        let mut clock = Clock::new(&shop.machine, setting.start);
+        language.check(&text, &shop.machine, &setting, &mut clock);
+        let time = planned.plan.time;
+        let ratio = (time.total_min.0 - time.hand_min.0) / clock.times().total_min.0;
+        // Programs round feeds down to whole millimetres a minute.
+        assert!((ratio - 1.0).abs() < 0.05, "{control}: {ratio}, {time:?}, {:?}", clock.times());
     }
 }
 

@@ -10,6 +10,7 @@ use technolog::knowledge::Diagnostic;
 use technolog::knowledge::input::MOST_MB;
 use technolog::knowledge::yaml::{LONGEST_NAME, MOST_DEPTH, MOST_VALUES};
 use technolog::part::limits;
+use technolog::program::MOST_OPERATIONS;
 use technolog::program::iso::MOST_BLOCKS;
 use technolog::sequence::list;
 use technolog::words::Lang;
@@ -108,6 +109,7 @@ fn the_pages_say_the_bounds() {
         ("too-deep", MOST_WORDS),
         ("too-many-values", MOST_VALUES),
         ("too-many-blocks", MOST_BLOCKS),
+        ("not-carried-out", MOST_OPERATIONS),
     ];
     for page in ["docs/limits.md", "docs/uk/limits.md"] {
         let text = fs::read_to_string(root().join(page)).unwrap();

@@ -107,12 +107,16 @@ fn mistakes_of_points_have_a_place_in_their_own_file() {
     assert_eq!(table("z\n0\n"), ["points-columns-lack t.csv:1:1"]);
     assert_eq!(table("d,z\n0,0\n20,0\n20,minus\n"), ["bad-value t.csv:4:4"]);
     assert_eq!(table("d,z,radius\n0,0,\n20,0,5\n"), ["points-arc-half t.csv:3:6"]);
+    assert_eq!(table("d,z,radius,bulge\n0,0,5,out\n20,0,,\n20,-80,,\n"), ["points-first-of-nothing t.csv:2:5"]);
+    assert_eq!(table("d,z,grade\n0,0,h6\n20,0,\n20,-80,h6\n"), ["points-first-of-nothing t.csv:2:5"]);
     assert_eq!(table("d,z\n0,0\n20,0\n20,-30\n25,-20\n"), ["runs-back t.csv:5:1"]);
     assert_eq!(table(""), ["points-empty part.yaml:5:17"]);
     let drawing =
         |dxf: &str, more: &str| read(&format!("{HEAD}outer: {{dxf: d.dxf{more}}}\n"), &[("d.dxf", dxf)]).unwrap_err();
     let one = "0\nLWPOLYLINE\n8\nA\n70\n0\n10\n0\n20\n0\n10\n0\n20\n9\n10\n-80\n20\n9\n";
     assert_eq!(drawing(&format!("{one}{one}"), ""), ["dxf-many-polylines part.yaml:5:14"]);
+    let round = "0\nLWPOLYLINE\n8\nA\n70\n0\n10\n0\n20\n0\n10\n0\n20\n9\n42\n1.5\n10\n-80\n20\n9\n";
+    assert_eq!(drawing(round, ""), ["dxf-arc-over-half d.dxf:18:1"]);
     assert_eq!(drawing(one, ", layer: B"), ["dxf-no-polyline part.yaml:5:14"]);
     assert_eq!(drawing(&one.replace("70\n0", "70\n1"), ""), ["dxf-closed part.yaml:5:14"]);
     assert_eq!(drawing("0\nSECTION\n9\n$INSUNITS\n70\n1\n0\nENDSEC\n", ""), ["dxf-other-units part.yaml:5:14"]);

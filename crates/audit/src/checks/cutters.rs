@@ -5,6 +5,7 @@ use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::reason::{OfOther, Unfit};
+use crate::shop::widest_over_hole;
 use crate::tables::holes::HoleDefault;
 use crate::tooling::named;
 use crate::tooling::{CutterNeed, Plunging};
@@ -134,5 +135,5 @@ fn plunging(
         return floor.then_some(Plunging { widest: diameter, without_middle: diameter });
     }
     let core = context.shop.share(HoleDefault::MillCoreShare).unwrap_or(1.0);
-    Some(Plunging { widest: diameter, without_middle: Micrometres::from_mm_rounded(enters.to_mm() / core) })
+    Some(Plunging { widest: diameter, without_middle: widest_over_hole(enters, core) })
 }

@@ -147,6 +147,14 @@ const fn cuts_threads(body: &Body) -> bool {
     matches!(body, Body::Tap { .. } | Body::Insert { kind: ToolKind::Threading, .. })
 }
 
+/// Whether a block has a D with that number: D1 is not in D12.
+fn has_edge(block: &str, number: u32) -> bool {
+    block.split('D').skip(1).any(|behind| {
+        let digits = behind.find(|sign: char| !sign.is_ascii_digit()).unwrap_or(behind.len());
+        behind[..digits].parse() == Ok(number)
+    })
+}
+
 /// Calls with the offset of another tool: the tool stands at its place in our turret, and its offset is that of another one. An
 /// offset that no tool of the plan has, and a D, which controls number for each place, that no tool there has, may be a second one of
 /// its own: then somebody must have measured it.
@@ -158,7 +166,7 @@ fn wrong_offsets(operation: &Operation, work: &SetUpWork, lines: &[String], tool
         let offset = called.offset.filter(|_| own.seat.place == called.number)?;
         let at = usize::try_from(line).unwrap_or(usize::MAX);
         let block = at.checked_sub(1).and_then(|at| lines.get(at)).map_or("", String::as_str);
-        let of_place = block.split(['(', ';']).next().is_some_and(|words| words.contains(&format!("D{offset}")));
+        let of_place = block.split(['(', ';']).next().is_some_and(|words| has_edge(words, offset));
         let is_of = |one: &Station| if of_place { is_seated(one, called) } else { one.seat.offset == offset };
         if is_seated(own, called) {
             return None;
@@ -173,4 +181,16 @@ fn wrong_offsets(operation: &Operation, work: &SetUpWork, lines: &[String], tool
         Some(fault(code, Severity::Doubtful, note, tool.line))
     });
     told.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_edge_is_told_from_one_that_begins_with_its_digits() {
+        for (block, has) in [("T0303 D1", true), ("T3 D12", false), ("D12 D1", true), ("T3 D01", true), ("T1", false)] {
+            assert_eq!(has_edge(block, 1), has, "{block}");
+        }
+    }
 }

@@ -1,5 +1,8 @@
 //! The limits of a tolerance field, `f7` or `P7`, from the nominal size (ISO 286-1).
 
+use std::fmt;
+use std::ops::RangeInclusive;
+
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, QueryError};
 use crate::tables::rules::{FieldBegins, FieldPositionFor};
@@ -15,6 +18,15 @@ pub struct Deviations {
     pub lower: Micrometres,
 }
 
+/// As drawings have them: each with its sign, zero without, the upper one first.
+impl fmt::Display for Deviations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = |deviation: Micrometres| if deviation > Micrometres::ZERO { "+" } else { "" };
+        let Self { upper, lower } = *self;
+        write!(f, "{}{upper}/{}{lower}", sign(upper), sign(lower))
+    }
+}
+
 impl Deviations {
     /// The width between the limits.
     pub fn width(self) -> Micrometres {
@@ -26,7 +38,28 @@ impl Deviations {
         self.upper + self.lower
     }
 
-    /// The coarsest grade that is no wider, at a size; the finest of the tables if all are.
+    /// The coarsest grade of some whose tolerance is within the limits, at a size.
+    ///
+    /// # Errors
+    /// The size is outside the table of tolerances, or the knowledge base is broken.
+    pub fn grade_among(
+        self,
+        grades: RangeInclusive<u8>,
+        size: Micrometres,
+        knowledge: &Knowledge,
+    ) -> Result<Option<ItGrade>, KnowledgeError> {
+        for it in grades.rev().filter_map(ItGrade::new) {
+            let tolerance = knowledge.ask(&ItGradesFor { it, diameter: size })?.need("it")?.tolerance;
+            // JS of an odd width is rounded down to whole micrometres on each side (ISO 286-1), and remains of its grade.
+            let js = self.upper == -self.lower && self.upper == tolerance.half();
+            if js || tolerance <= self.width() {
+                return Ok(Some(it));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The coarsest grade of the tables that is within the limits, at a size; the finest if all are wider.
     ///
     /// # Errors
     /// The knowledge base is broken.
@@ -34,13 +67,7 @@ impl Deviations {
         if size <= Micrometres::ZERO || size > LARGEST {
             return Ok(None);
         }
-        for it in (FINEST..=COARSEST).rev().filter_map(ItGrade::new) {
-            let asked = knowledge.ask(&ItGradesFor { it, diameter: size })?;
-            if asked.need("it")?.tolerance <= self.width() {
-                return Ok(Some(it));
-            }
-        }
-        Ok(ItGrade::new(FINEST))
+        Ok(self.grade_among(FINEST..=COARSEST, size, knowledge)?.or(ItGrade::new(FINEST)))
     }
 
     /// The deviations of a field by its letters and grade; none where the tables do not tell them. The half of an odd
@@ -92,3 +119,30 @@ impl Deviations {
 const FINEST: u8 = 5;
 const COARSEST: u8 = 14;
 const LARGEST: Micrometres = Micrometres::from_mm(500);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shipped;
+
+    /// IT8 of 20 is 33: js8 is ±16.5, which ISO 286-1 lets be ±16, and finer than that is js7, ±10. IT6 and IT7 of 40: 16, 25.
+    #[test]
+    fn limits_of_js_are_of_its_grade() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (upper, lower, size, grade) in [
+            (16, -16, 20, 8),
+            (15, -15, 20, 7),
+            (32, 0, 20, 7),
+            (33, 0, 20, 8),
+            (8, -8, 40, 6),
+            (12, -12, 40, 7),
+            (1, -1, 40, FINEST),
+        ] {
+            let limits = Deviations { upper: Micrometres::new(upper), lower: Micrometres::new(lower) };
+            let found = limits.grade(Micrometres::from_mm(size), &knowledge).unwrap();
+            assert_eq!(found, ItGrade::new(grade), "{size} {limits}");
+        }
+        let limits = Deviations { upper: Micrometres::new(16), lower: Micrometres::ZERO };
+        assert_eq!(limits.to_string(), "+0.016/0");
+    }
+}

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Part, Point};
+use super::{Clamp, Part, Point};
 use crate::units::Micrometres;
 
 /// A clamp or an obstacle, in the coordinates of the drawing as the part lies in a set-up.
@@ -30,10 +30,10 @@ impl Part {
     /// What stands over the face in a set-up, from 1. The clamps of the file are those of the first, and without an outline
     /// as wide as `foot` about the point where they press; one without a height is not known to be in the way.
     pub fn standing(&self, set_up: u32, foot: Micrometres) -> Vec<Standing> {
-        let clamps = self.fixture.clamps.iter().filter(|_| set_up == 1).filter_map(|clamp| {
-            let outline = clamp.outline.map_or(Outline::Round(clamp.at, foot), |[low, high]| Outline::Box(low, high));
-            Some(Standing { at: clamp.at, outline, height: clamp.height? })
-        });
+        let clamps =
+            self.fixture.clamps.iter().filter(|_| set_up == 1).filter_map(|clamp| {
+                Some(Standing { at: clamp.at, outline: clamp.outline(foot), height: clamp.height? })
+            });
         let obstacles = self.fixture.obstacles.iter().filter(|obstacle| obstacle.set_up == set_up).map(|obstacle| {
             let [a, b] = obstacle.outline.map(|corner| if set_up == 2 { self.turned_over(corner) } else { corner });
             let (low, high) = (Point { x: a.x.min(b.x), y: a.y.min(b.y) }, Point { x: a.x.max(b.x), y: a.y.max(b.y) });
@@ -50,7 +50,24 @@ impl Part {
     }
 }
 
+impl Clamp {
+    /// The outline of the file; without one everything nearer than `foot` to the point where it presses.
+    pub fn outline(&self, foot: Micrometres) -> Outline {
+        self.outline.map_or(Outline::Round(self.at, foot), |[low, high]| Outline::Box(low, high))
+    }
+}
+
 impl Outline {
+    /// Whether it has more than an edge in common with another one.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Round(at, own), other) | (other, Self::Round(at, own)) => other.is_hit(*at, *at, *own),
+            (Self::Box(low, high), Self::Box(other_low, other_high)) => {
+                low.x < other_high.x && other_low.x < high.x && low.y < other_high.y && other_low.y < high.y
+            }
+        }
+    }
+
     /// Whether a tool of this radius hits it on a rapid. A machine whose axes each go at their own rate goes at 45° until
     /// one has arrived, another one straight: neither may hit.
     pub fn is_hit_by_rapid(&self, from: Point, to: Point, radius: Micrometres) -> bool {
@@ -114,6 +131,20 @@ fn distance(a: Point, b: Point, at: Point) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Feet of 20 mm 30 and 30 mm apart: 42.4 mm from middle to middle, though squares of 40 about them would overlap.
+    #[test]
+    fn outlines_overlap_as_they_stand() {
+        let round = |x, y| Outline::Round(point(x, y), Micrometres::from_mm(20));
+        let square = |x, y| Outline::Box(point(x, y), point(x + 40, y + 40));
+        assert!(!round(0, 0).overlaps(&round(30, 30)) && round(0, 0).overlaps(&round(30, 26)));
+        assert!(!square(0, 0).overlaps(&square(40, 0)) && square(0, 0).overlaps(&square(39, 39)));
+        for (near, at) in
+            [(true, square(14, 14)), (false, square(15, 15)), (false, square(-60, 0)), (true, square(-59, 0))]
+        {
+            assert_eq!([round(0, 0).overlaps(&at), at.overlaps(&round(0, 0))], [near, near], "{at:?}");
+        }
+    }
 
     fn point(x: i64, y: i64) -> Point {
         Point { x: Micrometres::from_mm(x), y: Micrometres::from_mm(y) }

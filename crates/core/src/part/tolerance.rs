@@ -12,7 +12,7 @@ use crate::tables::holes::{HoleConvention, HoleDefault};
 use crate::tables::standards::ItGradesFor;
 use crate::units::{ItGrade, Micrometres};
 
-use super::deviations::Deviations;
+use super::Deviations;
 
 /// A diameter and its tolerance.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -179,17 +179,11 @@ impl ToleratedDiameter {
         if lower.abs().max(upper.abs()) >= nominal {
             return Err(note!("part-deviations-small-beside-they-mm", upper = upper, lower = lower, nominal = nominal));
         }
-        for grade in (6..=14).rev() {
-            let Some(it) = ItGrade::new(grade) else { continue };
-            let width = tolerance_width(it, nominal, knowledge)?;
-            // JS of an odd width is rounded down to whole micrometres on each side (ISO 286-1), and remains of its grade.
-            let js = upper == -lower && upper == width.half();
-            if width <= given || js {
-                let written = format!("{nominal} {}/{}", signed(upper), signed(lower));
-                return Ok(Self { nominal, upper, lower, it, written });
-            }
-        }
-        Err(note!("part-tolerance-mm-tighter-than-grade", given = given, nominal = nominal))
+        let limits = Deviations { upper, lower };
+        let it = limits.grade_among(6..=14, nominal, knowledge).map_err(|error| Note::from(&error))?;
+        let it = it.ok_or_else(|| note!("part-tolerance-mm-tighter-than-grade", given = given, nominal = nominal))?;
+        let written = format!("{nominal} {limits}");
+        Ok(Self { nominal, upper, lower, it, written })
     }
 }
 
@@ -223,11 +217,6 @@ fn of_drawing(text: &str) -> Option<Note> {
     let no_size =
         (1..=2).contains(&letters) && typed.starts_with(char::is_alphabetic) && typed[letters..].chars().all(is_figure);
     no_size.then(|| note!("part-size-before-tolerance", text = text, example = format!("10{typed}")))
-}
-
-/// A deviation as written on drawings: with its sign, zero without.
-fn signed(deviation: Micrometres) -> String {
-    if deviation > Micrometres::ZERO { format!("+{deviation}") } else { deviation.to_string() }
 }
 
 /// Checks that the drills and bars of the catalogs make such a hole (table `hole-defaults`).

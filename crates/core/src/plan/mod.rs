@@ -13,6 +13,7 @@ use crate::units::{
     RevsPerMinute,
 };
 
+mod magazine;
 mod order;
 mod route;
 
@@ -260,6 +261,21 @@ pub struct Rounds {
     /// Feed down, mm/min, where the mill cuts on its way down; absent where it goes down through an open hole.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub plunge_feed_mm_per_min: Option<MillimetresPerMinute>,
+}
+
+impl Rounds {
+    /// The diameter after a pass, counted from 1, of a hole that is `diameter` wide after the last one.
+    pub fn after(&self, pass: u32, diameter: Micrometres) -> Micrometres {
+        let passes = self.passes.max(1);
+        // A thin last pass is not one of the equal ones.
+        let finish = self.finish_mm.filter(|_| passes > 1);
+        let (equal, thin) = finish.map_or((passes, Micrometres::ZERO), |finish| (passes - 1, finish + finish));
+        if pass > equal {
+            return diameter;
+        }
+        let stock = diameter - thin - self.from_diameter_mm;
+        self.from_diameter_mm + stock.ratio(i64::from(pass), i64::from(equal))
+    }
 }
 
 /// A point of the normative cards, before the corrections for material and tool.

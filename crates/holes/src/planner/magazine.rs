@@ -132,8 +132,7 @@ pub(super) fn number_tools(
         findings.push(Finding::of_part(Severity::Doubtful, note));
     }
 
-    let longest = tools.iter().map(|tool| tool.assembly.length).max().unwrap_or_default();
-    let plans = tools
+    let mut plans: Vec<ToolPlan> = tools
         .iter()
         .zip(1..)
         .map(|(tool, number)| ToolPlan {
@@ -150,11 +149,12 @@ pub(super) fn number_tools(
             mass_kg: tool.assembly.mass_kg.map(|mass| round_to(mass, 2)),
             load: (number - 1) / u32::try_from(places).unwrap_or(u32::MAX) + 1,
             corrector: number,
-            correction_mm: tool.assembly.length - longest,
-            book_correction_mm: longest - tool.assembly.length,
+            correction_mm: Micrometres::ZERO,
+            book_correction_mm: Micrometres::ZERO,
             because: tool.because.clone(),
         })
         .collect();
+    ToolPlan::correct(&mut plans);
     let holes = drafts
         .into_iter()
         .zip(&part.holes)

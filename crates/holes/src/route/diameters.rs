@@ -372,8 +372,8 @@ pub fn final_drill(
     let (target, drilled) = (diameter.target(), accuracy::drilled(shop)?);
     let permitted = |drill: &Micrometres| (diameter.smallest()..=diameter.largest()).contains(drill);
     let stays = |drill: &Micrometres| {
-        let wider = tolerance_width(drilled, *drill, shop.knowledge).unwrap_or_default();
-        permitted(drill) && *drill + wider <= diameter.largest()
+        let wider = || tolerance_width(drilled, *drill, shop.knowledge).unwrap_or_default();
+        permitted(drill) && *drill + wider() <= diameter.largest()
     };
     let aimed = drills.iter().copied().find(|drill| *drill == target);
     let sure = aimed.filter(stays).or_else(|| drills.iter().copied().find(stays));

@@ -10,7 +10,7 @@ use crate::plan::{Operation, RouteSource};
 use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::tables::holes::{
-    PositionAsked, RouteStagesFor, Scheme, SchemesOfMainHole, SchemesOfMainHoleFor, Stage, StagedHole,
+    HoleDefault, PositionAsked, RouteStagesFor, Scheme, SchemesOfMainHole, SchemesOfMainHoleFor, Stage, StagedHole,
 };
 use crate::tables::rules::{
     BlankState, CellTaken, CentreColumn, CentreFirstFor, CentredTwin, EmptyCellFor, GradeAsked, SchemeTaken,
@@ -100,8 +100,8 @@ pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<C
     }
     let mut tighter = Vec::new();
     if own.filled.is_empty() && finer.is_empty() {
-        // The upper limit of the column stands for it.
-        let centre_tolerance = question.centre_tolerance.min(Micrometres::new(50));
+        // The upper limit of the first column stands for it.
+        let centre_tolerance = question.centre_tolerance.min(shop.convention(HoleDefault::FinestCentres)?);
         tighter = cells(bore.diameter.it, &SchemeQuestion { centre_tolerance, ..*question }, knowledge)?.filled;
     }
     let answer = knowledge.ask(&EmptyCellFor {

@@ -81,15 +81,7 @@ type Speeds = Vec<u64>;
 /// The knowledge base has no answer.
 pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let job = job::make(plan, shop)?;
-    let hands = job::Hands::read(shop.knowledge)?;
-    let mut time = job::times(&job, &shop.machine, &hands, &mut plan.sequence);
-    // Machine time follows the conditions, as beside each transition; programs round feeds down a little.
-    let of_hole = |hole: &HolePlan| -> f64 {
-        let here = hole.transitions.iter().filter(|step| !step.elsewhere);
-        here.map(|step| step.conditions.machine_time_min.0 * hole.count as f64).sum()
-    };
-    time.machine_min = Minutes(plan.holes.iter().map(of_hole).sum());
-    plan.time = time.rounded();
+    job::timed(plan, &job, shop)?;
     let hinders = |finding: &Finding| finding.severity == Severity::Error && !plan.findings.contains(finding);
     let hindered: Vec<Finding> = job.findings.into_iter().filter(hinders).collect();
     plan.findings.extend(hindered);

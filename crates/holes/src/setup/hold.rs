@@ -44,10 +44,8 @@ pub(super) fn faults(
 ) -> Result<Vec<Finding>, KnowledgeError> {
     let mut faults = Vec::new();
     let metres = |length: Micrometres| length.to_mm() / 1000.0;
-    if let Some((distance, least)) = overlap(part, shop.convention(HoleDefault::ClampInset)?) {
-        let note = Note::new("clamps-overlap").with("distance", distance).with("least", least);
-        faults.push(Finding::of_part(Severity::Error, note));
-    }
+    let overlapping = overlap(part, shop.convention(HoleDefault::ClampInset)?);
+    faults.extend(overlapping.map(|note| Finding::of_part(Severity::Error, note)));
     let moment = hold.safety * hold.torque.0;
     let to_others = clamps.iter().map(|one| clamps.iter().map(|other| metres(one.distance(*other))).sum::<f64>());
     let lever = to_others.fold(f64::INFINITY, f64::min);
@@ -78,22 +76,17 @@ pub(super) fn faults(
     Ok(faults)
 }
 
-/// The two nearest clamps of the file whose outlines overlap, as their distance and the width of a foot that they
-/// would need; a clamp without an outline is `inset` to all sides of its point.
-fn overlap(part: &Part, inset: Micrometres) -> Option<(Micrometres, Micrometres)> {
-    let outline = |clamp: &crate::part::Clamp| {
-        clamp.outline.unwrap_or([
-            Point { x: clamp.at.x - inset, y: clamp.at.y - inset },
-            Point { x: clamp.at.x + inset, y: clamp.at.y + inset },
-        ])
-    };
+/// The two nearest clamps of the file whose outlines overlap; a clamp without one stands on a foot about its point.
+fn overlap(part: &Part, foot: Micrometres) -> Option<Note> {
     let clamps = &part.fixture.clamps;
     let pairs = clamps.iter().enumerate().flat_map(|(at, one)| clamps[at + 1..].iter().map(move |two| (one, two)));
-    let overlapping = pairs.filter(|(one, two)| {
-        let ([low, high], [other_low, other_high]) = (outline(one), outline(two));
-        low.x < other_high.x && other_low.x < high.x && low.y < other_high.y && other_low.y < high.y
-    });
-    overlapping.map(|(one, two)| (one.at.distance(two.at), inset + inset)).min()
+    let overlapping = pairs.filter(|(one, two)| one.outline(foot).overlaps(&two.outline(foot)));
+    let (one, two) = overlapping.min_by_key(|(one, two)| one.at.distance(two.at))?;
+    if one.outline.or(two.outline).is_some() {
+        let shown = |at: Point| format!("[{}; {}]", at.x, at.y);
+        return Some(Note::new("clamp-outlines-overlap").with("one", shown(one.at)).with("other", shown(two.at)));
+    }
+    Some(Note::new("clamps-overlap").with("distance", one.at.distance(two.at)).with("least", foot + foot))
 }
 
 /// The sums of the distances of the clamps from each of the four edges.

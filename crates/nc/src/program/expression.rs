@@ -138,7 +138,15 @@ impl Lookup for Parameters {
 /// The deepest nesting of brackets.
 const DEPTH: usize = 20;
 
+/// The most operations of one number: many more than stand in a line of any control.
+pub const MOST_OPERATIONS: usize = 200;
+
 impl Expression {
+    /// A number that could not be read: it has no value.
+    pub const fn unread() -> Self {
+        Self::Parameter(String::new())
+    }
+
     /// Its value; none where a parameter has none, or for a division by 0.
     pub fn value(&self, parameters: &impl Lookup) -> Option<f64> {
         let value = match self {
@@ -176,11 +184,12 @@ pub(super) struct Reader<'a> {
     pub r_parameters: bool,
     /// Whether functions, powers, remainders and `#[…]` are read.
     pub functions: bool,
+    operations: usize,
 }
 
 impl<'a> Reader<'a> {
     pub const fn new(characters: &'a [(usize, char)], at: usize, r_parameters: bool) -> Self {
-        Self { characters, at, r_parameters, functions: false }
+        Self { characters, at, r_parameters, functions: false, operations: 0 }
     }
 
     fn peek(&self) -> Option<char> {
@@ -217,12 +226,19 @@ impl<'a> Reader<'a> {
         known.iter().find(|(word, _)| self.next_word(word)).map(|(_, relation)| *relation)
     }
 
-    /// A sum. `open` is the bracket that began it, if any.
+    /// An operation with two sides; none beyond the most of a number.
+    fn of(&mut self, sign: char, left: Expression, right: Expression) -> Option<Expression> {
+        self.operations += 1;
+        (self.operations <= MOST_OPERATIONS).then(|| Expression::Of(sign, Box::new(left), Box::new(right)))
+    }
+
+    /// A sum; `depth` counts the brackets around it.
     pub fn sum(&mut self, depth: usize) -> Option<Expression> {
         let mut left = self.product(depth)?;
         while let Some(sign @ ('+' | '-')) = self.peek() {
             self.at += 1;
-            left = Expression::Of(sign, Box::new(left), Box::new(self.product(depth)?));
+            let right = self.product(depth)?;
+            left = self.of(sign, left, right)?;
         }
         Some(left)
     }
@@ -248,14 +264,16 @@ impl<'a> Reader<'a> {
                 _ if self.functions && self.next_word("MOD") => '%',
                 _ => return Some(left),
             };
-            left = Expression::Of(sign, Box::new(left), Box::new(self.power(depth)?));
+            let right = self.power(depth)?;
+            left = self.of(sign, left, right)?;
         }
     }
 
     fn power(&mut self, depth: usize) -> Option<Expression> {
         let mut left = self.operand(depth)?;
         while self.functions && self.next_word("**") {
-            left = Expression::Of('^', Box::new(left), Box::new(self.operand(depth)?));
+            let right = self.operand(depth)?;
+            left = self.of('^', left, right)?;
         }
         Some(left)
     }

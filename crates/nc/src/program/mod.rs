@@ -18,11 +18,10 @@ mod running;
 pub mod setting;
 pub mod written;
 
-use std::collections::BTreeSet;
-
 use serde::Serialize;
 use technolog_note::note;
 
+pub use expression::MOST_OPERATIONS;
 pub use setting::Setting;
 
 use crate::error::KnowledgeError;
@@ -34,6 +33,7 @@ use crate::motion::{BlockRef, MotionStep, Sink};
 use crate::note::{IntoFigure, Note, Severity};
 use crate::plan::{Operation, Plan};
 use crate::tables::controls::Letter;
+use running::BUDGET;
 use written::{Form, WrittenProgram};
 
 /// The name of 2С42-65.
@@ -78,24 +78,12 @@ impl Language {
     }
 
     /// Leaves to another machine what the control cannot do of a plan: taps, where its spindle does not go with the feed.
-    pub fn leave(&self, plan: &mut Plan) {
-        let Self::Iso(control) = self else { return };
-        if control.taps() {
-            return;
+    /// Returns whether anything was left.
+    pub fn leave(&self, plan: &mut Plan) -> bool {
+        match self {
+            Self::Iso(control) if !control.taps() => plan.leave(Operation::Tap),
+            _ => false,
         }
-        let mut left = BTreeSet::new();
-        for hole in &mut plan.holes {
-            for (index, transition) in hole.transitions.iter_mut().enumerate() {
-                if transition.operation == Operation::Tap {
-                    transition.elsewhere = true;
-                    left.insert((hole.name.clone(), index));
-                }
-            }
-        }
-        for visit in &mut plan.sequence {
-            visit.stops.retain(|stop| !left.contains(&(stop.hole.clone(), stop.transition)));
-        }
-        plan.sequence.retain(|visit| !visit.stops.is_empty());
     }
 
     /// The machine function that a tapping cycle needs before it, if the control has one.
@@ -126,8 +114,8 @@ impl Language {
     /// returned, sorted by place.
     pub fn check<S: Sink>(&self, text: &str, machine: &Machine<'_>, setting: &Setting, sink: &mut S) -> Vec<Fault> {
         match self {
-            Self::Control2c42(control) => control_2c42_65::check(text, control, machine, setting, sink),
-            Self::Iso(control) => iso::check(text, control, machine, setting, sink),
+            Self::Control2c42(control) => control_2c42_65::check_within(BUDGET, text, control, machine, setting, sink),
+            Self::Iso(control) => iso::check_within(BUDGET, text, control, machine, setting, sink),
         }
     }
 }

@@ -79,10 +79,7 @@ impl Dictionary {
         let words = format!("{control}-words");
         let lacks = || KnowledgeError::missing(&words, crate::note::Note::new("table-no-words-of-control"));
         let mut names = vec![control];
-        for row in knowledge.table(&format!("control-{control}")).map_err(|_| lacks())?.rows() {
-            let row: iso::Record<'_> = row?;
-            names.extend(row.text.filter(|_| row.name.is(iso::Characteristic::WordsOf)));
-        }
+        names.extend(iso::Record::text(control, iso::Characteristic::WordsOf, knowledge).map_err(|_| lacks())?);
         let has = |controls: &[&str]| controls.iter().any(|control| names.contains(control));
         for row in knowledge.rows::<iso::GFunctions<'_>>()?.into_iter().filter(|row| has(&row.controls)) {
             let code = two_digits('G', row.code.trim_start_matches('G'));

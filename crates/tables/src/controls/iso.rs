@@ -1,7 +1,7 @@
 //! The language of ISO 6983 as each control reads it: a record for each, and the tables of its words.
 
 use technolog_knowledge::contract::{Named, Use};
-use technolog_knowledge::{rows, vocabulary};
+use technolog_knowledge::{Knowledge, KnowledgeError, Table, rows, vocabulary};
 
 use super::{Acts, Letter};
 
@@ -179,6 +179,8 @@ vocabulary! {
         ToolTakenOut = "tool-taken-out",
         ArcToleranceInches = "arc-tolerance-inches",
         ArcReach = "arc-reach",
+        LocalParameters = "local-parameters",
+        FreeParameters = "free-parameters",
     }
 }
 
@@ -269,4 +271,35 @@ rows! {
         value: Option<Vec<f64>>,
         text: Option<&'t str>,
     } shown { unit }
+}
+
+/// The first word of the ids of records.
+const ID: &str = "control-";
+
+impl<'k> Record<'k> {
+    /// The controls that have a record.
+    pub fn names(knowledge: &'k Knowledge) -> impl Iterator<Item = &'k str> {
+        knowledge.tables_of::<Self>().filter_map(|table| table.id.strip_prefix(ID))
+    }
+
+    /// The table of a control.
+    ///
+    /// # Errors
+    /// It has none.
+    pub fn table(control: &str, knowledge: &'k Knowledge) -> Result<&'k Table, KnowledgeError> {
+        Ok(knowledge.table(&format!("{ID}{control}"))?)
+    }
+
+    /// The text of a characteristic of a control, where its record has one.
+    ///
+    /// # Errors
+    /// It has no record.
+    pub fn text(
+        control: &str,
+        name: Characteristic,
+        knowledge: &'k Knowledge,
+    ) -> Result<Option<&'k str>, KnowledgeError> {
+        let record: Vec<Self> = Self::table(control, knowledge)?.rows().collect::<Result<_, _>>()?;
+        Ok(record.iter().find(|row| row.name.is(name)).and_then(|row| row.text))
+    }
 }

@@ -74,6 +74,12 @@ vocabulary! {
         TapEntry = "tap-entry",
         /// The share of the rise of a bar's secondary edge that the stock on a bottom may take.
         BottomEdgeShare = "bottom-edge-share",
+        /// The length of a slope up to a fit of another radius, divided by its height: the cotangent of its angle.
+        FitRise = "fit-rise",
+        /// The same down from one.
+        FitFall = "fit-fall",
+        /// The longest way along a slope of the drawing to the radius of a fit.
+        FitSlopeFar = "fit-slope-far",
     }
 }
 

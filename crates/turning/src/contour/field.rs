@@ -3,9 +3,10 @@
 use std::fmt;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, QueryError};
+use crate::knowledge::Knowledge;
 use crate::note::{Figure, IntoFigure};
 use crate::tables::rules::TurningFieldFor;
+use crate::tables::vocabularies::VocabularyWord;
 use crate::units::{ItGrade, Micrometres};
 
 /// A field by its letters and its grade.
@@ -36,10 +37,15 @@ impl Field {
     /// The rule cannot answer.
     pub fn has_nominal(&self, size: Micrometres, knowledge: &Knowledge) -> Result<bool, KnowledgeError> {
         let question = TurningFieldFor { letters: &self.letters, grade: self.grade, diameter: size };
-        match knowledge.ask(&question) {
-            // Letters that no field has.
-            Err(KnowledgeError::Query(QueryError::IllTyped { .. })) => Ok(false),
-            answer => Ok(answer?.need(&self.to_string())?.holds),
-        }
+        Ok(knowledge.ask(&question)?.need(&self.to_string())?.holds)
+    }
+
+    /// Whether there is a field of its letters.
+    ///
+    /// # Errors
+    /// The vocabulary `field-letters` is missing.
+    pub fn is_known(&self, knowledge: &Knowledge) -> Result<bool, KnowledgeError> {
+        let words = knowledge.table("field-letters")?.rows().collect::<Result<Vec<VocabularyWord<'_>>, _>>()?;
+        Ok(words.iter().any(|known| known.word == self.letters))
     }
 }

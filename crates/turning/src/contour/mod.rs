@@ -17,7 +17,7 @@ pub use crate::tables::turning::part::Side;
 pub use field::Field;
 use piece::both;
 pub use piece::{Curve, Piece, Turn};
-pub use resized::{Resized, resized};
+pub use resized::{Resized, Slopes, resized};
 pub use stretches::Stretches;
 pub use surface::{Profile, Surface, SurfaceKind, SurfaceName};
 

@@ -5,14 +5,16 @@ use crate::turning::point::Point;
 
 use super::{Piece, Side};
 
-/// The cotangent of 30°: a nose rolls over such a step; before an upright one it would stop a whole radius too soon.
-const RISE: f64 = 1.732_050_807_569;
-
-/// The cotangent of 4°, which an edge with φ1 = 5° follows downwards.
-const FALL: f64 = 14.300_666_256_712;
-
-/// The longest way along a slope of the drawing to the other radius, mm; farther a slope of our own is put in.
-const FAR: f64 = 0.5;
+/// The slopes that lead from one radius as made to another (table `turning-job-limits`).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Slopes {
+    /// The length of one that rises over its height: a nose rolls over it.
+    pub rise: f64,
+    /// The same of one that falls: an edge follows it.
+    pub fall: f64,
+    /// The longest way along a slope of the drawing, mm; farther a slope of our own is put in.
+    pub far: f64,
+}
 
 /// A cylinder that is made at another radius.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +43,7 @@ impl Resized {
 
 /// Pieces, each with a mark, with their cylinders as made; what is beside them meets them there. Metal that a cylinder of the
 /// drawing has beyond them is made like its neighbour.
-pub fn resized<T: Copy>(pieces: Vec<(Piece, T)>, side: Side, all: &[Resized]) -> Vec<(Piece, T)> {
+pub fn resized<T: Copy>(pieces: Vec<(Piece, T)>, side: Side, all: &[Resized], slopes: Slopes) -> Vec<(Piece, T)> {
     let mut made: Vec<(Piece, T)> = Vec::with_capacity(pieces.len());
     let mut moved = Vec::new();
     for (piece, mark) in pieces {
@@ -52,13 +54,13 @@ pub fn resized<T: Copy>(pieces: Vec<(Piece, T)>, side: Side, all: &[Resized]) ->
             continue;
         }
         let first = made.len();
-        made.extend(stepped(piece, side, &own).into_iter().map(|piece| (piece, mark)));
+        made.extend(stepped(piece, side, &own, slopes).into_iter().map(|piece| (piece, mark)));
         moved.push((first, made.len()));
     }
     // From behind, because steps are put in.
     for (first, end) in moved.into_iter().rev() {
-        meet_behind(&mut made, side, end);
-        meet_before(&mut made, side, first);
+        meet_behind(&mut made, side, end, slopes);
+        meet_before(&mut made, side, first, slopes);
     }
     made.retain(|(piece, _)| !piece.is_nothing());
     made
@@ -70,17 +72,17 @@ fn rises(step: Half, side: Side) -> bool {
 }
 
 /// How far along a slope takes to another radius.
-fn way(step: Half, side: Side) -> Half {
-    Half::from(step.to_mm().abs() * if rises(step, side) { RISE } else { FALL })
+fn way(step: Half, side: Side, slopes: Slopes) -> Half {
+    Half::from(step.to_mm().abs() * if rises(step, side) { slopes.rise } else { slopes.fall })
 }
 
 /// A cylinder as its parts are made, with a slope from each to the next.
-fn stepped(piece: Piece, side: Side, own: &[&Resized]) -> Vec<Piece> {
+fn stepped(piece: Piece, side: Side, own: &[&Resized], slopes: Slopes) -> Vec<Piece> {
     let mut made = Vec::new();
     let Some(first) = own.first() else { return vec![piece] };
     let mut from = Point { radius: first.made, z: piece.from.z };
     for (one, next) in own.iter().zip(own.iter().skip(1)) {
-        let length = way(next.made - one.made, side);
+        let length = way(next.made - one.made, side, slopes);
         // In what lies between them, if anything does.
         let begins =
             if rises(next.made - one.made, side) { next.from - length } else { (next.from - length).max(one.to) };
@@ -95,7 +97,7 @@ fn stepped(piece: Piece, side: Side, own: &[&Resized]) -> Vec<Piece> {
 }
 
 /// What stands before a cylinder ends on it.
-fn meet_before<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, first: usize) {
+fn meet_before<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, first: usize, slopes: Slopes) {
     let Some((cylinder, mark)) = made.get(first).copied() else { return };
     let Some(index) = first.checked_sub(1) else { return };
     let (before, around) = (made[index].0, index.checked_sub(1).map(|index| made[index].0));
@@ -103,9 +105,9 @@ fn meet_before<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, first: usize) {
         return;
     }
     if before.is_cylinder() {
-        return slope(made, side, first);
+        return slope(made, side, first, slopes);
     }
-    match met(before.reversed(), around.map(Piece::reversed), cylinder.reversed()) {
+    match met(before.reversed(), around.map(Piece::reversed), cylinder.reversed(), slopes) {
         Some(Met { beside, around, meets }) => {
             made[index].0 = beside.reversed();
             if let (Some(around), Some(index)) = (around, index.checked_sub(1)) {
@@ -115,7 +117,7 @@ fn meet_before<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, first: usize) {
         }
         None => {
             let head = Point {
-                z: (before.to.z + way(cylinder.from.radius - before.to.radius, side)).min(cylinder.to.z),
+                z: (before.to.z + way(cylinder.from.radius - before.to.radius, side, slopes)).min(cylinder.to.z),
                 ..cylinder.from
             };
             made[first].0.from = head;
@@ -125,7 +127,7 @@ fn meet_before<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, first: usize) {
 }
 
 /// What stands behind a cylinder begins on it; `end` is its index.
-fn meet_behind<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, end: usize) {
+fn meet_behind<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, end: usize, slopes: Slopes) {
     let Some(last) = end.checked_sub(1) else { return };
     let (Some((cylinder, mark)), Some((behind, _))) = (made.get(last).copied(), made.get(end).copied()) else { return };
     let around = made.get(end + 1).map(|(piece, _)| *piece);
@@ -133,9 +135,9 @@ fn meet_behind<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, end: usize) {
         return;
     }
     if behind.is_cylinder() {
-        return slope(made, side, end);
+        return slope(made, side, end, slopes);
     }
-    match met(behind, around, cylinder) {
+    match met(behind, around, cylinder, slopes) {
         Some(Met { beside, around, meets }) => {
             made[end].0 = beside;
             if let (Some(around), Some(piece)) = (around, made.get_mut(end + 1)) {
@@ -145,7 +147,7 @@ fn meet_behind<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, end: usize) {
         }
         None => {
             let foot = Point {
-                z: (behind.from.z - way(behind.from.radius - cylinder.to.radius, side)).max(cylinder.from.z),
+                z: (behind.from.z - way(behind.from.radius - cylinder.to.radius, side, slopes)).max(cylinder.from.z),
                 ..cylinder.to
             };
             made[last].0.to = foot;
@@ -155,7 +157,7 @@ fn meet_behind<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, end: usize) {
 }
 
 /// A slope from a cylinder to the next one, whose index is given.
-fn slope<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, index: usize) {
+fn slope<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, index: usize, slopes: Slopes) {
     let Some([(one, mark), (next, behind)]) = made.get(index - 1..=index).and_then(|both| both.first_chunk().copied())
     else {
         return;
@@ -164,7 +166,7 @@ fn slope<T: Copy>(made: &mut Vec<(Piece, T)>, side: Side, index: usize) {
     let fits = fits.map(|(from, to, radius)| Resized { drawn: radius, made: radius, from, to });
     let whole = Piece { to: Point { z: next.to.z, ..one.to }, ..one };
     let mut steps: Vec<(Piece, T)> =
-        stepped(whole, side, &fits.each_ref()).into_iter().map(|piece| (piece, mark)).collect();
+        stepped(whole, side, &fits.each_ref(), slopes).into_iter().map(|piece| (piece, mark)).collect();
     if let Some(last) = steps.last_mut() {
         last.1 = behind;
     }
@@ -181,7 +183,7 @@ struct Met {
 
 /// A piece that begins where a cylinder of the drawing ended begins on the cylinder as made: a face is longer or shorter, a slope
 /// goes on or ends sooner, a rounding moves along its face. None if it does not meet it so: then a slope is put in.
-fn met(beside: Piece, around: Option<Piece>, cylinder: Piece) -> Option<Met> {
+fn met(beside: Piece, around: Option<Piece>, cylinder: Piece, slopes: Slopes) -> Option<Met> {
     let radius = cylinder.to.radius;
     let shift = radius - beside.from.radius;
     if beside.is_face() {
@@ -201,7 +203,7 @@ fn met(beside: Piece, around: Option<Piece>, cylinder: Piece) -> Option<Met> {
     let along = Half::from(shift.to_mm() * chord.z / chord.radius);
     let meets = Point { radius, z: beside.from.z + along };
     let ahead = |from: Point, to: Point| (to.z - from.z).to_mm() * chord.z > 0.0;
-    let near = chord.radius.abs() > 1e-9 && along.to_mm().abs() <= FAR;
+    let near = chord.radius.abs() > 1e-9 && along.to_mm().abs() <= slopes.far;
     (near && ahead(meets, beside.to) && ahead(cylinder.from, meets)).then_some(Met {
         beside: Piece { from: meets, ..beside },
         around: None,
@@ -223,9 +225,12 @@ mod tests {
         Resized { drawn, made, from, to }
     }
 
+    /// Up at 30°, down at 4°.
+    const SLOPES: Slopes = Slopes { rise: 1.732_051, fall: 14.300_666, far: 0.5 };
+
     fn after(contour: Contour, all: &[Resized]) -> Contour {
         let marked = contour.pieces.into_iter().map(|piece| (piece, ())).collect();
-        let pieces = resized(marked, contour.side, all).into_iter().map(|(piece, ())| piece).collect();
+        let pieces = resized(marked, contour.side, all, SLOPES).into_iter().map(|(piece, ())| piece).collect();
         let made = Contour { side: contour.side, pieces };
         assert!(made.hangs_together(), "{made:?}");
         made

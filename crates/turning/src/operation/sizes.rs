@@ -9,8 +9,12 @@ use technolog_core::part::Deviations;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::Elsewhere;
-use crate::turning::contour::{Contour, Piece, Profile, Resized, Side, Surface, SurfaceKind, SurfaceName, resized};
+use crate::turning::contour::{
+    Contour, Field, Piece, Profile, Resized, Side, Slopes, Surface, SurfaceKind, SurfaceName, resized,
+};
+use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
 use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::SetUp;
@@ -68,6 +72,7 @@ pub struct Sizes {
     pub surfaces: Vec<Sized>,
     outer: Vec<Resized>,
     inner: Vec<Resized>,
+    slopes: Slopes,
     length: Half,
 }
 
@@ -83,7 +88,13 @@ impl Sizes {
         axials: &[Option<Axial>],
         knowledge: &Knowledge,
     ) -> Result<(Self, Vec<Finding>), KnowledgeError> {
-        let mut sizes = Self { length: workpiece.length(), ..Self::default() };
+        let mut limits = Limits::of(knowledge);
+        let slopes = Slopes {
+            rise: limits.ratio(JobLimit::FitRise)?,
+            fall: limits.ratio(JobLimit::FitFall)?,
+            far: limits.length(JobLimit::FitSlopeFar)?.to_mm(),
+        };
+        let mut sizes = Self { length: workpiece.length(), slopes, ..Self::default() };
         let mut findings = Vec::new();
         for profile in std::iter::once(&workpiece.outer).chain(&workpiece.inner) {
             let blank = match profile.side {
@@ -132,7 +143,7 @@ impl Sizes {
             return contour;
         }
         let marked = contour.pieces.into_iter().map(|piece| (piece, ())).collect();
-        let pieces = resized(marked, contour.side, &all).into_iter().map(|(piece, ())| piece).collect();
+        let pieces = resized(marked, contour.side, &all, self.slopes).into_iter().map(|(piece, ())| piece).collect();
         Contour { side: contour.side, pieces }
     }
 
@@ -144,7 +155,7 @@ impl Sizes {
         }
         let marked = profile.surfaces.iter().enumerate();
         let marked = marked.flat_map(|(index, surface)| surface.pieces.iter().map(move |piece| (*piece, index)));
-        let made = resized(marked.collect(), profile.side, &all);
+        let made = resized(marked.collect(), profile.side, &all, self.slopes);
         let own = |index| made.iter().filter(|(_, of)| *of == index).map(|(piece, _)| *piece).collect();
         let surfaces = profile.surfaces.iter().enumerate();
         let surfaces = surfaces.map(|(index, surface)| Surface { pieces: own(index), ..surface.clone() }).collect();
@@ -167,20 +178,29 @@ fn limited(surface: &Surface, side: Side, knowledge: &Knowledge) -> Result<Optio
             // It stands in the middle already.
             let made_mm = piece.from.z;
             let nominal = Micrometres::new((made_mm.halves() - limits.twice_middle().micrometres()) / 2);
-            let fit = format!("{}/{}", signed(limits.upper), signed(limits.lower));
+            let fit = limits.to_string();
             Sized { of: SizeOf::Length, made_mm, ..sized(surface, side, fit, nominal, limits) }
         }));
     }
     let Some(nominal) = size(surface) else { return Ok(None) };
-    let (fit, limits) = match (surface.limits, &surface.field) {
-        (Some(limits), _) => (format!("{}/{}", signed(limits.upper), signed(limits.lower)), limits),
-        (None, Some(field)) => match Deviations::of_field(&field.letters, field.grade, nominal, knowledge)? {
-            Some(limits) => (field.to_string(), limits),
-            None => return Ok(None),
-        },
-        (None, None) => return Ok(None),
+    let (fit, limits) = asked(surface, nominal, knowledge)?;
+    Ok(limits.map(|limits| sized(surface, side, fit, nominal, limits)))
+}
+
+/// The limits of a size as the drawing writes them, and as deviations where the tables tell those of its field.
+fn asked(
+    surface: &Surface,
+    nominal: Micrometres,
+    knowledge: &Knowledge,
+) -> Result<(String, Option<Deviations>), KnowledgeError> {
+    let of_field = |field: &Field| Deviations::of_field(&field.letters, field.grade, nominal, knowledge);
+    let field = surface.field.as_ref();
+    let limits = match surface.limits {
+        Some(limits) => Some(limits),
+        None => field.map(of_field).transpose()?.flatten(),
     };
-    Ok(Some(sized(surface, side, fit, nominal, limits)))
+    let written = surface.limits.map(|limits| limits.to_string()).or(field.map(Field::to_string));
+    Ok((written.unwrap_or_default(), limits))
 }
 
 /// A diameter between its limits.
@@ -199,24 +219,16 @@ fn sized(surface: &Surface, side: Side, fit: String, nominal: Micrometres, limit
     }
 }
 
-/// A deviation with its sign.
-fn signed(deviation: Micrometres) -> String {
-    if deviation > Micrometres::ZERO { format!("+{deviation}") } else { deviation.to_string() }
-}
-
 /// The finding that the limits of a surface leave out the size of the drawing, which is what is made of it.
 fn off_size(surface: &Surface, knowledge: &Knowledge) -> Result<Option<Finding>, KnowledgeError> {
     let Some(diameter) = size(surface) else { return Ok(None) };
-    let note = Note::new("field-off-size").with("surface", &surface.name).with("diameter", diameter);
-    let holds = |limits: Deviations| (limits.lower..=limits.upper).contains(&Micrometres::ZERO);
-    let (held, field) = match (surface.limits, &surface.field) {
-        (Some(limits), _) => (holds(limits), format!("{}/{}", signed(limits.upper), signed(limits.lower))),
-        (None, Some(field)) => match Deviations::of_field(&field.letters, field.grade, diameter, knowledge)? {
-            Some(limits) => (holds(limits), field.to_string()),
-            None => (field.has_nominal(diameter, knowledge)?, field.to_string()),
-        },
-        (None, None) => return Ok(None),
+    let (field, limits) = asked(surface, diameter, knowledge)?;
+    let held = match (limits, &surface.field) {
+        (Some(limits), _) => (limits.lower..=limits.upper).contains(&Micrometres::ZERO),
+        (None, Some(field)) => field.has_nominal(diameter, knowledge)?,
+        (None, None) => true,
     };
+    let note = Note::new("field-off-size").with("surface", &surface.name).with("diameter", diameter);
     Ok((!held).then(|| Finding::of_part(Severity::Wrong, note.with("field", field))))
 }
 

@@ -3,6 +3,7 @@
 use crate::knowledge::diagnostic::Place;
 use crate::turning::contour::{Contour, Side, Surface};
 use crate::turning::length::Half;
+use crate::turning::point::Point;
 use crate::turning::reading::{Reader, mistake};
 
 use super::Blank;
@@ -27,6 +28,18 @@ pub(super) fn crosses_itself(walked: &Walked, reader: &mut Reader<'_>) {
     }
 }
 
+/// The fault of a bore that does not begin where the outside does.
+pub(super) fn do_not_meet(bore: Point, outer: Point, place: &Place, reader: &mut Reader<'_>) {
+    let mistake = mistake!(
+        "contours-do-not-meet",
+        d = bore.radius.diameter(),
+        z = Half::ZERO - bore.z,
+        outer_d = outer.radius.diameter(),
+        outer_z = Half::ZERO - outer.z
+    );
+    reader.fault::<()>(mistake, place);
+}
+
 /// Checks where the contours begin and end: the outer one begins on the axis or where the bore begins; the bore ends on
 /// the axis or at the far end.
 pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>, reader: &mut Reader<'_>) {
@@ -37,16 +50,7 @@ pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>
     match inner {
         Some(inner) => {
             if let Some((bore, place)) = inner.start.as_ref().filter(|(bore, _)| bore != start) {
-                reader.fault::<()>(
-                    mistake!(
-                        "contours-do-not-meet",
-                        d = bore.radius.diameter(),
-                        z = Half::ZERO - bore.z,
-                        outer_d = start.radius.diameter(),
-                        outer_z = Half::ZERO - start.z
-                    ),
-                    place,
-                );
+                do_not_meet(*bore, *start, place, reader);
             }
             let last = inner.surfaces.last().map(|(_, place)| place);
             if let (Some(end), Some(far), Some(place)) = (inner.end(), outer.end(), last)

@@ -257,7 +257,9 @@ impl Reader<'_> {
         let name = fields.take(name).and_then(|node| Some((self.name(node)?, node.place.clone())));
         let grade = fields.take(grade).and_then(|node| {
             let text = self.problems.text(node)?;
+            let known = |field: &Field| field.is_known(self.knowledge).unwrap_or(true);
             match grade::read(text, side) {
+                Ok((_, Some(field))) if !known(&field) => self.fault(mistake!("bad-grade", grade = text), &node.place),
                 Ok(grade) => Some(grade),
                 Err(code) => self.fault(mistake!(code, grade = text), &node.place),
             }

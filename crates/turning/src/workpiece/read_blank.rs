@@ -132,16 +132,7 @@ impl Reader<'_> {
                     );
                 }
                 Some(Some((bore, place))) if bore != start => {
-                    self.fault::<()>(
-                        mistake!(
-                            "contours-do-not-meet",
-                            d = bore.radius.diameter(),
-                            z = Half::ZERO - bore.z,
-                            outer_d = start.radius.diameter(),
-                            outer_z = Half::ZERO - start.z
-                        ),
-                        place,
-                    );
+                    check::do_not_meet(*bore, *start, place, self);
                 }
                 _ => {}
             }

@@ -45,6 +45,7 @@ least-screw = no thinner screw than M{ $value } is set under a strap
 screw = { $needed } is needed, { $taken } taken: bears { $bears } N
 no-screw = no screw bears { $force } N per clamp ({ $clamps })
 screw-too-weak = screw { $screw } bears { $bears } N, and each clamp takes { $force } N; { $needed } is needed
+clamp-outlines-overlap = the clamps at { $one } and { $other } overlap by their outlines; put them apart, or correct `outline`
 clamps-overlap = two clamps { $distance } mm apart: their feet overlap, each takes { $least } mm; give their `outline` if they are narrower
 one-clamp-turns = one clamp: hole { $hole } turns the part about it with { $moment } N·m (with the safety factor), and nothing holds that; a second clamp at least { $least } mm away, or a stop there, does
 clamps-turn = the clamps stand too near to each other: hole { $hole } turns the part about one of them with { $moment } N·m > { $holds } N·m, what friction at the others holds; for two clamps { $least } mm are enough

@@ -4,7 +4,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::plan::Feature;
 use crate::reason::{Reason, Unfit};
 use crate::route::RouteStep;
-use crate::shop::Shop;
+use crate::shop::{Shop, widest_over_hole};
 use crate::tables::holes::HoleDefault;
 use crate::tooling::{self, Assembly, Cutter, CutterNeed, Plunging};
 use crate::units::Micrometres;
@@ -67,8 +67,7 @@ impl<'k> Fitting<'_, 'k> {
     pub(super) fn plunging(&self, step: &RouteStep, share: f64) -> Plunging {
         let widest =
             Micrometres::from_mm_rounded(step.diameter.to_mm() * share).min(step.diameter - Micrometres::new(1));
-        let without_middle = Micrometres::from_mm_rounded(step.from.to_mm() / self.mill_core_share);
-        Plunging { widest, without_middle }
+        Plunging { widest, without_middle: widest_over_hole(step.from, self.mill_core_share) }
     }
 
     /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.

@@ -13,25 +13,14 @@ use super::words::BlockWords;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, MotionStep, Sink};
 use crate::note::IntoFigure;
-use crate::program::running::{BUDGET, BlockOutcome, Running};
+use crate::program::running::{BlockOutcome, Running};
 use crate::program::{Call, Fault, Setting};
 
 /// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are returned,
-/// sorted by place.
+/// sorted by place; the run ends with an error after so many blocks and motions as `budget` says.
 ///
 /// A text with errors is not run. A block with an error makes no steps, but its modal functions take effect and the
 /// run continues, so that all mistakes are reported at once.
-pub fn check<S: Sink>(
-    text: &str,
-    control: &Control,
-    machine: &Machine<'_>,
-    setting: &Setting,
-    sink: &mut S,
-) -> Vec<Fault> {
-    check_within(BUDGET, text, control, machine, setting, sink)
-}
-
-/// The same with another budget: the run ends with an error after so many blocks and motions.
 pub fn check_within<S: Sink>(
     budget: usize,
     text: &str,

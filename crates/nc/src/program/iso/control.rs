@@ -100,6 +100,10 @@ pub struct Control {
     arc_tolerance: (f64, f64, f64),
     /// How far a radius may fall short of the end of its arc, mm; 0 where that is the tolerance.
     arc_reach: f64,
+    /// The first parameters, which a called subprogram has for itself.
+    pub(super) local_parameters: u32,
+    /// The last of those that belong to programs and are 0 before they are set.
+    pub(super) free_parameters: u32,
     /// The distance above the metal where the rapid of G83 ends; the retract of G73.
     pub(super) pecks: (Micrometres, Micrometres),
     /// The digits of a program number that is written; 0 without one.
@@ -112,13 +116,10 @@ pub struct Control {
     setting: Limits,
 }
 
-/// The first words of the ids of records.
-const RECORD: &str = "control-";
-
 impl Control {
     /// The controls that have a record.
     pub fn names(knowledge: &Knowledge) -> impl Iterator<Item = &str> {
-        knowledge.tables_of::<Record<'_>>().filter_map(|table| table.id.strip_prefix(RECORD))
+        Record::names(knowledge)
     }
 
     /// Reads the language from the tables.
@@ -127,7 +128,7 @@ impl Control {
     /// There is no such control, or a table lacks what is needed.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let known = Self::names(knowledge).any(|name| name == control);
-        let table = knowledge.table(&format!("{RECORD}{control}"))?;
+        let table = Record::table(control, knowledge)?;
         if !known {
             return Err(KnowledgeError::missing(&table.id, note!("nc-interpreter", control = control)));
         }
@@ -159,6 +160,8 @@ impl Control {
             dwell_unit_s: need(Q::DwellUnit)?,
             arc_tolerance: (need(Q::ArcTolerance)?, any(Q::ArcToleranceInches), need(Q::ArcToleranceRelative)?),
             arc_reach: any(Q::ArcReach),
+            local_parameters: any(Q::LocalParameters) as u32,
+            free_parameters: any(Q::FreeParameters) as u32,
             pecks: (length(Q::G83Clearance), length(Q::G73Retract)),
             number_digits: any(Q::ProgramNumberDigits) as usize,
             m_written: (any(Q::MFunctionsWritten) as usize).max(1),

@@ -31,6 +31,6 @@ mod writer;
 mod zeros;
 
 pub use control::Control;
-pub use run::{check, check_within};
+pub use run::check_within;
 pub use text::MOST_BLOCKS;
 pub use writer::write;

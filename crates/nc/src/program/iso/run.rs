@@ -1,6 +1,6 @@
 //! The execution of a program: its blocks, calls and repeats.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::block::{After, Maker};
@@ -15,25 +15,14 @@ use super::words::{ADDRESSES, BlockWords};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, MotionStep, Sink};
 use crate::program::expression::Expression;
-use crate::program::running::{BUDGET, BlockOutcome, Running};
+use crate::program::running::{BlockOutcome, Running};
 use crate::program::{Fault, Setting, Subject, TextSpan};
 
 /// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are returned,
-/// sorted by place.
+/// sorted by place; the run ends with an error after so many blocks and motions as `budget` says.
 ///
 /// A text with errors is not run. A block with an error makes no steps, but its modal functions take effect and the
 /// run continues, so that all mistakes are reported at once.
-pub fn check<S: Sink>(
-    text: &str,
-    control: &Control,
-    machine: &Machine<'_>,
-    setting: &Setting,
-    sink: &mut S,
-) -> Vec<Fault> {
-    check_within(BUDGET, text, control, machine, setting, sink)
-}
-
-/// The same with a limit on blocks and motions.
 pub fn check_within<S: Sink>(
     budget: usize,
     text: &str,
@@ -58,7 +47,7 @@ pub fn check_within<S: Sink>(
             setting,
             closed,
             state: ControlState::power_on(control, setting),
-            values: Values::new(control.is(Q::OWords)),
+            values: Values::new(control),
             broke: false,
             running: Running::new(sink, fault, control.habits, budget),
         };
@@ -238,7 +227,11 @@ impl<S: Sink> ProgramRun<'_, S> {
                 let millionths = libm::round(value * 1e6) as i64;
                 words.words.push(Word { address: *address, millionths, increments: false, point: true, span: *span });
             }
-            let mut carried = BlockWords::read(&words, self.control, &mut Vec::new());
+            // What is wrong with the other words has been told.
+            let mut told = Vec::new();
+            let mut carried = BlockWords::read(&words, self.control, &mut told);
+            let own: BTreeSet<TextSpan> = block.expressions.iter().map(|(.., span)| *span).collect();
+            faults.extend(told.into_iter().filter(|fault| own.contains(&fault.span)));
             if !known {
                 carried.passed = true;
                 carried.passes_on |= carried.function(Group::Cycle).is_some();
@@ -248,8 +241,9 @@ impl<S: Sink> ProgramRun<'_, S> {
         // LinuxCNC sets parameters when the whole block is read.
         let seen = self.seen(block, depth);
         let set: Vec<_> = block.sets.iter().map(|(name, value)| (target(name, &seen), value.value(&seen))).collect();
-        for (name, value) in set {
-            if name.is_none() || value.is_none() {
+        for ((name, value), (_, written)) in set.into_iter().zip(&block.sets) {
+            // What could not be read has been told.
+            if name.is_none() || (value.is_none() && *written != Expression::unread()) {
                 faults.push(unknown(block.span));
             }
             if let Some(name) = name {

@@ -150,6 +150,9 @@ pub(super) const UNREAD: char = '#';
 /// What decides which blocks are run in macros of Fanuc.
 const MACRO_WORDS: [&str; 5] = ["IF", "WHILE", "GOTO", "DO", "END"];
 
+/// The letters of the longest name of a macro word or function.
+const LONGEST_NAME: usize = 6;
+
 struct SourceLine<'a> {
     control: &'a Control,
     faults: &'a mut Vec<Fault>,
@@ -198,7 +201,9 @@ impl SourceLine<'_> {
             let end = number_end(&characters, at + 1);
             let until = characters.get(end - 1).map_or(column, |(column, _)| *column) + 1;
             let written: String = characters[at + 1..end].iter().map(|(_, c)| *c).collect();
-            let behind: String = characters[end..].iter().map(|(_, c)| *c).collect();
+            let comma = characters[end..].iter().map(|(_, c)| *c).enumerate();
+            let comma = comma.take_while(|(at, c)| if *at == 0 { *c == ',' } else { c.is_ascii_digit() });
+            let behind: String = comma.map(|(_, c)| c).collect();
             if let (Some(places), Some(known)) =
                 (comma_places(&behind, &written), self.control.addresses.get(&character))
             {
@@ -308,19 +313,24 @@ impl SourceLine<'_> {
     fn calculated(&mut self, characters: &[(usize, char)], at: usize, block: &mut Block) -> Calculated {
         let fanuc = self.control.is(Q::MacroWords);
         let here = characters.get(at).map_or(0, |(column, _)| *column);
-        let text: String = characters[at..].iter().map(|(_, c)| *c).collect();
-        let known = MACRO_WORDS.iter().find(|word| text.starts_with(**word));
-        if let Some(word) = known.filter(|word| fanuc && text[word.len()..].starts_with(['[', '#', '1', '2', '3'])) {
+        // No more is looked at than a function has letters and a number signs, so that long lines are read once.
+        let near: String = characters[at..].iter().take(LONGEST_NAME + 2).map(|(_, c)| *c).collect();
+        let numbered = |word: &&&str| {
+            let behind = near.strip_prefix(**word).and_then(|behind| behind.chars().next());
+            behind.is_some_and(|c| c.is_ascii_digit() || matches!(c, '[' | '#'))
+        };
+        if let Some(word) = MACRO_WORDS.iter().find(numbered).filter(|_| fanuc) {
             self.faults.push(word_fault("macro-not-run", self.span(here, here + word.len()), None, *word));
             block.unread = true;
             return Calculated::Unread;
         }
-        let sets = text.starts_with('#');
+        let sets = near.starts_with('#');
         let sign = usize::from(!sets);
-        let behind = &text[text.chars().take(sign).map(char::len_utf8).sum::<usize>()..];
-        let first = behind.trim_start_matches(['+', '-']).chars().next();
+        let behind = &near[near.chars().take(sign).map(char::len_utf8).sum::<usize>()..];
+        let behind = behind.trim_start_matches(['+', '-']);
+        let first = behind.chars().next();
         let letters = behind.chars().take_while(char::is_ascii_uppercase).count();
-        let function = !sets && letters > 1 && behind[letters..].starts_with('[') && !text.starts_with('O');
+        let function = !sets && letters > 1 && behind[letters..].starts_with('[') && !near.starts_with('O');
         if !sets && !function && !matches!(first, Some('#' | '[')) {
             return Calculated::Not;
         }
@@ -338,15 +348,16 @@ impl SourceLine<'_> {
         });
         let until = characters.get(reader.at.max(at + 1) - 1).map_or(here, |(column, _)| *column) + 1;
         let span = self.span(here, until);
-        // Fanuc rounds below 0 another way.
-        let rounding = fanuc && (text.contains("FIX") || text.contains("FUP"));
-        let Some((first, value)) = read.filter(|_| !rounding) else {
-            self.faults.push(word_fault("not-carried-out", span, None, "#"));
-            block.expressions.push((UNREAD, Expression::Parameter(String::new()), span));
-            return Calculated::Unread;
-        };
+        let Some((first, value)) = read else { return self.unread("#".to_owned(), span, block) };
+        // Fanuc rounds below 0 another way: the number is not known, the rest of the line is.
+        let written: String = characters[at..reader.at].iter().map(|(_, c)| *c).collect();
+        let rounding = fanuc && (written.contains("FIX") || written.contains("FUP"));
+        if rounding {
+            self.unread("#".to_owned(), span, block);
+        }
         match value {
-            Some(value) => block.sets.push((first, value)),
+            Some(value) => block.sets.push((first, if rounding { Expression::unread() } else { value })),
+            None if rounding => {}
             None => {
                 let address = characters.get(at).map_or(' ', |(_, c)| *c);
                 if !self.control.knows_address(address) {
@@ -357,6 +368,13 @@ impl SourceLine<'_> {
             }
         }
         Calculated::To(reader.at)
+    }
+
+    /// Says that something of a line is not carried out, and that the block lacks a value therefore.
+    fn unread(&mut self, word: String, span: TextSpan, block: &mut Block) -> Calculated {
+        self.faults.push(word_fault("not-carried-out", span, None, word));
+        block.expressions.push((UNREAD, Expression::unread(), span));
+        Calculated::Unread
     }
 
     fn word(&mut self, address: char, written: &str, span: TextSpan) -> Option<Word> {

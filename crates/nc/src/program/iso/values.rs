@@ -2,18 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::control::Group;
+use super::control::{Characteristic as Q, Control, Group};
 use super::state::ControlState;
 use super::zeros::SYSTEMS;
 use crate::motion::{Axis, Turning};
 use crate::program::Setting;
 use crate::program::expression::Lookup;
-
-/// The parameters that each called o-word of LinuxCNC has for itself.
-const LOCAL: u32 = 30;
-
-/// The last parameter of LinuxCNC that belongs to programs; those above are the control's own.
-const FREE: u32 = 5000;
 
 /// What the program has set. A value that is not known is kept as none.
 #[derive(Debug, Default)]
@@ -22,18 +16,28 @@ pub(super) struct Values {
     local: Locals,
     /// Whether those that were never set are 0.
     zero: bool,
+    /// How many numbers each called o-word has for itself, and the last that belongs to programs; those above are the control's own.
+    numbers: (u32, u32),
 }
 
 /// The parameters that a called o-word has for itself: `#1` to `#30` and names that do not begin with `_`.
 pub(super) type Locals = BTreeMap<String, Option<f64>>;
 
 impl Values {
-    pub(super) fn new(zero: bool) -> Self {
-        Self { zero, ..Self::default() }
+    pub(super) fn new(control: &Control) -> Self {
+        let numbers = (control.local_parameters, control.free_parameters);
+        Self { zero: control.is(Q::OWords), numbers, ..Self::default() }
+    }
+
+    fn is_local(&self, name: &str) -> bool {
+        match number(name) {
+            Some(number) => number <= self.numbers.0,
+            None => !name.starts_with("#_"),
+        }
     }
 
     pub(super) fn set(&mut self, name: String, value: Option<f64>) {
-        let owner = if self.zero && is_local(&name) { &mut self.local } else { &mut self.shared };
+        let owner = if self.zero && self.is_local(&name) { &mut self.local } else { &mut self.shared };
         owner.insert(name, value);
     }
 
@@ -44,20 +48,13 @@ impl Values {
 
     /// Begins a called o-word with its arguments; what the caller had.
     pub(super) fn enter(&mut self, arguments: impl Iterator<Item = Option<f64>>) -> Locals {
-        let given = (1..=LOCAL).zip(arguments).map(|(number, value)| (format!("#{number}"), value));
+        let given = (1..=self.numbers.0).zip(arguments).map(|(number, value)| (format!("#{number}"), value));
         std::mem::replace(&mut self.local, given.collect())
     }
 
     /// Goes back to the caller.
     pub(super) fn leave(&mut self, before: Locals) {
         self.local = before;
-    }
-}
-
-fn is_local(name: &str) -> bool {
-    match number(name) {
-        Some(number) => number <= LOCAL,
-        None => !name.starts_with("#_"),
     }
 }
 
@@ -130,13 +127,13 @@ impl Seen<'_> {
 
 impl Lookup for Seen<'_> {
     fn value_of(&self, name: &str) -> Option<f64> {
-        let Values { shared, local, zero } = self.values;
+        let Values { shared, local, zero, numbers: (_, free) } = self.values;
         if let Some(value) = local.get(name).or_else(|| shared.get(name)) {
             return *value;
         }
         match number(name) {
             _ if !zero => None,
-            Some(number) if number <= FREE => Some(0.0),
+            Some(number) if number <= *free => Some(0.0),
             _ => self.of_control(name),
         }
     }

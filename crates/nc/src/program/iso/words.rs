@@ -1,5 +1,7 @@
 //! The words of a block, its functions by their groups; and the checks of what may be combined.
 
+use std::collections::BTreeSet;
+
 use super::control::{Characteristic as Q, Control, Effect, Group};
 use super::rules::{fault, word_fault};
 use super::text::{Block, Word};
@@ -146,6 +148,14 @@ impl BlockWords {
                         faults.push(fault("word-twice", word.span, None).with("address", address));
                     }
                 }
+            }
+        }
+        // Which address has a number that depends on parameters is known before the number.
+        let mut calculated = BTreeSet::new();
+        for (address, _, span) in block.expressions.iter().filter(|(address, ..)| address.is_ascii_uppercase()) {
+            let again = !calculated.insert(*address) || words.values[place(*address)].is_some();
+            if again && !matches!(address, 'G' | 'M') {
+                faults.push(fault("word-twice", *span, None).with("address", *address));
             }
         }
         words.pass(block, control, faults);

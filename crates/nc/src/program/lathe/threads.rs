@@ -251,34 +251,46 @@ impl Maker<'_> {
         self.rapid(begin.into());
     }
 
+    /// Begin and end of a pass of G90, G92 or G94, `in_block` where its function stands; else X, Z and R that the block does not
+    /// give are those of the block before.
+    fn box_ends(&mut self, words: &BlockWords, in_block: bool, span: TextSpan) -> Option<(LathePoint, LathePoint)> {
+        match words.take("R") {
+            Some(taper) => self.state.box_taper = taper.value,
+            None if in_block => self.state.box_taper = 0.0,
+            None => {}
+        }
+        let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
+        let (x, z) = (given("X", "U"), given("Z", "W"));
+        let kept = self.state.box_end.filter(|_| !in_block && (!x || !z)).map(|end| (end, x, z));
+        self.ends_of_thread(words, kept, span)
+    }
+
+    /// Notes that a pass of G90, G92 or G94 is made, whose way is from memory of the manual.
+    fn in_box(&mut self, word: &'static str, end: LathePoint, span: TextSpan) {
+        self.state.box_end = Some(end);
+        self.of_cycle = true;
+        self.report_with("lathe-cycle-from-memory", span, "word", word);
+    }
+
     /// G90 and G94 of Fanuc: at rapid to the end across (G94: along), a pass at feed, the retract at feed, and back to the start at
     /// rapid. R is how much farther the pass begins than it ends. The order of rapids and feeds is from memory of the manual.
     pub(super) fn cut_box(&mut self, words: &BlockWords, mode: WordEffect, span: TextSpan) {
-        let in_block = words.function_for(mode).is_some();
-        if let Some(taper) = words.take("R") {
-            self.state.box_taper = taper.value;
-        } else if in_block {
-            self.state.box_taper = 0.0;
-        }
         let Some(feed) = self.state.feed() else {
             self.report("feed-zero", span);
             return;
         };
-        let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
-        let (x, z) = (given("X", "U"), given("Z", "W"));
-        let kept = self.state.box_end.filter(|_| !in_block && (!x || !z)).map(|end| (end, x, z));
-        let Some((begin, end)) = self.ends_of_thread(words, kept, span) else { return };
+        let in_block = words.function_for(mode).is_some();
+        let Some((begin, end)) = self.box_ends(words, in_block, span) else { return };
         if (begin.z_mm - end.z_mm).abs() < 1e-9 {
             self.report_with("lathe-cycle-value", span, "field", "Z");
             return;
         }
-        self.state.box_end = Some(end);
-        self.of_cycle = true;
-        let (word, taper) = (if mode == WordEffect::TurnBox { "G90" } else { "G94" }, self.state.box_taper);
-        self.report_with("lathe-cycle-from-memory", span, "word", word);
-        let (from, back) = match mode {
-            WordEffect::TurnBox => (at(end.radius_mm + taper, begin.z_mm), at(begin.radius_mm, end.z_mm)),
-            _ => (at(begin.radius_mm, end.z_mm + taper), at(end.radius_mm, begin.z_mm)),
+        let turns = mode == WordEffect::TurnBox;
+        self.in_box(if turns { "G90" } else { "G94" }, end, span);
+        let taper = self.state.box_taper;
+        let (from, back) = match turns {
+            true => (at(end.radius_mm + taper, begin.z_mm), at(begin.radius_mm, end.z_mm)),
+            false => (at(begin.radius_mm, end.z_mm + taper), at(end.radius_mm, begin.z_mm)),
         };
         self.rapid(from);
         for to in [end.into(), back] {
@@ -292,27 +304,13 @@ impl Maker<'_> {
         if let Some(lead) = words.take("F") {
             self.state.lead = Some(lead.value);
         }
-        if let Some(taper) = words.take("R") {
-            self.state.box_taper = taper.value;
-        }
         let Some(lead) = self.state.lead.filter(|lead| *lead > 0.0) else {
             self.report("lathe-no-lead", span);
             return;
         };
         let in_block = words.function_for(WordEffect::ThreadBox).is_some();
-        let kept = self.state.box_end.filter(|_| !in_block);
-        let given = |a: &str, b: &str| words.look(a).is_some() || words.look(b).is_some();
-        let (x, z) = (given("X", "U"), given("Z", "W"));
-        let Some((begin, end)) = self.ends_of_thread(words, kept.filter(|_| !x || !z).map(|end| (end, x, z)), span)
-        else {
-            return;
-        };
-        self.state.box_end = Some(end);
-        if in_block {
-            self.state.box_taper = words.look("R").map_or(0.0, |taper| taper.value);
-        }
-        self.of_cycle = true;
-        self.report_with("lathe-cycle-from-memory", span, "word", "G92");
+        let Some((begin, end)) = self.box_ends(words, in_block, span) else { return };
+        self.in_box("G92", end, span);
         self.thread_pass(begin, begin.z_mm, (end, self.state.box_taper), 0.0, (lead, 0.0), span);
     }
 }

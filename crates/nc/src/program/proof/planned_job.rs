@@ -32,9 +32,14 @@ impl PlannedJob {
     /// # Errors
     /// The knowledge has no answer.
     pub fn of(mut plan: Plan, language: &Language, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        language.leave(&mut plan);
         let shop = Shop::new(&plan.part, plan.cutting, knowledge)?;
-        let job = job::make(&plan, &shop)?;
+        let mut job = job::make(&plan, &shop)?;
+        if language.leave(&mut plan) {
+            // What the machine could not do with the tools that are left may be no fault any more.
+            plan.findings.retain(|finding| !job.findings.contains(finding));
+            job = job::make(&plan, &shop)?;
+            job::timed(&mut plan, &job, &shop)?;
+        }
         let tolerated = Tolerated::read(&plan.part, knowledge)?;
         let tap_word = language.tap_word();
         Ok(Self { plan, job, tolerated, tap_word, own_correctors: false })

@@ -14,11 +14,10 @@ use super::super::cells::{Cell, fixed, rounded, span, table};
 use super::super::phrases::{reasoned, terms, word, z};
 use super::super::{Lang, section};
 
-pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
+/// The columns of a table of zones, behind the two that name a zone.
+fn columns(named: [Column; 2], lang: Lang) -> Vec<Column> {
     let mm = say!(lang, "unit-mm");
-    let columns = [
-        Column::text(say!(lang, "turn-zone")).min_width(6),
-        Column::text(say!(lang, "turn-zone-kind")).keep(Keep::Useful),
+    let own = [
         span("Z", mm),
         span("Ø", mm),
         span("φ", "°").keep(Keep::Optional),
@@ -29,23 +28,36 @@ pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
         span(lang.say(&Note::new("turn-depth-of-pass")), mm),
         Column::text(say!(lang, "turn-scheme")),
     ];
-    let row = |(set_up, side, one): (&SetUpWork, &SideWork, &ZoneWork)| {
+    named.into_iter().chain(own).collect()
+}
+
+/// A row of such a table.
+fn row(named: [Cell; 2], one: &ZoneWork, lang: Lang) -> Vec<Cell> {
+    let figures = [
+        one.tool.as_ref().map_or(say!(lang, "turn-no-tool"), |tool| tool.designation.as_str()).into(),
+        one.depth.as_ref().map_or_else(Cell::empty, |depth| Cell::Figure(depth.limiting_depth_mm.to_mm(), 2)),
+        depths(one, lang).into(),
+        schemes(one, lang).into(),
+    ];
+    named.into_iter().chain(bounds(one, lang)).chain(figures).collect()
+}
+
+pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
+    let columns = columns(
+        [
+            Column::text(say!(lang, "turn-zone")).min_width(6),
+            Column::text(say!(lang, "turn-zone-kind")).keep(Keep::Useful),
+        ],
+        lang,
+    );
+    let of_zone = |(set_up, side, one): (&SetUpWork, &SideWork, &ZoneWork)| {
         let kind = match one.zone.feed {
             Feed::Across => say!(lang, "turn-zone-face"),
             Feed::Along => lang.term("word", one.zone.kind.name()),
         };
-        let depth = one.depth.as_ref();
-        let mut row: Vec<Cell> = vec![place(set_up, side, one, lang).into(), kind.into()];
-        row.extend(bounds(one, lang));
-        row.extend([
-            one.tool.as_ref().map_or(say!(lang, "turn-no-tool"), |tool| tool.designation.as_str()).into(),
-            depth.map_or_else(Cell::empty, |depth| Cell::Figure(depth.limiting_depth_mm.to_mm(), 2)),
-            depths(one, lang).into(),
-            schemes(one, lang).into(),
-        ]);
-        row
+        row([place(set_up, side, one, lang).into(), kind.into()], one, lang)
     };
-    let mut zones = table(columns, operation.zones().map(row).collect(), lang);
+    let mut zones = table(columns, operation.zones().map(of_zone).collect(), lang);
     zones.notes.push(lang.say(&Note::new("turn-zones-key")).into());
     page.push(zones);
     let mut items: Vec<Item> = Vec::new();
@@ -69,20 +81,8 @@ pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
 /// The section of the zones under the bridges; where no tool fits, with the reason for each. None if there are no
 /// such zones.
 pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang) {
-    let mm = say!(lang, "unit-mm");
-    let columns = [
-        Column::number(say!(lang, "turn-set-up-column"), ""),
-        Column::text(say!(lang, "turn-side")),
-        span("Z", mm),
-        span("Ø", mm),
-        span("φ", "°").keep(Keep::Optional),
-        span("φ1", "°").keep(Keep::Optional),
-        // A designation stays on one line.
-        Column::text(say!(lang, "turn-tool")).min_width(14),
-        Column::number(lang.say(&Note::new("turn-limit")), mm).keep(Keep::Useful),
-        span(lang.say(&Note::new("turn-depth-of-pass")), mm),
-        Column::text(say!(lang, "turn-scheme")),
-    ];
+    let columns =
+        columns([Column::number(say!(lang, "turn-set-up-column"), ""), Column::text(say!(lang, "turn-side"))], lang);
     let (mut rows, mut items) = (Vec::new(), Vec::new());
     let sides = operation.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)));
     for (set_up, side) in sides {
@@ -109,16 +109,8 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
                 items.extend(nose_bound.map(|nose_bound| Item::from(reasoned(nose_bound, lang))));
             }
             items.dedup();
-            let mut row: Vec<Cell> =
-                vec![Cell::count(usize::from(set_up.set_up.number)), lang.term("turn-side", side.side.name()).into()];
-            row.extend(bounds(zone, lang));
-            row.extend([
-                zone.tool.as_ref().map_or(say!(lang, "turn-no-tool"), |tool| tool.designation.as_str()).into(),
-                depth.map_or_else(Cell::empty, |depth| Cell::Figure(depth.limiting_depth_mm.to_mm(), 2)),
-                depths(zone, lang).into(),
-                schemes(zone, lang).into(),
-            ]);
-            rows.push(row);
+            let number = Cell::count(usize::from(set_up.set_up.number));
+            rows.push(row([number, lang.term("turn-side", side.side.name()).into()], zone, lang));
         }
     }
     if rows.is_empty() {

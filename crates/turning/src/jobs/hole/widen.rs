@@ -14,6 +14,7 @@ use crate::turning::program::Speed;
 use crate::turning::tooling::Lathe;
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Degrees, ItGrade, Micrometres, Roughness};
+use technolog_core::shop::grind_limit;
 use technolog_cutting::reaming::rough_instead;
 use technolog_cutting::{Cut, speed_at};
 
@@ -180,9 +181,7 @@ fn rows<'k>(
 /// The cutters of that size, or wider by no more than may be ground off, the nearest first; of one diameter in the order of the
 /// rule `tool-tables`.
 fn cutters<'k>(task: &Widening, blind: bool, lead: Lead, bench: &Bench<'_, 'k>) -> Tried<Vec<Chosen<'k>>, NoJob> {
-    let share = convention(HoleDefault::CutterGrindShare, bench)?;
-    let limit = convention(HoleDefault::CutterGrindLimit, bench)?.min(task.diameter.to_mm() * share / (1.0 - share));
-    let most = task.diameter + Micrometres::from_mm_rounded(limit);
+    let most = task.diameter + grind_limit(task.diameter, bench.knowledge)?;
     let of = |(row, material): (CutterRow<'k>, ToolMaterial)| {
         let (diameter, reach) =
             (row.diameter?, row.reach.or(row.flute_length).or(row.projection).or(row.cutting_length)?);

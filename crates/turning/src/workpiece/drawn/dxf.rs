@@ -8,7 +8,7 @@ use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::Node;
 use crate::turning::contour::Side;
 use crate::turning::reading::{Reader, mistake};
-use crate::units::Micrometres;
+use crate::units::{Micrometres, round_to};
 
 use super::{Waypoint, scalar};
 use crate::turning::workpiece::file::DrawnFile;
@@ -171,7 +171,7 @@ impl Reader<'_> {
         }
         let radius = Micrometres::from_mm_rounded(chord * (1.0 + bulge * bulge) / (4.0 * bulge.abs()));
         if bulge.abs() > 1.000_001 {
-            return self.fault(mistake!("arc-over-half-a-circle", radius = radius), place);
+            return self.fault(mistake!("dxf-arc-over-half", radius = radius, bulge = round_to(bulge, 3)), place);
         }
         let out = (bulge > 0.0) == (side == Side::Outer);
         let word = if out { "out" } else { "in" };

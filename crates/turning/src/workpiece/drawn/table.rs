@@ -92,6 +92,14 @@ impl Reader<'_> {
         for (number, line) in lines {
             points.push(self.row(&order, cells(line, separator, number, file), separator)?);
         }
+        let of_way = |first: &Waypoint| match (&first.arc, first.attributes.first()) {
+            (Some((radius, _)), _) => Some(radius.place.clone()),
+            (None, Some((key, _))) => Some(key.place.clone()),
+            (None, None) => None,
+        };
+        if let Some(place) = points.first().and_then(of_way) {
+            return self.fault(mistake!("points-first-of-nothing"), &place);
+        }
         Some(points)
     }
 
