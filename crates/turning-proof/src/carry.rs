@@ -229,12 +229,10 @@ impl<'s> Carried<'s> {
     /// Checks how deep a motion cuts into the finished part: into what this set-up makes, then into what others make.
     fn hold_profile(&mut self, motion: &Motion, cuts: &[Convex], thread: bool) {
         let mut found = gouges(&self.target, kept(&self.target, thread), thread, motion, cuts);
-        if let Some(whole) = &self.finished {
-            if may_meet(kept(whole, thread), cuts) {
-                let near = kept(whole, thread).within(around(cuts, whole.keep.window()));
-                let made_here = kept(&self.target, thread).within(near.window());
-                found.extend(gouges(whole, &near.made(&made_here, Rule::Without), thread, motion, cuts));
-            }
+        if let Some(whole) = self.finished.as_ref().filter(|whole| may_meet(kept(whole, thread), cuts)) {
+            let near = kept(whole, thread).within(around(cuts, whole.keep.window()));
+            let made_here = kept(&self.target, thread).within(near.window());
+            found.extend(gouges(whole, &near.made(&made_here, Rule::Without), thread, motion, cuts));
         }
         for gouge in found {
             self.faults.add(gouge);

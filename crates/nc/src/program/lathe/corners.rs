@@ -21,6 +21,9 @@ pub(super) enum Corner {
     Radius(f64),
 }
 
+/// What a size makes of a corner.
+type Kind = fn(f64) -> Corner;
+
 /// A corner that waits for the element behind it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Waiting {
@@ -111,8 +114,8 @@ impl Maker<'_> {
     /// The chamfer or rounding that a block asks for at its end. A line that has one is checked when the next one is known.
     pub(super) fn corner(&mut self, words: &BlockWords) -> Option<Waiting> {
         let fanuc = self.is(LatheReader::Fanuc);
-        let leg: fn(f64) -> Corner = Corner::Leg;
-        let kinds: &[(&str, fn(f64) -> Corner)] = match self.language.kind {
+        let leg: Kind = Corner::Leg;
+        let kinds: &[(&str, Kind)] = match self.language.kind {
             LatheReader::LinuxCnc => &[],
             LatheReader::Fanuc => &[(",C", leg), ("C", leg), (",R", Corner::Radius), ("R", Corner::Radius)],
             LatheReader::Sinumerik => &[("CHR", leg), ("CHF", Corner::Length), ("RND", Corner::Radius)],
