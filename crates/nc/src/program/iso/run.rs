@@ -10,7 +10,7 @@ use super::programs::{self, Programs};
 use super::rules::{fault, word_fault};
 use super::state::ControlState;
 use super::text::{self, Block, Label, UNREAD, Word};
-use super::values::{Seen, Values};
+use super::values::{self, Seen, Values};
 use super::words::{ADDRESSES, BlockWords};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, MotionStep, Sink};
@@ -245,6 +245,10 @@ impl<S: Sink> ProgramRun<'_, S> {
             // What could not be read has been told.
             if name.is_none() || (value.is_none() && *written != Expression::unread()) {
                 faults.push(unknown(block.span));
+            }
+            // LinuxCNC would take it for a zero or a point of return, but not at once.
+            if let Some(place) = name.as_deref().filter(|name| values::is_place(name)) {
+                faults.push(word_fault("not-carried-out", block.span, block.number, place));
             }
             if let Some(name) = name {
                 self.values.set(name, value);

@@ -58,6 +58,11 @@ impl Values {
     }
 }
 
+/// Whether a parameter is a point of G28 or G30, a shift or a zero.
+pub(super) fn is_place(name: &str) -> bool {
+    number(name).is_some_and(|number| (5161..=5390).contains(&number))
+}
+
 fn number(name: &str) -> Option<u32> {
     name.strip_prefix('#')?.parse().ok()
 }
