@@ -180,6 +180,7 @@ mod tests {
             grip: None,
             through: None,
             opened: Micrometres::ZERO,
+            turned: None,
             barred: Vec::new(),
             knowledge: &knowledge,
         };

@@ -33,6 +33,7 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
         through: None,
         opened: crate::units::Micrometres::ZERO,
         barred: Vec::new(),
+        turned: None,
         knowledge: &knowledge,
     };
     let profile = match side {

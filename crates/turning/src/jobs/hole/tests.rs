@@ -25,6 +25,7 @@ fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
         grip: None,
         through: None,
         opened: Micrometres::ZERO,
+        turned: None,
         barred: Vec::new(),
         knowledge: &knowledge,
     };

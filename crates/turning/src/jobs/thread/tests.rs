@@ -29,6 +29,7 @@ fn job(workpiece: &Workpiece, side: Side, passes: Passes) -> Result<Job, NoJob> 
         grip: None,
         through: None,
         opened: Micrometres::ZERO,
+        turned: None,
         barred: Vec::new(),
         knowledge: &knowledge,
     };
