@@ -66,6 +66,8 @@ pub struct Bore {
 pub struct TurnedDraft {
     /// Radius of the first face.
     pub start: i64,
+    /// Length of the first cylinder.
+    pub first: i64,
     /// The outer contour behind the first cylinder.
     pub items: Vec<OutlineItem>,
     /// The bore, if there is one.
@@ -104,6 +106,8 @@ struct OutlineText {
     spans: Vec<(i64, i64, i64)>,
     after_cylinder: bool,
     after_face_up: bool,
+    /// Length of the last cylinder.
+    last: i64,
 }
 
 impl OutlineText {
@@ -118,6 +122,7 @@ impl OutlineText {
         let z = self.z + length;
         self.push_line(format!("{{cylinder: {}{more}}}", mm(-z)), self.radius, z);
         self.after_cylinder = true;
+        self.last = length;
     }
 
     fn face(&mut self, radius: i64) {
@@ -219,11 +224,12 @@ impl TurnedDraft {
             spans: Vec::new(),
             after_cylinder: false,
             after_face_up: false,
+            last: 0,
         };
         // The bore: as wide as the thinnest place of the part allows, except for a wall of 4 mm.
         let widest = |spans: &[(i64, i64, i64)]| spans.iter().map(|span| span.2).max().unwrap_or(0);
         walk.radius = start;
-        walk.cylinder(4_000, "");
+        walk.cylinder(self.first, "");
         for item in &self.items {
             walk.item(*item);
         }
@@ -234,15 +240,21 @@ impl TurnedDraft {
         let bore = self.bore.as_ref().map(|one| bore(&one.steps, one.through, least - 5_000, length));
         let mouth = bore.as_ref().map_or(0, |bore| bore.0);
         let mut text = format!("shaft: a\nmaterial: {}\n", self.material);
+        // A shop saws to length only what ends with a cylinder for the jaws.
+        let mut sawn = self.clone();
+        if walk.last < 20_000 {
+            sawn.stock.2 = sawn.stock.2.max(20_000);
+        }
         let _ = writeln!(
             text,
             "blank: {}",
-            self.blank(&walk.spans, length, most, bore.as_ref().map(|bore| (bore.1, bore.2)))
+            sawn.blank(&walk.spans, length, most, bore.as_ref().map(|bore| (bore.1, bore.2)))
         );
         if self.lathe {
             text.push_str("machine: 16k20f3\n");
         }
-        if self.centres {
+        // Between centres a shop turns shafts: no rings, and no bore that a centre would stand in.
+        if self.centres && bore.is_none() && length > 2 * most {
             text.push_str("holding: centres\n");
         }
         let _ = writeln!(text, "outer:\n  - {{from: {{d: {}, z: 0}}}}\n  - {{face: {}}}", mm(2 * mouth), mm(2 * start));
@@ -256,7 +268,9 @@ impl TurnedDraft {
             }
         }
         let scheme = self.scheme.map(|scheme| format!("scheme: {scheme}"));
-        let depth = self.depth.map(|depth| format!("limiting_depth: {}", mm(depth)));
+        // Without a lathe nothing else says how deep a pass may be.
+        let depth =
+            self.depth.or_else(|| (!self.lathe).then_some(2_000)).map(|depth| format!("limiting_depth: {}", mm(depth)));
         let both: Vec<String> = scheme.into_iter().chain(depth).collect();
         if !both.is_empty() {
             let _ = writeln!(text, "roughing: {{{}}}", both.join(", "));
@@ -429,11 +443,12 @@ pub fn drafts() -> impl Strategy<Value = TurnedDraft> {
     );
     let schemes = vec!["loop", "zigzag", "descent", "pick-up", "semi-finishing", "equidistant", "contour"];
     let scheme = prop::option::weighted(0.2, prop::sample::select(schemes));
-    let stock = (50_i64..800, 0_i64..300, prop_oneof![Just(0_i64), 0_i64..6_000])
-        .prop_map(|(over, face, behind)| (over * 10, face * 10, behind * 10));
+    // Most blanks have something behind the part to be held by; some are sawn to length, or nearly.
+    let behind = prop_oneof![5 => 2_000_i64..7_000, 1 => Just(0_i64), 1 => 0_i64..1_500];
+    let stock = (50_i64..800, 0_i64..300, behind).prop_map(|(over, face, behind)| (over * 10, face * 10, behind * 10));
     let how = (
-        prop::bool::weighted(0.7),
-        prop::bool::weighted(0.15),
+        prop::bool::weighted(0.9),
+        prop::bool::weighted(0.3),
         prop::option::weighted(0.6, (50_i64..600).prop_map(|tens| tens * 10)),
         0_u8..3,
         scheme,
@@ -442,10 +457,14 @@ pub fn drafts() -> impl Strategy<Value = TurnedDraft> {
     // Most are of steel 45, so that what fails is told of the shape first.
     let material = prop_oneof![2 => Just(MATERIALS[0]), 3 => prop::sample::select(MATERIALS.to_vec())];
     let kind = (kind, material);
-    (600_i64..4_000, prop::collection::vec(item(), 0..9), bore, kind, stock, how).prop_map(
-        |(start, items, bore, (kind, material), stock, (lathe, centres, depth, allowances, scheme, rates))| {
+    // Most begin with something long enough for the jaws of the second set-up.
+    let first = prop_oneof![1 => 300_i64..1_000, 3 => 1_000_i64..4_000];
+    let outside = (600_i64..4_000, first, prop::collection::vec(item(), 1..9));
+    (outside, bore, kind, stock, how).prop_map(
+        |((start, first, items), bore, (kind, material), stock, (lathe, centres, depth, allowances, scheme, rates))| {
             TurnedDraft {
                 start: start * 10,
+                first: first * 10,
                 items,
                 bore,
                 kind,

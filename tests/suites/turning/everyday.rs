@@ -62,6 +62,18 @@ fn threads_at_both_ends_are_cut_from_both_ends() {
     }
 }
 
+/// A dowel of a bar of 18, turned to 16 past its end and parted there: for its second chamfer, 1 × 45°, nothing of the bar is left to
+/// cut. Its 0.55 and what the chamfer takes are 1 mm and a little; of the bar it would be 2.3, and 38 kN of the jaws.
+#[test]
+fn what_the_first_set_up_has_turned_is_no_stock_of_the_second() {
+    let operation = planned("dowel-of-bar");
+    assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
+    let jobs = operation.set_ups[1].jobs.iter().filter(|job| job.work != Work::Face);
+    let depths: Vec<f64> =
+        jobs.filter_map(|job| job.conditions.as_ref()).map(|conditions| conditions.depth_mm.to_mm()).collect();
+    assert!(!depths.is_empty() && depths.iter().all(|depth| *depth <= 1.4), "{depths:?}");
+}
+
 /// The nose of the tool that finishes the neck, r 1.2, meets the end of its second cone, which rises by 25°, when its reference
 /// point is behind it: that goes on over the cylinder.
 #[test]

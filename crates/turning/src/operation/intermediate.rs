@@ -121,10 +121,14 @@ fn parted(contour: &Contour, profile: &Profile, bench: &Bench<'_, '_>) -> Contou
     let surfaces: Vec<&Surface> = profile.surfaces.iter().filter(plain).collect();
     let beside = surfaces.iter().zip(surfaces.iter().skip(1));
     // What is ground begins and ends at its own edge, so that a groove beside it has the step.
-    let ends = beside.filter_map(|(one, next)| match (later(one), later(next)) {
-        (false, true) => next.pieces.first().map(|piece| piece.from),
-        (true, false) => one.pieces.last().map(|piece| piece.to),
-        _ => None,
+    let ends = beside.filter_map(|(one, next)| {
+        let (before, behind) = (one.pieces.last()?, next.pieces.first()?);
+        let flush = before.is_cylinder() && behind.is_cylinder() && before.to.radius == behind.from.radius;
+        match (later(one), later(next)) {
+            (false, true) if flush => Some(behind.from),
+            (true, false) if flush => Some(before.to),
+            _ => None,
+        }
     });
     let ends: Vec<Point> = ends.collect();
     let mut pieces = Vec::new();

@@ -385,6 +385,9 @@ pub fn before_face(
 ) -> Result<Option<Layers>, KnowledgeError> {
     let (workpiece, knowledge) = (bench.workpiece, bench.knowledge);
     let Some((_, radius)) = workpiece.outer.contour().radii_at(workpiece.length()) else { return Ok(None) };
+    // Where the set-up before did not turn the outside, the blank stands yet.
+    let raw = workpiece.blank.outer.radii_at(workpiece.length()).map(|(_, most)| most);
+    let radius = if bench.turned.is_some() { radius } else { raw.unwrap_or(radius).max(radius) };
     let rim = Point { radius, z: Half::ZERO };
     let Some(face) = far_face(rim, set_up, Side::Outer, workpiece) else { return Ok(None) };
     let main = Contour { side: Side::Outer, pieces: vec![face] };
@@ -456,6 +459,10 @@ fn standing(
         let outer = seen(&workpiece.blank.outer);
         let outer = if set_up.turned_over { faced(outer, workpiece.blank.inner.as_ref()) } else { outer };
         let blank = reach(&outer);
+        let blank = match &bench.turned {
+            Some(turned) => super::turned_before::standing(blank, turned),
+            None => blank,
+        };
         let rough = behind_blank(rough, &blank, face_is_made, findings);
         return Ok(Some(SideStock { blank, rough, drilled_first: None }));
     }

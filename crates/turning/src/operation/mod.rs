@@ -48,6 +48,7 @@ mod thin;
 pub mod times;
 pub mod tool_table;
 pub mod tools;
+mod turned_before;
 pub mod turret;
 mod unfinished;
 pub mod work;
@@ -331,7 +332,8 @@ fn plan_without(
         let parts = parted.filter(|_| !set_up.turned_over);
         let through = parts.and_then(Parted::drilled_to);
         let opened = if set_up.turned_over { opened::opened(&done, workpiece.length()) } else { Micrometres::ZERO };
-        let bench = Bench { workpiece, held, grip, through, opened, barred: own, ..bench.clone() };
+        let turned = turned_before::turned(&done, workpiece.length()).filter(|_| set_up.turned_over);
+        let bench = Bench { workpiece, held, grip, through, opened, turned, barred: own, ..bench.clone() };
         // The set-up as turning tools see it: its bore ends where the hole that is made to size begins.
         let turned = match &axial {
             Some(axial) => &SetUp { inner: axial.bored.clone(), ..set_up.clone() },

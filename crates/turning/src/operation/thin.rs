@@ -7,7 +7,7 @@ use crate::tables::turning::part::{StockKind, TurningBlankSurfaceFor};
 use crate::turning::contour::{Contour, Piece, Side, Surface};
 use crate::turning::length::Half;
 use crate::turning::transitions::in_process_stock::InProcessStock;
-use crate::turning::transitions::monotone::MonotoneContour;
+use crate::turning::transitions::monotone::{MonotoneContour, clipped};
 
 /// A rough contour that is nowhere outside of its blank: what the blank has less than the allowance is left to finishing alone.
 /// Unchanged where there is enough everywhere.
@@ -25,13 +25,29 @@ pub(super) fn within(rough: Contour, blank: &Contour) -> Contour {
     }
     lids.into_iter().for_each(|piece| stock.lower(piece));
     let ends = [own.start(), own.end()].map(|end| end.map(|end| end.z));
-    let lowered = Contour { side: Side::Outer, pieces: with_faces(&own, stock.surface(&lid).pieces) };
+    let lowered = Contour { side: Side::Outer, pieces: with_faces(&own, tops(&stock)) };
     let reaches = [lowered.start(), lowered.end()].map(|end| end.map(|end| end.z)) == ends;
     match rough.side {
         _ if !reaches || !lowered.is_monotone() || !lowered.hangs_together() => rough,
         Side::Outer => lowered,
         Side::Inner => lowered.inside_out(top),
     }
+}
+
+/// The surface of a stock, with its steps as faces.
+fn tops(stock: &InProcessStock) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    for top in stock.cells().iter().filter_map(|cell| clipped(&cell.top, cell.from, cell.to)) {
+        match pieces.last_mut() {
+            Some(last) if last.is_cylinder() && top.is_cylinder() && last.to == top.from => last.to = top.to,
+            Some(last) => {
+                let face = Piece::line(last.to, top.from);
+                pieces.extend([face, top].into_iter().filter(|piece| !piece.is_nothing()));
+            }
+            None => pieces.push(top),
+        }
+    }
+    pieces
 }
 
 /// Lowered pieces with the faces of the contour at its ends.
@@ -94,4 +110,25 @@ pub(super) fn worked(mut contour: Contour, blank: &Contour) -> Contour {
         contour.pieces.pop();
     }
     contour
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::turning::point::Point;
+
+    fn outer(points: &[(f64, f64)]) -> Contour {
+        let at = |(radius, z): &(f64, f64)| Point { radius: Half::from(*radius), z: Half::from(*z) };
+        Contour::through(Side::Outer, &points.iter().map(at).collect::<Vec<_>>())
+    }
+
+    /// Only where the blank is lower than the allowance the rough contour comes down to it; before, it came up to the blank elsewhere.
+    #[test]
+    fn what_is_thick_stays_thick() {
+        let blank = outer(&[(0.0, -1.0), (30.0, -1.0), (30.0, 14.0), (23.0, 14.0), (23.0, 16.0)]);
+        let rough = outer(&[(0.0, -0.5), (13.5, -0.5), (13.5, 6.0), (23.5, 13.0), (23.5, 16.0)]);
+        let lowered =
+            outer(&[(0.0, -0.5), (13.5, -0.5), (13.5, 6.0), (23.5, 13.0), (23.5, 14.0), (23.0, 14.0), (23.0, 16.0)]);
+        assert_eq!(within(rough, &blank), lowered);
+    }
 }

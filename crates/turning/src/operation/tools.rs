@@ -45,6 +45,8 @@ pub struct Bench<'a, 'k> {
     pub through: Option<Half>,
     /// The diameter of the hole that the set-up before has opened at the far face; zero where there is none.
     pub opened: Micrometres,
+    /// The outside that the set-up before has left, in the coordinates of this one; none in the first one, and where it turned nothing.
+    pub turned: Option<Contour>,
     /// The tools that the proof rejected in this set-up.
     pub barred: Vec<Barred>,
     /// Every table.
@@ -70,6 +72,7 @@ impl<'a, 'k> Bench<'a, 'k> {
             sizes,
             through: None,
             opened: Micrometres::ZERO,
+            turned: None,
             barred: Vec::new(),
             knowledge,
         }
