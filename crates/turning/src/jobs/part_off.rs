@@ -158,7 +158,7 @@ fn blade<'k>(
 #[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests {
     use super::*;
-    use crate::turning::jobs::on_bench::{PLAIN, on_bench, part};
+    use crate::turning::jobs::tests::{PLAIN, on_bench, part};
 
     fn job(bar: i64, bore: i64, jaws: f64) -> Result<Job, NoJob> {
         let parting = Parting {

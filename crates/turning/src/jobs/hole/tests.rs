@@ -1,7 +1,7 @@
 //! Holes on the axis. Figures are of the tables that the sentences beside them name.
 
 use super::*;
-use crate::turning::jobs::on_bench::{PLAIN, on_bench, part};
+use crate::turning::jobs::tests::{PLAIN, on_bench, part};
 
 fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
     on_bench(&part(PLAIN, "", material), of)
