@@ -24,8 +24,6 @@ pub mod pace;
 pub mod part_off;
 mod refused;
 mod site;
-#[cfg(test)]
-pub(crate) mod tests;
 pub mod thread;
 
 use serde::Serialize;
