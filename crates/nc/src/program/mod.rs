@@ -204,6 +204,12 @@ impl Fault {
         self.severity == Severity::Error
     }
 
+    /// Whether it is seen in a program by itself and a proof with the part says it better: offsets and dwells.
+    pub fn is_of_program_alone(&self) -> bool {
+        let codes = ["no-length-offset", "length-by-hand", "dwell-unit", "dwell-odd"];
+        self.code.starts_with("offset-of-") || codes.contains(&self.code)
+    }
+
     /// Whether nobody may run the program: it is not carried out as written, or what it relies on is not so.
     pub fn is_grave(&self) -> bool {
         self.severity <= Severity::Wrong
