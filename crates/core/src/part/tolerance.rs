@@ -81,7 +81,8 @@ impl ToleratedDiameter {
     /// What is wrong, and what to write.
     pub fn parse(text: &str, knowledge: &Knowledge) -> Result<Self, Note> {
         // Cyrillic letters that look like Latin ones are typed as often.
-        let text = latin(&without_sign(text).replace('н', "H"));
+        let written = without_sign(text);
+        let text = latin(&written.replace('н', "H"));
         if let Some(what_to_write) = of_drawing(&text) {
             return Err(what_to_write);
         }
@@ -95,7 +96,7 @@ impl ToleratedDiameter {
         };
         let (size, field) = text.split_at(split);
         if size.trim().is_empty() {
-            return Err(note!("part-no-size", text = text, example = "10H12"));
+            return Err(note!("part-no-size", text = written, example = "10H12"));
         }
         let nominal: Micrometres = size.trim().parse().map_err(|error| {
             // The meant value, where only the comma is wrong.

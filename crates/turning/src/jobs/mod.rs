@@ -18,12 +18,12 @@ mod clock;
 pub mod groove;
 pub mod hole;
 pub(crate) mod limits;
-#[cfg(test)]
-mod made;
 pub mod pace;
 pub mod part_off;
 mod refused;
 mod site;
+#[cfg(test)]
+mod tests;
 pub mod thread;
 
 use serde::Serialize;

@@ -143,7 +143,7 @@ fn blade<'k>(
 #[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests {
     use super::*;
-    use crate::turning::jobs::made::{at_bench, plain};
+    use crate::turning::jobs::tests::{at_bench, plain};
 
     fn job(bar: i64, bore: i64, jaws: f64) -> Result<Job, NoJob> {
         let parting = Parting {

@@ -72,6 +72,7 @@ offset-of-no-tool = the length offset { $value } mm is that of no tool
 arc-without-end = an arc that names no axis of its plane
     .help = give the end of the arc, of a full circle too
 change-stops-spindle = the spindle turns until M6, which stops it
+    .help = nothing need be changed; M5 before it says the same
 offset-of-tool-before = T{ $tool } cuts with the length offset { $value } mm that was set for the tool before
     .help = give the offset of this tool
 tap-not-rigid = a tapping cycle without { $word } before it: the spindle does not follow the feed

@@ -3,7 +3,7 @@
 use super::*;
 use crate::turning::contour::{Side, SurfaceKind};
 use crate::turning::jobs::Body;
-use crate::turning::jobs::made::{at_bench, part};
+use crate::turning::jobs::tests::{at_bench, part};
 use crate::turning::workpiece::Workpiece;
 
 /// The job of the first groove of a part, and that groove.

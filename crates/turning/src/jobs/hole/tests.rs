@@ -1,7 +1,7 @@
 //! Holes on the axis. Figures are of the tables that the sentences beside them name.
 
 use super::*;
-use crate::turning::jobs::made::{at_bench, plain};
+use crate::turning::jobs::tests::{at_bench, plain};
 
 fn with_bench<T>(material: &str, of: impl FnOnce(&Bench<'_, '_>) -> T) -> T {
     at_bench(&plain(material), of)

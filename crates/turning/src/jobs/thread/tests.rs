@@ -3,7 +3,7 @@
 use super::*;
 use crate::shipped;
 use crate::turning::contour::SurfaceKind;
-use crate::turning::jobs::made::{at_bench, part};
+use crate::turning::jobs::tests::{at_bench, part};
 use crate::turning::workpiece::Workpiece;
 
 fn job(workpiece: &Workpiece, side: Side, passes: Passes) -> Result<Job, NoJob> {
