@@ -21,7 +21,7 @@ fn what_is_not_there_is_told_with_what_is() {
         (
             "order points.csv --machine foo",
             "[unknown-machine]: the catalog has no machine `foo`",
-            "there are: gf2171, ir500pmf4",
+            "there are: gf2171, gf2171-linuxcnc, haas-vf5-50, ir500pmf4",
         ),
         ("order points.csv --metric rapid --machine foo", "[unknown-machine]", "there are: gf2171"),
         ("check program.nc --machine foo", "[unknown-machine]", "there are: gf2171"),

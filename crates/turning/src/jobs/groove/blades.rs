@@ -120,10 +120,11 @@ fn edge(tool: &TurningTool<'_>) -> Option<CuttingEdge> {
     Some(CuttingEdge { width: tool.width.map_or(2.0 * corner, Micrometres::to_mm), corner })
 }
 
-/// That the edge makes the walls of a groove, and not only the rounds at their feet.
+/// That the edge makes the slanting walls of a groove, and not only the rounds at their feet. An upright wall may be a shoulder, which
+/// goes on above the groove; what does not fit between two of them is too narrow.
 fn makes_walls(surface: &Surface, valley: &Valley, edge: CuttingEdge) -> Tried<(), NoJob> {
     let depth = valley.depth();
-    if valley.rounded_off(edge.corner) > depth {
+    if !valley.is_upright() && valley.rounded_off(edge.corner) > depth {
         return not(NoJob::TooRound { surface: surface.name.clone(), corner: Half::from(edge.corner), depth });
     }
     Ok(())

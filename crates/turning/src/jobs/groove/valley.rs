@@ -123,6 +123,12 @@ impl Valley {
         Half::from(corner * (1.0 - libm::cos(fall.max(rise).to_radians())))
     }
 
+    /// Whether one of its walls stands square to the seat.
+    pub fn is_upright(&self) -> bool {
+        let (fall, rise) = self.steepest();
+        fall.max(rise) > 89.9
+    }
+
     /// The least radius of the corners of its floor; zero for a sharp one.
     pub fn corner(&self) -> Half {
         let is_line = |piece: &Piece| piece.curve == Curve::Line;
