@@ -120,11 +120,10 @@ fn edge(tool: &TurningTool<'_>) -> Option<CuttingEdge> {
     Some(CuttingEdge { width: tool.width.map_or(2.0 * corner, Micrometres::to_mm), corner })
 }
 
-/// That the edge makes the slanting walls of a groove, and not only the rounds at their feet. An upright wall may be a shoulder, which
-/// goes on above the groove; what does not fit between two of them is too narrow.
+/// That the edge makes the walls of a groove, and not only the rounds at their feet.
 fn makes_walls(surface: &Surface, valley: &Valley, edge: CuttingEdge) -> Tried<(), NoJob> {
     let depth = valley.depth();
-    if !valley.is_upright() && valley.rounded_off(edge.corner) > depth {
+    if valley.rounded_off(edge.corner) > depth {
         return not(NoJob::TooRound { surface: surface.name.clone(), corner: Half::from(edge.corner), depth });
     }
     Ok(())
@@ -188,7 +187,10 @@ fn by_nose<'k>(
         return not(NoJob::TooDeep { surface: name(), depth: valley.depth(), reach: most });
     }
     enters(site, surface, valley, &tool, bench)?;
-    makes_walls(surface, valley, edge)?;
+    // An upright wall is that of a shoulder here, which goes on above the relief.
+    if !valley.is_upright() {
+        makes_walls(surface, valley, edge)?;
+    }
     let mut division = division(Half::from(edge.corner), limits, bench.knowledge)?;
     division.approach = division.approach.min(play(site, valley, &tool));
     let Some(ways) = ways::nose(valley, edge, division) else {

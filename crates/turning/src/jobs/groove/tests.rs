@@ -328,7 +328,7 @@ fn reliefs_before_a_shoulder_are_cut() {
 #[test]
 fn what_no_tool_makes_is_refused() {
     let refused = |outer: &str, inner: &str, side| job(&part(outer, inner, "steel-45"), side).0.unwrap_err();
-    let narrow = refused(&outside("rectangular, width: 0.9, depth: 0.5"), "", Side::Outer);
+    let narrow = refused(&outside("rectangular, width: 0.9, depth: 1"), "", Side::Outer);
     assert_eq!(narrow.note().code(), "groove-too-narrow", "{narrow:?}");
     assert_eq!(narrow.note().figure_text("width").unwrap(), "1");
     // A blade of 1.3 mm enters 1.9 mm deep.
