@@ -9,7 +9,7 @@ use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Question, TypedAnswer};
 use crate::note::{Figure, IntoFigure, Note};
 use crate::part::{Hole, Point};
-use crate::plan::{Plan, Transition};
+use crate::plan::{Operation, Plan, Transition};
 use crate::shop::Shop;
 use crate::tables::holders::HolderRow;
 use crate::tooling::named::NamedCutter;
@@ -105,6 +105,18 @@ impl<'a> Context<'a> {
     pub fn hole(&self, row: &Row) -> Option<&'a Hole> {
         let name = &row.hole.as_ref()?.value;
         self.stated.part.holes.iter().find(|hole| hole.name == *name)
+    }
+
+    /// The size of the reamer or core drill whose field H reaches into a field above the nominal size: Ø25 as bought for 25G7.
+    pub fn bought_size(&self, row: &Row, diameter: Micrometres) -> Option<Micrometres> {
+        let hole = self.hole(row)?;
+        let step = row.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
+        let required = step.map_or(&hole.diameter, |step| &step.diameter);
+        let above = diameter > required.nominal && diameter >= required.smallest() && diameter <= required.largest();
+        let operation = row.operation.value;
+        let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
+        let bought = || self.shop.bought_for(required).ok().flatten();
+        (fixed && above && bought().is_some()).then_some(required.nominal)
     }
 
     /// The same transition in the program's plan: of the same hole, operation and place, and of the stated diameter,

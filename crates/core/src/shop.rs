@@ -7,13 +7,13 @@ use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::material::Material;
 use crate::note::{Because, Figure, Note};
-use crate::part::Part;
+use crate::part::{Part, ToleratedDiameter, tolerance_width};
 use crate::plan::{CuttingMethod, Operation};
 use crate::shelf::Shelf;
 use crate::tables::controls::{Convention, ProgramConventions};
 use crate::tables::holes::{HoleConvention, HoleDefault};
 use crate::tables::rules::CoolantFor;
-use crate::units::{Kilowatts, Micrometres, Microns, MillimetresPerMinute, NewtonMetres, Roughness};
+use crate::units::{ItGrade, Kilowatts, Micrometres, Microns, MillimetresPerMinute, NewtonMetres, Roughness};
 use technolog_note::note;
 
 /// The knowledge, the machine at hand and the material.
@@ -74,6 +74,35 @@ impl<'k> Shop<'k> {
     /// The table `hole-defaults` does not name them.
     pub fn grind_limit(&self, diameter: Micrometres) -> Result<Micrometres, KnowledgeError> {
         grind_limit(diameter, self.knowledge)
+    }
+
+    /// The grade of the field H whose reamer or core drill makes a hole as it is bought, the finest there is; none where each
+    /// misses the limits. The widest hole of such a cutter is that of its field, and new it is at least `reamer-least-share` of the
+    /// field above its size.
+    ///
+    /// # Errors
+    /// The knowledge base is broken.
+    pub fn bought_for(&self, diameter: &ToleratedDiameter) -> Result<Option<ItGrade>, KnowledgeError> {
+        let share = self.share(HoleDefault::ReamerLeastShare)?;
+        let (finest, coarsest) =
+            (self.share(HoleDefault::FinestBoughtGrade)?, self.share(HoleDefault::CoarsestBoughtGrade)?);
+        let makes = |grade: &ItGrade| {
+            tolerance_width(*grade, diameter.nominal, self.knowledge).is_ok_and(|field| {
+                field <= diameter.upper && Micrometres::from_mm_rounded(field.to_mm() * share) >= diameter.lower
+            })
+        };
+        Ok((finest as u8..=coarsest as u8).filter_map(ItGrade::new).find(makes))
+    }
+
+    /// The diameter to aim at. Fine holes are made by what follows the field: the middle of one that does not begin at the nominal
+    /// size (10K7, 30JS7), which a reamer bought for a field H would miss.
+    ///
+    /// # Errors
+    /// The table `hole-defaults` does not name the coarsest grade that reamers are bought for.
+    pub fn aimed(&self, diameter: &ToleratedDiameter) -> Result<Micrometres, KnowledgeError> {
+        let fine = f64::from(diameter.it.number()) <= self.share(HoleDefault::CoarsestBoughtGrade)?;
+        let own_field = diameter.lower != Micrometres::ZERO;
+        Ok(if fine && own_field { (diameter.smallest() + diameter.largest()).half() } else { diameter.target() })
     }
 
     /// Whether an operation uses coolant where its speed does not say so, by the rule `coolant`.

@@ -51,6 +51,30 @@ fn a_wide_edge_and_a_flat_floor_are_right_when_they_are_written_by_hand() {
     }
 }
 
+/// Fields that do not begin at the nominal size: reamers are ground for those below it, and bought for a field H for those above.
+#[test]
+fn fields_beside_h_are_right_in_our_plan_and_when_they_are_written_by_hand() {
+    for (diameter, roughness) in [
+        ("25G7", "Ra 1.6"),
+        ("12F8", "Ra 3.2"),
+        ("10K7", "Ra 1.6"),
+        ("30JS7", "Ra 1.6"),
+        ("20P7", "Ra 1.6"),
+        ("52K7", "Ra 1.6"),
+    ] {
+        let part = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 200, width: 150, thickness: 30}}\n\
+             holes:\n  - {{name: A, diameter: {diameter}, roughness: {roughness}, through: true, centre_tolerance: 0.5, at: [[0, 0]]}}\n"
+        );
+        assert_eq!(found(&part), [""; 0], "{diameter} by hand");
+        let plan = planned(&read(&part), CuttingMethod::Formula);
+        let text = serde_json::to_string(&plan).unwrap();
+        let stated = read_plan("plan.json", &text, &KNOWLEDGE, &|_: &str| Err("no file".to_owned())).unwrap();
+        let grave = AUDITOR.audit(&stated).unwrap().findings.into_iter().find(|one| one.severity < Severity::Note);
+        assert_eq!(grave.map(|one| one.note), None, "{diameter}");
+    }
+}
+
 #[test]
 fn what_we_plan_is_right_when_it_is_written_by_hand() {
     let (mut wrong, mut cases) = (Vec::new(), Vec::new());

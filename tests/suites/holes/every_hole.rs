@@ -50,7 +50,8 @@ fn a_deep_hole_gets_a_long_drill_and_pecks() {
 }
 
 /// A reamer bought for H7 leaves 10.000 to 10.015: 10K7 ends at 10.005, 30JS7 at 30.010. Each has a reamer of its own, even where
-/// an H7 of the same size stands beside it; 25G7 (25.007 to 25.028) is what a bought one makes.
+/// an H7 of the same size stands beside it; 25G7 (25.007 to 25.028) is what a bought one for H7 makes. 12F8 (12.016 to 12.043) begins
+/// above the holes of H7 (to 12.018) by half of them, and of H8 (to 12.027) too: it takes one for H9 (to 12.043).
 #[test]
 fn a_hole_of_another_field_is_not_reamed_with_a_reamer_for_h() {
     let group = |name: &str, diameter: &str, x: i32| {
@@ -58,7 +59,7 @@ fn a_hole_of_another_field_is_not_reamed_with_a_reamer_for_h() {
             "  - {{name: {name}, diameter: {diameter}, through: true, roughness: Ra 1.6, centre_tolerance: 0.5, at: [[{x}, 0]]}}\n"
         )
     };
-    let fields = [("A", "10K7"), ("B", "10H7"), ("C", "30JS7"), ("D", "20P7"), ("E", "25G7")];
+    let fields = [("A", "10K7"), ("B", "10H7"), ("C", "30JS7"), ("D", "20P7"), ("E", "25G7"), ("F", "12F8")];
     let holes: String = fields.iter().zip(-2..).map(|((name, field), at)| group(name, field, 60 * at)).collect();
     let text = format!(
         "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 400, width: 200, thickness: 25}}\nholes:\n{holes}"
@@ -77,6 +78,10 @@ fn a_hole_of_another_field_is_not_reamed_with_a_reamer_for_h() {
     assert_eq!(made[2], (30_000, Some(30_000)));
     assert!((19_965..=19_986).contains(&made[3].0) && made[3].1 == Some(20_000), "{made:?}");
     assert!((25_007..=25_028).contains(&made[4].0) && made[4].1.is_none(), "{made:?}");
+
+    let bought = plan.findings.iter().filter(|finding| finding.note.code() == "bought-for");
+    let bought: Vec<_> = bought.map(|one| (one.hole.clone().unwrap(), one.note.figure_text("it").unwrap())).collect();
+    assert_eq!(bought, [("E".to_owned(), "7".to_owned()), ("F".to_owned(), "9".to_owned())]);
 
     let mut careless = plan.clone();
     careless.tools.iter_mut().for_each(|tool| tool.ground_from_mm = None);

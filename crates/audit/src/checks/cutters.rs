@@ -102,7 +102,9 @@ fn need<'a>(
     let reach = if required && plain { tips.tip_depth(context, at) } else { None };
     let enters = length(Q::From).unwrap_or_default();
     let cone = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));
+    let nominal = context.bought_size(row, diameter).unwrap_or(diameter);
     CutterNeed {
+        nominal,
         enters,
         reach: reach.unwrap_or_default(),
         through: hole.through,

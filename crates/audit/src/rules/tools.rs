@@ -102,17 +102,21 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     Ok(())
 }
 
-/// Another size than that of the catalog is right where the tool is ground down to the size of its row.
+/// Another size than that of the catalog is right where the tool is ground down to the size of its row, or as bought makes it.
 fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judge<'a> {
     Box::new(move |value, _| {
         let stated = Micrometres::from_mm_rounded(value);
         if stated == catalog {
             return None;
         }
-        let mut rows = context.stated.rows_of_tool(tool);
-        let made = rows.any(|(_, row)| row.figures.get(&Q::Diameter).is_some_and(|figure| figure.value == value));
+        let rows = context.stated.rows_of_tool(tool).map(|(_, row)| row);
+        let made: Vec<_> =
+            rows.filter(|row| row.figures.get(&Q::Diameter).is_some_and(|figure| figure.value == value)).collect();
+        if made.iter().any(|row| context.bought_size(row, stated) == Some(catalog)) {
+            return Some((Severity::Note, Note::new("audit-bought").with("own", catalog).with("size", stated)));
+        }
         let limit = context.shop.grind_limit(stated).unwrap_or_default();
-        let grindable = made && stated < catalog && catalog - stated <= limit;
+        let grindable = !made.is_empty() && stated < catalog && catalog - stated <= limit;
         let note = Note::new("audit-ground").with("own", catalog).with("size", stated);
         Some(if grindable { (Severity::Note, note) } else { (Severity::Wrong, Note::new("audit-figure")) })
     })

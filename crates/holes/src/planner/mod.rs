@@ -213,6 +213,11 @@ fn draft(
                 let note = Note::new("ends-above-floor").with("left", left).with("diameter", step.diameter);
                 report(severity, note.with("depth", depth));
             }
+            Remark::BoughtFor { nominal, it } => {
+                let note = Note::new("bought-for").with("operation", Figure::operation(step.operation.name()));
+                let note = note.with("nominal", nominal).with("it", it).with("size", step.diameter);
+                report(Severity::Doubtful, note);
+            }
             Remark::Promised { it: grade, own } => {
                 let note = Note::new("promised-finer").with("it", grade).with("own", own);
                 report(Severity::Doubtful, note.with("table", &choice.candidate.table));

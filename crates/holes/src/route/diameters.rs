@@ -142,7 +142,7 @@ fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finis
     if let (Some(thread), Some(Operation::Tap)) = (&bore.thread, candidate.transitions.last()) {
         return Ok(here(thread.size));
     }
-    let target = aimed(&bore.diameter, shop)?;
+    let target = shop.aimed(&bore.diameter)?;
     if !candidate.finish_elsewhere {
         return Ok(here(target));
     }
@@ -163,17 +163,6 @@ fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finis
     elsewhere.reverse();
     let note = Note::new("stock-for-elsewhere").with("stock", target - after);
     Ok(Finished { after, slack: Some(slack), because: Some(Because::row(rule.row, note)), elsewhere })
-}
-
-/// The diameter to aim at. Fine holes are made by what follows the field: the middle of one that does not begin at the nominal size
-/// (10K7, 30JS7), which a reamer bought for a field H would miss.
-///
-/// # Errors
-/// The knowledge lacks a convention.
-pub(super) fn aimed(diameter: &ToleratedDiameter, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
-    let fine = f64::from(diameter.it.number()) <= shop.share(HoleDefault::CoarsestBoughtGrade)?;
-    let own_field = diameter.lower != Micrometres::ZERO;
-    Ok(if fine && own_field { (diameter.smallest() + diameter.largest()).half() } else { diameter.target() })
 }
 
 /// One transition, seen backwards from the diameter that it must leave.

@@ -126,6 +126,13 @@ pub enum Remark {
     FinishedElsewhere(ToleratedDiameter),
     /// A reamer or boring bar ends above a flat floor by that length.
     EndsAboveFloor(Micrometres),
+    /// A reamer or core drill that is bought makes a field that begins above the nominal size, but only one for that field H.
+    BoughtFor {
+        /// Its size.
+        nominal: Micrometres,
+        /// The grade of the field H that it is for.
+        it: ItGrade,
+    },
     /// A table promises a finer grade than the chain of transitions reaches.
     Promised {
         /// The grade that is promised.

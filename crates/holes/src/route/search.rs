@@ -24,7 +24,7 @@ use crate::tables::rules::{HoleState, NextTransition};
 use crate::units::{Micrometres, Minutes};
 
 use super::bores::{Before, Bore};
-use super::diameters::{self, BackwardStep, Sizes};
+use super::diameters::{BackwardStep, Sizes};
 use super::{Candidate, RouteStep, accuracy};
 
 /// The most routes that are returned: the fastest by the times of their edges.
@@ -207,7 +207,7 @@ impl<'a, 'k> Graph<'a, 'k> {
 
     /// The finished cylinder, with every transition that reaches grade and roughness leading to it.
     fn goal(&mut self) -> Tried<NodeIndex> {
-        let target = diameters::aimed(&self.bore.diameter, self.shop)?;
+        let target = self.shop.aimed(&self.bore.diameter)?;
         let goal = self.states.add_node(SearchState { diameter: target });
         let (asked_it, asked_roughness) = self.bore.required_finish(self.shop)?;
         for row in self.rule.clone().iter() {

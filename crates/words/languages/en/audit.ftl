@@ -4,6 +4,7 @@ audit-decimal-point = the decimal point is in the wrong place
 audit-sign = the sign is the opposite one
 audit-follows = follows from { $fields }
 audit-ground = the catalog of this designation has { $own } mm: it must be ground down to { $size } mm
+audit-bought = the catalog of this designation has { $own } mm: bought for the right field H it leaves { $size } mm
 audit-no-such-reference = no assembly has that length: the reference tool is one of the plan's assemblies
 audit-sign-by-g44 = the sign for G44; neither plan nor program says G43 or G44; for G43 it is the opposite one
 audit-other-corrector = { $tool } uses offset register { $corrector }, but every other tool uses the register of its own number

@@ -23,6 +23,7 @@ reaches-no-worse = prepares the next transition and makes nothing worse: grade {
 reaches-before-next = leaves IT{ $it }, { $roughness } of the range of its row: another transition follows, which leaves no finer
 reaches-thread = thread: { $roughness }
 drills-too-short = the largest drill that fits, Ø{ $diameter }, reaches { $reach } mm, and { $needed } mm are needed
+bought-for = { $operation } to Ø{ $size }: the cutter of Ø{ $nominal } must be one bought for H{ $it }, not worn: one for a finer field leaves the hole too small
 promised-finer = { $table } promises grade { $it }, and by A.1 these transitions give { $own }
 misses-position = the position of the axis is within { $position } mm, and { $asked } mm are permitted
 misses-axis = the tool follows the axis of the cast hole, whose core may be shifted by { $shift } mm, and { $asked } mm is permitted

@@ -73,18 +73,16 @@ impl<'k> Fitting<'_, 'k> {
     /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.
     pub(super) fn round_enough(&self, step: &RouteStep) -> Tried<()> {
         let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
-        let tolerance = match step.place.step {
-            Some(number) => self.hole.steps.get(number - 1).map(|step| (&step.diameter.upper, &step.diameter.lower)),
-            None if step.place.feature == Feature::Bore => Some((&self.hole.diameter.upper, &self.hole.diameter.lower)),
-            None => None,
+        let required = match step.place.step {
+            Some(number) => self.hole.steps.get(number - 1).map(|step| &step.diameter),
+            None => Some(&self.hole.diameter).filter(|_| step.place.feature == Feature::Bore),
         };
-        let target = match step.place.step {
-            Some(number) => self.hole.steps.get(number - 1).map(|step| step.diameter.target()),
-            None => Some(self.hole.diameter.target()),
-        };
-        let Some((upper, lower)) = tolerance.filter(|_| target == Some(step.diameter)) else { return Ok(()) };
+        let Some(required) = required else { return Ok(()) };
+        if self.shop.aimed(required)? != step.diameter {
+            return Ok(());
+        }
         let share = self.shop.share(HoleDefault::MilledRoundnessShare)?;
-        let most = Micrometres::from_mm_rounded((*upper - *lower).to_mm() * share);
+        let most = Micrometres::from_mm_rounded((required.upper - required.lower).to_mm() * share);
         if roundness > most {
             return Err(Refusal::Not(Reason::MilledNotRound { roundness, most, diameter: step.diameter }));
         }

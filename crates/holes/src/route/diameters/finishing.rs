@@ -6,11 +6,11 @@ use crate::part::tolerance_width;
 use crate::plan::Operation;
 use crate::reason::Reason;
 use crate::tables::holes::HoleDefault;
-use crate::units::{ItGrade, Micrometres};
+use crate::units::Micrometres;
 
-use super::super::{RouteStep, accuracy, handbook, openings};
+use super::super::{Remark, RouteStep, accuracy, handbook, openings};
 use super::allowance::Allowance;
-use super::{BackwardStep, aimed, allowance};
+use super::{BackwardStep, allowance};
 
 impl BackwardStep<'_, '_> {
     /// A transition that removes an allowance. The diameter before it is that of the handbook where the range of
@@ -24,7 +24,8 @@ impl BackwardStep<'_, '_> {
         let (smallest, largest) = (after - allowance.high, after - allowance.low);
         let handbook_row = handbook::row(bore, shop)?;
         // The handbook's are for fields H, which begin at the nominal size.
-        let lower = (bore.diameter.nominal - aimed(&bore.diameter, shop)?).max(Micrometres::ZERO);
+        let aimed = shop.aimed(&bore.diameter)?;
+        let lower = (bore.diameter.nominal - aimed).max(Micrometres::ZERO);
         let advised = handbook_row.as_ref().and_then(|row| handbook::diameter_before(row, operation, previous));
         let exact = self.shared_by_two_reamers(&allowance)?.or(advised.map(|size| size - lower));
         let aim = exact.unwrap_or(after - allowance.aim).max(smallest).min(largest);
@@ -83,10 +84,12 @@ impl BackwardStep<'_, '_> {
         let mut because = vec![Because::row(allowance.row, note)];
         because.extend(allowance.stock);
         if let (Some(row), Some(advised)) = (handbook_row, advised) {
-            let code = match () {
-                () if advised == before => "handbook-step",
-                () if advised == before + lower => "handbook-step-lower",
-                () => "handbook-step-outside",
+            let code = if advised == before {
+                "handbook-step"
+            } else if advised == before + lower {
+                "handbook-step-lower"
+            } else {
+                "handbook-step-outside"
             };
             let note = Note::new(code).with("advised", advised).with("taken", before);
             because.push(Because::row(row.row, note.with("low", smallest).with("high", largest)));
@@ -94,8 +97,9 @@ impl BackwardStep<'_, '_> {
         // A smaller reamer or core drill is a catalog tool of the nominal size, ground down.
         let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
         // Where the hole lies above what a bought one of its size makes, the next larger one is ground down.
-        let last = (bore.diameter.smallest()..=bore.diameter.largest()).contains(&after);
-        let bought = if last { self.bought_makes()? } else { after <= bore.diameter.nominal };
+        let last = after == aimed;
+        let bought_for = if fixed && last { shop.bought_for(&bore.diameter)? } else { None };
+        let bought = bought_for.is_some() || (!last && after <= bore.diameter.nominal);
         // One of the same size is ground, too, where a new one is too wide: it is asked for by less than its size.
         let below =
             if fixed && !bought && after == bore.diameter.nominal { Micrometres::new(1) } else { Micrometres::ZERO };
@@ -104,22 +108,10 @@ impl BackwardStep<'_, '_> {
             let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
             because.push(Because::row(allowance.row, note));
         }
-        Ok(RouteStep { nominal, because, ..self.step(before) })
-    }
-
-    /// Whether a reamer or core drill as it is bought makes the cylinder: one for a field H of a common grade, whose hole is at most
-    /// as wide as the field, and which itself is at least so much of it above its size.
-    fn bought_makes(self) -> Result<bool, KnowledgeError> {
-        let Self { bore, shop, .. } = self;
-        let (low, high) =
-            (bore.diameter.smallest() - bore.diameter.nominal, bore.diameter.largest() - bore.diameter.nominal);
-        let share = shop.share(HoleDefault::ReamerLeastShare)?;
-        let (finest, coarsest) =
-            (shop.share(HoleDefault::FinestBoughtGrade)?, shop.share(HoleDefault::CoarsestBoughtGrade)?);
-        let fields = (finest as u8..=coarsest as u8).filter_map(ItGrade::new);
-        Ok(fields
-            .filter_map(|grade| tolerance_width(grade, bore.diameter.nominal, shop.knowledge).ok())
-            .any(|field| field <= high && Micrometres::from_mm_rounded(field.to_mm() * share) >= low))
+        // Beside a field H, one of another field needs to be told which one is meant.
+        let above = bore.diameter.lower > Micrometres::ZERO;
+        let remarks = bought_for.filter(|_| above).map(|it| Remark::BoughtFor { nominal, it }).into_iter().collect();
+        Ok(RouteStep { nominal, because, remarks, ..self.step(before) })
     }
 
     /// What the rough reamer leaves where the hole of the blank has little stock for both: the finish one then takes less.
