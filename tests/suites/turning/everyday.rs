@@ -66,7 +66,7 @@ fn threads_at_both_ends_are_cut_from_both_ends() {
 /// cut. Its 0.55 and what the chamfer takes are 1 mm and a little; of the bar it would be 2.3, and 38 kN of the jaws.
 #[test]
 fn what_the_first_set_up_has_turned_is_no_stock_of_the_second() {
-    let operation = planned("dowel-of-bar");
+    let operation = planned("../turned-whole/dowel-of-bar");
     assert_eq!(wrong(&operation), [""; 0], "{:?}", operation.findings);
     let jobs = operation.set_ups[1].jobs.iter().filter(|job| job.work != Work::Face);
     let depths: Vec<f64> =

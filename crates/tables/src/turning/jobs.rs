@@ -74,6 +74,8 @@ vocabulary! {
         TapEntry = "tap-entry",
         /// The share of the rise of a bar's secondary edge that the stock on a bottom may take.
         BottomEdgeShare = "bottom-edge-share",
+        /// The length of the slope with which the allowance of a seat ends beside a plain cylinder, divided by its height.
+        AllowanceEndFall = "allowance-end-fall",
         /// The length of a slope up to a fit of another radius, divided by its height: the cotangent of its angle.
         FitRise = "fit-rise",
         /// The same down from one.

@@ -1,8 +1,11 @@
 //! The contour that this lathe leaves: the main contour with the allowances for other machines.
 
+use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
+use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::{Over, equidistant_over};
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Stretches, Surface, SurfaceKind};
+use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::zones::TurnedSide;
@@ -11,11 +14,14 @@ use super::tools::Bench;
 
 /// The main contour with the allowances for other machines, each piece with its surface. None, with a finding, if it
 /// cannot be made.
+///
+/// # Errors
+/// The knowledge base is broken.
 pub(super) fn left(
     stretch: &TurnedSide,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
-) -> Option<Vec<(Piece, Option<usize>)>> {
+) -> Result<Option<Vec<Owned>>, KnowledgeError> {
     let whole = &stretch.main.contour;
     let main = &if bench.elsewhere.is_empty() { whole.clone() } else { parted(whole, &stretch.profile, bench) };
     let along = along(&stretch.profile);
@@ -28,36 +34,37 @@ pub(super) fn left(
     };
     let distances: Vec<Half> = surfaces.iter().map(later).collect();
     if distances.iter().all(|distance| *distance == Half::ZERO) {
-        return Some(main.pieces.iter().copied().zip(surfaces).collect());
+        return Ok(Some(main.pieces.iter().copied().zip(surfaces).collect()));
     }
-    match equidistant_over(main, &distances) {
+    let fall = Limits::of(bench.knowledge).ratio(JobLimit::AllowanceEndFall)?;
+    Ok(match equidistant_over(main, &distances) {
         Ok(over) => {
             let is_face = |over: &Over| main.pieces.get(over.of).is_some_and(|piece| piece.is_face());
             let steps = over.iter().map(|over| over.piece.is_face() && !is_face(over)).collect::<Vec<_>>();
             let own = |over: Over| (over.piece, surfaces.get(over.of).copied().flatten());
-            Some(without_steps(over.into_iter().map(own).zip(steps).collect(), main.side))
+            Some(without_steps(over.into_iter().map(own).zip(steps).collect(), fall, main.side))
         }
         Err(error) => {
             findings.push(Finding::of_part(Severity::Error, Note::new("no-intermediate-contour").with("why", error)));
             None
         }
-    }
+    })
 }
 
 /// A piece and the index of its surface in the profile.
-type Owned = (Piece, Option<usize>);
+pub(super) type Owned = (Piece, Option<usize>);
 
 /// The contour, with a mark at each step that is no face of the part, with its slopes led on to the raised cylinders beside them, in place of a step as high as the allowance: no nose
 /// makes the corner of such a step, and after grinding the whole slope is there. From a raised cylinder down to one of the same
 /// diameter there is a slope that a contouring tool follows: no trailing edge goes down upright.
-fn without_steps(pieces: Vec<(Owned, bool)>, side: Side) -> Vec<Owned> {
+fn without_steps(pieces: Vec<(Owned, bool)>, fall: f64, side: Side) -> Vec<Owned> {
     let mut kept: Vec<Owned> = Vec::new();
     let mut rest = pieces.into_iter().peekable();
     while let Some(((piece, surface), is_step)) = rest.next() {
         let step = is_step.then_some(piece);
         let beside = step.zip(kept.last().copied()).zip(rest.peek().copied());
         if let Some(((step, (before, _)), ((after, _), _))) = beside
-            && let Some(slope) = falling(before, step, after, side)
+            && let Some(slope) = falling(before, step, after, fall, side)
         {
             kept.push((slope, surface));
             if let Some(next) = rest.peek_mut() {
@@ -84,15 +91,12 @@ fn without_steps(pieces: Vec<(Owned, bool)>, side: Side) -> Vec<Owned> {
     kept
 }
 
-/// The fall of a slope from an allowance, degrees: less than φ1 of contouring tools (30°), so that one follows it. Our choice.
-const FALL: f64 = 25.0;
-
-/// The slope in place of a step that falls from one cylinder to another; none if they are none, if the step rises, or if the second
+/// The slope in place of a step that falls from one cylinder to another, `run` times as long as high (`allowance-end-fall`); none if they are none, if the step rises, or if the second
 /// cylinder is too short.
-fn falling(before: Piece, step: Piece, after: Piece, side: Side) -> Option<Piece> {
+fn falling(before: Piece, step: Piece, after: Piece, run: f64, side: Side) -> Option<Piece> {
     let rise = step.to.radius - step.from.radius;
     let fall = if side == Side::Outer { Half::ZERO - rise } else { rise };
-    let along = Half::from(fall.to_mm() / libm::tan(FALL.to_radians()));
+    let along = Half::from(fall.to_mm() * run);
     let to = Point { radius: step.to.radius, z: step.to.z + along };
     let cylinders = before.is_cylinder() && after.is_cylinder();
     (cylinders && fall > Half::ZERO && to.z < after.to.z).then(|| Piece::line(step.from, to))
@@ -231,25 +235,28 @@ mod tests {
     fn a_chamfer_goes_on_to_the_raised_cylinder() {
         let points = [(18.0, 0.0), (20.0, 2.0), (20.2, 2.0), (20.2, 30.0), (20.0, 30.0), (18.0, 32.0), (25.0, 32.0)];
         let led = [(18.0, 0.0), (20.2, 2.2), (20.2, 29.8), (18.0, 32.0), (25.0, 32.0)];
-        assert_eq!(without_steps(stepped(&points), Side::Outer), contour(&led));
+        assert_eq!(without_steps(stepped(&points), COT_25, Side::Outer), contour(&led));
         let faced = [(20.2, 0.0), (20.2, 30.0), (24.0, 30.0), (25.0, 31.0), (25.0, 40.0)];
-        assert_eq!(without_steps(stepped(&faced), Side::Outer), contour(&faced));
+        assert_eq!(without_steps(stepped(&faced), COT_25, Side::Outer), contour(&faced));
     }
+
+    /// cot 25°.
+    const COT_25: f64 = 2.144_507;
 
     /// From 0.2 over a cylinder down to the plain one behind it by 25°: 0.2/tan 25° = 0.4289 long.
     #[test]
     fn an_allowance_ends_with_a_slope() {
         let points = [(20.2, 0.0), (20.2, 30.0), (20.0, 30.0), (20.0, 50.0)];
         let sloped = [(20.2, 0.0), (20.2, 30.0), (20.0, 30.429), (20.0, 50.0)];
-        assert_eq!(without_steps(stepped(&points), Side::Outer), contour(&sloped));
+        assert_eq!(without_steps(stepped(&points), COT_25, Side::Outer), contour(&sloped));
         let rising = [(20.0, 0.0), (20.0, 30.0), (20.2, 30.0), (20.2, 50.0)];
-        assert_eq!(without_steps(stepped(&rising), Side::Outer), contour(&rising));
+        assert_eq!(without_steps(stepped(&rising), COT_25, Side::Outer), contour(&rising));
     }
 
     /// A slope of 5° would lead on beyond a cylinder of 1 mm.
     #[test]
     fn a_cylinder_too_short_keeps_its_step() {
         let points = [(19.0, 0.0), (20.0, 11.0), (20.2, 11.0), (20.2, 12.0)];
-        assert_eq!(without_steps(stepped(&points), Side::Outer), contour(&points));
+        assert_eq!(without_steps(stepped(&points), COT_25, Side::Outer), contour(&points));
     }
 }

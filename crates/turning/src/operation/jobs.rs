@@ -187,6 +187,10 @@ fn rough(
     let mut pace = pace_of(&work.pace, bench);
     let path = eased(&transition.path, work.levels.depth + work.pace.retract_mm);
     let path = if is_face { off_the_face(&path, work.pace.retract_mm) } else { path };
+    // A sliver beside a raw surface that no level takes is left to finishing.
+    if path.moves.is_empty() {
+        return Ok(None);
+    }
     let spread = Limits::of(bench.knowledge).ratio(JobLimit::ConstantSpeedRatio)?;
     if is_face || widest_to_narrowest(&path) >= spread {
         pace = constant_speed(pace, work.pace.conditions.as_ref(), bench);

@@ -99,7 +99,7 @@ pub fn layers(
     let (mut allowances, doubts) = finishing(&stretch.profile, method, length, knowledge)?;
     findings.extend(doubts);
     let main = &stretch.main.contour;
-    let Some(mut left) = left(stretch, bench, findings) else { return Ok(None) };
+    let Some(mut left) = left(stretch, bench, findings)? else { return Ok(None) };
     // The file may leave out the far face, but a part that is turned over begins with it.
     if let Some(face) = left.first().and_then(|(first, _)| far_face(first.from, set_up, main.side, workpiece)) {
         left.insert(0, (face, None));
