@@ -8,7 +8,7 @@ use technolog::words::say;
 
 use super::format::names;
 use super::words::Lang;
-use super::{Cli, Format, audit, check, lint, lookup, order, plan, program, table, test, turn};
+use super::{Cli, Format, audit, check, lint, lookup, order, plan, program, report, table, test, turn};
 
 /// The language of help and usage, found before the arguments are parsed: that of `--lang`, if it is given.
 pub fn language(default: Lang) -> Lang {
@@ -97,6 +97,7 @@ fn formats(command: &str, lang: Lang) -> String {
         "order" => one(order::FORMATS),
         "turn" => each(turn::shown()),
         "program" => each(program::shown()),
+        "report" => one(report::FORMATS),
         "audit" => one(audit::FORMATS),
         "table" => one(table::FORMATS),
         "lookup" => one(lookup::FORMATS),
@@ -174,7 +175,9 @@ mod tests {
                 let formats: Vec<&Arg> = inner.get_arguments().filter(|arg| arg.get_id() == "format").collect();
                 let [format] = formats.as_slice() else { panic!("{}: {formats:?}", inner.get_name()) };
                 let help = format.get_help().map(ToString::to_string).unwrap_or_default();
-                assert!(help != general && help.contains("json"), "{}: {help}", inner.get_name());
+                // A report is for people only.
+                let own = if inner.get_name() == "report" { "html" } else { "json" };
+                assert!(help != general && help.contains(own), "{}: {help}", inner.get_name());
                 let (svg, csv) = (help.contains("svg"), help.contains("csv"));
                 let expected = match inner.get_name() {
                     "program" => (true, true),

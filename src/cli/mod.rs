@@ -27,6 +27,7 @@ mod program;
 mod progress;
 mod proof;
 mod record;
+mod report;
 mod sheet;
 mod shown;
 mod table;
@@ -92,6 +93,7 @@ enum Command {
     Order(order::Args),
     Turn(turn::Args),
     Program(program::Args),
+    Report(report::Args),
     Audit(audit::Args),
     Table(table::Args),
     Lookup(lookup::Args),
@@ -108,6 +110,7 @@ impl Command {
             Self::Order(args) => order::run(args, context),
             Self::Turn(args) => turn::run(args, context),
             Self::Program(args) => program::run(args, context),
+            Self::Report(args) => report::run(args, context),
             Self::Audit(args) => audit::run(args, context),
             Self::Table(args) => table::run(args, context),
             Self::Lookup(args) => lookup::run(args, context),

@@ -7,13 +7,13 @@ use clap::ValueEnum;
 use serde::Serialize;
 use technolog::error::KnowledgeError;
 use technolog::job::Job;
-use technolog::knowledge::Diagnostic;
+use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::note::{Finding, Note, Severity};
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::program::proof::{PlannedJob, Proof};
-use technolog::program::written::{Form, ProgramLine};
+use technolog::program::written::{Form, ProgramLine, WrittenProgram};
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 use technolog::report::encoding::encoding_sheet;
@@ -102,39 +102,27 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
     let machine = control::machine(&plan.part.machine, knowledge, context)?;
     let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
-    let language = Language::read(control, knowledge).map_err(at_fault)?;
-    let planned = PlannedJob::of(plan, &language, knowledge).map_err(at_fault)?;
-    let (plan, job) = (&planned.plan, &planned.job);
-    let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
-    let form = Form::read(&shop).map_err(at_fault)?;
-    let form = Form { program: args.number, subprograms: !args.no_subprograms, ..form };
     if let Some(number) = args.number.filter(|number| control == "2c42-65" && *number > 99) {
         let message = say!(context.lang, "program-number-beyond", number = number);
         return Err(Diagnostic::error("bad-number", message, None).into());
     }
-    let written = language.write(job, form);
-    let setting = Setting::of_job(job);
-    let mut sink = (Vec::<MotionStep>::new(), Clock::new(&shop.machine, setting.start));
-    let text = written.text();
-    let faults = language.check(&text, &shop.machine, &setting, &mut sink);
-    let (steps, clock) = sink;
-    let undone: Vec<Finding> = job.unfinished.iter().filter_map(|one| one.finding(Severity::Wrong)).collect();
-    let findings: Vec<&Finding> = serious(plan, job).into_iter().chain(&undone).collect();
-    let proof = planned.prove(&steps, &setting);
+    let made = Made::of(plan, control, (args.number, !args.no_subprograms), knowledge).map_err(at_fault)?;
+    let Made { language, planned, written, setting, steps, times, faults, proof, .. } = &made;
+    let (plan, job) = (&planned.plan, &planned.job);
+    let (text, findings, reason) = (written.text(), made.findings(), made.reason());
     if job.setups.is_empty() && format != Format::Json {
         // No hole can be made: there is nothing to write, and half a program is worse than none.
         let problems = proof::part_diagnostics(&findings, context);
         output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
         return Ok(Outcome::Findings);
     }
-    let reason = why_not(&findings, &faults, &proof);
-    let sheet = || encoding_sheet(&written, job, plan, control, knowledge, context.lang).map_err(at_fault);
+    let sheet = || encoding_sheet(written, job, plan, control, knowledge, context.lang).map_err(at_fault);
     match (args.show, format) {
         (Show::Encoding, Format::Json) => context.emit_json(&sheet()?)?,
         (Show::Encoding, Format::Csv) => context.emit_cleaned(&sheet()?.csv())?,
         (Show::Encoding, _) => context.emit_document(&sheet()?.page(), format)?,
         (Show::Backplot, _) => {
-            context.emit_cleaned(&report::backplot::backplot(&steps, Some(&proof::frame(&planned)), context.lang))?;
+            context.emit_cleaned(&report::backplot::backplot(steps, Some(&proof::frame(planned)), context.lang))?;
         }
         (Show::Cycles, _) => context.emit_cleaned(&report::cycles::page(job, plan, context.lang))?,
         (_, Format::Json) => context.emit_json(&Answer {
@@ -144,17 +132,17 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             program: &text,
             lines: &written.lines,
             job,
-            trace: &steps,
-            time: clock.times(),
+            trace: steps,
+            time: *times,
             findings: findings.iter().map(|finding| with_message(finding, context)).collect(),
-            faults: &faults,
-            proof: proof::answer(&proof, context),
+            faults,
+            proof: proof::answer(proof, context),
         })?,
         (Show::Setting, Format::Yaml) => {
-            context.emit_cleaned(&report::setting::file(&setting, plan, job, context.lang))?
+            context.emit_cleaned(&report::setting::file(setting, plan, job, context.lang))?
         }
         (Show::Setting, _) => {
-            context.emit_document(&report::setting::page(&setting, plan, job, context.lang), format)?;
+            context.emit_document(&report::setting::page(setting, plan, job, context.lang), format)?;
         }
         (Show::Program, _) => match &reason {
             None => context.emit(&text)?,
@@ -168,7 +156,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         },
     }
     if format != Format::Json {
-        complain(&findings, &faults, &proof, text, context);
+        complain(&findings, faults, proof, text, context);
         if args.show == Show::Program && reason.is_some() && !args.force {
             let note = Note::new("program-not-written");
             let help = context.lang.remedy(&note).map(Into::into);
@@ -180,15 +168,64 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     Ok(if reason.is_some() { Outcome::Findings } else { Outcome::Done })
 }
 
-/// Why a program must not be run: the gravest that is told of it.
-fn why_not(findings: &[&Finding], faults: &[Fault], proof: &Proof) -> Option<Finding> {
-    let grave = |finding: &&&Finding| finding.severity <= Severity::Wrong;
-    let of_part = findings.iter().filter(grave).map(|finding| (*finding).clone());
-    let of_text = faults.iter().filter(|fault| fault.is_grave());
-    let of_text = of_text.map(|fault| Finding::of_part(fault.severity, fault.note.clone()));
-    let of_proof = proof.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
-    let of_proof = of_proof.map(|finding| Finding::of_part(finding.severity, finding.note.clone()));
-    of_part.chain(of_text).chain(of_proof).min_by_key(|finding| finding.severity)
+/// A program of a plan: written, and read back by the interpreter of its control.
+pub struct Made {
+    language: Language,
+    /// The plan with its job.
+    pub planned: PlannedJob,
+    /// The program.
+    pub written: WrittenProgram,
+    /// The operator's setting.
+    pub setting: Setting,
+    /// The motions of the program, read back.
+    pub steps: Vec<MotionStep>,
+    times: Times,
+    faults: Vec<Fault>,
+    undone: Vec<Finding>,
+    proof: Proof,
+}
+
+impl Made {
+    /// Writes the program of a plan and reads it back; `number` is that of the program, with whether it may have
+    /// subprograms.
+    ///
+    /// # Errors
+    /// The tables lack something of the control or the machine.
+    pub fn of(
+        plan: Plan,
+        control: &str,
+        (number, subprograms): (Option<u32>, bool),
+        knowledge: &Knowledge,
+    ) -> Result<Self, KnowledgeError> {
+        let language = Language::read(control, knowledge)?;
+        let planned = PlannedJob::of(plan, &language, knowledge)?;
+        let shop = Shop::new(&planned.plan.part, planned.plan.cutting, knowledge)?;
+        let form = Form { program: number, subprograms, ..Form::read(&shop)? };
+        let written = language.write(&planned.job, form);
+        let setting = Setting::of_job(&planned.job);
+        let mut sink = (Vec::<MotionStep>::new(), Clock::new(&shop.machine, setting.start));
+        let faults = language.check(&written.text(), &shop.machine, &setting, &mut sink);
+        let (steps, clock) = sink;
+        let times = clock.times();
+        let undone = planned.job.unfinished.iter().filter_map(|one| one.finding(Severity::Wrong)).collect();
+        let proof = planned.prove(&steps, &setting);
+        Ok(Self { language, planned, written, setting, steps, times, faults, undone, proof })
+    }
+
+    fn findings(&self) -> Vec<&Finding> {
+        serious(&self.planned.plan, &self.planned.job).into_iter().chain(&self.undone).collect()
+    }
+
+    /// Why the program must not be run: the gravest that is told of it.
+    pub fn reason(&self) -> Option<Finding> {
+        let findings = self.findings();
+        let of_part = findings.iter().filter(|own| own.severity <= Severity::Wrong).map(|own| (*own).clone());
+        let of_text = self.faults.iter().filter(|fault| fault.is_grave());
+        let of_text = of_text.map(|fault| Finding::of_part(fault.severity, fault.note.clone()));
+        let of_proof = self.proof.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+        let of_proof = of_proof.map(|finding| Finding::of_part(finding.severity, finding.note.clone()));
+        of_part.chain(of_text).chain(of_proof).min_by_key(|finding| finding.severity)
+    }
 }
 
 /// Findings in the plan and the job because of which the program cannot make the part.

@@ -8,7 +8,7 @@ use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::tables::machines::{MachineQuantity as Q, MachineRecord};
 use crate::units::{
     Kilowatts, Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared, Minutes, NewtonMetres, Newtons,
-    RevsPerMinute,
+    RevsPerMinute, Unit,
 };
 
 /// A controlled linear axis.
@@ -76,6 +76,19 @@ pub fn id_of(typed: &str) -> String {
             other => other,
         })
         .collect()
+}
+
+/// A characteristic of a machine.
+#[derive(Clone, Copy, Debug)]
+pub struct Characteristic<'m> {
+    /// Its key: `spindle-power`.
+    pub name: &'m str,
+    /// Its figures; none where it is a word.
+    pub values: &'m [f64],
+    /// Their unit.
+    pub unit: Unit,
+    /// What is said beside the figures, or instead of them.
+    pub text: Option<&'m str>,
 }
 
 /// A machine as the planner sees it.
@@ -265,6 +278,19 @@ impl<'k> Machine<'k> {
             Axis::Y => self.travel_y,
             Axis::Z => self.travel_z,
         }
+    }
+
+    /// Its characteristics as the record has them, each in the unit of its row.
+    pub fn characteristics(&self) -> impl Iterator<Item = Characteristic<'_>> {
+        self.record.0.iter().map(|row| Characteristic {
+            name: match row.name {
+                Named::Read(quantity) => quantity.name(),
+                Named::Other(name) => name,
+            },
+            values: row.value.as_deref().unwrap_or_default(),
+            unit: row.unit.and_then(|unit| unit.parse().ok()).unwrap_or(Unit::None),
+            text: row.text,
+        })
     }
 
     /// The row of a quantity, for citing it.

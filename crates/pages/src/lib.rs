@@ -6,6 +6,7 @@ mod canvas;
 pub mod cycles;
 mod doubts;
 pub mod encoding;
+pub mod laboratory;
 pub mod order;
 pub mod order_drawing;
 pub mod setting;

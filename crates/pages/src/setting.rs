@@ -69,7 +69,7 @@ fn tools(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Table {
 }
 
 /// The zeros of the frames of the part, in the frame of the machine.
-fn zeros(setting: &Setting, lang: Lang) -> Table {
+pub(super) fn zeros(setting: &Setting, lang: Lang) -> Table {
     let axis = |letter: &str| Column::number(letter, lang.word("unit-mm"));
     let mut table = Table::new([Column::text(say!(lang, "setting-frame")), axis("X"), axis("Y"), axis("Z")]);
     for (number, zero) in (54..).zip(&setting.zeros).filter(|(_, zero)| zero.iter().any(Option::is_some)) {
@@ -81,7 +81,7 @@ fn zeros(setting: &Setting, lang: Lang) -> Table {
 }
 
 /// The tools that the operator puts into a place while the program stops.
-fn loads(job: &Job, lang: Lang) -> Vec<String> {
+pub(super) fn loads(job: &Job, lang: Lang) -> Vec<String> {
     let pauses = job.setups.iter().flat_map(|setup| &setup.works).flat_map(|work| &work.pauses);
     let load = |pause: &Pause| match pause {
         Pause::LoadTool { tool, place } => Some(say!(lang, "setting-load", tool = *tool, place = *place)),

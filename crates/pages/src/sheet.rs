@@ -5,7 +5,7 @@ use crate::job::{self, SetUp};
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
-use crate::note::{Because, Figure, IntoFigure, Note, Severity};
+use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::plan::{Clamping, Plan};
 use crate::shop::Shop;
 use crate::units::{Micrometres, round_to};
@@ -18,7 +18,9 @@ mod conditions;
 pub(crate) mod route;
 mod tools;
 
+pub(super) use conditions::section as conditions;
 pub(crate) use tools::named;
+pub(super) use tools::{corrections, tools};
 
 /// The mark of a figure from an unconfirmed row.
 pub(super) const MARK: &str = "*";
@@ -35,23 +37,17 @@ pub fn page(plan: &Plan, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> D
     }
     if !plan.tools.is_empty() {
         page.heading(2, say!(lang, "plan-tools"));
-        page.push(tools::tools(plan, lang));
+        page.push(tools(plan, lang));
     }
     if plan.holes.iter().any(|hole| !hole.transitions.is_empty()) {
         page.heading(2, say!(lang, "plan-conditions"));
-        conditions::section(&mut page, plan, lang);
+        conditions(&mut page, plan, lang);
         page.heading(2, say!(lang, "plan-clamping"));
-        match &plan.clamping {
-            Some(clamping) => clamps(&mut page, clamping, lang),
-            None => page.paragraph(say!(lang, "plan-no-clamping")),
-        }
-        // What the part lies on follows from how far tools come out below it, which the job knows.
-        let job = Shop::new(&plan.part, plan.cutting, knowledge).and_then(|shop| job::make(plan, &shop));
-        job.iter().flat_map(|job| &job.setups).for_each(|setup| page.paragraph(supports(setup, plan, lang)));
+        clamping(&mut page, plan, knowledge, lang);
     }
     if !plan.tools.is_empty() {
         page.heading(2, say!(lang, "plan-corrections"));
-        page.push(tools::corrections(plan, lang));
+        page.push(corrections(plan, lang));
         page.heading(2, say!(lang, "plan-time"));
         page.paragraph(time(plan, lang));
     }
@@ -60,6 +56,17 @@ pub fn page(plan: &Plan, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> D
         findings(&mut page, plan, doubts, lang);
     }
     page
+}
+
+/// Where the clamps press, and what the part lies on.
+pub(super) fn clamping(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
+    match &plan.clamping {
+        Some(clamping) => clamps(page, clamping, lang),
+        None => page.paragraph(say!(lang, "plan-no-clamping")),
+    }
+    // What the part lies on follows from how far tools come out below it, which the job knows.
+    let job = Shop::new(&plan.part, plan.cutting, knowledge).and_then(|shop| job::make(plan, &shop));
+    job.iter().flat_map(|job| &job.setups).for_each(|setup| page.paragraph(supports(setup, plan, lang)));
 }
 
 /// A number with the separator of the language, without trailing zeros.
@@ -195,24 +202,32 @@ fn time(plan: &Plan, lang: Lang) -> String {
     say!(lang, "plan-times", parts = parts, total = exactly(time.total_min.0, 2))
 }
 
-fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
+/// What stands against the part.
+pub(super) fn findings_of_errors(page: &mut Document, plan: &Plan, lang: Lang) {
+    plan.findings.iter().filter(|own| own.severity <= Severity::Wrong).for_each(|own| finding(page, own, lang));
+}
+
+/// All that is to be said of a plan.
+pub(super) fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
     let (listed, counted) = doubts.split(plan.findings.iter());
     if let Some(counted) = counted {
         page.push(FindingBlock::new(Shown::Doubtful, MARK, Inlines::sentence(&lang.say(&counted))));
     }
-    for finding in listed {
-        let (severity, word) = match finding.severity {
-            Severity::Error => (Shown::Error, say!(lang, "plan-impossible")),
-            Severity::Wrong => (Shown::Wrong, say!(lang, "plan-wrong")),
-            // The mark belongs to unconfirmed rows; other doubts are written as a word.
-            Severity::Doubtful if is_of_row(&finding.note) => (Shown::Doubtful, MARK),
-            Severity::Doubtful => (Shown::Doubtful, say!(lang, "plan-doubtful")),
-            Severity::Note => (Shown::Note, say!(lang, "plan-note")),
-        };
-        let text = match &finding.hole {
-            Some(hole) => say!(lang, "plan-of-hole", hole = Figure::called(hole), finding = finding.note.clone()),
-            None => lang.say(&finding.note),
-        };
-        page.push(FindingBlock::new(severity, word, Inlines::sentence(&text)));
-    }
+    listed.into_iter().for_each(|own| finding(page, own, lang));
+}
+
+fn finding(page: &mut Document, finding: &Finding, lang: Lang) {
+    let (severity, word) = match finding.severity {
+        Severity::Error => (Shown::Error, say!(lang, "plan-impossible")),
+        Severity::Wrong => (Shown::Wrong, say!(lang, "plan-wrong")),
+        // The mark belongs to unconfirmed rows; other doubts are written as a word.
+        Severity::Doubtful if is_of_row(&finding.note) => (Shown::Doubtful, MARK),
+        Severity::Doubtful => (Shown::Doubtful, say!(lang, "plan-doubtful")),
+        Severity::Note => (Shown::Note, say!(lang, "plan-note")),
+    };
+    let text = match &finding.hole {
+        Some(hole) => say!(lang, "plan-of-hole", hole = Figure::called(hole), finding = finding.note.clone()),
+        None => lang.say(&finding.note),
+    };
+    page.push(FindingBlock::new(severity, word, Inlines::sentence(&text)));
 }

@@ -54,6 +54,7 @@ rows! {
     pub struct MachineRecord of Record("machine-quantities") {
         name: Named<'t, MachineQuantity>,
         value: Option<Vec<f64>>,
+        unit: Option<&'t str>,
         text: Option<&'t str>,
-    } shown { unit }
+    }
 }

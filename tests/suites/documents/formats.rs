@@ -17,6 +17,7 @@ const PAGES: &[&[&str]] = &[
     &["audit", "examples/appendix-g/plan.yaml", "--against", "examples/appendix-g/plan.yaml"],
     &["program", "examples/plate.yaml", "--show", "encoding"],
     &["program", "examples/plate.yaml", "--show", "setting"],
+    &["report", "examples/plate.yaml", "--title", "examples/report.yaml"],
     &["check", "examples/appendix-g/program.nc", "--control", "2c42-65"],
     &["table"],
     &["table", "A.11"],

@@ -15,6 +15,7 @@ mod drawings;
 mod fuzz;
 mod iso;
 mod proof;
+mod report;
 mod times;
 mod unfinished;
 mod written;

@@ -9,7 +9,7 @@ use super::{Lang, MARK, NONE, cell, exactly, heading, mark, mm, rounded};
 use crate::report::operation_noun;
 
 /// The table, and notes under it.
-pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
+pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     let mut rows: Vec<(Vec<&str>, Vec<Inlines>)> = Vec::new();
     for hole in &plan.holes {
         for transition in &hole.transitions {

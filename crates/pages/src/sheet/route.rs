@@ -11,8 +11,19 @@ use super::super::words::say;
 use super::{Lang, NONE, exactly, mark};
 use crate::report::operation_verb;
 
-/// The route in the form of the worked example: one line per transition of a group, in the order of work.
+/// The route, and why it was taken.
 pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
+    work(page, plan, lang);
+    let choices: Vec<Field> = plan.holes.iter().filter_map(|hole| choice(plan, hole, lang)).collect();
+    if !choices.is_empty() {
+        page.heading(3, say!(lang, "plan-choices"));
+        page.push(Block::Fields(choices));
+    }
+}
+
+/// The route in the form of the worked example: one line per transition of a group, in the order of work; and the path
+/// of every tool.
+pub(crate) fn work(page: &mut Document, plan: &Plan, lang: Lang) {
     page.heading(3, say!(lang, "plan-operation"));
     let rows = rows(plan, lang);
     // Without transitions there is only loading and unloading of the part.
@@ -33,11 +44,6 @@ pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     page.heading(3, say!(lang, "plan-order"));
     let visits = plan.sequence.iter().map(|visit| Field::new(format!("T{}", visit.tool), stops(&visit.stops, lang)));
     page.push(Block::Fields(visits.collect()));
-    let choices: Vec<Field> = plan.holes.iter().filter_map(|hole| choice(plan, hole, lang)).collect();
-    if !choices.is_empty() {
-        page.heading(3, say!(lang, "plan-choices"));
-        page.push(Block::Fields(choices));
-    }
 }
 
 fn rows(plan: &Plan, lang: Lang) -> Vec<Vec<Inlines>> {
@@ -162,7 +168,7 @@ fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lan
 }
 
 /// Grade and roughness, as far as the tables say.
-fn achieved(achieved: Option<&Achieved>, lang: Lang) -> String {
+pub(crate) fn achieved(achieved: Option<&Achieved>, lang: Lang) -> String {
     let Some(achieved) = achieved else { return String::new() };
     let it = achieved.it.map(|grade| format!("IT{grade}"));
     let roughness = achieved.roughness.map(|roughness| lang.figure(&roughness.into_figure()));
@@ -190,7 +196,7 @@ fn route_name(source: RouteSource, table: &str, scheme: &str, lang: Lang) -> Str
 }
 
 /// The requirements of a group, the route taken, and the runner-up with its cost.
-fn choice(plan: &Plan, hole_plan: &HolePlan, lang: Lang) -> Option<Field> {
+pub(crate) fn choice(plan: &Plan, hole_plan: &HolePlan, lang: Lang) -> Option<Field> {
     let route = hole_plan.route.as_ref()?;
     let against = match route.runner_up() {
         Some(other) => runner_up(other, lang),

@@ -9,7 +9,7 @@ use super::{Lang, column, heading, mark};
 use crate::report::operation_noun;
 
 /// Cutters with their holders.
-pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
+pub(crate) fn tools(plan: &Plan, lang: Lang) -> Table {
     let mm = lang.word("unit-mm");
     let mut table = Table::new([
         Column::text("T"),
@@ -79,7 +79,7 @@ fn work_of_tool(plan: &Plan, tool: &ToolPlan, lang: Lang) -> String {
 }
 
 /// The values of the offset registers.
-pub(super) fn corrections(plan: &Plan, lang: Lang) -> Table {
+pub(crate) fn corrections(plan: &Plan, lang: Lang) -> Table {
     let mm = lang.word("unit-mm");
     let mut table = Table::new([
         Column::text("T"),

@@ -1,0 +1,276 @@
+//! The laboratory report: the sixteen parts that the textbook asks for (5.3, l. 4888-4921), from one plan and its
+//! program. What only the author can write has a marked place.
+//!
+//! - `title` the title block, read from a file; `limits` what the part needs of the machine; `from_above` the drawing of
+//!   the part.
+
+use crate::document::{Block, Column, Document, Drawing, Field, Inlines, Item, Table};
+use crate::error::KnowledgeError;
+use crate::job::Job;
+use crate::knowledge::Knowledge;
+use crate::machine::Machine;
+use crate::motion::MotionStep;
+use crate::note::{Note, Severity};
+use crate::part::Hole;
+use crate::plan::{HolePlan, Plan, Transition};
+use crate::program::Setting;
+
+use super::backplot::{Frame, backplot};
+use super::encoding::EncodingSheet;
+use super::sheet::{self, exactly, mm, route};
+use super::words::say;
+use super::{Doubts, Lang, cycles, operation_noun, setting, transitions};
+
+mod from_above;
+mod limits;
+mod title;
+
+pub use title::{ReportFile, TitleBlock, read_title, schema};
+
+/// How many parts a report has.
+pub const PARTS: u8 = 16;
+
+/// What a report is made of: a plan, its job, and the program that was written and read back.
+#[derive(Clone, Copy, Debug)]
+pub struct Sources<'a> {
+    /// The plan.
+    pub plan: &'a Plan,
+    /// Its job.
+    pub job: &'a Job,
+    /// The operator's setting.
+    pub setting: &'a Setting,
+    /// The program on its encoding sheet.
+    pub sheet: &'a EncodingSheet,
+    /// The motions of the program, read back.
+    pub steps: &'a [MotionStep],
+    /// Why the program must not be run, in words; none if it may.
+    pub warning: Option<&'a str>,
+    /// The tables.
+    pub knowledge: &'a Knowledge,
+}
+
+/// The report.
+///
+/// # Errors
+/// The tables lack the machine of the part.
+pub fn page(sources: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Result<Document, KnowledgeError> {
+    let machine = Machine::find(sources.knowledge, &sources.plan.part.machine)?;
+    let named = title.work.clone().unwrap_or_else(|| say!(lang, "lab-title", part = sources.plan.part.part.as_str()));
+    let mut page = Document::new(lang.tag(), named);
+    head(&mut page, title, lang);
+    for number in (1..=PARTS).filter(|number| title.has(*number)) {
+        let name = lang.word(PART_NAMES[usize::from(number) - 1]);
+        page.heading(2, say!(lang, "lab-part", number = number, name = name));
+        part(&mut page, number, sources, title, &machine, lang);
+    }
+    Ok(page)
+}
+
+const PART_NAMES: [&str; PARTS as usize] = [
+    "lab-aim",
+    "lab-task",
+    "lab-equipment",
+    "lab-possible",
+    "lab-blank",
+    "lab-steps",
+    "lab-route",
+    "lab-tools",
+    "lab-conditions",
+    "lab-fixture",
+    "lab-setting",
+    "lab-zeros",
+    "lab-change",
+    "lab-charts",
+    "lab-program",
+    "lab-conclusions",
+];
+
+fn part(page: &mut Document, number: u8, own: &Sources<'_>, title: &TitleBlock, machine: &Machine<'_>, lang: Lang) {
+    let plan = own.plan;
+    match number {
+        1 => by_author(page, title.aim.as_deref(), "lab-write-aim", lang),
+        2 => task(page, plan, title, lang),
+        3 => equipment(page, own, machine, lang),
+        4 => limits::section(page, plan, machine, lang),
+        5 => page.paragraph(blank(plan, lang)),
+        6 => steps(page, plan, lang),
+        7 => route::work(page, plan, lang),
+        8 => page.push(sheet::tools(plan, lang)),
+        9 => sheet::conditions(page, plan, lang),
+        10 => {
+            sheet::clamping(page, plan, own.knowledge, lang);
+            by_author(page, title.fixture.as_deref(), "lab-write-fixture", lang);
+        }
+        11 => {
+            page.push(sheet::corrections(plan, lang));
+            setting::loads(own.job, lang).into_iter().for_each(|line| page.paragraph(line));
+        }
+        12 => page.push(setting::zeros(own.setting, lang)),
+        13 => change(page, own, lang),
+        14 => charts(page, own, lang),
+        15 => program(page, own, lang),
+        _ => conclusions(page, own, title, lang),
+    }
+}
+
+fn head(page: &mut Document, title: &TitleBlock, lang: Lang) {
+    let fields = title.fields();
+    let line = |(key, text): (&'static str, &str)| Field::new(lang.word(key), text);
+    if !fields.is_empty() {
+        page.push(Block::Fields(fields.into_iter().map(line).collect()));
+    }
+}
+
+/// What the author has written, or a marked place for it.
+fn by_author(page: &mut Document, text: Option<&str>, missing: &'static str, lang: Lang) {
+    match text {
+        Some(text) => page.paragraph(text),
+        None => page.paragraph(say!(lang, "lab-place", what = lang.word(missing))),
+    }
+}
+
+/// The surfaces to be made, as the drawing asks for them.
+fn task(page: &mut Document, plan: &Plan, title: &TitleBlock, lang: Lang) {
+    if let Some(task) = &title.task {
+        page.paragraph(task.as_str());
+    }
+    let unit = lang.word("unit-mm");
+    let mut table = Table::new([
+        Column::text(say!(lang, "plan-hole")).min_width(4),
+        Column::number(say!(lang, "lab-count"), ""),
+        Column::text(say!(lang, "lab-size")),
+        Column::number(say!(lang, "lab-depth"), unit),
+        Column::text(say!(lang, "lab-roughness")),
+        Column::text(say!(lang, "lab-places")).min_width(24),
+    ]);
+    for hole in &plan.part.holes {
+        let points = hole.at.iter().map(|at| say!(lang, "plan-point", x = at.x, y = at.y));
+        table.row([
+            Inlines::from(hole.name.as_str()),
+            Inlines::number(hole.at.len().to_string()),
+            size(hole, lang).into(),
+            depth(hole, lang),
+            lang.figure(&crate::note::IntoFigure::into_figure(hole.roughness)).into(),
+            points.collect::<Vec<_>>().join(", ").into(),
+        ]);
+    }
+    page.push(table);
+    page.push(Drawing {
+        svg: from_above::drawing(&plan.part, lang),
+        caption: say!(lang, "lab-from-above").into(),
+        alternative: say!(lang, "lab-from-above").to_owned(),
+    });
+}
+
+fn size(hole: &Hole, lang: Lang) -> String {
+    match &hole.thread {
+        Some(thread) => thread.written.clone(),
+        None => lang.figure(&crate::note::IntoFigure::into_figure(&hole.diameter)),
+    }
+}
+
+fn depth(hole: &Hole, lang: Lang) -> Inlines {
+    if hole.through { say!(lang, "lab-through").into() } else { Inlines::number(mm(hole.depth, lang)) }
+}
+
+/// The record of the machine, figure by figure.
+fn equipment(page: &mut Document, own: &Sources<'_>, machine: &Machine<'_>, lang: Lang) {
+    page.push(Block::Fields(vec![Field::new(say!(lang, "plan-machine"), own.sheet.equipment.as_str())]));
+    page.push(limits::record(machine, lang));
+}
+
+fn blank(plan: &Plan, lang: Lang) -> String {
+    let blank = plan.part.blank;
+    let plate = say!(lang, "plan-plate", length = blank.length, width = blank.width, thickness = blank.thickness);
+    match plan.part.mass_kg {
+        Some(mass) => say!(lang, "lab-blank-of-mass", blank = plate, mass = exactly(mass, 1)),
+        None => say!(lang, "lab-blank-is", blank = plate),
+    }
+}
+
+/// For every surface: its transitions with what each leaves, and the method.
+fn steps(page: &mut Document, plan: &Plan, lang: Lang) {
+    for hole in &plan.holes {
+        let step = |own: &Transition| -> Item { Inlines::sentence(&step(own, lang)).into() };
+        let Some(of) = plan.part.holes.iter().find(|own| own.name == hole.name) else { continue };
+        page.heading(3, say!(lang, "lab-of-hole", hole = hole.name.as_str(), size = size(of, lang)));
+        if hole.transitions.is_empty() {
+            page.paragraph(say!(lang, "lab-not-planned"));
+            continue;
+        }
+        page.push(Block::List(hole.transitions.iter().map(step).collect()));
+        page.push(Block::Fields(route::choice(plan, hole, lang).into_iter().collect()));
+    }
+}
+
+fn step(own: &Transition, lang: Lang) -> String {
+    let what = operation_noun(own.operation.name(), lang);
+    let reached = route::achieved(own.achieved.as_ref(), lang);
+    let reached = if reached.is_empty() { String::new() } else { say!(lang, "lab-reaches", reached = reached) };
+    let where_ = if own.elsewhere { say!(lang, "lab-elsewhere") } else { "" };
+    say!(lang, "lab-step", what = what, diameter = own.diameter_mm, reached = reached, elsewhere = where_)
+}
+
+/// The position of table and quill while a tool is changed.
+fn change(page: &mut Document, own: &Sources<'_>, lang: Lang) {
+    let at = own.job.change_at;
+    page.paragraph(say!(lang, "lab-change-at", x = at.x, y = at.y, z = at.z));
+    if let Some(clamping) = &own.plan.clamping {
+        page.paragraph(say!(lang, "lab-change-apart", distance = clamping.safe_distance_mm));
+    }
+}
+
+/// The path of every tool over the holes, and the cycle of every tool.
+fn charts(page: &mut Document, own: &Sources<'_>, lang: Lang) {
+    let over = say!(lang, "lab-over-holes");
+    let svg = backplot(own.steps, Some(&Frame::of(own.job, &own.plan.part)), lang);
+    page.push(Drawing { svg, caption: over.into(), alternative: over.to_owned() });
+    for chart in cycles::diagrams(own.job, own.plan, lang) {
+        let works = own.job.setups.iter().filter(|setup| setup.number == chart.setup).flat_map(|setup| &setup.works);
+        let work = works.into_iter().find(|work| work.tool == chart.tool);
+        let does = work.map_or_else(String::new, |work| {
+            let all: Vec<usize> = (0..work.cycles.len()).collect();
+            transitions::sentence(own.plan, work, &all, lang)
+        });
+        let caption = say!(lang, "lab-chart", tool = chart.tool, does = does);
+        page.push(Drawing { svg: chart.svg, caption: caption.as_str().into(), alternative: caption });
+    }
+}
+
+/// The encoding sheet, under the heading of the part.
+fn program(page: &mut Document, own: &Sources<'_>, lang: Lang) {
+    if let Some(warning) = own.warning {
+        page.paragraph(say!(lang, "lab-not-to-run", why = warning));
+    }
+    page.paragraph(say!(lang, "lab-program-form"));
+    page.blocks.extend(own.sheet.page().blocks);
+}
+
+/// What the plan's own figures say, what stays undone, and the place for the author's words.
+fn conclusions(page: &mut Document, own: &Sources<'_>, title: &TitleBlock, lang: Lang) {
+    let plan = own.plan;
+    let made: usize = plan.holes.iter().map(|hole| hole.transitions.iter().filter(|own| !own.elsewhere).count()).sum();
+    let note = Note::new("lab-made")
+        .with("holes", plan.part.holes.iter().map(|hole| hole.at.len()).sum::<usize>())
+        .with("tools", plan.tools.len())
+        .with("transitions", made)
+        .with("setups", own.job.setups.len())
+        .with("time", exactly(plan.time.total_min.0, 2));
+    page.paragraph(lang.say(&note));
+    if let Some((hole, time)) = slowest(plan) {
+        page.paragraph(say!(lang, "lab-slowest", hole = hole.name.as_str(), time = exactly(time, 2)));
+    }
+    sheet::findings(page, plan, Doubts::Counted, lang);
+    let is_clean = plan.findings.iter().all(|finding| finding.severity > Severity::Wrong);
+    if is_clean && own.warning.is_none() {
+        page.paragraph(say!(lang, "lab-nothing-wrong"));
+    }
+    by_author(page, title.conclusions.as_deref(), "lab-write-conclusions", lang);
+}
+
+/// The group whose holes take the most time together, with that time in min.
+fn slowest(plan: &Plan) -> Option<(&HolePlan, f64)> {
+    let time = |hole: &HolePlan| hole.route.as_ref().map(|route| route.time_min.0);
+    let timed = plan.holes.iter().filter_map(|hole| Some((hole, time(hole)?)));
+    timed.max_by(|a, b| a.1.total_cmp(&b.1))
+}

@@ -1,0 +1,84 @@
+//! The part from above: the plate with its overall sizes, every hole with the name of its group, the zero of the drawing.
+
+use crate::part::Part;
+
+use super::super::canvas::{Anchor, At, Canvas, Pen, width_of};
+use super::super::sheet::mm;
+use super::Lang;
+
+const WIDTH: f64 = 720.0;
+const MARGIN: f64 = 60.0;
+const TALLEST: f64 = 640.0;
+const INK: Pen = Pen::solid("#333", 1.2);
+const THIN: Pen = Pen::solid("#888", 0.8);
+const AXIS: Pen = Pen::dashed("#999", 0.7);
+/// A hole is never drawn smaller than this, so that it is seen.
+const LEAST: f64 = 2.5;
+
+/// The drawing, a whole SVG file.
+pub(super) fn drawing(part: &Part, lang: Lang) -> String {
+    let (length, width) = (part.blank.length.to_mm().max(1.0), part.blank.width.to_mm().max(1.0));
+    let (left, front) = (part.datum.left.to_mm(), part.datum.front.to_mm());
+    let scale = ((WIDTH - 2.0 * MARGIN) / length).min(TALLEST / width);
+    let (across, up) = (length * scale, width * scale);
+    let corner = ((WIDTH - across) / 2.0, MARGIN / 2.0);
+    // Y points up on the drawing of the part, and down in the file.
+    let at = |x: f64, y: f64| -> At { (corner.0 + (x - left) * scale, corner.1 + (front + width - y) * scale) };
+    let mut canvas = Canvas::default();
+    canvas.rectangle(corner, (corner.0 + across, corner.1 + up), "none", Some(INK));
+    let mut taken: Vec<(At, f64)> = Vec::new();
+    for hole in &part.holes {
+        let radius = (hole.diameter.nominal.to_mm() * scale / 2.0).max(LEAST);
+        for point in &hole.at {
+            let (x, y) = at(point.x.to_mm(), point.y.to_mm());
+            let arm = radius + 4.0;
+            canvas.line(&[(x - arm, y), (x + arm, y)], AXIS);
+            canvas.line(&[(x, y - arm), (x, y + arm)], AXIS);
+            canvas.circle((x, y), radius, "none", Some(INK));
+            let long = width_of(&hole.name, SIZE);
+            let place = label((x, y), radius, long, &taken);
+            taken.push((place, long));
+            canvas.text(place, SIZE, Anchor::Start, &hole.name);
+        }
+    }
+    zero(&mut canvas, at(0.0, 0.0));
+    let below = corner.1 + up + 22.0;
+    dimension(&mut canvas, [(corner.0, below), (corner.0 + across, below)], &mm(part.blank.length, lang));
+    let beside = corner.0 - 22.0;
+    dimension(&mut canvas, [(beside, corner.1 + up), (beside, corner.1)], &mm(part.blank.width, lang));
+    canvas.page(WIDTH, corner.1 + up + 46.0)
+}
+
+const SIZE: f64 = 12.0;
+
+/// The first place around a hole for its name where no other name stands; the first place of all if every one is taken.
+fn label((x, y): At, radius: f64, long: f64, taken: &[(At, f64)]) -> At {
+    let off = radius + 3.0;
+    let places =
+        [(x + off, y - off), (x + off, y + off + SIZE), (x - off - long, y - off), (x - off - long, y + off + SIZE)];
+    let is_free = |place: &At| {
+        taken.iter().all(|((tx, ty), tl)| (place.1 - ty).abs() > SIZE || place.0 > tx + tl || place.0 + long < *tx)
+    };
+    places.into_iter().find(is_free).unwrap_or(places[0])
+}
+
+/// The zero of the drawing with its axes.
+fn zero(canvas: &mut Canvas, (x, y): At) {
+    let pen = Pen::solid("#d55e00", 1.6);
+    for (to, name, place) in [((x + 34.0, y), "X", (x + 38.0, y + 4.0)), ((x, y - 34.0), "Y", (x - 4.0, y - 40.0))] {
+        canvas.line(&[(x, y), to], pen);
+        canvas.head((x, y), to, pen);
+        canvas.text(place, SIZE, Anchor::Start, name);
+    }
+    canvas.circle((x, y), 3.0, "white", Some(pen));
+}
+
+/// A dimension line with an arrow at either end; its figure beside the middle.
+fn dimension(canvas: &mut Canvas, [from, to]: [At; 2], figure: &str) {
+    canvas.line(&[from, to], THIN);
+    canvas.head(from, to, THIN);
+    canvas.head(to, from, THIN);
+    let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
+    let place = if from.1 == to.1 { (middle.0, middle.1 + 16.0) } else { (middle.0 - 16.0, middle.1 + 4.0) };
+    canvas.text(place, SIZE, Anchor::Middle, figure);
+}

@@ -1,0 +1,108 @@
+//! The laboratory report: all its parts, every figure of the plan, and what is undone.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use technolog::note::IntoFigure;
+use technolog::plan::CuttingMethod;
+use technolog::report::Lang;
+use technolog_testing::{planned, read};
+
+fn run(arguments: &[&str]) -> Output {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    Command::new(env!("CARGO_BIN_EXE_technolog"))
+        .args(arguments)
+        .env("COLUMNS", "160")
+        .current_dir(root)
+        .output()
+        .unwrap()
+}
+
+fn printed(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn parts() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    ["plate", "variant-2", "variant-4"].iter().map(|name| root.join(format!("examples/{name}.yaml"))).collect()
+}
+
+/// The textbook lists sixteen parts (5.3); each has its heading once, in their order, and no message without words is left.
+#[test]
+fn every_report_has_the_sixteen_parts_in_order() {
+    for part in parts() {
+        for lang in ["uk", "en"] {
+            let text = printed(&["report", part.to_str().unwrap(), "--lang", lang, "--format", "markdown"]);
+            let headings = text.lines().filter_map(|line| line.strip_prefix("## "));
+            let numbers: Vec<u32> =
+                headings.map(|heading| heading.replace('\\', "").split('.').next().unwrap().parse().unwrap()).collect();
+            assert_eq!(numbers, (1..=16).collect::<Vec<_>>(), "{part:?} {lang}");
+            assert!(!text.contains("lab-"), "{part:?} {lang}: a message without words");
+        }
+    }
+}
+
+/// Nothing of the plan is lost on the way into the report: every tool, diameter, speed, feed and length is in it.
+#[test]
+fn every_figure_of_the_plan_is_in_its_report() {
+    for path in parts() {
+        let part = read(&std::fs::read_to_string(&path).unwrap());
+        let plan = planned(&part, CuttingMethod::default());
+        let text = printed(&["report", path.to_str().unwrap(), "--lang", "en", "--format", "text"]);
+        let has = |what: &str| assert!(text.contains(what), "{path:?}: {what} is not in the report");
+        for tool in &plan.tools {
+            has(&tool.designation);
+            has(&tool.holder);
+            has(&Lang::EN.figure(&tool.length_mm.into_figure()));
+        }
+        for own in plan.holes.iter().flat_map(|hole| &hole.transitions) {
+            has(&Lang::EN.figure(&own.diameter_mm.into_figure()));
+            if !own.elsewhere {
+                has(&format!("{:.0}", own.conditions.spindle_rpm.0));
+                has(&format!("{:.0}", own.conditions.feed_mm_per_min.0));
+            }
+        }
+        has(&format!("{:.2}", plan.time.total_min.0));
+    }
+}
+
+#[test]
+fn the_title_block_names_who_hands_it_in_and_chooses_the_parts() {
+    let text = printed(&["report", "examples/plate.yaml", "--title", "examples/report.yaml", "--format", "text"]);
+    for said in ["О. Ковальчук", "МТ-31", "Лабораторна робота 3"] {
+        assert!(text.contains(said), "{said}");
+    }
+    assert!(!text.contains("Вписати: назву"), "the aim is in the file");
+    let folder = std::env::temp_dir().join(format!("technolog-report-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let title = folder.join("title.yaml");
+    std::fs::write(&title, "parts: [7, 15]\n").unwrap();
+    let few = printed(&["report", "examples/plate.yaml", "--title", title.to_str().unwrap(), "--format", "markdown"]);
+    assert_eq!(few.lines().filter(|line| line.starts_with("## ")).count(), 2);
+    std::fs::write(&title, "parts: [0]\nautor: x\n").unwrap();
+    let bad = run(&["report", "examples/plate.yaml", "--title", title.to_str().unwrap(), "--lang", "en"]);
+    let told = String::from_utf8(bad.stderr).unwrap();
+    assert_eq!(bad.status.code(), Some(2), "{told}");
+    assert!(told.contains("title.yaml:1:") && told.contains("title.yaml:2:"), "{told}");
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+/// A part that cannot be made whole is never reported as made.
+#[test]
+fn what_cannot_be_made_is_said_in_parts_4_15_and_16() {
+    let folder = std::env::temp_dir().join(format!("technolog-undone-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let part = folder.join("part.yaml");
+    let text = "part: Undone\nmaterial: steel-45\nblank: {kind: plate, length: 200, width: 120, thickness: 20}\n\
+                machine: gf2171\nholes:\n  - {name: A, diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.4, at: [[0, 0]]}\n  \
+                - {name: B, diameter: 30H7, through: true, roughness: Ra 0.1, centre_tolerance: 0.4, at: [[60, 0]]}\n";
+    std::fs::write(&part, text).unwrap();
+    let output = run(&["report", part.to_str().unwrap(), "--lang", "en", "--format", "text"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains("Not all of the task can be done") && text.contains("must not be run"), "{text}");
+    assert!(!text.contains("found no error"), "{text}");
+    std::fs::remove_dir_all(&folder).unwrap();
+}
