@@ -5,6 +5,7 @@
 mod hold;
 
 use crate::error::KnowledgeError;
+use crate::machine::Machine;
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::{Clamping, HolePlan, Operation, Transition};
@@ -41,7 +42,7 @@ pub fn clamping(
         return Ok((Some(clamping), faults));
     }
     let mut best = None;
-    for clamps in proposals(part, inset) {
+    for clamps in proposals(part, inset, &shop.machine) {
         let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { break };
         let Some(Finding { note: why, .. }) = faults.into_iter().next() else {
             return Ok((Some(clamping), Vec::new()));
@@ -195,10 +196,17 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(
 /// Symmetric pairs on two opposite sides, and sets of four from two pairs: those with the most room to the holes
 /// first, corners last; among equals the middles of the sides first. Where holes block all of them, the best pair
 /// alone.
-fn proposals(part: &Part, inset: Micrometres) -> Vec<Vec<Point>> {
+///
+/// Where the table ends before the part does, clamps stand over the table: the middle of the part lies over its middle.
+fn proposals(part: &Part, inset: Micrometres, machine: &Machine<'_>) -> Vec<Vec<Point>> {
     let (blank, middle) = (&part.blank, part.middle());
-    let across = (blank.width - inset - inset).half();
-    let along = (blank.length - inset - inset).half();
+    // A spindle that does not stand over its table says nothing of its height.
+    let upright = machine.nose_to_table.is_some();
+    let within = |size: Micrometres, table: Option<Micrometres>| {
+        let bearing = table.filter(|_| upright).map_or(size, |table| table.min(size));
+        (bearing - inset - inset).half()
+    };
+    let (across, along) = (within(blank.width, machine.table_width), within(blank.length, machine.table_length));
     let pair = |x: Micrometres, y: Micrometres| {
         vec![Point { x: middle.x - x, y: middle.y - y }, Point { x: middle.x + x, y: middle.y + y }]
     };

@@ -11,6 +11,7 @@ use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 use crate::zone::Stroke;
 
+use super::on_table::swing;
 use super::{SetUp, ToolWork};
 use crate::shop::convention;
 
@@ -64,11 +65,15 @@ pub(super) fn stand(
 
 /// X and Y of the zero.
 pub(super) fn across(part: &Part, works: &[ToolWork], machine: &Machine<'_>) -> Point {
-    let points = || works.iter().flat_map(|work| &work.stops).map(|stop| stop.at);
+    let reaches = works.iter().flat_map(|work| work.stops.iter().map(|stop| (stop.at, swing(work, stop.cycle))));
+    let ends: Vec<[Point; 2]> = reaches
+        .map(|(at, swing)| [Point { x: at.x - swing, y: at.y - swing }, Point { x: at.x + swing, y: at.y + swing }])
+        .collect();
+    let points = || ends.iter().flatten();
     let middle = part.middle();
     Point {
-        x: along(-middle.x, points().map(|at: Point| at.x), machine.travel_x),
-        y: along(-middle.y, points().map(|at: Point| at.y), machine.travel_y),
+        x: along(-middle.x, points().map(|at| at.x), machine.travel_x),
+        y: along(-middle.y, points().map(|at| at.y), machine.travel_y),
     }
 }
 

@@ -74,6 +74,13 @@ rows! {
         most: f64,
     }
 
+    /// Density of the metals of a group, kg/m³: the lightest and the heaviest of them.
+    pub struct Density of One("densities") {
+        material_group: &'t str,
+        least: f64,
+        most: f64,
+    }
+
     /// Between which hardness, HB, metals of a group lie.
     pub struct HardnessBounds of One("hardness-bounds") {
         material_group: &'t str,

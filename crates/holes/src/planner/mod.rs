@@ -115,8 +115,8 @@ pub fn plan_by(
     findings.extend(of_clamping);
     let visits = sequence::sequence(part, &holes, &shop.machine, None);
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
-    let off_table = zone::off_table(part, &shop.machine);
-    findings.extend(off_table.iter().map(|fault| Finding::of_part(Severity::Error, fault.note())));
+    let off_table = zone::off_table(part, &shop)?;
+    findings.extend(off_table.iter().map(|fault| Finding::of_part(fault.severity(), fault.note())));
     findings.extend(names::lookalike_names(part));
     findings.extend(doubtful_row(shop.material.row));
     if let Some(state) = part.material_state {
