@@ -48,7 +48,10 @@ pub(super) fn stand(
     let reference = plan.tools.iter().map(|tool| tool.length_mm - tool.correction_mm).max().unwrap_or_default();
     let longest = plan.tools.iter().map(|tool| tool.correction_mm).max().unwrap_or_default();
     let heights = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out)).max().unwrap_or_default();
-    let supports = supports(part, works, shop, findings)?;
+    let supports = match &plan.setup.vice {
+        Some(vice) => vice.height(),
+        None => supports(part, works, shop, findings)?,
+    };
     // From the table to the zero of the drawing.
     let zero_height = supports + part.blank.thickness - part.datum.top;
     let needed =

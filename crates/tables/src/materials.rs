@@ -13,6 +13,10 @@ vocabulary! {
         Clamps = "clamps",
         OverhangAddition = "overhang-addition",
         LeastScrew = "least-screw",
+        ViceGrip = "vice-grip",
+        ViceGripShare = "vice-grip-share",
+        ViceBelowFace = "vice-below-face",
+        ViceRoomBelow = "vice-room-below",
     }
 }
 
@@ -39,6 +43,24 @@ rows! {
         force_80: Newtons,
         safe_distance: Micrometres,
     } shown { force_90, force_100 }
+
+    /// Machine vices, those that are tried first first.
+    pub struct MachineVice of One("vices") {
+        designation: &'t str,
+        jaw_width: Micrometres,
+        opening: Micrometres,
+        jaw_height: Micrometres,
+        bed_height: Micrometres,
+        force: Newtons,
+    }
+
+    /// Parallels under a part in a vice.
+    pub struct Parallels of One("parallels") {
+        height: Micrometres,
+        thinnest: Micrometres,
+        thickest: Micrometres,
+        length: Micrometres,
+    }
 
     /// Other designations of materials.
     pub struct MaterialAlias of One("material-aliases") {

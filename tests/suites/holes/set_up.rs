@@ -1,7 +1,8 @@
 //! The set-up of a part: on the table, within reach, held.
 
 use technolog::note::{Finding, Severity};
-use technolog::plan::{CuttingMethod, Plan};
+use technolog::plan::{CuttingMethod, JawsAlong, Plan};
+use technolog::units::Micrometres;
 use technolog_testing::{planned, read};
 
 /// A part of steel 45 on the ГФ2171: its blank, more lines of the file, and the places of its holes.
@@ -88,4 +89,58 @@ fn a_part_under_which_a_tool_does_not_pass_is_told() {
     let (severity, said) = figures(&tall, "no-room-over-part", &["needed", "most"]);
     assert_eq!((severity, said[1].as_str()), (Severity::Error, "500"));
     assert!((said[0].parse::<f64>().unwrap() - (350.0 + 40.0 + 15.0 + length)).abs() < 0.01, "{said:?} {length}");
+}
+
+const CORNERS: &str = "[[-15, -10], [15, 10], [-15, 10], [15, -10]]";
+
+/// A block of 60 by 50 by 30 mm with four holes of 10 mm leaves no strap a place. The drill comes out 3 mm and its point of 118°,
+/// 10/2/tan 59° = 3.0 mm, below it, the ways shall stay 1 mm away: 7 mm, and the lowest parallels are 14 mm. Jaws of 44.07 mm
+/// on 18 mm grip 26.07 mm, at most 30 − 2; on 16 mm it would be 28.07. Holes begin 25 − 10 − 5 = 10 mm from the jaws.
+#[test]
+fn a_part_without_a_place_for_straps_is_put_into_a_vice() {
+    let small = plan([60, 50, 30], "", CORNERS);
+    assert!(!small.has_errors() && small.clamping.is_none(), "{:?}", small.findings);
+    assert!(found(&small, "no-place-for-clamps").is_none());
+    let vice = small.setup.vice.as_ref().unwrap();
+    assert_eq!(vice.designation, "Kurt DX6 (D688)");
+    assert_eq!(vice.jaws_along, JawsAlong::X);
+    let figures = [vice.opened_mm, vice.grip_mm, vice.below_face_mm].map(Micrometres::to_mm);
+    assert_eq!(figures, [50.0, 26.07, 3.93]);
+    assert_eq!(vice.parallels_mm, Some(Micrometres::from_mm(18)));
+    assert_eq!(vice.thickest_parallels_mm, Some(Micrometres::from_mm(10)));
+    // k·M/(f·b) with the torque of the drill, the largest of the plan.
+    let torques = small.holes[0].transitions.iter().filter_map(|step| step.conditions.torque_n_m);
+    let torque = torques.map(|torque| torque.0).fold(0.0, f64::max);
+    assert!((vice.force_n.0 - 2.5 * torque / (0.15 * 0.05)).abs() < 1.0, "{} {torque}", vice.force_n.0);
+    // The part lies on the parallels, and the knee follows.
+    assert_eq!(small.setup.stands[0].height_mm, Micrometres::from_mm(73 + 18));
+}
+
+/// A hole 6.5 mm from the side begins 1.5 mm from the jaw, and the thinnest parallels are 4 mm; between the other sides it is
+/// as near, so that nothing takes the part.
+#[test]
+fn no_vice_is_named_whose_parallels_would_be_cut() {
+    let near = plan([60, 50, 30], "", "[[-23.5, -18.5], [23.5, 18.5], [-23.5, 18.5], [23.5, -18.5], [0, 0]]");
+    assert!(near.setup.vice.is_none());
+    assert_eq!(figures(&near, "no-vice", &["why"]).0, Severity::Doubtful);
+    assert!(found(&near, "no-place-for-clamps").is_some());
+    // What the file says of its fixture is for who made it.
+    assert!(plan([60, 50, 30], "fixture: {height: 20}", CORNERS).setup.vice.is_none());
+}
+
+/// x0 = xM − B − d/2 (textbook 1.12.2): with the zero at the left front corner, B and H are the length and the width.
+#[test]
+fn zeros_are_told_by_the_sides_that_an_arbor_touches() {
+    let corner = plan([300, 200, 40], "datum: {x: left, y: front}", "[[50, 50], [250, 150]]");
+    let [stand] = &corner.setup.stands[..] else { panic!("{:?}", corner.setup) };
+    assert_eq!(stand.sides_mm, [300, 200].map(Micrometres::from_mm));
+    assert_eq!((stand.zero_mm[0], stand.zero_mm[1]), (Micrometres::from_mm(-150), Micrometres::from_mm(-100)));
+    assert_eq!(stand.first_level_mm, Micrometres::from_mm(15));
+    // The place of the tool change, X0 Y196 of the machine, in the drawing.
+    assert_eq!((stand.start.x, stand.start.y), (Micrometres::from_mm(150), Micrometres::from_mm(296)));
+    // With the reference tool on the face: its length is what is left of the nose over face and supports.
+    let (nose, reference) = (stand.nose_to_table_mm.unwrap(), stand.reference_tool.unwrap());
+    let tool = corner.tools.iter().find(|tool| tool.number == reference).unwrap();
+    assert_eq!(stand.zero_mm[2], Micrometres::from_mm(40) + stand.height_mm + tool.length_mm - nose);
+    assert_eq!(serde_json::from_str::<Plan>(&serde_json::to_string(&corner).unwrap()).unwrap(), corner);
 }

@@ -23,6 +23,7 @@ use crate::machine::{Machine, Rapid};
 use crate::note::{Finding, Severity};
 use crate::part::{Face, Part, Point};
 use crate::plan::{HolePlan, Plan, Stop, ToolVisit};
+use crate::setup;
 use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes};
 
@@ -82,6 +83,7 @@ type Speeds = Vec<u64>;
 pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let job = job::make(plan, shop)?;
     job::timed(plan, &job, shop)?;
+    plan.setup.stands = setup::stands(plan, &job, &shop.machine);
     // What a program would be refused for is told of the plan, too. Clamps whose height is not known make no plan wrong: its
     // program asks for them.
     let asked = |finding: &Finding| finding.note.code() == "ways-over-clamps";
